@@ -1,0 +1,489 @@
+//! What a run gives back: series, events, outcome, energy ledger, cost and warnings. Plain data in SI units.
+//!
+//! A quantity that does not exist for a scene is `None`, never zero. A run that had to end early keeps all it has and says
+//! why in [`Run::end`]. Nothing here reads a clock: whoever calls the simulation measures its time.
+
+use std::fmt;
+use std::sync::Arc;
+
+use crate::model::scene::Scene;
+
+/// One computed impact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The scene as it was run.
+    pub scene: Arc<Scene>,
+    /// What became of the shot.
+    pub outcome: Outcome,
+    /// Why the computation ended.
+    pub end: EndReason,
+    /// The first moment of common velocity, the thesis's end of penetration.
+    pub first_arrest: Option<Arrest>,
+    /// Depth of the hole at the end; of a perforation, the depth at which the nose was clear of the rear face, m.
+    pub final_penetration_m: Option<f64>,
+    /// Penetration of the same shot into the same plate on a rigid mount; `None` when that perforates.
+    pub baseline_penetration_m: Option<f64>,
+    /// Greatest contact force while penetrating, N.
+    pub peak_contact_force_n: f64,
+    /// Greatest plate displacement x; `None` where nothing ever stops the plate or the run ended before it was known, m.
+    pub max_plate_displacement_m: Option<f64>,
+    /// Projectile velocity after perforation, m/s.
+    pub residual_velocity_m_s: Option<f64>,
+    /// When the nose was clear of the rear face, s.
+    pub exit_time_s: Option<f64>,
+    /// When the projectile left through the entry face, and its velocity then, (s, m/s).
+    pub separation: Option<(f64, f64)>,
+    /// Greatest N/(A `S_y`) the interface carried, or would have had to carry, while fused.
+    pub interface_demand_ratio: Option<f64>,
+    /// Relative error estimate of the final penetration, and where it comes from.
+    pub error_estimate: Option<ErrorEstimate>,
+    /// The series to draw, in order of time; two samples at the same time where something jumps. Empty unless asked for.
+    pub series: Vec<Sample>,
+    /// Located events, in order of time.
+    pub events: Vec<Event>,
+    /// Where the energy went.
+    pub ledger: EnergyLedger,
+    /// What the computation cost.
+    pub cost: Cost,
+    /// What this scene did not need.
+    pub omitted: Vec<Omission>,
+    /// What a careful reader should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// What became of the shot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// The projectile stays in the plate.
+    Arrested,
+    /// The nose passed the rear face.
+    Perforated,
+    /// The projectile left through the entry face and will not come back.
+    Separated,
+    /// Not decided when the run ended.
+    Moving,
+}
+
+impl Outcome {
+    /// The word used in files and on screens.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Arrested => "arrested",
+            Self::Perforated => "perforated",
+            Self::Separated => "separated",
+            Self::Moving => "moving",
+        }
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
+    }
+}
+
+/// Why the computation ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EndReason {
+    /// The outcome and the greatest displacement are known.
+    Decided,
+    /// The horizon was reached.
+    Horizon,
+    /// The step budget was used up.
+    StepBudget,
+    /// Steps became too small to move time forward.
+    StepUnderflow,
+    /// A value stopped being finite.
+    NonFinite,
+    /// Too many events in a row (a plate rattling on its stop, for instance).
+    EventBudget,
+    /// The observer asked to stop.
+    Cancelled,
+}
+
+impl EndReason {
+    /// Whether the run is complete: decided, or run to its horizon.
+    pub fn is_complete(self) -> bool {
+        matches!(self, Self::Decided | Self::Horizon)
+    }
+
+    /// The reason in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Decided => "outcome decided",
+            Self::Horizon => "horizon reached",
+            Self::StepBudget => "ended early: the step budget was used up",
+            Self::StepUnderflow => "ended early: steps became too small to move time forward",
+            Self::NonFinite => "ended early: a value stopped being finite",
+            Self::EventBudget => "ended early: too many events",
+            Self::Cancelled => "cancelled: what was finished is kept",
+        }
+    }
+}
+
+/// The state at the first moment of common velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arrest {
+    /// Time since first contact, s.
+    pub t_s: f64,
+    /// Depth, m.
+    pub penetration_m: f64,
+    /// Plate displacement, m.
+    pub plate_displacement_m: f64,
+    /// Plate velocity, m/s.
+    pub plate_velocity_m_s: f64,
+}
+
+/// What the bodies are doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// The hole deepens.
+    Penetrating,
+    /// Together at common velocity.
+    Fused,
+    /// The projectile is being pulled out of its hole.
+    Withdrawing,
+    /// Apart, or in the hole without force.
+    FreeFlight,
+    /// In the hole again, moving towards its bottom.
+    Closing,
+    /// The nose has passed the rear face; the plate goes on alone.
+    Perforated,
+}
+
+impl Mode {
+    /// The word used in files and on screens.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Penetrating => "penetrating",
+            Self::Fused => "fused",
+            Self::Withdrawing => "withdrawing",
+            Self::FreeFlight => "free-flight",
+            Self::Closing => "closing",
+            Self::Perforated => "perforated",
+        }
+    }
+}
+
+/// One row of the series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Time since first contact, s.
+    pub t_s: f64,
+    /// What the bodies are doing.
+    pub mode: Mode,
+    /// Depth of the nose in the plate now, m (negative once it has left through the entry face).
+    pub penetration_m: f64,
+    /// Projectile displacement along its axis since first contact, m.
+    pub projectile_displacement_m: f64,
+    /// Projectile velocity along its axis, m/s.
+    pub projectile_velocity_m_s: f64,
+    /// Plate displacement from neutral, m.
+    pub plate_displacement_m: f64,
+    /// Plate velocity, m/s.
+    pub plate_velocity_m_s: f64,
+    /// Force between projectile and plate along the projectile's axis; positive pushes them apart, N.
+    pub contact_force_n: f64,
+    /// Spring force on the mount, N.
+    pub spring_force_n: f64,
+    /// Damper force on the mount, N.
+    pub damper_force_n: f64,
+    /// Force of the stop on the plate (elastic, or while the plate rests on a rigid one), N.
+    pub stop_force_n: f64,
+    /// Whether this is the end of one of the solver's own steps (else it lies between two, for drawing).
+    pub is_step: bool,
+}
+
+/// Something that happened at a located moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Event {
+    /// When, s.
+    pub t_s: f64,
+    /// What.
+    pub kind: EventKind,
+}
+
+/// The kinds of events a person wants marked on a chart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EventKind {
+    /// Common velocity for the first time.
+    FirstArrest,
+    /// Common velocity again.
+    Arrest,
+    /// The nose is buried to its full radius.
+    NoseBuried,
+    /// The nose reaches the rear face.
+    RearFace,
+    /// The nose is clear of the rear face.
+    Perforation,
+    /// The interface gives way and penetration goes on.
+    Resumption,
+    /// The projectile starts to be pulled out.
+    PullOut,
+    /// The projectile has left through the entry face.
+    Separation,
+    /// The projectile touches the plate again.
+    Recontact,
+    /// The plate is at its greatest displacement.
+    GreatestDisplacement,
+    /// The plate hits the stop.
+    StopHit,
+    /// The plate comes to rest on the stop.
+    StopHold,
+    /// The plate leaves the stop.
+    StopRelease,
+    /// The fused interface is first asked for more than it can carry.
+    InterfaceExceeded,
+}
+
+impl EventKind {
+    /// A short text for lists and readouts.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::FirstArrest => "first arrest",
+            Self::Arrest => "arrest",
+            Self::NoseBuried => "nose buried",
+            Self::RearFace => "rear face reached",
+            Self::Perforation => "perforation",
+            Self::Resumption => "penetration resumes",
+            Self::PullOut => "pull-out begins",
+            Self::Separation => "separation",
+            Self::Recontact => "contact again",
+            Self::GreatestDisplacement => "greatest displacement",
+            Self::StopHit => "stop hit",
+            Self::StopHold => "held by the stop",
+            Self::StopRelease => "leaves the stop",
+            Self::InterfaceExceeded => "interface limit exceeded",
+        }
+    }
+}
+
+/// A relative error estimate of the final penetration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ErrorEstimate {
+    /// Relative to the final penetration (to the exit time, for a perforation).
+    pub relative: f64,
+    /// How it was obtained.
+    pub basis: EstimateBasis,
+}
+
+/// How an error estimate was obtained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EstimateBasis {
+    /// The result is a closed form: only rounding is left.
+    ClosedForm,
+    /// Difference to a second computation at a tighter tolerance and another order.
+    SecondComputation,
+}
+
+/// Where the energy went, in J. Every term is what has left the projectile's initial kinetic energy and the spring's preload.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct EnergyLedger {
+    /// Projectile's kinetic energy at the start.
+    pub initial_kinetic_j: f64,
+    /// Energy preloaded in the cocked spring.
+    pub initial_spring_j: f64,
+    /// Projectile's kinetic energy at the end.
+    pub projectile_j: f64,
+    /// Plate's kinetic energy at the end.
+    pub plate_j: f64,
+    /// Energy stored in the spring at the end.
+    pub spring_j: f64,
+    /// Energy the damper has taken.
+    pub damper_j: f64,
+    /// Work done in the hole: penetration, and friction on the way out or in.
+    pub penetration_j: f64,
+    /// Energy stored in, or taken by, the stop.
+    pub stop_j: f64,
+}
+
+impl EnergyLedger {
+    /// All energy at the start, J.
+    pub fn initial_j(&self) -> f64 {
+        self.initial_kinetic_j + self.initial_spring_j
+    }
+
+    /// All energy accounted for at the end, J.
+    pub fn final_j(&self) -> f64 {
+        self.projectile_j
+            + self.plate_j
+            + self.spring_j
+            + self.damper_j
+            + self.penetration_j
+            + self.stop_j
+    }
+
+    /// What does not add up, relative to the energy at the start.
+    pub fn residual(&self) -> f64 {
+        (self.final_j() - self.initial_j()) / self.initial_j()
+    }
+}
+
+/// What the computation cost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Cost {
+    /// Accepted steps.
+    pub steps: usize,
+    /// Rejected steps.
+    pub rejected: usize,
+    /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
+    pub rhs_evaluations: usize,
+    /// The method that did it, or the methods in the order used.
+    pub method: &'static str,
+    /// Why that method.
+    pub reason: &'static str,
+}
+
+/// Something a scene did not need, and so was left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Omission {
+    /// No spring.
+    Spring,
+    /// No damper.
+    Damper,
+    /// No stop.
+    Stop,
+    /// The mount is rigid: the plate does not move.
+    PlateMotion,
+    /// The spring's exponent is a whole number: no power function.
+    SpringPower,
+    /// The damper's exponent is a whole number: no power function.
+    DamperPower,
+    /// Normal impact: no trigonometry, no oblique section.
+    Obliquity,
+    /// The exit face is out of reach.
+    ExitFace,
+    /// Closed form instead of integration.
+    Integration,
+    /// Greatest displacement from an energy balance.
+    ReboundIntegration,
+    /// The interface is fused: no law to watch.
+    InterfaceLaw,
+    /// No drag: the contact force does not depend on velocity.
+    Drag,
+    /// The mechanism cannot move the plate noticeably within the contact: it is as good as rigid.
+    MechanismWithinContact,
+}
+
+impl Omission {
+    /// A short text.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Spring => "spring",
+            Self::Damper => "damper",
+            Self::Stop => "stop",
+            Self::PlateMotion => "plate motion",
+            Self::SpringPower => "spring power function",
+            Self::DamperPower => "damper power function",
+            Self::Obliquity => "obliquity",
+            Self::ExitFace => "exit face",
+            Self::Integration => "integration (closed form)",
+            Self::ReboundIntegration => "integration after arrest (energy balance)",
+            Self::InterfaceLaw => "interface law",
+            Self::Drag => "drag",
+            Self::MechanismWithinContact => {
+                "plate motion within the contact (bounded below rounding)"
+            }
+        }
+    }
+}
+
+/// What a careful reader should know about a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Warning {
+    /// Fused, the interface was asked to push harder than its strength; penetration would resume.
+    InterfacePush {
+        /// Greatest N/(A `S_y`).
+        ratio: f64,
+        /// When the limit was first exceeded, s.
+        t_s: f64,
+    },
+    /// Fused, the interface was asked to pull harder than its grip; the projectile would be pulled out.
+    InterfacePull {
+        /// Greatest -N/(g A `S_y`).
+        ratio: f64,
+        /// When the limit was first exceeded, s.
+        t_s: f64,
+    },
+    /// The interface has no strength at all, so no ratio exists.
+    InterfaceWithoutStrength,
+    /// Plastic: penetration went on after the first arrest.
+    PenetrationResumed {
+        /// When it first did, s.
+        t_s: f64,
+    },
+    /// The energy ledger does not close as well as it should.
+    EnergyDrift {
+        /// Relative residual.
+        residual: f64,
+    },
+    /// The run ended early.
+    EndedEarly(EndReason),
+    /// The rigid mount, too, is perforated: there is no baseline to compare with.
+    NoBaseline,
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InterfacePush { ratio, t_s } => write!(
+                f,
+                "the fused interface is asked for {ratio:.3} times the A S_y it can push, first at t = {:.4} ms: penetration would \
+                 resume; try interface = plastic",
+                t_s * 1e3
+            ),
+            Self::InterfacePull { ratio, t_s } => write!(
+                f,
+                "the fused interface is asked for {ratio:.3} times the g A S_y it can pull (grip g is an assumption), first at \
+                 t = {:.4} ms: the projectile would be pulled out; try interface = plastic",
+                t_s * 1e3
+            ),
+            Self::InterfaceWithoutStrength => {
+                f.write_str("the interface has no strength (S_y = 0): no demand ratio exists")
+            }
+            Self::PenetrationResumed { t_s } => write!(
+                f,
+                "penetration resumed after the first arrest, at t = {:.4} ms: the final depth is not the first",
+                t_s * 1e3
+            ),
+            Self::EnergyDrift { residual } => {
+                write!(f, "the energy ledger is off by {residual:.1e} of the energy at the start")
+            }
+            Self::EndedEarly(reason) => f.write_str(reason.words()),
+            Self::NoBaseline => f.write_str(
+                "the same shot perforates the plate on a rigid mount, too: there is no baseline depth",
+            ),
+        }
+    }
+}
+
+impl Run {
+    /// Final penetration over the rigid mount's, in percent; `None` where either does not exist or the plate is perforated.
+    pub fn percent_of_baseline(&self) -> Option<f64> {
+        if self.outcome == Outcome::Perforated {
+            return None;
+        }
+        Some(100.0 * self.final_penetration_m? / self.baseline_penetration_m?)
+    }
+
+    /// Greatest displacement plus cocking distance: the space the mechanism needs, m.
+    pub fn stroke_m(&self) -> Option<f64> {
+        Some(self.max_plate_displacement_m? + self.start_m().abs())
+    }
+
+    /// The plate's displacement at the start, -d, m (0 on a rigid mount).
+    pub fn start_m(&self) -> f64 {
+        match self.scene.plate.mount {
+            crate::model::scene::Mount::Sprung => -self.scene.plate.cocking_m,
+            crate::model::scene::Mount::Rigid => 0.0,
+        }
+    }
+
+    /// The end of the contact window: first arrest, perforation, or the end of the run, s.
+    pub fn contact_end_s(&self) -> f64 {
+        let arrest = self.first_arrest.map(|arrest| arrest.t_s);
+        arrest
+            .or(self.exit_time_s)
+            .unwrap_or_else(|| self.series.last().map_or(0.0, |row| row.t_s))
+    }
+}

@@ -1,0 +1,317 @@
+//! The scene: everything a run depends on, and the rules a scene must keep to make physical sense.
+//!
+//! Symbols and default values are those of Table 9.1 and of the baseline of chapter 9 of the thesis (with
+//! `S_y` = 1.52e8 Pa: the table's 1.52e7 is a misprint). Units are SI; the obliquity alone is kept in degrees, so
+//! that a value typed in degrees is stored exactly. This file knows no files and no screen; the table that
+//! names each variable for people is in [`crate::model::variables`].
+
+/// A projectile, the plate it strikes, and the mechanism that carries the plate.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Scene {
+    /// A short name for people.
+    pub title: String,
+    /// Where the numbers come from and what to expect.
+    pub notes: String,
+    /// What strikes.
+    pub projectile: Projectile,
+    /// The plate's material and thickness.
+    pub target: Target,
+    /// The plate's mass and how it is carried.
+    pub plate: Plate,
+    /// Spring, damper and stop behind the plate.
+    pub mechanism: Mechanism,
+    /// What the interface between projectile and plate can carry once they move together.
+    pub interface: Interface,
+    /// How the contact force is modelled.
+    pub contact: ContactModel,
+    /// How the run is computed.
+    pub run: RunSettings,
+    /// The sweep this scene is the base of, if any.
+    pub sweep: Option<Sweep>,
+}
+
+/// A rigid projectile with a hemispherical nose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projectile {
+    /// `m_p`, > 0 kg.
+    pub mass_kg: f64,
+    /// `R`, > 0 m.
+    pub tip_radius_m: f64,
+    /// `v_i`, > 0 m/s.
+    pub velocity_m_s: f64,
+    /// theta between the projectile's axis and the plate's normal, 0 to below 90 degrees.
+    pub obliquity_deg: f64,
+}
+
+/// The plate as a target.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Target {
+    /// `h`, > 0 m.
+    pub thickness_m: f64,
+    /// rho, > 0 kg/m³.
+    pub density_kg_m3: f64,
+    /// `S_y`, dynamic flow strength, >= 0 Pa.
+    pub flow_strength_pa: f64,
+    /// `C_d`, >= 0.
+    pub drag_coefficient: f64,
+    /// Whether the plate's local bulge takes up about one projectile diameter of the travel.
+    pub dishing: bool,
+}
+
+/// The plate as a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plate {
+    /// gamma = plate mass / projectile mass, > 0.
+    pub mass_ratio: f64,
+    /// How it is carried.
+    pub mount: Mount,
+    /// `d` >= 0 m: the plate starts at x = -d, at rest.
+    pub cocking_m: f64,
+}
+
+/// How the plate is carried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Mount {
+    /// On its spring and damper (either may be absent).
+    #[default]
+    Sprung,
+    /// It cannot move.
+    Rigid,
+}
+
+/// Spring, damper and stop.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Mechanism {
+    /// Force `b |w|^m sgn(w)` against the plate's velocity.
+    pub damper: Damper,
+    /// Force `k |x|^n sgn(x)` against the plate's displacement.
+    pub spring: Spring,
+    /// A mechanical stop, if there is one.
+    pub stop: Stop,
+}
+
+/// A power-law damper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Damper {
+    /// `b` >= 0, N(s/m)^m.
+    pub coefficient: f64,
+    /// `m` > 0.
+    pub exponent: f64,
+}
+
+/// A power-law spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spring {
+    /// Which force law.
+    pub kind: SpringKind,
+    /// `k` >= 0, N/m^n.
+    pub coefficient: f64,
+    /// `n` > 0.
+    pub exponent: f64,
+}
+
+/// The spring's force law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum SpringKind {
+    /// `k |x|^n sgn(x)`.
+    #[default]
+    PowerLaw,
+}
+
+/// A mechanical stop at x = `position_m`, which acts on the plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stop {
+    /// Where the plate meets it, >= -d; `None`: there is no stop.
+    pub position_m: Option<f64>,
+    /// Rigid or elastic.
+    pub kind: StopKind,
+    /// Rigid stop: the plate's velocity w becomes -e w, 0 to 1.
+    pub restitution: f64,
+    /// Elastic stop: one-sided stiffness, > 0 N/m.
+    pub stiffness_n_m: f64,
+    /// Elastic stop: one-sided damping, >= 0 N s/m.
+    pub damping_n_s_m: f64,
+}
+
+/// The kind of stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum StopKind {
+    /// An impact with a coefficient of restitution.
+    #[default]
+    Rigid,
+    /// A one-sided spring and damper.
+    Elastic,
+}
+
+/// The interface between projectile and plate after the first arrest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interface {
+    /// Which law.
+    pub law: InterfaceLaw,
+    /// g >= 0: the greatest pull is `g A S_y`. An assumption, 0.1 unless given.
+    pub grip: f64,
+}
+
+/// What holds projectile and plate together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum InterfaceLaw {
+    /// The thesis: once together, together for good.
+    #[default]
+    Fused,
+    /// Rigid-plastic: pushes up to `A S_y`, pulls up to `g A S_y`.
+    Plastic,
+}
+
+/// How the force between projectile and plate is modelled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum ContactModel {
+    /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
+    #[default]
+    Hydrodynamic,
+}
+
+/// How a run is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunSettings {
+    /// Relative accuracy asked of depth and time, 1e-14 to 1e-2.
+    pub tolerance: f64,
+    /// The run goes on to this time, > 0 s; `None`: chosen from the scene.
+    pub horizon_s: Option<f64>,
+}
+
+/// The sweep a scene is the base of: kept with the scene so that a figure opens from its preset.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct Sweep {
+    /// One or more axes.
+    pub axes: Vec<SweepAxis>,
+    /// Names of the results to show.
+    pub outputs: Vec<String>,
+}
+
+/// One axis of a sweep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SweepAxis {
+    /// A variable's symbol or key.
+    pub name: String,
+    /// First value, stored unit.
+    pub from: f64,
+    /// Last value, stored unit.
+    pub to: f64,
+    /// Number of points, >= 2.
+    pub count: usize,
+    /// Points at equal ratios instead of equal differences.
+    pub log: bool,
+}
+
+impl Default for Projectile {
+    fn default() -> Self {
+        Self {
+            mass_kg: 0.0295,
+            tip_radius_m: 0.00635,
+            velocity_m_s: 100.0,
+            obliquity_deg: 0.0,
+        }
+    }
+}
+
+impl Default for Target {
+    fn default() -> Self {
+        Self {
+            thickness_m: 0.0254,
+            density_kg_m3: 2710.0,
+            flow_strength_pa: 1.52e8,
+            drag_coefficient: 0.5,
+            dishing: true,
+        }
+    }
+}
+
+impl Default for Plate {
+    fn default() -> Self {
+        Self {
+            mass_ratio: 1.0,
+            mount: Mount::Sprung,
+            cocking_m: 0.0,
+        }
+    }
+}
+
+impl Default for Damper {
+    fn default() -> Self {
+        Self {
+            coefficient: 0.0,
+            exponent: 1.0,
+        }
+    }
+}
+
+impl Default for Spring {
+    fn default() -> Self {
+        Self {
+            kind: SpringKind::PowerLaw,
+            coefficient: 1e5,
+            exponent: 1.0,
+        }
+    }
+}
+
+impl Default for Stop {
+    fn default() -> Self {
+        Self {
+            position_m: None,
+            kind: StopKind::Rigid,
+            restitution: 0.0,
+            stiffness_n_m: 1e8,
+            damping_n_s_m: 0.0,
+        }
+    }
+}
+
+impl Default for Interface {
+    fn default() -> Self {
+        Self {
+            law: InterfaceLaw::Fused,
+            grip: 0.1,
+        }
+    }
+}
+
+impl Default for RunSettings {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-9,
+            horizon_s: None,
+        }
+    }
+}
+
+impl Scene {
+    /// Plate mass `m_2 = gamma m_p`, kg.
+    pub fn plate_mass_kg(&self) -> f64 {
+        self.plate.mass_ratio * self.projectile.mass_kg
+    }
+
+    /// cos(theta).
+    pub fn cos_obliquity(&self) -> f64 {
+        self.projectile.obliquity_deg.to_radians().cos()
+    }
+
+    /// `h_e = h / cos(theta)`, m.
+    pub fn effective_thickness_m(&self) -> f64 {
+        self.target.thickness_m / self.cos_obliquity()
+    }
+
+    /// `c = C_d rho / 2`, kg/m³.
+    pub fn drag_kg_m3(&self) -> f64 {
+        0.5 * self.target.drag_coefficient * self.target.density_kg_m3
+    }
+
+    /// The same shot into the same plate on a rigid mount, without stop or cocking.
+    pub fn on_rigid_mount(&self) -> Self {
+        let mut scene = self.clone();
+        scene.plate.mount = Mount::Rigid;
+        scene.plate.cocking_m = 0.0;
+        scene.mechanism = Mechanism::default();
+        scene
+    }
+}

@@ -1,0 +1,557 @@
+//! THE table of variables: key, symbol, unit, meaning, ranges, default and source, and how each is read and set.
+//!
+//! The editor, `--set`, TOML files, CSV headers, the help page and the sweeps are all fed from here: a variable that is
+//! not in [`VARIABLES`] does not exist for a user. Values outside the range the thesis searched are legal and
+//! earn a warning; values without physical sense are refused with name, value, what is allowed and the cure.
+
+use thiserror::Error;
+
+use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
+use crate::model::units::{self, Bare, Quantity, QuantityError};
+
+mod table;
+
+pub use table::VARIABLES;
+
+/// One row of the table.
+pub struct Variable {
+    /// Full key as in a scene file, for example `plate.mass_ratio`.
+    pub key: &'static str,
+    /// The thesis's symbol, or a short name: `gamma`.
+    pub symbol: &'static str,
+    /// Other short words `--set` accepts.
+    pub aliases: &'static [&'static str],
+    /// The group of the editor it stands in.
+    pub group: Group,
+    /// What it means, in a sentence.
+    pub meaning: &'static str,
+    /// Where its default comes from.
+    pub source: &'static str,
+    /// What kind of value it has, and how to reach it in a scene.
+    pub kind: Kind,
+}
+
+/// The groups of the editor, in order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Group {
+    /// What strikes.
+    Projectile,
+    /// The plate's material.
+    Target,
+    /// The plate as a body.
+    Plate,
+    /// Spring and damper.
+    Mechanism,
+    /// The mechanical stop.
+    Stop,
+    /// What holds projectile and plate together.
+    Interface,
+    /// How the run is computed.
+    Run,
+}
+
+impl Group {
+    /// All groups, in the order of the editor.
+    pub const ALL: [Self; 7] = [
+        Self::Projectile,
+        Self::Target,
+        Self::Plate,
+        Self::Mechanism,
+        Self::Stop,
+        Self::Interface,
+        Self::Run,
+    ];
+
+    /// The group's heading.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Projectile => "Projectile",
+            Self::Target => "Target",
+            Self::Plate => "Plate",
+            Self::Mechanism => "Mechanism",
+            Self::Stop => "Stop",
+            Self::Interface => "Interface",
+            Self::Run => "Analysis",
+        }
+    }
+}
+
+/// What kind of value a variable has.
+pub enum Kind {
+    /// A number.
+    Number(Number),
+    /// One of a few words.
+    Choice(Choice),
+    /// true or false.
+    Switch {
+        /// Read it.
+        get: fn(&Scene) -> bool,
+        /// Set it.
+        set: fn(&mut Scene, bool),
+    },
+}
+
+/// A numeric variable.
+pub struct Number {
+    /// Its units.
+    pub quantity: Quantity,
+    /// What makes physical sense.
+    pub allowed: Allowed,
+    /// The range the thesis searched (Table 9.2), where it gives one.
+    pub thesis_range: Option<(f64, f64)>,
+    /// How the editor's arrow keys step it.
+    pub step: Step,
+    /// Whether it may be absent, and the word shown then (`none`, `auto`).
+    pub absent: Option<&'static str>,
+    /// Read it, in the stored unit; `None` when absent.
+    pub get: fn(&Scene) -> Option<f64>,
+    /// Set it, in the stored unit.
+    pub set: fn(&mut Scene, Option<f64>),
+}
+
+/// A variable with named values.
+pub struct Choice {
+    /// The words, in order.
+    pub words: &'static [&'static str],
+    /// Index into `words`.
+    pub get: fn(&Scene) -> usize,
+    /// Set by index into `words`; an index past the end sets the last.
+    pub set: fn(&mut Scene, usize),
+}
+
+/// How arrow keys step a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// By the last shown significant digit.
+    Linear,
+    /// By a factor of 10^0.1.
+    Log,
+}
+
+/// The values that make physical sense.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Allowed {
+    /// Greater than zero.
+    Positive,
+    /// Zero or more.
+    NonNegative,
+    /// Any finite number.
+    Any,
+    /// From the first to the second, both included.
+    Between(f64, f64),
+    /// From the first, included, to below the second.
+    Below(f64, f64),
+}
+
+impl Allowed {
+    /// Whether `value` is finite and allowed.
+    pub fn contains(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Self::Positive => value > 0.0,
+                Self::NonNegative => value >= 0.0,
+                Self::Any => true,
+                Self::Between(low, high) => (low..=high).contains(&value),
+                Self::Below(low, high) => (low..high).contains(&value),
+            }
+    }
+
+    /// The rule in words, with the unit: `greater than 0 kg`.
+    pub fn describe(self, quantity: Quantity) -> String {
+        let unit = match quantity {
+            Quantity::Number => String::new(),
+            other => format!(" {}", other.unit()),
+        };
+        let show = units::shortest;
+        match self {
+            Self::Positive => format!("a number greater than 0{unit}"),
+            Self::NonNegative => format!("0{unit} or more"),
+            Self::Any => "any finite number".to_owned(),
+            Self::Between(low, high) => format!("{} to {}{unit}", show(low), show(high)),
+            Self::Below(low, high) => format!("{} to less than {}{unit}", show(low), show(high)),
+        }
+    }
+}
+
+/// A variable's value, independent of its place in the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A number in the stored unit.
+    Number(f64),
+    /// An optional number that is not there.
+    Absent,
+    /// One of the words of a [`Choice`].
+    Word(&'static str),
+    /// A switch.
+    Switch(bool),
+}
+
+/// Why a variable cannot be set.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum VariableError {
+    /// No variable has this name.
+    #[error("`{name}` is not a variable: {hint}")]
+    Unknown {
+        /// What was written.
+        name: String,
+        /// The nearest names, or where to find the list.
+        hint: String,
+    },
+    /// The text is no value for this variable.
+    #[error("{symbol} ({key}): {problem}")]
+    Unreadable {
+        /// The symbol.
+        symbol: &'static str,
+        /// The key.
+        key: &'static str,
+        /// What is wrong with the text.
+        problem: QuantityError,
+    },
+    /// A word or switch value that is not among the choices.
+    #[error("{symbol} ({key}) = `{text}` is not one of {choices}")]
+    NotAChoice {
+        /// The symbol.
+        symbol: &'static str,
+        /// The key.
+        key: &'static str,
+        /// What was written.
+        text: String,
+        /// What is allowed.
+        choices: String,
+    },
+    /// A number without physical sense.
+    #[error("{symbol} ({key}) = {value} is impossible: {meaning} must be {allowed}; {cure}")]
+    Impossible {
+        /// The symbol.
+        symbol: &'static str,
+        /// The key.
+        key: &'static str,
+        /// The value with its unit.
+        value: String,
+        /// What the variable is.
+        meaning: &'static str,
+        /// What is allowed.
+        allowed: String,
+        /// What to do.
+        cure: String,
+    },
+    /// Two values that make no sense together.
+    #[error("{0}")]
+    Together(String),
+}
+
+/// A legal value worth a second look.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RangeWarning {
+    /// The variable's symbol.
+    pub symbol: &'static str,
+    /// The sentence: `gamma = 12 is outside 0.8..7 of Table 9.2; the model is still valid`.
+    pub text: String,
+}
+
+/// The variable with this symbol, alias or full key.
+///
+/// # Errors
+/// [`VariableError::Unknown`], with the nearest names.
+pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
+    let exact = VARIABLES.iter().find(|variable| {
+        variable.symbol == name || variable.key == name || variable.aliases.contains(&name)
+    });
+    exact.ok_or_else(|| VariableError::Unknown {
+        name: name.to_owned(),
+        hint: nearest(name),
+    })
+}
+
+/// A hint that names the variables spelled most like `name`.
+pub fn nearest(name: &str) -> String {
+    let lower = name.to_lowercase();
+    let mut ranked: Vec<(usize, &str)> = VARIABLES
+        .iter()
+        .flat_map(|variable| {
+            let last = variable.key.rsplit('.').next().unwrap_or(variable.key);
+            let distance = |candidate: &str| edit_distance(&lower, &candidate.to_lowercase());
+            [
+                (distance(variable.symbol), variable.symbol),
+                (distance(variable.key).min(distance(last) + 1), variable.key),
+            ]
+        })
+        .collect();
+    ranked.sort_unstable();
+    let limit = (name.chars().count() / 3).max(1);
+    let close: Vec<String> = ranked
+        .iter()
+        .take_while(|(distance, _)| *distance <= limit)
+        .take(3)
+        .map(|(_, candidate)| format!("`{candidate}`"))
+        .collect();
+    if close.is_empty() {
+        let symbols: Vec<&str> = VARIABLES.iter().map(|variable| variable.symbol).collect();
+        format!("the variables are {}", symbols.join(" "))
+    } else {
+        format!("did you mean {}?", close.join(" or "))
+    }
+}
+
+fn edit_distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, from) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, to) in b.iter().enumerate() {
+            let substituted = diagonal + usize::from(from != *to);
+            diagonal = row[j + 1];
+            row[j + 1] = substituted.min(row[j] + 1).min(row[j + 1] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+impl Variable {
+    /// Read the value from a scene.
+    pub fn value(&self, scene: &Scene) -> Value {
+        match &self.kind {
+            Kind::Number(number) => (number.get)(scene).map_or(Value::Absent, Value::Number),
+            Kind::Choice(choice) => Value::Word(choice.words[(choice.get)(scene)]),
+            Kind::Switch { get, .. } => Value::Switch(get(scene)),
+        }
+    }
+
+    /// Set the value, refusing what makes no physical sense by itself.
+    ///
+    /// # Errors
+    /// [`VariableError::Impossible`] or [`VariableError::NotAChoice`]; the scene is unchanged then.
+    pub fn set(&self, scene: &mut Scene, value: Value) -> Result<(), VariableError> {
+        match (&self.kind, value) {
+            (Kind::Number(number), Value::Number(new)) => {
+                if !number.allowed.contains(new) {
+                    return Err(self.impossible(number, new));
+                }
+                (number.set)(scene, Some(new));
+            }
+            (Kind::Number(number), Value::Absent) if number.absent.is_some() => {
+                (number.set)(scene, None);
+            }
+            (Kind::Choice(choice), Value::Word(word)) => {
+                let index = choice.words.iter().position(|candidate| *candidate == word);
+                (choice.set)(scene, index.ok_or_else(|| self.not_a_choice(word))?);
+            }
+            (Kind::Switch { set, .. }, Value::Switch(on)) => set(scene, on),
+            (_, other) => return Err(self.not_a_choice(&show_value(other))),
+        }
+        Ok(())
+    }
+
+    /// Read a text as a value of this variable; numbers may be relative to the scene's present value.
+    ///
+    /// # Errors
+    /// [`VariableError`] that names variable, text, what is allowed and the cure.
+    pub fn parse(&self, scene: &Scene, text: &str, bare: Bare) -> Result<Value, VariableError> {
+        let word = text.trim();
+        match &self.kind {
+            Kind::Number(number) => {
+                if number.absent == Some(word) {
+                    return Ok(Value::Absent);
+                }
+                let old = (number.get)(scene).unwrap_or(0.0);
+                let value =
+                    units::parse_relative(text, old, number.quantity, bare).map_err(|problem| {
+                        VariableError::Unreadable {
+                            symbol: self.symbol,
+                            key: self.key,
+                            problem,
+                        }
+                    })?;
+                if number.allowed.contains(value) {
+                    Ok(Value::Number(value))
+                } else {
+                    Err(self.impossible(number, value))
+                }
+            }
+            Kind::Choice(choice) => {
+                let found = choice.words.iter().find(|candidate| **candidate == word);
+                found
+                    .map(|word| Value::Word(word))
+                    .ok_or_else(|| self.not_a_choice(word))
+            }
+            Kind::Switch { .. } => match word {
+                "true" | "on" | "yes" | "1" => Ok(Value::Switch(true)),
+                "false" | "off" | "no" | "0" => Ok(Value::Switch(false)),
+                _ => Err(self.not_a_choice(word)),
+            },
+        }
+    }
+
+    /// The value as text that [`Variable::parse`] reads back exactly: shortest digits, no unit.
+    pub fn show(&self, scene: &Scene) -> String {
+        match self.value(scene) {
+            Value::Absent => match &self.kind {
+                Kind::Number(number) => number.absent.unwrap_or("none").to_owned(),
+                Kind::Choice(_) | Kind::Switch { .. } => String::new(),
+            },
+            value => show_value(value),
+        }
+    }
+
+    /// The stored unit's name, `-` for pure numbers and words.
+    pub fn unit(&self) -> &'static str {
+        match &self.kind {
+            Kind::Number(number) => number.quantity.unit(),
+            Kind::Choice(_) | Kind::Switch { .. } => "-",
+        }
+    }
+
+    /// What the variable may be, in words.
+    pub fn allowed(&self) -> String {
+        match &self.kind {
+            Kind::Number(number) => {
+                let rule = number.allowed.describe(number.quantity);
+                number
+                    .absent
+                    .map_or_else(|| rule.clone(), |word| format!("{rule}, or `{word}`"))
+            }
+            Kind::Choice(choice) => choice.words.join(" or "),
+            Kind::Switch { .. } => "true or false".to_owned(),
+        }
+    }
+
+    /// A warning when the value is outside the range the thesis searched.
+    pub fn range_warning(&self, scene: &Scene) -> Option<RangeWarning> {
+        let Kind::Number(number) = &self.kind else {
+            return None;
+        };
+        let (low, high) = number.thesis_range?;
+        let value = (number.get)(scene)?;
+        (!(low..=high).contains(&value)).then(|| RangeWarning {
+            symbol: self.symbol,
+            text: format!(
+                "{} = {} is outside {}..{} of Table 9.2; the model is still valid",
+                self.symbol,
+                units::shortest(value),
+                units::shortest(low),
+                units::shortest(high)
+            ),
+        })
+    }
+
+    fn not_a_choice(&self, text: &str) -> VariableError {
+        VariableError::NotAChoice {
+            symbol: self.symbol,
+            key: self.key,
+            text: text.to_owned(),
+            choices: self.allowed(),
+        }
+    }
+
+    fn impossible(&self, number: &Number, value: f64) -> VariableError {
+        let unit = number.quantity.unit();
+        let cure = match (number.quantity, number.allowed) {
+            (Quantity::Angle, _) if value >= 90.0 => {
+                "write degrees as for example `30deg`".to_owned()
+            }
+            (_, Allowed::Positive | Allowed::NonNegative) if value < 0.0 => {
+                format!("did you mean {}?", units::shortest(-value))
+            }
+            _ => {
+                let default = (number.get)(&Scene::default());
+                default.map_or_else(
+                    || "leave it out to do without".to_owned(),
+                    |value| format!("the default is {}", units::shortest(value)),
+                )
+            }
+        };
+        VariableError::Impossible {
+            symbol: self.symbol,
+            key: self.key,
+            value: format!("{} {unit}", units::shortest(value))
+                .trim_end_matches(" -")
+                .to_owned(),
+            meaning: self.meaning,
+            allowed: number.allowed.describe(number.quantity),
+            cure,
+        }
+    }
+}
+
+fn show_value(value: Value) -> String {
+    match value {
+        Value::Number(number) => units::shortest(number),
+        Value::Absent => "none".to_owned(),
+        Value::Word(word) => word.to_owned(),
+        Value::Switch(on) => on.to_string(),
+    }
+}
+
+/// Set a variable by name from text, as `--set NAME=VALUE` does.
+///
+/// # Errors
+/// [`VariableError`]; the scene is unchanged then.
+pub fn set_by_name(
+    scene: &mut Scene,
+    name: &str,
+    text: &str,
+    bare: Bare,
+) -> Result<(), VariableError> {
+    let variable = find(name.trim())?;
+    let value = variable.parse(scene, text, bare)?;
+    variable.set(scene, value)
+}
+
+/// Check every value and the rules between values.
+///
+/// # Errors
+/// The first [`VariableError`] found, in the order of the table.
+pub fn validate(scene: &Scene) -> Result<(), VariableError> {
+    for variable in VARIABLES {
+        let (Kind::Number(number), Value::Number(value)) = (&variable.kind, variable.value(scene))
+        else {
+            continue;
+        };
+        if !number.allowed.contains(value) {
+            return Err(variable.impossible(number, value));
+        }
+    }
+    if let Some(position) = scene.mechanism.stop.position_m {
+        let start = -scene.plate.cocking_m;
+        if position < start {
+            return Err(VariableError::Together(format!(
+                "x_stop (mechanism.stop.position_m) = {} m lies behind the plate's start at -d = {} m: it must be {} m or \
+                 more; move the stop or reduce d",
+                units::shortest(position),
+                units::shortest(start),
+                units::shortest(start)
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Every value that is legal yet outside the range the thesis searched.
+pub fn range_warnings(scene: &Scene) -> Vec<RangeWarning> {
+    VARIABLES
+        .iter()
+        .filter(|variable| is_used(variable, scene))
+        .filter_map(|variable| variable.range_warning(scene))
+        .collect()
+}
+
+/// Whether a variable has any effect on this scene; rows without effect are dimmed in the editor.
+pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
+    let sprung = scene.plate.mount == Mount::Sprung;
+    let mechanism = &scene.mechanism;
+    let stop = sprung && mechanism.stop.position_m.is_some();
+    match variable.key {
+        "mechanism.damper.exponent" => sprung && mechanism.damper.coefficient > 0.0,
+        "mechanism.spring.exponent" | "plate.cocking_m" => {
+            sprung && mechanism.spring.coefficient > 0.0
+        }
+        "interface.grip" => scene.interface.law == InterfaceLaw::Plastic,
+        "mechanism.stop.kind" => stop,
+        "mechanism.stop.restitution" => stop && mechanism.stop.kind == StopKind::Rigid,
+        "mechanism.stop.stiffness_n_m" | "mechanism.stop.damping_n_s_m" => {
+            stop && mechanism.stop.kind == StopKind::Elastic
+        }
+        key => sprung || !(key.starts_with("mechanism.") || key == "plate.mass_ratio"),
+    }
+}

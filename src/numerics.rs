@@ -1,0 +1,1 @@
+//! Numerical methods that know no plate, no projectile, no metre and no screen.
