@@ -1,1 +1,35 @@
 //! Numerical methods that know no plate, no projectile, no metre and no screen.
+//!
+//! Map of the folder, in reading order: [`series`] is arithmetic on truncated power series, from which a model builds the
+//! Taylor expansion of its solution; [`taylor`] chooses the step such an expansion is good for; [`implicit`] is an
+//! L-stable collocation method for what is too stiff for that; [`root`] locates events; [`quadrature`] integrates.
+//! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
+
+pub mod implicit;
+pub mod linear;
+pub mod quadrature;
+pub mod root;
+pub mod series;
+pub mod taylor;
+
+/// The larger of two numbers; NaN when either is NaN (unlike `f64::max`, which hides it).
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+
+/// The smaller of two numbers; NaN when either is NaN.
+pub fn smaller(a: f64, b: f64) -> f64 {
+    if a < b || a.is_nan() { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{larger, smaller};
+
+    #[test]
+    fn nan_is_never_hidden() {
+        assert!(larger(f64::NAN, 1.0).is_nan() && larger(1.0, f64::NAN).is_nan());
+        assert!(smaller(f64::NAN, 1.0).is_nan() && smaller(1.0, f64::NAN).is_nan());
+        assert_eq!((larger(1.0, 2.0), smaller(1.0, 2.0)), (2.0, 1.0));
+    }
+}

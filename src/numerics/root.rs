@@ -1,0 +1,214 @@
+//! Roots: of polynomials on a step (events), and of functions in a bracket.
+
+use crate::numerics::series::{evaluate, evaluate_slope};
+
+/// Pieces into which a step is cut when an event cannot be excluded at once.
+const PIECES: usize = 8;
+/// A start value smaller than this part of the step's variation counts as zero.
+const NOISE: f64 = 1e-14;
+
+/// The first s in (0, end] at which the polynomial passes from positive to zero or below; `None` if it does not.
+///
+/// A polynomial that is zero or negative at 0 has to become positive first: an event that has just been handled does not
+/// fire again. Non-finite coefficients give `None`.
+pub fn first_fall(c: &[f64], end: f64) -> Option<f64> {
+    let mut bound = 0.0;
+    let mut power = 1.0;
+    for c in &c[1..] {
+        power *= end;
+        bound += c.abs() * power;
+    }
+    // Never reaches zero within the step: the common case, decided in one pass.
+    if c[0] > bound || !bound.is_finite() || c[0].is_nan() || c[0] < -bound {
+        return None;
+    }
+    let (mut left, mut at_left) = (0.0, c[0]);
+    // At the boundary, up to rounding, the direction of travel says on which side it is.
+    let mut armed =
+        if c[0].abs() <= NOISE * bound { first_nonzero(&c[1..]) > 0.0 } else { c[0] > 0.0 };
+    for piece in 1..=PIECES {
+        let right = end * piece as f64 / PIECES as f64;
+        let at_right = evaluate(c, right);
+        if armed && at_right <= 0.0 {
+            let from = if at_left > 0.0 { left } else { positive_side(c, left, right)? };
+            return Some(bracketed(c, from, right));
+        }
+        let (slope_left, slope_right) = (evaluate_slope(c, left), evaluate_slope(c, right));
+        if armed && slope_left < 0.0 && slope_right > 0.0 {
+            // A dip between two positive ends.
+            let bottom = extremum(c, left, right);
+            if evaluate(c, bottom) <= 0.0 {
+                return Some(bracketed(c, left, bottom));
+            }
+        }
+        if !armed && at_right <= 0.0 && slope_left > 0.0 && slope_right < 0.0 {
+            // A hump between two ends that are not positive.
+            let top = extremum(c, left, right);
+            if evaluate(c, top) > 0.0 {
+                return Some(bracketed(c, top, right));
+            }
+        }
+        armed |= at_right > 0.0;
+        (left, at_left) = (right, at_right);
+    }
+    None
+}
+
+fn first_nonzero(c: &[f64]) -> f64 {
+    c.iter().copied().find(|c| *c != 0.0).unwrap_or(0.0)
+}
+
+/// A point right of `left` where the polynomial, zero at `left` and rising there, is positive.
+fn positive_side(c: &[f64], left: f64, right: f64) -> Option<f64> {
+    let mut width = right - left;
+    for _ in 0..60 {
+        width *= 0.5;
+        if evaluate(c, left + width) > 0.0 {
+            return Some(left + width);
+        }
+    }
+    None
+}
+
+/// Where the slope changes sign between `a` and `b`.
+fn extremum(c: &[f64], mut a: f64, mut b: f64) -> f64 {
+    let falling = evaluate_slope(c, a) < 0.0;
+    for _ in 0..50 {
+        let mid = 0.5 * (a + b);
+        if (evaluate_slope(c, mid) < 0.0) == falling { a = mid } else { b = mid }
+    }
+    0.5 * (a + b)
+}
+
+/// The root between `a` (positive) and `b` (zero or negative): Newton, safeguarded by bisection.
+fn bracketed(c: &[f64], mut a: f64, mut b: f64) -> f64 {
+    let mut s = 0.5 * (a + b);
+    for _ in 0..60 {
+        let value = evaluate(c, s);
+        if value > 0.0 { a = s } else { b = s }
+        let slope = evaluate_slope(c, s);
+        let newton = s - value / slope;
+        let next = if newton > a && newton < b { newton } else { 0.5 * (a + b) };
+        if (next - s).abs() <= 2.0 * f64::EPSILON * s.abs() || a >= b {
+            return next;
+        }
+        s = next;
+    }
+    s
+}
+
+/// The root of an increasing or decreasing function between `a` and `b`, where it has opposite signs: regula falsi in the
+/// Illinois form, safeguarded by bisection, to full precision of x.
+///
+/// Returns the end with the smaller absolute value when the signs are equal.
+pub fn in_bracket(a: f64, b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let (mut a, mut b) = (a, b);
+    let (mut fa, mut fb) = (f(a), f(b));
+    if fa == 0.0 {
+        return a;
+    }
+    if fb == 0.0 || (fa > 0.0) == (fb > 0.0) {
+        return if fa.abs() < fb.abs() { a } else { b };
+    }
+    for round in 0..200 {
+        let secant = (a * fb - b * fa) / (fb - fa);
+        let inside = (secant - a) * (secant - b) < 0.0;
+        let x = if inside && round % 3 != 2 { secant } else { 0.5 * (a + b) };
+        let fx = f(x);
+        if fx == 0.0 || (b - a).abs() <= 2.0 * f64::EPSILON * x.abs() {
+            return x;
+        }
+        if (fx > 0.0) == (fb > 0.0) {
+            (b, fb) = (x, fx);
+            fa *= 0.5;
+        } else {
+            (a, fa) = (x, fx);
+            fb *= 0.5;
+        }
+    }
+    0.5 * (a + b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_simple_fall_is_found_to_rounding() {
+        // 1 - s²/4 falls through zero at s = 2.
+        let root = first_fall(&[1.0, 0.0, -0.25], 3.0).unwrap();
+        assert!((root - 2.0).abs() < 1e-15);
+        assert_eq!(first_fall(&[1.0, 0.0, -0.25], 1.9), None);
+    }
+
+    #[test]
+    fn an_event_just_handled_does_not_fire_again() {
+        assert_eq!(first_fall(&[0.0, -1.0], 1.0), None);
+        assert_eq!(first_fall(&[-1e-18, -1.0, 0.1], 1.0), None);
+        // Zero and rising is armed: s - s² falls at 1.
+        assert!((first_fall(&[0.0, 1.0, -1.0], 2.0).unwrap() - 1.0).abs() < 1e-14);
+        assert!((first_fall(&[0.0, 0.0, 1.0, -1.0], 2.0).unwrap() - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn dips_and_humps_between_samples_are_seen() {
+        // (s - 0.53)² - 1e-6: a dip narrower than a piece.
+        let dip = [0.53 * 0.53 - 1e-6, -1.06, 1.0];
+        assert!((first_fall(&dip, 1.0).unwrap() - 0.529).abs() < 1e-9);
+        let hump = [-0.53 * 0.53 + 1e-6, 1.06, -1.0];
+        assert!((first_fall(&hump, 1.0).unwrap() - 0.531).abs() < 1e-9);
+    }
+
+    #[test]
+    fn five_roots_at_step_ends_fire_once_each() {
+        // cos-like polynomial restarted at each root: count falls of a quintic with known roots.
+        let roots = [0.1, 0.3, 0.5, 0.7, 0.9];
+        let mut c = vec![1.0];
+        for r in roots {
+            let mut next = vec![0.0; c.len() + 1];
+            for (i, c) in c.iter().enumerate() {
+                next[i] += r * c;
+                next[i + 1] -= c;
+            }
+            c = next;
+        }
+        let mut found = Vec::new();
+        let mut from = 0.0;
+        while from < 1.0 {
+            let shifted = shift(&c, from);
+            let Some(s) = first_fall(&shifted, 1.0 - from) else { break };
+            found.push(from + s);
+            from += s;
+        }
+        let falls = [0.1, 0.5, 0.9];
+        assert_eq!(found.len(), falls.len(), "{found:?}");
+        for (found, fall) in found.iter().zip(falls) {
+            assert!((found - fall).abs() < 1e-12);
+        }
+    }
+
+    fn shift(c: &[f64], by: f64) -> Vec<f64> {
+        let mut out = vec![0.0; c.len()];
+        for c in c.iter().rev() {
+            for i in (1..out.len()).rev() {
+                out[i] = out[i] * by + out[i - 1];
+            }
+            out[0] = out[0] * by + c;
+        }
+        out
+    }
+
+    #[test]
+    fn non_finite_coefficients_give_no_event() {
+        assert_eq!(first_fall(&[1.0, f64::NAN], 1.0), None);
+        assert_eq!(first_fall(&[f64::NAN, -1.0], 1.0), None);
+    }
+
+    #[test]
+    fn bracket_finds_steep_and_flat_roots() {
+        let cube = in_bracket(0.0, 10.0, |x| x * x * x - 2.0);
+        assert!((cube - 2f64.cbrt()).abs() < 1e-15);
+        let steep = in_bracket(0.0, 1.0, |x| (x - 0.3) * 1e12);
+        assert!((steep - 0.3).abs() < 1e-15);
+    }
+}
