@@ -1,0 +1,478 @@
+//! The contact between nose and plate: depth from travel, engaged area from depth, and the force law.
+//!
+//! Travel q is the projectile's relative displacement along its own axis since first contact. Depth p is less than
+//! travel while the plate's local bulge ("dishing") takes up one projectile diameter in all. The engaged area is the
+//! projected area of the part of the nose between entry and exit face, A(p) = `A_in(p)` - `A_in(p - h_e)`. Sources: thesis
+//! equation 8.4, section 8.3.1, Appendix A.2 and A.3 (whose sphere-cylinder section is rewritten here without its division by
+//! tan(theta)); the checks are brute-force areas and continuity at the joints.
+
+use std::f64::consts::PI;
+
+use crate::model::scene::Scene;
+use crate::numerics::quadrature::gauss;
+use crate::numerics::root::in_bracket;
+
+/// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
+/// differs from it by the 5/2 power of this, far below rounding, and its derivatives are singular there.
+const JOINT: f64 = 1e-5;
+/// Below this obliquity in rad the window is too narrow to matter (its effect is of the order of its square).
+const NORMAL_BELOW: f64 = 1e-7;
+
+/// The nose and the plate's thickness as seen along the projectile's axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nose {
+    /// R, m.
+    pub radius_m: f64,
+    /// sin(theta).
+    pub sin: f64,
+    /// cos(theta).
+    pub cos: f64,
+}
+
+/// Depth and area laws of one scene, cut into pieces on which they are analytic.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Geometry {
+    /// The nose.
+    pub nose: Nose,
+    /// `h_e` = h / cos(theta), m.
+    pub thickness_m: f64,
+    /// Depth gained per travel up to `bend_m`.
+    pub slope: f64,
+    /// Travel up to which depth is `slope` times travel, m; beyond, depth is travel less `lag_m`.
+    pub bend_m: f64,
+    /// Travel taken up by dishing, m.
+    pub lag_m: f64,
+    /// Travel at which the nose is clear of the rear face, m.
+    pub exit_m: f64,
+    pieces: Vec<Piece>,
+}
+
+/// A stretch of travel on which the area is one analytic function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// Travel at which it begins, m.
+    pub from_m: f64,
+    /// Travel at which it ends, m.
+    pub to_m: f64,
+    /// The area on it.
+    pub law: AreaLaw,
+}
+
+/// The engaged area as a function of travel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AreaLaw {
+    /// No contact.
+    None,
+    /// a0 + a1 (q - origin) + a2 (q - origin)², m².
+    Quadratic {
+        /// Where the polynomial is centred, m.
+        origin_m: f64,
+        /// Coefficients.
+        a: [f64; 3],
+    },
+    /// Oblique, with a face crossing both sphere and cylinder: entry section less exit section.
+    Partial {
+        /// Depth of the entry face's section, linear in travel: p = p0 + p1 (q - origin).
+        origin_m: f64,
+        /// Depth at the origin, m.
+        p0: f64,
+        /// Depth per travel.
+        p1: f64,
+        /// Depth at which the exit face's section begins, m.
+        exit_depth_m: f64,
+    },
+}
+
+/// Which closed form one face's section has at a depth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Section {
+    /// Not reached.
+    None,
+    /// Within the hemisphere: an ellipse.
+    Cap,
+    /// Crossing hemisphere and cylinder.
+    Partial,
+    /// The full cylinder.
+    Full,
+}
+
+impl Nose {
+    /// The nose of a scene's projectile.
+    pub fn of(scene: &Scene) -> Self {
+        let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
+        Self { radius_m: scene.projectile.tip_radius_m, sin, cos }
+    }
+
+    /// Depth at which a face begins to cross the cylinder, R (1/cos - tan), m.
+    pub fn cap_end_m(&self) -> f64 {
+        self.radius_m * (1.0 - self.sin) / self.cos
+    }
+
+    /// Depth at which a face crosses nothing but the cylinder, R (1/cos + tan), m.
+    pub fn full_from_m(&self) -> f64 {
+        self.radius_m * (1.0 + self.sin) / self.cos
+    }
+
+    fn is_normal(&self) -> bool {
+        self.sin < NORMAL_BELOW
+    }
+
+    /// The closed form that holds at depth `p_m`.
+    pub fn section(&self, p_m: f64) -> Section {
+        let (from, to) = (self.cap_end_m(), self.full_from_m());
+        let joint = if self.is_normal() { 0.5 } else { JOINT } * (to - from);
+        if p_m <= 0.0 {
+            Section::None
+        } else if p_m < from + joint {
+            Section::Cap
+        } else if p_m < to - joint {
+            Section::Partial
+        } else {
+            Section::Full
+        }
+    }
+
+    /// Projected area, m², of the nose behind a face it has passed by the depth `p_m`.
+    pub fn area_m2(&self, p_m: f64) -> f64 {
+        let r = self.radius_m;
+        match self.section(p_m) {
+            Section::None => 0.0,
+            Section::Cap => PI * self.cos * self.cos * p_m * (2.0 * r - p_m * self.cos),
+            Section::Partial => self.partial_m2(p_m),
+            Section::Full => PI * r * r,
+        }
+    }
+
+    /// The section across sphere and cylinder: with kappa = 1 - p cos/R, the height of the face above the sphere's
+    /// centre over R, A/R² = cos (1 - kappa²) phi + asin-free remainder; see [`Nose::fullness`] for phi.
+    fn partial_m2(&self, p_m: f64) -> f64 {
+        let r = self.radius_m;
+        let kappa = 1.0 - p_m * self.cos / r;
+        let chord = (self.sin * self.sin - kappa * kappa).sqrt();
+        let ring = self.fullness(kappa);
+        let beyond = (kappa / self.sin).acos();
+        r * r * (self.cos * (1.0 - kappa * kappa) * ring + beyond - kappa * chord)
+    }
+
+    /// Half the angle of the face's circle on the sphere that lies on the forward hemisphere: pi within the cap, 0 when
+    /// only the cylinder is crossed.
+    pub fn fullness(&self, kappa: f64) -> f64 {
+        let cosine = -kappa * self.cos / (self.sin * (1.0 - kappa * kappa).sqrt());
+        cosine.clamp(-1.0, 1.0).acos()
+    }
+}
+
+impl Geometry {
+    /// The geometry of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        let nose = Nose::of(scene);
+        let thickness_m = scene.effective_thickness_m();
+        let lag_m = if scene.target.dishing { 2.0 * nose.radius_m } else { 0.0 };
+        let bend_m = thickness_m + lag_m;
+        let slope = thickness_m / bend_m;
+        let exit_depth = thickness_m + nose.full_from_m();
+        let mut geometry = Self {
+            nose,
+            thickness_m,
+            slope,
+            bend_m,
+            lag_m,
+            exit_m: exit_depth + lag_m,
+            pieces: Vec::new(),
+        };
+        geometry.pieces = geometry.cut();
+        geometry
+    }
+
+    /// Depth at travel `q_m`, m. Negative travel (the nose is off the entry face) gives negative depth.
+    pub fn depth_m(&self, q_m: f64) -> f64 {
+        if q_m <= self.bend_m { q_m * self.slope } else { q_m - self.lag_m }
+    }
+
+    /// Travel at depth `p_m`, m.
+    pub fn travel_m(&self, p_m: f64) -> f64 {
+        if p_m <= self.thickness_m { p_m / self.slope } else { p_m + self.lag_m }
+    }
+
+    /// Engaged area at travel `q_m`, m².
+    pub fn area_m2(&self, q_m: f64) -> f64 {
+        self.piece(q_m).law.area_m2(&self.nose, q_m)
+    }
+
+    /// The pieces in order, from zero travel to the exit.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The piece that holds at travel `q_m`, the later one at a joint; free space before and after.
+    pub fn piece(&self, q_m: f64) -> Piece {
+        if q_m < 0.0 {
+            return Piece { from_m: f64::NEG_INFINITY, to_m: 0.0, law: AreaLaw::None };
+        }
+        let found = self.pieces.iter().find(|piece| q_m < piece.to_m);
+        found.copied().unwrap_or(Piece {
+            from_m: self.exit_m,
+            to_m: f64::INFINITY,
+            law: AreaLaw::None,
+        })
+    }
+
+    /// Volume swept from first contact to travel `q_m`: the integral of the area over travel, m³.
+    pub fn swept_m3(&self, q_m: f64) -> f64 {
+        let mut volume = 0.0;
+        for piece in &self.pieces {
+            if q_m <= piece.from_m {
+                break;
+            }
+            let to = if q_m < piece.to_m { q_m } else { piece.to_m };
+            volume += piece.swept_m3(&self.nose, piece.from_m, to);
+        }
+        volume
+    }
+
+    /// Travel at which the swept volume is `volume_m3`; `None` beyond the volume of the whole passage.
+    pub fn travel_at_volume_m(&self, volume_m3: f64) -> Option<f64> {
+        let mut before = 0.0;
+        for piece in &self.pieces {
+            let whole = piece.swept_m3(&self.nose, piece.from_m, piece.to_m);
+            if volume_m3 < before + whole {
+                let rest = volume_m3 - before;
+                let gap = |q: f64| piece.swept_m3(&self.nose, piece.from_m, q) - rest;
+                return Some(in_bracket(piece.from_m, piece.to_m, gap));
+            }
+            before += whole;
+        }
+        None
+    }
+
+    fn cut(&self) -> Vec<Piece> {
+        let nose = &self.nose;
+        let (from, to) = (nose.cap_end_m(), nose.full_from_m());
+        let joint = if nose.is_normal() { 0.5 } else { JOINT } * (to - from);
+        let mut depths = vec![0.0, self.thickness_m, self.thickness_m + to];
+        for face in [0.0, self.thickness_m] {
+            depths.push(face + from + joint);
+            if !nose.is_normal() {
+                depths.push(face + to - joint);
+            }
+        }
+        depths.retain(|depth| *depth <= self.thickness_m + to);
+        depths.sort_by(f64::total_cmp);
+        depths.dedup();
+        let travels: Vec<f64> = depths.iter().map(|depth| self.travel_m(*depth)).collect();
+        travels
+            .windows(2)
+            .filter(|pair| pair[1] > pair[0])
+            .map(|pair| Piece { from_m: pair[0], to_m: pair[1], law: self.law(pair[0], pair[1]) })
+            .collect()
+    }
+
+    fn law(&self, from_m: f64, to_m: f64) -> AreaLaw {
+        let middle = self.depth_m(0.5 * (from_m + to_m));
+        let nose = &self.nose;
+        let (entry, exit) = (nose.section(middle), nose.section(middle - self.thickness_m));
+        let rate = if 0.5 * (from_m + to_m) <= self.bend_m { self.slope } else { 1.0 };
+        if entry == Section::Partial || exit == Section::Partial {
+            return AreaLaw::Partial {
+                origin_m: from_m,
+                p0: self.depth_m(from_m),
+                p1: rate,
+                exit_depth_m: self.thickness_m,
+            };
+        }
+        // Centred on the end towards which the area vanishes, so that small areas keep their digits.
+        let leaving = exit == Section::Cap && entry == Section::Full;
+        let origin_m = if leaving { self.travel_m(self.thickness_m + nose.cap_end_m()) } else { from_m };
+        let depth = self.depth_m(origin_m);
+        let shape = |section: Section, p: f64| match section {
+            Section::None | Section::Partial => [0.0; 3],
+            Section::Full => [PI * nose.radius_m * nose.radius_m, 0.0, 0.0],
+            Section::Cap => {
+                let (r, c) = (nose.radius_m, nose.cos);
+                let factor = PI * c * c;
+                [
+                    factor * p * (2.0 * r - p * c),
+                    factor * 2.0 * (r - p * c) * rate,
+                    -factor * c * rate * rate,
+                ]
+            }
+        };
+        let (inside, outside) = (shape(entry, depth), shape(exit, depth - self.thickness_m));
+        let mut a = [inside[0] - outside[0], inside[1] - outside[1], inside[2] - outside[2]];
+        if leaving && nose.is_normal() {
+            (a[0], a[1]) = (0.0, 0.0);
+        }
+        AreaLaw::Quadratic { origin_m, a }
+    }
+}
+
+impl Piece {
+    /// Integral of the area from `from_m` to `to_m` within the piece, m³, without cancellation when they are close.
+    pub fn swept_m3(&self, nose: &Nose, from_m: f64, to_m: f64) -> f64 {
+        let area = |q: f64| self.law.area_m2(nose, q);
+        let width = to_m - from_m;
+        match self.law {
+            AreaLaw::None => 0.0,
+            // Simpson's rule is exact for a quadratic.
+            AreaLaw::Quadratic { .. } => {
+                width / 6.0 * (area(from_m) + 4.0 * area(from_m + 0.5 * width) + area(to_m))
+            }
+            // q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
+            AreaLaw::Partial { .. } => gauss(0.0, 1.0, 4, |s| {
+                area(from_m + width * s * s * (3.0 - 2.0 * s)) * width * 6.0 * s * (1.0 - s)
+            }),
+        }
+    }
+}
+
+impl AreaLaw {
+    /// The area at travel `q_m`, m².
+    pub fn area_m2(&self, nose: &Nose, q_m: f64) -> f64 {
+        match *self {
+            Self::None => 0.0,
+            Self::Quadratic { origin_m, a } => {
+                let s = q_m - origin_m;
+                a[0] + s * (a[1] + s * a[2])
+            }
+            Self::Partial { origin_m, p0, p1, exit_depth_m } => {
+                let p = p0 + p1 * (q_m - origin_m);
+                nose.area_m2(p) - nose.area_m2(p - exit_depth_m)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn nose(degrees: f64) -> Nose {
+        let (sin, cos) = f64::to_radians(degrees).sin_cos();
+        Nose { radius_m: 0.00635, sin, cos }
+    }
+
+    /// Projected area by counting points of the disk whose surface point lies behind the face.
+    fn brute_force(nose: &Nose, p: f64) -> f64 {
+        let (r, n) = (nose.radius_m, 2000);
+        let mut count = 0u32;
+        for i in 0..n {
+            for j in 0..n {
+                let xi = (2.0 * (f64::from(i) + 0.5) / f64::from(n) - 1.0) * r;
+                let eta = (2.0 * (f64::from(j) + 0.5) / f64::from(n) - 1.0) * r;
+                let rest = r * r - xi * xi - eta * eta;
+                if rest < 0.0 {
+                    continue;
+                }
+                let zeta = rest.sqrt();
+                // The face's height over the sphere's centre is R - p cos; a point of the nose is behind it when its
+                // component along the normal is greater. The cylinder behind the disk reaches back for ever.
+                let height = r - p * nose.cos;
+                if xi * nose.sin + zeta * nose.cos > height {
+                    count += 1;
+                }
+            }
+        }
+        f64::from(count) * (2.0 * r / f64::from(n)).powi(2)
+    }
+
+    #[test]
+    fn valid_oblique_area_equals_the_brute_force_projection() {
+        for degrees in [15.0, 30.0, 45.0] {
+            let nose = nose(degrees);
+            for part in [0.2, 0.5, 0.8, 1.0, 1.2, 1.5, 1.9] {
+                let p = part * nose.cap_end_m();
+                let (area, counted) = (nose.area_m2(p), brute_force(&nose, p));
+                let full = PI * nose.radius_m * nose.radius_m;
+                assert!((area - counted).abs() < 2e-4 * full, "{degrees} {part}: {area} {counted}");
+            }
+        }
+    }
+
+    #[test]
+    fn area_is_continuous_at_the_joints_and_full_beyond() {
+        for degrees in [1e-3, 1.0, 15.0, 45.0, 85.0] {
+            let nose = nose(degrees);
+            let full = PI * nose.radius_m * nose.radius_m;
+            for joint in [nose.cap_end_m(), nose.full_from_m()] {
+                let width = nose.full_from_m() - nose.cap_end_m();
+                for shift in [2.0 * JOINT, 1e-9] {
+                    let (a, b) = (joint - shift * width, joint + shift * width);
+                    let jump = (nose.area_m2(b) - nose.area_m2(a)).abs();
+                    assert!(jump < 10.0 * shift * full + 1e-11 * full, "{degrees}: {jump}");
+                }
+            }
+            assert!((nose.area_m2(nose.full_from_m()) - full).abs() < 1e-11 * full);
+        }
+    }
+
+    #[test]
+    fn the_oblique_section_becomes_the_normal_one() {
+        let normal = nose(0.0);
+        for part in [0.1, 0.5, 0.99, 1.0, 1.01, 2.0] {
+            let p = part * normal.radius_m;
+            for degrees in [1e-5, 1e-7, 1e-9] {
+                let near = nose(degrees).area_m2(p);
+                let full = PI * normal.radius_m.powi(2);
+                let allowed = f64::to_radians(degrees) * full;
+                assert!((near - normal.area_m2(p)).abs() <= allowed, "{part} {degrees}");
+            }
+        }
+    }
+
+    #[test]
+    fn valid_swept_volume_of_the_passage_is_thickness_times_section_without_dishing() {
+        // Entry and exit together sweep pi R² h_e whatever the nose and the obliquity.
+        for (degrees, thickness) in [(0.0, 0.0254), (0.0, 0.003), (30.0, 0.0254), (60.0, 0.004)] {
+            let mut scene = Scene::default();
+            scene.target.dishing = false;
+            scene.target.thickness_m = thickness;
+            scene.projectile.obliquity_deg = degrees;
+            let geometry = Geometry::of(&scene);
+            let swept = geometry.swept_m3(geometry.exit_m);
+            let exact = PI * 0.00635f64.powi(2) * geometry.thickness_m;
+            assert!((swept / exact - 1.0).abs() < 1e-11, "{degrees} {thickness}: {swept} {exact}");
+        }
+    }
+
+    #[test]
+    fn volume_and_travel_are_inverse() {
+        for degrees in [0.0, 25.0] {
+            let mut scene = Scene::default();
+            scene.projectile.obliquity_deg = degrees;
+            let geometry = Geometry::of(&scene);
+            for part in [1e-6, 0.1, 0.3, 0.7, 0.99] {
+                let q = part * geometry.exit_m;
+                let back = geometry.travel_at_volume_m(geometry.swept_m3(q)).unwrap();
+                assert!((back / q - 1.0).abs() < 1e-12, "{part}: {back} {q}");
+            }
+            assert_eq!(geometry.travel_at_volume_m(1.0), None);
+        }
+    }
+
+    #[test]
+    fn depth_is_continuous_and_invertible() {
+        let geometry = Geometry::of(&Scene::default());
+        for q in [-0.001, 0.0, 0.01, geometry.bend_m, 0.05] {
+            assert!((geometry.travel_m(geometry.depth_m(q)) - q).abs() < 1e-16);
+        }
+        assert!((geometry.depth_m(geometry.bend_m) - geometry.thickness_m).abs() < 1e-17);
+    }
+
+    #[test]
+    fn area_of_the_pieces_is_the_area_of_the_faces() {
+        for (degrees, thickness) in [(0.0, 0.0254), (0.0, 0.003), (20.0, 0.003), (50.0, 0.0254)] {
+            let mut scene = Scene::default();
+            scene.target.thickness_m = thickness;
+            scene.projectile.obliquity_deg = degrees;
+            let geometry = Geometry::of(&scene);
+            for i in 0..1000 {
+                let q = (f64::from(i) + 0.5) / 1000.0 * geometry.exit_m;
+                let p = geometry.depth_m(q);
+                let faces =
+                    geometry.nose.area_m2(p) - geometry.nose.area_m2(p - geometry.thickness_m);
+                let difference = (geometry.area_m2(q) - faces).abs();
+                assert!(difference < 1e-15, "{degrees} {thickness} {q}: {difference}");
+            }
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! Springs, dampers and stops: force, energy and what they can do at most.
+//!
+//! Signs: a spring force is positive when it pushes the plate back towards its neutral position from x > 0, a damper force
+//! when it resists w > 0; both act on the plate as -force. Thesis equations 8.1, 8.2, 9.2, 9.3 with the signs its
+//! Appendix lacks: both laws are odd.
+
+use crate::model::scene::{Mount, Scene, Stop, StopKind};
+
+/// An odd power law: `coefficient |z|^exponent sgn(z)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerLaw {
+    /// >= 0.
+    pub coefficient: f64,
+    /// > 0.
+    pub exponent: f64,
+}
+
+/// How a power law is expanded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PowerKind {
+    /// The coefficient is zero.
+    Absent,
+    /// The exponent is one.
+    Linear,
+    /// A whole exponent from 2 to [`WHOLE_MAX`].
+    Whole(usize),
+    /// Anything else: singular at zero.
+    General,
+}
+
+/// The greatest whole exponent that is computed by products.
+pub const WHOLE_MAX: usize = 6;
+
+impl PowerLaw {
+    /// How it is expanded.
+    pub fn kind(self) -> PowerKind {
+        if self.coefficient == 0.0 {
+            return PowerKind::Absent;
+        }
+        let whole = (1..=WHOLE_MAX).find(|n| (self.exponent - *n as f64).abs() < f64::EPSILON);
+        match whole {
+            Some(1) => PowerKind::Linear,
+            Some(n) => PowerKind::Whole(n),
+            None => PowerKind::General,
+        }
+    }
+
+    /// Whether the law is one analytic function through zero (linear, cubic, ...).
+    pub fn is_smooth_at_zero(self) -> bool {
+        match self.kind() {
+            PowerKind::Absent | PowerKind::Linear => true,
+            PowerKind::Whole(n) => n % 2 == 1,
+            PowerKind::General => false,
+        }
+    }
+
+    /// The force at `z`.
+    pub fn force(self, z: f64) -> f64 {
+        match self.kind() {
+            PowerKind::Absent => 0.0,
+            PowerKind::Linear => self.coefficient * z,
+            PowerKind::Whole(_) | PowerKind::General => {
+                self.coefficient * z.abs().powf(self.exponent) * sign(z)
+            }
+        }
+    }
+
+    /// The derivative of the force at `z`; infinite at zero for exponents below one.
+    pub fn tangent(self, z: f64) -> f64 {
+        match self.kind() {
+            PowerKind::Absent => 0.0,
+            PowerKind::Linear => self.coefficient,
+            PowerKind::Whole(_) | PowerKind::General => {
+                self.coefficient * self.exponent * z.abs().powf(self.exponent - 1.0)
+            }
+        }
+    }
+
+    /// The integral of the force from 0 to `z`: for a spring, the energy it stores.
+    pub fn integral(self, z: f64) -> f64 {
+        if self.coefficient == 0.0 {
+            return 0.0;
+        }
+        self.coefficient / (self.exponent + 1.0) * z.abs().powf(self.exponent + 1.0)
+    }
+
+    /// The |z| at which the force is `force`; infinite when there is no law.
+    pub fn at_force(self, force: f64) -> f64 {
+        if self.coefficient == 0.0 {
+            return f64::INFINITY;
+        }
+        (force.abs() / self.coefficient).powf(1.0 / self.exponent)
+    }
+
+    /// The |z| at which the integral is `integral`; infinite when there is no law.
+    pub fn at_integral(self, integral: f64) -> f64 {
+        if self.coefficient == 0.0 {
+            return f64::INFINITY;
+        }
+        ((self.exponent + 1.0) * integral / self.coefficient).powf(1.0 / (self.exponent + 1.0))
+    }
+}
+
+/// Sign of a number, zero for zero.
+pub fn sign(z: f64) -> f64 {
+    if z > 0.0 {
+        1.0
+    } else if z < 0.0 {
+        -1.0
+    } else {
+        0.0
+    }
+}
+
+/// What carries the plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mechanism {
+    /// The spring.
+    pub spring: PowerLaw,
+    /// The damper.
+    pub damper: PowerLaw,
+    /// The stop, if there is one.
+    pub stop: Option<Stop>,
+    /// Where the stop is, m; infinite when there is none.
+    pub stop_at_m: f64,
+}
+
+impl Mechanism {
+    /// The mechanism of a scene; a rigid mount has none.
+    pub fn of(scene: &Scene) -> Self {
+        let laws = &scene.mechanism;
+        let sprung = scene.plate.mount == Mount::Sprung;
+        let law = |coefficient: f64, exponent: f64| PowerLaw {
+            coefficient: if sprung { coefficient } else { 0.0 },
+            exponent,
+        };
+        let stop = laws.stop.position_m.filter(|_| sprung);
+        Self {
+            spring: law(laws.spring.coefficient, laws.spring.exponent),
+            damper: law(laws.damper.coefficient, laws.damper.exponent),
+            stop: stop.map(|_| laws.stop),
+            stop_at_m: stop.unwrap_or(f64::INFINITY),
+        }
+    }
+
+    /// Whether neither spring nor damper acts.
+    pub fn is_absent(&self) -> bool {
+        self.spring.coefficient == 0.0 && self.damper.coefficient == 0.0
+    }
+
+    /// The elastic stop, if there is one.
+    pub fn elastic_stop(&self) -> Option<Stop> {
+        self.stop.filter(|stop| stop.kind == StopKind::Elastic)
+    }
+
+    /// The rigid stop, if there is one.
+    pub fn rigid_stop(&self) -> Option<Stop> {
+        self.stop.filter(|stop| stop.kind == StopKind::Rigid)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn force_is_the_derivative_of_the_integral_and_tangent_that_of_force() {
+        for exponent in [0.3, 0.5, 1.0, 1.4, 2.0, 3.0] {
+            let law = PowerLaw { coefficient: 7.0, exponent };
+            for z in [-0.8, -0.1, 0.2, 1.7] {
+                let h = 1e-6;
+                let force = (law.integral(z + h) - law.integral(z - h)) / (2.0 * h);
+                let tangent = (law.force(z + h) - law.force(z - h)) / (2.0 * h);
+                assert!((force - law.force(z)).abs() < 1e-6 * (1.0 + force.abs()));
+                assert!((tangent - law.tangent(z)).abs() < 1e-5 * (1.0 + tangent.abs()));
+                assert_eq!(law.force(-z), -law.force(z));
+            }
+            assert!((law.force(law.at_force(3.0)) - 3.0).abs() < 1e-13);
+            assert!((law.integral(law.at_integral(3.0)) - 3.0).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn kinds_follow_the_exponent() {
+        let kind = |exponent| PowerLaw { coefficient: 1.0, exponent }.kind();
+        assert_eq!(kind(1.0), PowerKind::Linear);
+        assert_eq!(kind(3.0), PowerKind::Whole(3));
+        assert_eq!(kind(0.5), PowerKind::General);
+        assert_eq!(PowerLaw { coefficient: 0.0, exponent: 0.5 }.kind(), PowerKind::Absent);
+    }
+}
