@@ -5,9 +5,11 @@
 //! its unit. **Invariants:** no file, no screen, no clock and no thread is known here; `simulate` is a pure
 //! function of its arguments; nothing but `Err` for a scene that cannot start is refused.
 
+pub mod closed_form;
 pub mod contact;
 pub mod impact;
 pub mod mechanism;
+pub mod motion;
 pub mod run;
 pub mod scene;
 pub mod units;

@@ -307,10 +307,15 @@ impl Geometry {
 }
 
 impl Piece {
-    /// Integral of the area from `from_m` to `to_m` within the piece, m³, without cancellation when they are close.
+    /// Integral of the area from `from_m` to `to_m` within the piece, m³.
     pub fn swept_m3(&self, nose: &Nose, from_m: f64, to_m: f64) -> f64 {
+        self.swept_before_m3(nose, to_m, to_m - from_m)
+    }
+
+    /// Integral of the area over the last `width` before `to_m`, m³: exact in `width` however small it is.
+    pub fn swept_before_m3(&self, nose: &Nose, to_m: f64, width: f64) -> f64 {
         let area = |q: f64| self.law.area_m2(nose, q);
-        let width = to_m - from_m;
+        let from_m = to_m - width;
         match self.law {
             AreaLaw::None => 0.0,
             // Simpson's rule is exact for a quadratic.

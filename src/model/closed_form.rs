@@ -1,0 +1,239 @@
+//! What needs no integration: arrest and perforation of a plate that is rigid, or free of spring and damper.
+//!
+//! Relative motion of two bodies that only push on each other is that of one body of the reduced mass mu (the projectile's own
+//! mass for a rigid plate). With V(q) the volume swept, d(u²)/dV = -2 (S + c u²)/mu, so that
+//! u² = [(S + c v²) exp(-2 c V/mu) - S]/c: the shot stops where V = mu/(2c) ln(1 + c v²/S), and has its ballistic limit at
+//! v² = (S/c) (exp(2 c V/mu) - 1) with V the volume of the whole passage. Time is one quadrature. Model page, section 2.
+
+use crate::model::contact::Geometry;
+use crate::numerics::quadrature::gauss;
+
+/// One-body penetration with a reduced mass.
+#[derive(Clone, Copy, Debug)]
+pub struct Passage<'a> {
+    /// Depth and area laws.
+    pub geometry: &'a Geometry,
+    /// mu, kg.
+    pub mass_kg: f64,
+    /// `S_y`, Pa.
+    pub strength_pa: f64,
+    /// c, kg/m³.
+    pub drag_kg_m3: f64,
+    /// Relative velocity at first contact, m/s.
+    pub velocity_m_s: f64,
+}
+
+/// Where and how the relative motion ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ending {
+    /// At rest at this travel, m.
+    Arrest {
+        /// Travel, m.
+        travel_m: f64,
+    },
+    /// Clear of the rear face with this relative velocity left.
+    Exit {
+        /// Relative velocity, m/s.
+        velocity_m_s: f64,
+    },
+}
+
+impl Passage<'_> {
+    /// Volume that stops the shot, m³; `None` when nothing stops it (no strength).
+    pub fn stopping_volume_m3(&self) -> Option<f64> {
+        let (s, c, v) = (self.strength_pa, self.drag_kg_m3, self.velocity_m_s);
+        if s == 0.0 {
+            return None;
+        }
+        if c == 0.0 {
+            return Some(0.5 * self.mass_kg * v * v / s);
+        }
+        Some(0.5 * self.mass_kg / c * (c * v * v / s).ln_1p())
+    }
+
+    /// Where it ends.
+    pub fn ending(&self) -> Ending {
+        let stop = self.stopping_volume_m3().and_then(|v| self.geometry.travel_at_volume_m(v));
+        stop.map_or_else(
+            || Ending::Exit { velocity_m_s: self.slip_squared(self.geometry.exit_m).sqrt() },
+            |travel_m| Ending::Arrest { travel_m },
+        )
+    }
+
+    /// The ballistic limit, m/s: relative impact velocities above it perforate.
+    pub fn limit_velocity_m_s(&self) -> f64 {
+        let volume = self.geometry.swept_m3(self.geometry.exit_m);
+        let (s, c) = (self.strength_pa, self.drag_kg_m3);
+        if c == 0.0 {
+            return (2.0 * s * volume / self.mass_kg).sqrt();
+        }
+        (s / c * (2.0 * c * volume / self.mass_kg).exp_m1()).sqrt()
+    }
+
+    /// u² at travel `q_m`, m²/s², from the start; negative beyond the arrest.
+    pub fn slip_squared(&self, q_m: f64) -> f64 {
+        let (s, c, v) = (self.strength_pa, self.drag_kg_m3, self.velocity_m_s);
+        let volume = self.geometry.swept_m3(q_m);
+        if c == 0.0 {
+            return v * v - 2.0 * s * volume / self.mass_kg;
+        }
+        let shrink = (-2.0 * c * volume / self.mass_kg).exp_m1();
+        v * v + (s / c + v * v) * shrink
+    }
+
+    /// u² at the distance `ahead_m` before the arrest at `end_m`, without cancellation near it.
+    fn slip_squared_before(&self, ahead_m: f64, end_m: f64) -> f64 {
+        let mut volume = 0.0;
+        for piece in self.geometry.pieces().iter().filter(|piece| piece.from_m < end_m) {
+            // Distances of the piece's ends from the arrest, the nearer one first.
+            let near = if piece.to_m < end_m { end_m - piece.to_m } else { 0.0 };
+            let far = if end_m - piece.from_m < ahead_m { end_m - piece.from_m } else { ahead_m };
+            if far > near {
+                volume += piece.swept_before_m3(&self.geometry.nose, end_m - near, far - near);
+            }
+        }
+        let (s, c) = (self.strength_pa, self.drag_kg_m3);
+        if c == 0.0 {
+            return 2.0 * s * volume / self.mass_kg;
+        }
+        s / c * (2.0 * c * volume / self.mass_kg).exp_m1()
+    }
+
+    /// Times, s, and slips, m/s, at increasing travels from 0 to the end: `per_piece` points on each stretch between two
+    /// joints of the area law, the end last.
+    pub fn history(&self, ending: Ending, per_piece: usize) -> Vec<Moment> {
+        match ending {
+            Ending::Arrest { travel_m } => self.history_to_arrest(travel_m, per_piece),
+            Ending::Exit { .. } => self.history_to_exit(per_piece),
+        }
+    }
+
+    /// With q = end (1 - s²) the time's integrand 2 end s/u is smooth up to the arrest.
+    fn history_to_arrest(&self, end_m: f64, per_piece: usize) -> Vec<Moment> {
+        let slip = |s: f64| self.slip_squared_before(end_m * s * s, end_m).sqrt();
+        let mut bounds = vec![1.0];
+        for piece in self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m) {
+            bounds.push(((end_m - piece.to_m) / end_m).sqrt());
+        }
+        // Graded towards the arrest, where the area may be small (a shot just below the limit).
+        let last = bounds[bounds.len() - 1];
+        bounds.extend((1..=5).map(|halving| last * 0.5f64.powi(halving)));
+        bounds.push(0.0);
+        let mut moments =
+            vec![Moment { t_s: 0.0, travel_m: 0.0, slip_m_s: self.velocity_m_s }];
+        let mut t_s = 0.0;
+        for pair in bounds.windows(2) {
+            for point in 0..per_piece {
+                let at = |i: usize| pair[0] + (pair[1] - pair[0]) * i as f64 / per_piece as f64;
+                let (a, b) = (at(point), at(point + 1));
+                t_s += gauss(b, a, 1, |s| 2.0 * end_m * s / slip(s));
+                let travel_m = end_m * (1.0 - b) * (1.0 + b);
+                moments.push(Moment { t_s, travel_m, slip_m_s: slip(b) });
+            }
+        }
+        moments
+    }
+
+    fn history_to_exit(&self, per_piece: usize) -> Vec<Moment> {
+        let slip = |q: f64| self.slip_squared(q).sqrt();
+        let mut moments =
+            vec![Moment { t_s: 0.0, travel_m: 0.0, slip_m_s: self.velocity_m_s }];
+        let mut t_s = 0.0;
+        for piece in self.geometry.pieces() {
+            let width = (piece.to_m - piece.from_m) / per_piece as f64;
+            for point in 0..per_piece {
+                let (a, b) = (
+                    piece.from_m + width * point as f64,
+                    piece.from_m + width * (point + 1) as f64,
+                );
+                t_s += gauss(a, b, 1, |q| 1.0 / slip(q));
+                moments.push(Moment { t_s, travel_m: b, slip_m_s: slip(b) });
+            }
+        }
+        moments
+    }
+}
+
+/// A moment of the relative motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Time since first contact, s.
+    pub t_s: f64,
+    /// Travel, m.
+    pub travel_m: f64,
+    /// Relative velocity, m/s.
+    pub slip_m_s: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::scene::Scene;
+
+    fn passage(geometry: &Geometry, gamma: f64) -> Passage<'_> {
+        let mass = 0.0295;
+        Passage {
+            geometry,
+            mass_kg: if gamma.is_finite() { mass * gamma / (1.0 + gamma) } else { mass },
+            strength_pa: 1.52e8,
+            drag_kg_m3: 0.5 * 0.5 * 2710.0,
+            velocity_m_s: 100.0,
+        }
+    }
+
+    fn depth(passage: &Passage<'_>) -> f64 {
+        match passage.ending() {
+            Ending::Arrest { travel_m } => passage.geometry.depth_m(travel_m),
+            Ending::Exit { .. } => panic!("perforated"),
+        }
+    }
+
+    #[test]
+    fn valid_depths_and_times_of_the_model_page() {
+        let geometry = Geometry::of(&Scene::default());
+        let rigid = passage(&geometry, f64::INFINITY);
+        assert!((depth(&rigid) - 7.113_055e-3).abs() < 5e-10);
+        let free = passage(&geometry, 1.0);
+        assert!((depth(&free) / 4.568_088_344_391_969_9e-3 - 1.0).abs() < 1e-13);
+        let end = *free.history(free.ending(), 4).last().unwrap();
+        assert!((end.t_s / 113.407_312_427_867_64e-6 - 1.0).abs() < 1e-12, "{}", end.t_s);
+        assert_eq!(end.slip_m_s, 0.0);
+        // S13 of the reference: the spring holds the plate as a rigid mount would.
+        let end = *rigid.history(rigid.ending(), 4).last().unwrap();
+        assert!((end.t_s / 185.011_646_060_822_2e-6 - 1.0).abs() < 1e-12, "{}", end.t_s);
+        assert!((depth(&rigid) / 7.113_054_853_423_405e-3 - 1.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn valid_limit_velocities_of_the_model_page() {
+        let geometry = Geometry::of(&Scene::default());
+        let limits = [(f64::INFINITY, 232.295_378), (1.0, 347.708_052), (7.0, 250.327_205)];
+        for (gamma, limit) in limits {
+            let found = passage(&geometry, gamma).limit_velocity_m_s();
+            assert!((found - limit).abs() < 5e-7, "{gamma}: {found}");
+        }
+    }
+
+    #[test]
+    fn exit_velocity_follows_the_quadratic_law_beyond_the_limit() {
+        let geometry = Geometry::of(&Scene::default());
+        let mut shot = passage(&geometry, 1.0);
+        shot.velocity_m_s = 400.0;
+        let limit = shot.limit_velocity_m_s();
+        let volume = geometry.swept_m3(geometry.exit_m);
+        let shrink = (-2.0 * shot.drag_kg_m3 * volume / shot.mass_kg).exp();
+        let exact = ((400.0f64.powi(2) - limit * limit) * shrink).sqrt();
+        let Ending::Exit { velocity_m_s } = shot.ending() else { panic!("arrested") };
+        assert!((velocity_m_s / exact - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_drag_is_the_limit_of_little_drag() {
+        let geometry = Geometry::of(&Scene::default());
+        let mut shot = passage(&geometry, 1.0);
+        shot.drag_kg_m3 = 0.0;
+        let without = depth(&shot);
+        shot.drag_kg_m3 = 1e-6;
+        assert!((depth(&shot) / without - 1.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,293 @@
+//! The equations of motion between two events, and their Taylor expansion.
+//!
+//! State: q travel of the projectile relative to the plate along its own axis, u = dq/dt, x plate displacement, w = dx/dt.
+//! With the contact force F = A(q) (S + c u²), the mechanism's force G = K(x) + D(w) + stop, and theta's cosine,
+//!
+//! ```text
+//! dq/dt = u        du/dt = -F (1/m_p + cos²/m_2) + G cos/m_2
+//! dx/dt = w        dw/dt = (F cos - G)/m_2
+//! ```
+//!
+//! The same form serves every mode: pulling out has a negative strength and no drag, free flight no area, a plate held by its
+//! stop no mobility, and a joined body the mass m_2 + m_p cos² and no contact force. Model page, sections 2 and 3.
+
+use crate::model::contact::{AreaLaw, Nose};
+use crate::model::mechanism::{PowerKind, PowerLaw};
+
+mod area;
+mod force;
+
+use area::{AreaTerm, NoArea, Partial, Quadratic};
+use force::{ForceTerm, General, NoForce, Whole};
+
+/// The moving quantities.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// q, m.
+    pub travel_m: f64,
+    /// u, m/s.
+    pub slip_m_s: f64,
+    /// x, m.
+    pub plate_m: f64,
+    /// w, m/s.
+    pub plate_m_s: f64,
+}
+
+/// The equations between two events.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// The nose, for oblique sections.
+    pub nose: Nose,
+    /// Engaged area.
+    pub area: AreaLaw,
+    /// S in the contact force, Pa; negative while pulling out.
+    pub strength_pa: f64,
+    /// c in the contact force, kg/m³.
+    pub drag_kg_m3: f64,
+    /// How strongly the contact force slows the slip: 1/m_p + cos²/m_2, 1/kg.
+    pub slip_mobility: f64,
+    /// How strongly forces move the plate: 1/m_2, 0 for a plate that is held, 1/(m_2 + m_p cos²) for a joined body, 1/kg.
+    pub plate_mobility: f64,
+    /// cos(theta) as far as it couples plate and slip; 0 for a joined body.
+    pub coupling: f64,
+    /// The spring.
+    pub spring: PowerLaw,
+    /// The damper.
+    pub damper: PowerLaw,
+    /// The elastic stop in contact, all zero without: stiffness N/m, damping N s/m, position m.
+    pub stop: StopForce,
+    /// The side of zero on which x is, or to which it is going: 1 or -1.
+    pub side_x: f64,
+    /// The same for w.
+    pub side_w: f64,
+}
+
+/// An elastic stop in contact.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct StopForce {
+    /// N/m.
+    pub stiffness_n_m: f64,
+    /// N s/m.
+    pub damping_n_s_m: f64,
+    /// m.
+    pub position_m: f64,
+}
+
+/// The expansion of a solution: coefficient j belongs to s^j, s = time since the start over the time unit.
+#[derive(Clone, Debug)]
+pub struct Expansion<const N: usize> {
+    /// q, m.
+    pub travel: [f64; N],
+    /// u, m/s.
+    pub slip: [f64; N],
+    /// x, m.
+    pub plate: [f64; N],
+    /// w, m/s.
+    pub plate_speed: [f64; N],
+    /// Contact force F, N.
+    pub contact: [f64; N],
+    /// Mechanism force G, N (spring, damper and elastic stop).
+    pub mechanism: [f64; N],
+    /// Damper force D, N.
+    pub damper: [f64; N],
+}
+
+impl StopForce {
+    /// The force on the plate, N, positive backwards.
+    pub fn force(&self, state: &State) -> f64 {
+        self.stiffness_n_m * (state.plate_m - self.position_m)
+            + self.damping_n_s_m * state.plate_m_s
+    }
+}
+
+impl Motion {
+    /// Contact force F, N.
+    pub fn contact_force(&self, state: &State) -> f64 {
+        let pressure = self.strength_pa + self.drag_kg_m3 * state.slip_m_s * state.slip_m_s;
+        self.area.area_m2(&self.nose, state.travel_m) * pressure
+    }
+
+    /// Mechanism force G, N.
+    pub fn mechanism_force(&self, state: &State) -> f64 {
+        self.spring.force(state.plate_m)
+            + self.damper.force(state.plate_m_s)
+            + self.stop.force(state)
+    }
+
+    /// (du/dt, dw/dt), m/s².
+    pub fn accelerations(&self, state: &State) -> (f64, f64) {
+        let (f, g) = (self.contact_force(state), self.mechanism_force(state));
+        let plate = g * self.plate_mobility;
+        (
+            self.coupling * plate - f * self.slip_mobility,
+            self.coupling * f * self.plate_mobility - plate,
+        )
+    }
+
+    /// Expand the solution from `state` with the time unit `h`, s.
+    ///
+    /// A general power law must not be at its zero (x or w exactly zero): step over that first.
+    pub fn expand<const N: usize>(&self, state: &State, h: f64) -> Expansion<N> {
+        match self.area {
+            AreaLaw::None => self.with_area(state, h, NoArea),
+            AreaLaw::Quadratic { origin_m, a } => self.with_area(state, h, Quadratic::new(origin_m, a)),
+            AreaLaw::Partial { origin_m, p0, p1, exit_depth_m } => {
+                let depth = p0 + p1 * (state.travel_m - origin_m);
+                self.with_area(state, h, Partial::new(self.nose, depth, p1, exit_depth_m))
+            }
+        }
+    }
+
+    fn with_area<const N: usize>(
+        &self,
+        state: &State,
+        h: f64,
+        area: impl AreaTerm<N>,
+    ) -> Expansion<N> {
+        let law = self.spring;
+        match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
+            PowerKind::Absent => self.with_spring(state, h, area, NoForce),
+            PowerKind::Linear => self.with_spring(state, h, area, law.coefficient),
+            PowerKind::Whole(n) => {
+                self.with_spring(state, h, area, Whole::new(law.coefficient, n, self.side_x))
+            }
+            PowerKind::General => self.with_spring(state, h, area, General::new(law)),
+        }
+    }
+
+    fn with_spring<const N: usize>(
+        &self,
+        state: &State,
+        h: f64,
+        area: impl AreaTerm<N>,
+        spring: impl ForceTerm<N>,
+    ) -> Expansion<N> {
+        let law = self.damper;
+        match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
+            PowerKind::Absent => self.recur(state, h, area, spring, NoForce),
+            PowerKind::Linear => self.recur(state, h, area, spring, law.coefficient),
+            PowerKind::Whole(n) => {
+                self.recur(state, h, area, spring, Whole::new(law.coefficient, n, self.side_w))
+            }
+            PowerKind::General => self.recur(state, h, area, spring, General::new(law)),
+        }
+    }
+
+    /// The recurrence, compiled for each kind of area, spring and damper.
+    #[inline]
+    fn recur<const N: usize>(
+        &self,
+        state: &State,
+        h: f64,
+        mut area: impl AreaTerm<N>,
+        mut spring: impl ForceTerm<N>,
+        mut damper: impl ForceTerm<N>,
+    ) -> Expansion<N> {
+        let mut e = Expansion {
+            travel: [0.0; N],
+            slip: [0.0; N],
+            plate: [0.0; N],
+            plate_speed: [0.0; N],
+            contact: [0.0; N],
+            mechanism: [0.0; N],
+            damper: [0.0; N],
+        };
+        e.travel[0] = state.travel_m;
+        e.slip[0] = state.slip_m_s;
+        e.plate[0] = state.plate_m;
+        e.plate_speed[0] = state.plate_m_s;
+        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
+        for j in 0..N {
+            let f = area.force(&e.travel, &e.slip, self.strength_pa, self.drag_kg_m3, j);
+            let d = damper.coefficient(&e.plate_speed, j);
+            let mut g = spring.coefficient(&e.plate, j) + d;
+            g += stiffness_n_m * e.plate[j] + damping_n_s_m * e.plate_speed[j];
+            if j == 0 {
+                g -= stiffness_n_m * position_m;
+            }
+            (e.contact[j], e.mechanism[j], e.damper[j]) = (f, g, d);
+            if j + 1 < N {
+                let per_order = h / (j + 1) as f64;
+                let plate = g * self.plate_mobility;
+                e.travel[j + 1] = per_order * e.slip[j];
+                e.slip[j + 1] = per_order * (self.coupling * plate - f * self.slip_mobility);
+                e.plate[j + 1] = per_order * e.plate_speed[j];
+                e.plate_speed[j + 1] =
+                    per_order * (self.coupling * f * self.plate_mobility - plate);
+            }
+        }
+        e
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::contact::Geometry;
+    use crate::model::scene::Scene;
+    use crate::numerics::series::evaluate;
+
+    fn motion(scene: &Scene, q: f64) -> Motion {
+        let geometry = Geometry::of(scene);
+        let (m1, m2, cos) = (scene.projectile.mass_kg, scene.plate_mass_kg(), geometry.nose.cos);
+        let mechanism = &scene.mechanism;
+        Motion {
+            nose: geometry.nose,
+            area: geometry.piece(q).law,
+            strength_pa: scene.target.flow_strength_pa,
+            drag_kg_m3: scene.drag_kg_m3(),
+            slip_mobility: 1.0 / m1 + cos * cos / m2,
+            plate_mobility: 1.0 / m2,
+            coupling: cos,
+            spring: PowerLaw {
+                coefficient: mechanism.spring.coefficient,
+                exponent: mechanism.spring.exponent,
+            },
+            damper: PowerLaw {
+                coefficient: mechanism.damper.coefficient,
+                exponent: mechanism.damper.exponent,
+            },
+            stop: StopForce { stiffness_n_m: 1e5, damping_n_s_m: 10.0, position_m: 0.001 },
+            side_x: 1.0,
+            side_w: 1.0,
+        }
+    }
+
+    /// The series' slope must equal the right-hand side all along the step, whatever the laws.
+    #[test]
+    fn the_expansion_solves_the_equations() {
+        for degrees in [0.0, 30.0] {
+            for (n, m) in [(1.0, 1.0), (2.0, 1.0), (3.0, 2.0), (0.5, 0.5), (1.4, 0.7), (6.0, 3.0)] {
+                for depth in [0.3, 0.9, 1.3, 2.5] {
+                    let mut scene = Scene::default();
+                    scene.projectile.obliquity_deg = degrees;
+                    scene.target.thickness_m = 0.004;
+                    scene.mechanism.spring.exponent = n;
+                    scene.mechanism.damper.exponent = m;
+                    scene.mechanism.damper.coefficient = 50.0 * 20f64.powf(1.0 - m);
+                    let q = Geometry::of(&scene).travel_m(depth * 0.00635);
+                    let motion = motion(&scene, q);
+                    let state =
+                        State { travel_m: q, slip_m_s: 60.0, plate_m: 0.002, plate_m_s: 20.0 };
+                    let h = 1e-6;
+                    let e: Expansion<17> = motion.expand(&state, h);
+                    for s in [0.0, 0.2, 0.4] {
+                        let at = State {
+                            travel_m: evaluate(&e.travel, s),
+                            slip_m_s: evaluate(&e.slip, s),
+                            plate_m: evaluate(&e.plate, s),
+                            plate_m_s: evaluate(&e.plate_speed, s),
+                        };
+                        let (du, dw) = motion.accelerations(&at);
+                        let slope = |c: &[f64; 17]| crate::numerics::series::evaluate_slope(c, s) / h;
+                        let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
+                        assert!(close(slope(&e.slip), du), "{degrees} {n} {m} {depth} {s}");
+                        assert!(close(slope(&e.plate_speed), dw), "{degrees} {n} {m} {depth} {s}");
+                        assert!(close(evaluate(&e.contact, s), motion.contact_force(&at)));
+                        assert!(close(evaluate(&e.mechanism, s), motion.mechanism_force(&at)));
+                    }
+                }
+            }
+        }
+    }
+}
