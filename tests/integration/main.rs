@@ -1,1 +1,3 @@
-//! t
+//! The one integration test binary.
+
+mod physics;
