@@ -44,10 +44,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self {
-            series: true,
-            estimate: true,
-        }
+        Self { series: true, estimate: true }
     }
 }
 
@@ -95,22 +92,12 @@ fn estimate(problem: &Problem, run: &Run, observer: Observer<'_>) -> Option<Erro
     };
     let value = measure(run)?;
     if run.cost.steps == 0 {
-        return Some(ErrorEstimate {
-            relative: ROUNDING,
-            basis: EstimateBasis::ClosedForm,
-        });
+        return Some(ErrorEstimate { relative: ROUNDING, basis: EstimateBasis::ClosedForm });
     }
     let (track, end) =
         compute::<TERMS_CHECK>(problem, run.scene.run.tolerance * TIGHTER, false, observer);
     let second = measure(&report::gather(problem, track, end))?;
     let relative = ((value - second) / second).abs();
-    let relative = if relative > ROUNDING {
-        relative
-    } else {
-        ROUNDING
-    };
-    Some(ErrorEstimate {
-        relative,
-        basis: EstimateBasis::SecondComputation,
-    })
+    let relative = if relative > ROUNDING { relative } else { ROUNDING };
+    Some(ErrorEstimate { relative, basis: EstimateBasis::SecondComputation })
 }

@@ -12,10 +12,7 @@ use cmra::model::units::Bare;
 use cmra::model::variables;
 
 fn run(scene: Scene) -> Run {
-    simulate(&Arc::new(scene), &Settings::default(), &mut |_| {
-        ControlFlow::Continue(())
-    })
-    .unwrap()
+    simulate(&Arc::new(scene), &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap()
 }
 
 /// A scene from `name=value` pairs; the spring is absent unless named.
@@ -132,14 +129,9 @@ fn explore() {
     ] {
         let started = Instant::now();
         let scene = Arc::new(scene(pairs));
-        let run = simulate(
-            &scene,
-            &Settings {
-                estimate: false,
-                series: true,
-            },
-            &mut |_| ControlFlow::Continue(()),
-        )
+        let run = simulate(&scene, &Settings { estimate: false, series: true }, &mut |_| {
+            ControlFlow::Continue(())
+        })
         .unwrap();
         let took = started.elapsed();
         println!(

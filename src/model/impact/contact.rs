@@ -63,10 +63,7 @@ impl Problem {
             * self.cos;
         let spring = self.mechanism.spring;
         let yields = spring.at_force((spring.exponent + 1.0) * force);
-        let last = passage
-            .history(passage.ending(), 1)
-            .last()
-            .map_or(f64::INFINITY, |m| m.t_s);
+        let last = passage.history(passage.ending(), 1).last().map_or(f64::INFINITY, |m| m.t_s);
         let creeps = self.mechanism.damper.at_force(force) * last;
         smaller(yields, creeps) <= IMMOBILE * travel_m
     }
@@ -104,11 +101,7 @@ impl Track<'_> {
         {
             return false;
         }
-        let points = if self.record.keep_series {
-            POINTS.0
-        } else {
-            POINTS.1
-        };
+        let points = if self.record.keep_series { POINTS.0 } else { POINTS.1 };
         let moments = passage.history(ending, points);
         let Some(last) = moments.last().copied() else {
             return false;
@@ -116,11 +109,8 @@ impl Track<'_> {
         if !(last.t_s <= problem.horizon_s) {
             return false;
         }
-        let share = if free {
-            problem.projectile_kg * problem.cos / problem.joined_kg
-        } else {
-            0.0
-        };
+        let share =
+            if free { problem.projectile_kg * problem.cos / problem.joined_kg } else { 0.0 };
         for moment in &moments {
             self.pass(moment, share);
         }
@@ -170,11 +160,9 @@ impl Track<'_> {
             });
         if at_joint {
             let end = problem.geometry.pieces().iter().map(|piece| piece.to_m);
-            let nearest = end.into_iter().min_by(|a, b| {
-                (a - moment.travel_m)
-                    .abs()
-                    .total_cmp(&(b - moment.travel_m).abs())
-            });
+            let nearest = end
+                .into_iter()
+                .min_by(|a, b| (a - moment.travel_m).abs().total_cmp(&(b - moment.travel_m).abs()));
             self.state.travel_m = nearest.unwrap_or(moment.travel_m);
             self.handle(crate::model::impact::guard::Trigger::PieceEnd);
         }

@@ -21,9 +21,7 @@ impl Track<'_> {
             Trigger::PieceEnd => self.state.travel_m = geometry.piece(before.travel_m).to_m,
             Trigger::PieceStart => {
                 let behind = geometry.pieces().iter().rev();
-                let piece = behind
-                    .into_iter()
-                    .find(|piece| piece.from_m < before.travel_m);
+                let piece = behind.into_iter().find(|piece| piece.from_m < before.travel_m);
                 self.state.travel_m = piece.map_or(0.0, |piece| piece.from_m);
             }
             Trigger::HoleBottom => self.state.travel_m = self.deepest_m,
@@ -59,11 +57,7 @@ impl Track<'_> {
             Trigger::SlipZero => self.common_velocity(),
             Trigger::Recontact => {
                 self.record.event(self.t_s, EventKind::Recontact);
-                self.mode = if self.deepest_m > 0.0 {
-                    Mode::Closing
-                } else {
-                    Mode::Penetrating
-                };
+                self.mode = if self.deepest_m > 0.0 { Mode::Closing } else { Mode::Penetrating };
             }
             Trigger::PlateZero => self.plate_zero(),
             Trigger::PlateSpeedZero => self.plate_speed_zero(),
@@ -127,14 +121,7 @@ impl Track<'_> {
                 plate_velocity_m_s: self.state.plate_m_s,
             });
         }
-        self.record.event(
-            self.t_s,
-            if first {
-                EventKind::FirstArrest
-            } else {
-                EventKind::Arrest
-            },
-        );
+        self.record.event(self.t_s, if first { EventKind::FirstArrest } else { EventKind::Arrest });
         self.settle();
     }
 
@@ -194,19 +181,11 @@ impl Track<'_> {
     }
 
     fn push_limit(&mut self) {
-        if self.problem.plastic {
-            self.resume()
-        } else {
-            self.note_push()
-        }
+        if self.problem.plastic { self.resume() } else { self.note_push() }
     }
 
     fn pull_limit(&mut self) {
-        if self.problem.plastic {
-            self.pull_out()
-        } else {
-            self.note_pull()
-        }
+        if self.problem.plastic { self.pull_out() } else { self.note_pull() }
     }
 
     /// The interface gives way forwards.
@@ -253,11 +232,7 @@ impl Track<'_> {
             return;
         };
         let joined = self.mode == Mode::Fused && !self.problem.plastic;
-        let mass = if joined {
-            self.problem.joined_kg
-        } else {
-            self.problem.plate_kg
-        };
+        let mass = if joined { self.problem.joined_kg } else { self.problem.plate_kg };
         let before = self.state.plate_m_s;
         let mut after = -stop.restitution * before;
         if after.abs() <= REBOUND_MIN * (self.problem.velocity_m_s + self.speed_scale_m_s) {

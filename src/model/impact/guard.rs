@@ -60,10 +60,7 @@ pub(super) struct Guards {
 
 impl Guards {
     pub(super) fn none() -> Self {
-        Self {
-            list: [(Trigger::SlipZero, Form::default()); GUARDS_MAX],
-            len: 0,
-        }
+        Self { list: [(Trigger::SlipZero, Form::default()); GUARDS_MAX], len: 0 }
     }
 
     pub(super) fn watch(&mut self, trigger: Trigger, form: Form) {

@@ -66,25 +66,18 @@ impl Problem {
             velocity_m_s: scene.projectile.velocity_m_s,
             rigid,
             plastic: scene.interface.law == InterfaceLaw::Plastic,
-            start_m: if rigid { 0.0 } else { -scene.plate.cocking_m },
+            start_m: if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m },
             horizon_s: 0.0,
             horizon_is_asked: scene.run.horizon_s.is_some(),
         };
-        problem.horizon_s = scene
-            .run
-            .horizon_s
-            .unwrap_or_else(|| problem.horizon_of_scene());
+        problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
         problem
     }
 
     /// 1/mu: how strongly the contact force slows the slip, 1/kg.
     pub(super) fn slip_mobility(&self, plate_moves: bool) -> f64 {
         let projectile = 1.0 / self.projectile_kg;
-        if plate_moves {
-            projectile + self.cos * self.cos / self.plate_kg
-        } else {
-            projectile
-        }
+        if plate_moves { projectile + self.cos * self.cos / self.plate_kg } else { projectile }
     }
 
     /// The relative motion alone, for a plate that is rigid or free.

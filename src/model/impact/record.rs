@@ -59,10 +59,8 @@ impl Setting<'_> {
     pub(super) fn sample(&self, t_s: f64, state: &State, is_step: bool) -> Sample {
         let (problem, motion) = (self.problem, self.motion);
         let mechanism = problem.mechanism;
-        let (spring, damper) = (
-            mechanism.spring.force(state.plate_m),
-            mechanism.damper.force(state.plate_m_s),
-        );
+        let (spring, damper) =
+            (mechanism.spring.force(state.plate_m), mechanism.damper.force(state.plate_m_s));
         let contact = match self.mode {
             Mode::Fused if self.still => 0.0,
             Mode::Fused => problem.share * (spring + damper + motion.stop.force(state)),
@@ -72,11 +70,8 @@ impl Setting<'_> {
             | Mode::FreeFlight
             | Mode::Perforated => motion.contact_force(state),
         };
-        let stop = if self.held {
-            contact * problem.cos - spring
-        } else {
-            motion.stop.force(state)
-        };
+        let stop =
+            if self.held { contact * problem.cos - spring } else { motion.stop.force(state) };
         Sample {
             t_s,
             mode: self.mode,
@@ -135,11 +130,8 @@ impl Record {
         match setting.mode {
             Mode::Penetrating => {
                 let peak = greatest(&e.contact, span);
-                self.peak_contact_n = if peak > self.peak_contact_n {
-                    peak
-                } else {
-                    self.peak_contact_n
-                };
+                self.peak_contact_n =
+                    if peak > self.peak_contact_n { peak } else { self.peak_contact_n };
             }
             Mode::Fused => self.demand(setting, &e.mechanism, span),
             Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
@@ -172,11 +164,7 @@ impl Record {
             let (push, pull) = (part * push_n, part * pull_n);
             let known = self.push_ratio.unwrap_or(0.0);
             self.push_ratio = Some(if push > known { push } else { known });
-            self.pull_ratio = if pull > self.pull_ratio {
-                pull
-            } else {
-                self.pull_ratio
-            };
+            self.pull_ratio = if pull > self.pull_ratio { pull } else { self.pull_ratio };
         } else {
             self.no_strength = true;
         }

@@ -99,11 +99,8 @@ fn warnings(
         list.push(Warning::InterfacePush { ratio, t_s });
     }
     if let Some(t_s) = record.pull_exceeded_s {
-        let ratio = if problem.grip > 0.0 {
-            record.pull_ratio / problem.grip
-        } else {
-            f64::INFINITY
-        };
+        let ratio =
+            if problem.grip > 0.0 { record.pull_ratio / problem.grip } else { f64::INFINITY };
         list.push(Warning::InterfacePull { ratio, t_s });
     }
     if record.no_strength && !problem.plastic {
@@ -123,16 +120,10 @@ fn warnings(
 }
 
 fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
-    let closed = matches!(
-        problem.answer(),
-        Answer::Rigid | Answer::Immobile | Answer::Free
-    );
+    let closed = matches!(problem.answer(), Answer::Rigid | Answer::Immobile | Answer::Free);
     let (method, reason) = match (closed, track.steps, track.stiff_steps) {
         (true, 0, _) => ("closed form", "nothing but inertia answers the projectile"),
-        (true, _, 0) => (
-            "closed form + Taylor 16",
-            "contact in closed form, the rest integrated",
-        ),
+        (true, _, 0) => ("closed form + Taylor 16", "contact in closed form, the rest integrated"),
         (_, _, 0) => ("Taylor 16", "smooth between events"),
         (_, steps, stiff) if steps == stiff => ("Radau IIA 5", "stiff"),
         (_, _, _) => ("Taylor 16 + Radau IIA 5", "partly stiff"),
@@ -158,29 +149,20 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
         (whole(spring.kind()), Omission::SpringPower),
         (whole(damper.kind()), Omission::DamperPower),
         (problem.cos == 1.0, Omission::Obliquity),
-        (
-            track.deepest_m <= problem.geometry.bend_m,
-            Omission::ExitFace,
-        ),
+        (track.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),
         (track.steps == 0, Omission::Integration),
         (answer == Answer::Immobile, Omission::MechanismWithinContact),
         (!problem.plastic, Omission::InterfaceLaw),
         (problem.drag_kg_m3 == 0.0, Omission::Drag),
     ];
-    rows.into_iter()
-        .filter(|(omitted, _)| *omitted)
-        .map(|(_, what)| what)
-        .collect()
+    rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
 }
 
 /// Of the displacement's maxima on the way only the greatest is an event for people.
 fn tidy_events(track: &mut Track<'_>) {
     let greatest = track.record.farthest_s;
-    let last = track
-        .record
-        .events
-        .iter()
-        .rposition(|event| event.kind == EventKind::GreatestDisplacement);
+    let last =
+        track.record.events.iter().rposition(|event| event.kind == EventKind::GreatestDisplacement);
     let mut index = 0;
     track.record.events.retain(|event| {
         let keep = event.kind != EventKind::GreatestDisplacement

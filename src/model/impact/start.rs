@@ -14,6 +14,8 @@ use crate::numerics::{larger, smaller};
 const STIFF_FROM: f64 = 300.0;
 /// Earliest start, in units of the contact's time scale.
 const EARLIEST: f64 = 1e-9;
+/// No start is earlier than this, s.
+const EARLIEST_OF_ALL: f64 = 1e-40;
 /// Momentum left out at the start, relative to the projectile's, per tolerance.
 const LEFT_OUT: f64 = 1e-4;
 
@@ -40,16 +42,9 @@ impl Track<'_> {
             let e: Expansion<17> = motion.expand(&self.state, next);
             let state = e.state(1.0);
             let drive = drive_n(&motion, &e);
-            let spring = if spring_singular {
-                mechanism.spring.force(state.plate_m)
-            } else {
-                0.0
-            };
-            let damper = if damper_singular {
-                mechanism.damper.force(state.plate_m_s)
-            } else {
-                0.0
-            };
+            let spring = if spring_singular { mechanism.spring.force(state.plate_m) } else { 0.0 };
+            let damper =
+                if damper_singular { mechanism.damper.force(state.plate_m_s) } else { 0.0 };
             let left_out = smaller(spring.abs() + damper.abs(), drive) * next / problem.plate_kg;
             if left_out > allowed || next > 1e-2 * problem.contact_scale_s() {
                 break;
@@ -96,10 +91,7 @@ impl Track<'_> {
             self.unit_s = t_s;
             return;
         }
-        debug_assert!(
-            self.mode == Mode::Penetrating,
-            "a run starts by penetrating"
-        );
+        debug_assert!(self.mode == Mode::Penetrating, "a run starts by penetrating");
         self.unit_s = t_s;
         self.arrive(t_s, state, motion, None);
         self.steps += 1;
@@ -114,9 +106,5 @@ fn drive_n<const N: usize>(motion: &Motion, e: &Expansion<N>) -> f64 {
 
 /// Tangent per mass: the square of a frequency for a spring, a rate for a damper.
 fn stiffness_per_s(law: PowerLaw, z: f64, mass_kg: f64) -> f64 {
-    if law.kind() == PowerKind::General {
-        law.tangent(z) / mass_kg
-    } else {
-        0.0
-    }
+    if law.kind() == PowerKind::General { law.tangent(z) / mass_kg } else { 0.0 }
 }

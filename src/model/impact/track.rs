@@ -20,13 +20,13 @@ use crate::numerics::root::first_fall;
 use crate::numerics::taylor::trusted_step;
 
 /// Local tolerance per global tolerance: a run has some tens of steps, whose errors may grow a little.
-const LOCAL: f64 = 1e-3;
+const LOCAL: f64 = 1e-4;
 /// Taylor steps after which a stretch is handed to the implicit method.
 const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
 /// Steps of any kind after which a run ends early.
 pub(super) const STEPS_MAX: usize = 300_000;
 /// Events after which a run ends early.
-const EVENTS_MAX: usize = 20_000;
+const EVENTS_MAX: usize = 4_000;
 /// Half-width of the neighbourhood of zero in which a singular power law is left out, relative to the greatest value seen.
 const CLEAR: f64 = 1e-9;
 
@@ -82,11 +82,7 @@ impl<'a> Track<'a> {
         let pull = -problem.mechanism.spring.force(problem.start_m);
         Self {
             problem,
-            record: Record {
-                keep_series,
-                farthest_m: problem.start_m,
-                ..Record::default()
-            },
+            record: Record { keep_series, farthest_m: problem.start_m, ..Record::default() },
             t_s: 0.0,
             state,
             deepest_m: 0.0,
@@ -129,11 +125,7 @@ impl<'a> Track<'a> {
             if self.stretch_steps > TAYLOR_STEPS_PER_STRETCH {
                 self.stiff = true;
             }
-            let advanced = if self.stiff {
-                self.stiff_step()
-            } else {
-                self.taylor_step::<N>()
-            };
+            let advanced = if self.stiff { self.stiff_step() } else { self.taylor_step::<N>() };
             match advanced {
                 ControlFlow::Break(reason) => return self.end_early(reason),
                 ControlFlow::Continue(None) => {}
@@ -158,11 +150,7 @@ impl<'a> Track<'a> {
 
     /// A run whose outcome is known is complete even when its tail is cut short.
     fn end_early(&self, reason: EndReason) -> EndReason {
-        if self.decided_s.is_some() {
-            EndReason::Decided
-        } else {
-            reason
-        }
+        if self.decided_s.is_some() { EndReason::Decided } else { reason }
     }
 
     /// Whether the plate cannot move: rigid, held by its stop, or as good as immobile.
@@ -184,19 +172,11 @@ impl<'a> Track<'a> {
             Mode::Fused | Mode::FreeFlight | Mode::Perforated => (0.0, 0.0),
         };
         let keep = |law: PowerLaw, omitted: bool| PowerLaw {
-            coefficient: if omitted || still {
-                0.0
-            } else {
-                law.coefficient
-            },
+            coefficient: if omitted || still { 0.0 } else { law.coefficient },
             ..law
         };
         let stop = mechanism.elastic_stop().filter(|_| self.stop_touches);
-        let plate_kg = if joined {
-            problem.joined_kg
-        } else {
-            problem.plate_kg
-        };
+        let plate_kg = if joined { problem.joined_kg } else { problem.plate_kg };
         Motion {
             nose: problem.geometry.nose,
             area: if strength_pa == 0.0 && drag_kg_m3 == 0.0 {
@@ -225,11 +205,7 @@ impl<'a> Track<'a> {
     fn area_law(&self) -> AreaLaw {
         let (geometry, q) = (&self.problem.geometry, self.state.travel_m);
         if self.mode == Mode::Withdrawing {
-            let behind = geometry
-                .pieces()
-                .iter()
-                .rev()
-                .find(|piece| piece.from_m < q);
+            let behind = geometry.pieces().iter().rev().find(|piece| piece.from_m < q);
             return behind.map_or(AreaLaw::None, |piece| piece.law);
         }
         geometry.piece(q).law
@@ -248,11 +224,7 @@ impl<'a> Track<'a> {
             mode: self.mode,
             still: self.is_still(),
             held: self.held,
-            interface_n: if self.mode == Mode::Fused {
-                self.interface_n()
-            } else {
-                0.0
-            },
+            interface_n: if self.mode == Mode::Fused { self.interface_n() } else { 0.0 },
         }
     }
 
@@ -273,59 +245,25 @@ impl<'a> Track<'a> {
                 let end = geometry.piece(q).to_m;
                 guards.watch(
                     Trigger::PieceEnd,
-                    Form {
-                        offset: end,
-                        travel: -1.0,
-                        ..Form::default()
-                    },
+                    Form { offset: end, travel: -1.0, ..Form::default() },
                 );
-                guards.watch(
-                    Trigger::SlipZero,
-                    Form {
-                        slip: 1.0,
-                        ..Form::default()
-                    },
-                );
+                guards.watch(Trigger::SlipZero, Form { slip: 1.0, ..Form::default() });
                 if self.mode == Mode::Closing {
-                    let bottom = Form {
-                        offset: self.deepest_m,
-                        travel: -1.0,
-                        ..Form::default()
-                    };
+                    let bottom = Form { offset: self.deepest_m, travel: -1.0, ..Form::default() };
                     guards.watch(Trigger::HoleBottom, bottom);
                 }
             }
             Mode::Withdrawing => {
-                let behind = geometry
-                    .pieces()
-                    .iter()
-                    .rev()
-                    .find(|piece| piece.from_m < q);
+                let behind = geometry.pieces().iter().rev().find(|piece| piece.from_m < q);
                 let start = behind.map_or(0.0, |piece| piece.from_m);
                 guards.watch(
                     Trigger::PieceStart,
-                    Form {
-                        offset: -start,
-                        travel: 1.0,
-                        ..Form::default()
-                    },
+                    Form { offset: -start, travel: 1.0, ..Form::default() },
                 );
-                guards.watch(
-                    Trigger::SlipZero,
-                    Form {
-                        slip: -1.0,
-                        ..Form::default()
-                    },
-                );
+                guards.watch(Trigger::SlipZero, Form { slip: -1.0, ..Form::default() });
             }
             Mode::FreeFlight => {
-                guards.watch(
-                    Trigger::Recontact,
-                    Form {
-                        travel: -1.0,
-                        ..Form::default()
-                    },
-                );
+                guards.watch(Trigger::Recontact, Form { travel: -1.0, ..Form::default() });
             }
             Mode::Fused if !self.is_still() => self.watch_interface(guards),
             Mode::Fused | Mode::Perforated => {}
@@ -339,19 +277,11 @@ impl<'a> Track<'a> {
         let push = if at_bottom { strength } else { pull };
         let record = &self.record;
         if self.problem.plastic || (strength > 0.0 && record.push_exceeded_s.is_none()) {
-            let form = Form {
-                offset: push,
-                mechanism: -share,
-                ..Form::default()
-            };
+            let form = Form { offset: push, mechanism: -share, ..Form::default() };
             guards.watch(Trigger::PushLimit, form);
         }
         if self.problem.plastic || (strength > 0.0 && record.pull_exceeded_s.is_none()) {
-            let form = Form {
-                offset: pull,
-                mechanism: share,
-                ..Form::default()
-            };
+            let form = Form { offset: pull, mechanism: share, ..Form::default() };
             guards.watch(Trigger::PullLimit, form);
         }
     }
@@ -360,11 +290,7 @@ impl<'a> Track<'a> {
         let mechanism = &self.problem.mechanism;
         if self.held {
             let offset = -mechanism.spring.force(self.state.plate_m);
-            let form = Form {
-                offset,
-                contact: self.problem.cos,
-                ..Form::default()
-            };
+            let form = Form { offset, contact: self.problem.cos, ..Form::default() };
             guards.watch(Trigger::StopRelease, form);
             return;
         }
@@ -382,14 +308,7 @@ impl<'a> Track<'a> {
             };
             guards.watch(Trigger::StopCleared, form);
         } else if at.is_finite() {
-            guards.watch(
-                Trigger::StopReached,
-                Form {
-                    offset: at,
-                    plate: -1.0,
-                    ..Form::default()
-                },
-            );
+            guards.watch(Trigger::StopReached, Form { offset: at, plate: -1.0, ..Form::default() });
         }
     }
 
@@ -397,23 +316,13 @@ impl<'a> Track<'a> {
         let near = CLEAR * self.plate_scale_m;
         if self.spring_omitted {
             for side in [1.0, -1.0] {
-                let form = Form {
-                    offset: near,
-                    plate: -side,
-                    ..Form::default()
-                };
+                let form = Form { offset: near, plate: -side, ..Form::default() };
                 guards.watch(Trigger::PlateClear, form);
             }
         } else if !self.problem.mechanism.spring.is_smooth_at_zero() && !self.stiff {
             let offset = if singular { -near } else { 0.0 };
-            guards.watch(
-                Trigger::PlateZero,
-                Form {
-                    offset,
-                    plate: self.side_x,
-                    ..Form::default()
-                },
-            );
+            guards
+                .watch(Trigger::PlateZero, Form { offset, plate: self.side_x, ..Form::default() });
         }
     }
 
@@ -421,21 +330,13 @@ impl<'a> Track<'a> {
         let near = CLEAR * self.speed_scale_m_s;
         if self.damper_omitted {
             for side in [1.0, -1.0] {
-                let form = Form {
-                    offset: near,
-                    plate_speed: -side,
-                    ..Form::default()
-                };
+                let form = Form { offset: near, plate_speed: -side, ..Form::default() };
                 guards.watch(Trigger::PlateSpeedClear, form);
             }
             return;
         }
         let offset = if singular { -near } else { 0.0 };
-        let form = Form {
-            offset,
-            plate_speed: self.side_w,
-            ..Form::default()
-        };
+        let form = Form { offset, plate_speed: self.side_w, ..Form::default() };
         guards.watch(Trigger::PlateSpeedZero, form);
     }
 
@@ -471,7 +372,7 @@ impl<'a> Track<'a> {
                 ControlFlow::Continue(None)
             };
         }
-        let left = (self.problem.horizon_s - self.t_s) / h;
+        let left = (self.until_s() - self.t_s) / h;
         let mut span = if left < trusted { left } else { trusted };
         let mut fired = None;
         for (trigger, form) in self.guards().iter() {
@@ -527,10 +428,7 @@ impl<'a> Track<'a> {
     /// what matters to the depth while there is contact.
     fn scales<'e, const N: usize>(&self, e: &'e Expansion<N>) -> [(&'e [f64; N], f64); 4] {
         let own = |c: &[f64; N]| c[0].abs() + c[1].abs() + c[2].abs() + c[3].abs();
-        let contact = matches!(
-            self.mode,
-            Mode::Penetrating | Mode::Closing | Mode::Withdrawing
-        );
+        let contact = matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing);
         let part = if contact { 1e-3 } else { 0.0 };
         let travel = e.travel[0].abs() + e.travel[1].abs() + f64::MIN_POSITIVE;
         let speed = self.problem.velocity_m_s;
@@ -538,10 +436,7 @@ impl<'a> Track<'a> {
             (&e.travel, travel),
             (&e.slip, speed),
             (&e.plate, own(&e.plate) + part * travel + f64::MIN_POSITIVE),
-            (
-                &e.plate_speed,
-                own(&e.plate_speed) + part * speed + f64::MIN_POSITIVE,
-            ),
+            (&e.plate_speed, own(&e.plate_speed) + part * speed + f64::MIN_POSITIVE),
         ]
     }
 }

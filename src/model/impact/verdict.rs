@@ -39,11 +39,7 @@ impl Track<'_> {
         }
         if at_horizon {
             let decided = self.decided_s.is_some();
-            return Some(if decided {
-                EndReason::Decided
-            } else {
-                EndReason::Horizon
-            });
+            return Some(if decided { EndReason::Decided } else { EndReason::Horizon });
         }
         self.decided_s?;
         if self.is_at_rest() && !self.problem.horizon_is_asked {
@@ -53,13 +49,22 @@ impl Track<'_> {
         (!wanted).then_some(EndReason::Decided)
     }
 
+    /// The time at which the tail after the contact ends, s.
+    fn tail_s(&self) -> f64 {
+        let contact = self.record.first_arrest.map(|arrest| arrest.t_s);
+        TAIL * contact.or(self.record.exit.map(|exit| exit.0)).unwrap_or(self.t_s)
+    }
+
+    /// The time beyond which the next step must not go, s.
+    pub(super) fn until_s(&self) -> f64 {
+        let tail = self.tail_s();
+        let in_tail = self.decided_s.is_some() && !self.problem.horizon_is_asked && self.t_s < tail;
+        if in_tail { smaller(tail, self.problem.horizon_s) } else { self.problem.horizon_s }
+    }
+
     /// Whether there is still something worth drawing.
     fn in_tail(&self) -> bool {
-        let contact = self.record.first_arrest.map(|arrest| arrest.t_s);
-        let contact = contact
-            .or(self.record.exit.map(|exit| exit.0))
-            .unwrap_or(self.t_s);
-        if self.t_s < TAIL * contact {
+        if self.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON) {
             return true;
         }
         // On the way to the greatest displacement that is already known from an energy balance or a closed form.
@@ -88,11 +93,7 @@ impl Track<'_> {
 
     /// Mass that moves with the plate, kg.
     fn moving_kg(&self) -> f64 {
-        if self.mode == Mode::Fused {
-            self.problem.joined_kg
-        } else {
-            self.problem.plate_kg
-        }
+        if self.mode == Mode::Fused { self.problem.joined_kg } else { self.problem.plate_kg }
     }
 
     /// Energy of the plate (with the projectile, when joined), spring and elastic stop, J.
@@ -119,10 +120,7 @@ impl Track<'_> {
         if mechanism.rigid_stop().is_some() {
             return smaller(spring, mechanism.stop_at_m);
         }
-        let Some(stop) = mechanism
-            .elastic_stop()
-            .filter(|_| spring > mechanism.stop_at_m)
-        else {
+        let Some(stop) = mechanism.elastic_stop().filter(|_| spring > mechanism.stop_at_m) else {
             return spring;
         };
         let from = larger(mechanism.stop_at_m, 0.0);
@@ -193,23 +191,14 @@ impl Track<'_> {
             return false;
         }
         let speed = (2.0 * energy / self.moving_kg()).sqrt();
-        let spring = if reach.is_finite() {
-            mechanism.spring.force(reach)
-        } else {
-            0.0
-        };
+        let spring = if reach.is_finite() { mechanism.spring.force(reach) } else { 0.0 };
         let most = self.problem.share * (spring + mechanism.damper.force(speed));
         most <= smaller(push, pull)
     }
 
     /// Apart, moving apart, and unable to meet again.
     fn gone_for_good(&self) -> bool {
-        let State {
-            travel_m,
-            slip_m_s,
-            plate_m,
-            plate_m_s,
-        } = self.state;
+        let State { travel_m, slip_m_s, plate_m, plate_m_s } = self.state;
         let problem = self.problem;
         if slip_m_s > 0.0 || (travel_m >= 0.0 && slip_m_s == 0.0) {
             return false;
