@@ -143,7 +143,7 @@ mod tests {
         buffer
             .content
             .chunks(usize::from(width.max(1)))
-            .map(|row| row.iter().map(|cell| cell.symbol()).collect())
+            .map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect())
             .collect()
     }
 
