@@ -2,15 +2,15 @@
 //! missing, spikes kept whatever the width, event lines, a crosshair, a second vertical axis.
 //!
 //! ```text
-//! +- Penetration p [mm] ------ * now  o A rigid  t [us] +    title; legend; the horizontal axis
-//! |  8+              a                         b        |    events with their tags
-//! |   |              :               ooooooooooooooo    |    curves over event lines
-//! |  4+        ooooo****************************        |
-//! |   | *******      :                         :        |
-//! |  0+*             :                         :        |
-//! |   ++--------------+--------------+--------------+   |
-//! |    0             50             100            150  |    labels centred on their ticks
-//! +-----------------------------------------------------+
+//! +- Penetration p [mm] ---------- * now  o A rigid   t [us] +    title; legend; horizontal axis
+//! |   |                    a                    b            |    tags of events
+//! |  5+                    :         oooooooooooooooooooooo  |    curves over event lines,
+//! |   |              ooooo*********************************  |    the selected one on top
+//! |   |    o************** :                    :            |
+//! |  0+*****               :                    :            |
+//! |   ++------+------+-----+------+------+------+------+---  |
+//! |    0     20     40    60     80     100    120    140    |    labels centred on their ticks
+//! +----------------------------------------------------------+
 //! ```
 //!
 //! Everything shown comes in as plain data: names and units are texts. Knows ratatui and the theme; must not know plates,
@@ -22,7 +22,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::tui::theme::{Pane, Role, Theme, ascii_pass};
+use crate::tui::theme::{GlyphSet, Pane, Theme, ascii_pass};
 
 mod canvas;
 pub mod curve;
@@ -223,7 +223,7 @@ impl<'a> Chart<'a> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
         self.render(area, &mut buffer, theme);
-        if theme.glyphs == crate::tui::theme::GlyphSet::Ascii {
+        if theme.glyphs == GlyphSet::Ascii {
             ascii_pass(&mut buffer);
         }
         buffer_lines(&buffer)
@@ -257,11 +257,7 @@ impl<'a> Chart<'a> {
                 pane.open_below().render(area, buffer, theme);
             }
             Frame::Bare if area.height > 0 => {
-                let style = theme.style(if self.focused {
-                    Role::Focus
-                } else {
-                    Role::Title
-                });
+                let style = theme.title(self.focused);
                 let right = u16::try_from(plan.right.width()).unwrap_or(u16::MAX);
                 buffer.set_line(area.x, area.y, &title.patch_style(style), area.width);
                 let used = u16::try_from(Span::raw(&plan.title).width()).unwrap_or(u16::MAX);

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use ratatui::style::Modifier;
 
 use super::*;
-use crate::tui::theme::{ColourDepth, GlyphSet};
+use crate::tui::theme::{ColourDepth, Role};
 
 fn small(curves: Vec<Curve<'_>>) -> Chart<'_> {
     let x = Axis::new("t", ViewRange::new(0.0, 20.0)).unit(Unit::new("s"));
@@ -221,6 +221,24 @@ fn a_common_power_of_ten_goes_into_the_unit() {
     assert!(lines[0].ends_with(" t [1e-9 Gs] +"), "{}", lines[0]);
     assert_eq!(lines[7], "|    0    5   10   15   20  |");
     assert_eq!(&lines[1][..5], "| 40+");
+}
+
+#[test]
+fn a_power_of_ten_stays_where_factoring_it_out_would_lengthen_the_labels() {
+    let view = ViewRange::new(99_990.0, 100_010.0);
+    let chart = Chart::new("y", Axis::new("", view), Axis::new("", view), Vec::new());
+    let lines = chart.to_lines(60, 9, Theme::PLAIN);
+    assert!(lines[0].starts_with("+- y ---"), "{}", lines[0]);
+    assert!(lines[7].contains(" 100000 "), "{}", lines[7]);
+}
+
+#[test]
+fn long_labels_stay_centred_and_clear_of_the_frame() {
+    let axis = Axis::new("", ViewRange::new(50.000_01, 50.000_02));
+    let y = Axis::new("", ViewRange::new(0.0, 4.0));
+    let lines = Chart::new("y", axis, y, Vec::new()).to_lines(60, 9, Theme::PLAIN);
+    assert!(lines[7].ends_with("50.000020 |"), "{}", lines[7]);
+    assert!(lines[6].ends_with("+     |"), "{}", lines[6]);
 }
 
 #[test]

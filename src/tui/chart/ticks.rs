@@ -75,10 +75,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     let mut step = Step::at_least(view.span() / most);
     let mut best = Ticks::default();
     for _ in 0..STEPS_TRIED {
-        let found = Ticks {
-            ticks: multiples(map, step, exponent),
-            exponent,
-        };
+        let found = shorter(map, step, exponent);
         if found.ticks.is_empty() {
             break;
         }
@@ -90,6 +87,19 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     }
     best.ticks.truncate(1);
     best
+}
+
+/// The multiples of a step in view, with the common power of ten factored out where that makes their labels shorter.
+fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
+    let [factored, whole] = [exponent, 0].map(|exponent| Ticks {
+        ticks: multiples(map, step, exponent),
+        exponent,
+    });
+    if whole.width() <= factored.width() {
+        whole
+    } else {
+        factored
+    }
 }
 
 /// The multiples of a step in view. Counting whole steps keeps labels and places free of accumulated error.
