@@ -156,3 +156,51 @@ fn explore() {
         }
     }
 }
+#[test]
+fn explore2() {
+    for pairs in [
+        "x_stop=0.001 stop_kind=elastic k_stop=1e9 interface=plastic k=1e5",
+        "x_stop=0.001 stop_kind=elastic k_stop=1e9 b_stop=1000 interface=plastic k=1e5",
+        "d=1 k=1e9 interface=plastic",
+        "d=0.5 k=1e5 interface=plastic g=1000",
+        "k=1e5 n=0.1",
+    ] {
+        let started = Instant::now();
+        let scene = Arc::new(scene(pairs));
+        let run = simulate(&scene, &Settings { estimate: true, series: true }, &mut |_| {
+            ControlFlow::Continue(())
+        })
+        .unwrap();
+        let took = started.elapsed();
+        println!(
+            "{pairs:60} {} {:?} first {:?} final {:?} xmax {:?} res {:.1e} demand {:?} steps {} rej {} {} ev {} sep {:?} vr {:?} {took:?} t_end {:?} {:?}",
+            run.outcome,
+            run.end,
+            run.first_arrest.map(|a| a.penetration_m * 1e3),
+            run.final_penetration_m.map(|p| p * 1e3),
+            run.max_plate_displacement_m.map(|x| x * 1e3),
+            run.ledger.residual(),
+            run.interface_demand_ratio,
+            run.cost.steps,
+            run.cost.rejected,
+            run.cost.method,
+            run.events.len(),
+            run.separation,
+            run.residual_velocity_m_s,
+            run.series.last().map(|s| s.t_s),
+            run.error_estimate
+        );
+        for e in run.events.iter().take(40) {
+            let s = run.series.iter().rfind(|s| s.t_s <= e.t_s).unwrap();
+            println!(
+                "   {:.9e} {:?} q {:.9e} u {:.4e} x {:.9e} w {:.6e}",
+                e.t_s,
+                e.kind,
+                s.penetration_m,
+                s.projectile_velocity_m_s - s.plate_velocity_m_s,
+                s.plate_displacement_m,
+                s.plate_velocity_m_s
+            )
+        }
+    }
+}

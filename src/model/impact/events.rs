@@ -142,6 +142,21 @@ impl Track<'_> {
             self.pull_out();
         } else {
             self.note_excess(carried, push, pull);
+            if self.problem.plastic && !self.is_still() {
+                self.count_slips();
+                self.take_last_slips();
+            }
+        }
+    }
+
+    /// Count how often the interface gave way without a noticeably deeper hole.
+    fn count_slips(&mut self) {
+        let noticeable = self.problem.scene.run.tolerance * self.deepest_m;
+        if self.deepest_m > self.noticed_m + noticeable {
+            self.noticed_m = self.deepest_m;
+            self.slips_since_deeper = 0;
+        } else {
+            self.slips_since_deeper += 1;
         }
     }
 
