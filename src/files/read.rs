@@ -87,7 +87,9 @@ pub(super) struct Reader<'t> {
 
 impl Reader<'_> {
     fn document(&mut self, scene: &mut Scene, document: &DeTable<'_>) {
-        self.format(document);
+        if !self.is_readable_format(document) {
+            return;
+        }
         for (key, value) in document {
             match key.get_ref().as_ref() {
                 "format" => {}
@@ -106,13 +108,15 @@ impl Reader<'_> {
         }
     }
 
-    fn format(&mut self, document: &DeTable<'_>) {
+    /// Whether the rest can be judged: a file of another format may well have other keys.
+    fn is_readable_format(&mut self, document: &DeTable<'_>) -> bool {
         let cure = format!("write `format = {FORMAT}` at the top of the file");
         let Some(value) = document.get("format") else {
             self.problem(0..0, format!("`format` is missing: {cure}"));
-            return;
+            return true;
         };
-        if number(value.get_ref()) != Some(FORMAT as f64) {
+        let is_supported = number(value.get_ref()) == Some(FORMAT as f64);
+        if !is_supported {
             let shown = self.shown(value);
             self.problem(
                 value.span(),
@@ -121,6 +125,7 @@ impl Reader<'_> {
                 ),
             );
         }
+        is_supported
     }
 
     /// A key below the top level's own four: a variable, or a table of variables.

@@ -130,8 +130,15 @@ impl Motion {
     pub fn expand<const N: usize>(&self, state: &State, h: f64) -> Expansion<N> {
         match self.area {
             AreaLaw::None => self.with_area(state, h, NoArea),
-            AreaLaw::Quadratic { origin_m, a } => self.with_area(state, h, Quadratic::new(origin_m, a)),
-            AreaLaw::Partial { origin_m, p0, p1, exit_depth_m } => {
+            AreaLaw::Quadratic { origin_m, a } => {
+                self.with_area(state, h, Quadratic::new(origin_m, a))
+            }
+            AreaLaw::Partial {
+                origin_m,
+                p0,
+                p1,
+                exit_depth_m,
+            } => {
                 let depth = p0 + p1 * (state.travel_m - origin_m);
                 self.with_area(state, h, Partial::new(self.nose, depth, p1, exit_depth_m))
             }
@@ -145,7 +152,11 @@ impl Motion {
         area: impl AreaTerm<N>,
     ) -> Expansion<N> {
         let law = self.spring;
-        match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
+        match if self.plate_mobility == 0.0 {
+            PowerKind::Absent
+        } else {
+            law.kind()
+        } {
             PowerKind::Absent => self.with_spring(state, h, area, NoForce),
             PowerKind::Linear => self.with_spring(state, h, area, law.coefficient),
             PowerKind::Whole(n) => {
@@ -163,12 +174,20 @@ impl Motion {
         spring: impl ForceTerm<N>,
     ) -> Expansion<N> {
         let law = self.damper;
-        match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
+        match if self.plate_mobility == 0.0 {
+            PowerKind::Absent
+        } else {
+            law.kind()
+        } {
             PowerKind::Absent => self.recur(state, h, area, spring, NoForce),
             PowerKind::Linear => self.recur(state, h, area, spring, law.coefficient),
-            PowerKind::Whole(n) => {
-                self.recur(state, h, area, spring, Whole::new(law.coefficient, n, self.side_w))
-            }
+            PowerKind::Whole(n) => self.recur(
+                state,
+                h,
+                area,
+                spring,
+                Whole::new(law.coefficient, n, self.side_w),
+            ),
             PowerKind::General => self.recur(state, h, area, spring, General::new(law)),
         }
     }
@@ -196,7 +215,11 @@ impl Motion {
         e.slip[0] = state.slip_m_s;
         e.plate[0] = state.plate_m;
         e.plate_speed[0] = state.plate_m_s;
-        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
+        let StopForce {
+            stiffness_n_m,
+            damping_n_s_m,
+            position_m,
+        } = self.stop;
         for j in 0..N {
             let f = area.force(&e.travel, &e.slip, self.strength_pa, self.drag_kg_m3, j);
             let d = damper.coefficient(&e.plate_speed, j);
@@ -229,7 +252,11 @@ mod tests {
 
     fn motion(scene: &Scene, q: f64) -> Motion {
         let geometry = Geometry::of(scene);
-        let (m1, m2, cos) = (scene.projectile.mass_kg, scene.plate_mass_kg(), geometry.nose.cos);
+        let (m1, m2, cos) = (
+            scene.projectile.mass_kg,
+            scene.plate_mass_kg(),
+            geometry.nose.cos,
+        );
         let mechanism = &scene.mechanism;
         Motion {
             nose: geometry.nose,
@@ -247,7 +274,11 @@ mod tests {
                 coefficient: mechanism.damper.coefficient,
                 exponent: mechanism.damper.exponent,
             },
-            stop: StopForce { stiffness_n_m: 1e5, damping_n_s_m: 10.0, position_m: 0.001 },
+            stop: StopForce {
+                stiffness_n_m: 1e5,
+                damping_n_s_m: 10.0,
+                position_m: 0.001,
+            },
             side_x: 1.0,
             side_w: 1.0,
         }
@@ -257,7 +288,14 @@ mod tests {
     #[test]
     fn the_expansion_solves_the_equations() {
         for degrees in [0.0, 30.0] {
-            for (n, m) in [(1.0, 1.0), (2.0, 1.0), (3.0, 2.0), (0.5, 0.5), (1.4, 0.7), (6.0, 3.0)] {
+            for (n, m) in [
+                (1.0, 1.0),
+                (2.0, 1.0),
+                (3.0, 2.0),
+                (0.5, 0.5),
+                (1.4, 0.7),
+                (6.0, 3.0),
+            ] {
                 for depth in [0.3, 0.9, 1.3, 2.5] {
                     let mut scene = Scene::default();
                     scene.projectile.obliquity_deg = degrees;
@@ -267,8 +305,12 @@ mod tests {
                     scene.mechanism.damper.coefficient = 50.0 * 20f64.powf(1.0 - m);
                     let q = Geometry::of(&scene).travel_m(depth * 0.00635);
                     let motion = motion(&scene, q);
-                    let state =
-                        State { travel_m: q, slip_m_s: 60.0, plate_m: 0.002, plate_m_s: 20.0 };
+                    let state = State {
+                        travel_m: q,
+                        slip_m_s: 60.0,
+                        plate_m: 0.002,
+                        plate_m_s: 20.0,
+                    };
                     let h = 1e-6;
                     let e: Expansion<17> = motion.expand(&state, h);
                     for s in [0.0, 0.2, 0.4] {
@@ -279,12 +321,19 @@ mod tests {
                             plate_m_s: evaluate(&e.plate_speed, s),
                         };
                         let (du, dw) = motion.accelerations(&at);
-                        let slope = |c: &[f64; 17]| crate::numerics::series::evaluate_slope(c, s) / h;
+                        let slope =
+                            |c: &[f64; 17]| crate::numerics::series::evaluate_slope(c, s) / h;
                         let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
                         assert!(close(slope(&e.slip), du), "{degrees} {n} {m} {depth} {s}");
-                        assert!(close(slope(&e.plate_speed), dw), "{degrees} {n} {m} {depth} {s}");
+                        assert!(
+                            close(slope(&e.plate_speed), dw),
+                            "{degrees} {n} {m} {depth} {s}"
+                        );
                         assert!(close(evaluate(&e.contact, s), motion.contact_force(&at)));
-                        assert!(close(evaluate(&e.mechanism, s), motion.mechanism_force(&at)));
+                        assert!(close(
+                            evaluate(&e.mechanism, s),
+                            motion.mechanism_force(&at)
+                        ));
                     }
                 }
             }

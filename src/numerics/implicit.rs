@@ -38,17 +38,31 @@ pub struct Step<const N: usize> {
 /// The collocation points, as fractions of the step.
 pub const NODES: [f64; STAGES] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
 /// Weights of the end value (they equal the last row of the matrix).
-pub const WEIGHTS: [f64; STAGES] =
-    [0.376_403_062_700_467_3, 0.512_485_826_188_421_6, 0.111_111_111_111_111_1];
+pub const WEIGHTS: [f64; STAGES] = [
+    0.376_403_062_700_467_3,
+    0.512_485_826_188_421_6,
+    0.111_111_111_111_111_1,
+];
 const MATRIX: [[f64; STAGES]; STAGES] = [
-    [0.196_815_477_223_660_4, -0.065_535_425_850_198_39, 0.023_770_974_348_220_15],
-    [0.394_424_314_739_087_3, 0.292_073_411_665_228_5, -0.041_548_752_125_997_93],
+    [
+        0.196_815_477_223_660_4,
+        -0.065_535_425_850_198_39,
+        0.023_770_974_348_220_15,
+    ],
+    [
+        0.394_424_314_739_087_3,
+        0.292_073_411_665_228_5,
+        -0.041_548_752_125_997_93,
+    ],
     WEIGHTS,
 ];
 /// Real eigenvalue of the inverse matrix (the reciprocal of (6 + 81^(1/3) - 9^(1/3))/30).
 const GAMMA_0: f64 = 3.637_834_252_744_495_7;
-const ERROR_WEIGHTS: [f64; STAGES] =
-    [-10.048_809_399_827_416, 1.382_142_733_160_748_7, -0.333_333_333_333_333_3];
+const ERROR_WEIGHTS: [f64; STAGES] = [
+    -10.048_809_399_827_416,
+    1.382_142_733_160_748_7,
+    -0.333_333_333_333_333_3,
+];
 const NEWTON_MAX: usize = 25;
 
 /// Solve one step of length `h` from `y`; `None` when Newton's method does not converge.
@@ -99,7 +113,11 @@ pub fn step<const N: usize, const M: usize>(
         last_change = change;
     }
     let error = estimate(system, y, &start, &stages, h)?;
-    Some(Step { stages, error, iterations })
+    Some(Step {
+        stages,
+        error,
+        iterations,
+    })
 }
 
 fn newton_system<const N: usize, const M: usize>(
@@ -165,7 +183,11 @@ fn estimate<const N: usize>(
     let mut error = 0.0;
     for k in 0..N {
         let relative = (slope[k] * right[k]).abs() / scale[k];
-        error = if relative > error || relative.is_nan() { relative } else { error };
+        error = if relative > error || relative.is_nan() {
+            relative
+        } else {
+            error
+        };
     }
     error.is_finite().then_some(error)
 }
@@ -180,11 +202,7 @@ pub fn step_factor(error: f64, tolerance: f64) -> f64 {
 }
 
 /// The stages of the next step, of length `h_next`, extrapolated from the collocation polynomial of the last.
-pub fn extrapolate<const N: usize>(
-    y: &[f64; N],
-    step: &Step<N>,
-    ratio: f64,
-) -> [[f64; N]; STAGES] {
+pub fn extrapolate<const N: usize>(y: &[f64; N], step: &Step<N>, ratio: f64) -> [[f64; N]; STAGES] {
     NODES.map(|node| interpolate(y, step, 1.0 + ratio * node))
 }
 
@@ -247,7 +265,9 @@ mod tests {
     fn tableau_satisfies_the_order_conditions() {
         for i in 0..STAGES {
             for q in 1..=STAGES {
-                let sum: f64 = (0..STAGES).map(|j| MATRIX[i][j] * NODES[j].powi(q as i32 - 1)).sum();
+                let sum: f64 = (0..STAGES)
+                    .map(|j| MATRIX[i][j] * NODES[j].powi(q as i32 - 1))
+                    .sum();
                 assert!((sum - NODES[i].powi(q as i32) / q as f64).abs() < 1e-15);
             }
         }
@@ -294,7 +314,11 @@ mod tests {
     #[test]
     fn interpolation_reproduces_cubics() {
         let f = |s: f64| 1.0 + s - 2.0 * s * s + 3.0 * s * s * s;
-        let step = Step { stages: NODES.map(|s| [f(s)]), error: 0.0, iterations: 0 };
+        let step = Step {
+            stages: NODES.map(|s| [f(s)]),
+            error: 0.0,
+            iterations: 0,
+        };
         let value = interpolate(&[f(0.0)], &step, 0.37)[0];
         assert!((value - f(0.37)).abs() < 1e-14);
     }
