@@ -1,6 +1,6 @@
 //! The command line: arguments, and one file a subcommand.
 //!
-//! Results go to standard output, everything else to standard error; both through [`output`] alone. A person who can
+//! Results go to standard output, everything else to standard error; both through `cli::output` alone. A person who can
 //! compute something in the workbench can compute it here, with the same code.
 
 use std::ffi::OsString;
