@@ -1,2 +1,12 @@
-//! entry
-fn main() {}
+//! The program: its command line, and one line for what went wrong.
+
+use std::process::ExitCode;
+
+use cmra::cli;
+
+fn main() -> ExitCode {
+    match cli::run(std::env::args_os()) {
+        Ok(code) => code,
+        Err(error) => cli::report(&error),
+    }
+}

@@ -10,6 +10,7 @@ pub mod contact;
 pub mod impact;
 pub mod mechanism;
 pub mod motion;
+pub mod results;
 pub mod run;
 pub mod scene;
 pub mod units;

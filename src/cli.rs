@@ -1,0 +1,101 @@
+//! The command line: arguments, and one file a subcommand.
+//!
+//! Results go to standard output, everything else to standard error; both through `cli::output` alone. A person who can
+//! compute something in the workbench can compute it here, with the same code.
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+mod completions;
+mod error;
+mod json;
+mod man;
+mod output;
+mod paths;
+mod plain;
+mod presets;
+mod run;
+mod scene;
+mod summary;
+mod workbench;
+
+pub use error::CliError;
+pub use output::report;
+
+/// Explore compliant mechanically reactive armour: what a projectile does to a plate on a spring and a damper.
+///
+/// Without a subcommand the workbench opens, on SCENE, on the last session, or on the baseline of the thesis.
+#[derive(Debug, Parser)]
+#[command(
+    name = "cmra",
+    version,
+    args_conflicts_with_subcommands = true,
+    max_term_width = 100,
+    after_help = "SCENE is a preset's name (see `cmra presets`) or the path of a TOML file.\n\
+                  Exit status: 0 done, 1 the computation fell short, 2 the command line or an input file is wrong."
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    workbench: workbench::WorkbenchArguments,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run one scene and print what happened
+    Run(run::RunArguments),
+    /// List the presets, or show one
+    Presets(presets::PresetsArguments),
+    /// Print where this program keeps presets, session and log
+    Paths,
+    /// Print a completion script for a shell
+    Completions(CompletionsArguments),
+    /// Print the manual page, in roff
+    Man(man::ManArguments),
+}
+
+#[derive(Debug, Args)]
+struct CompletionsArguments {
+    /// Which shell
+    shell: Shell,
+}
+
+/// The characters charts are drawn with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Glyphs {
+    /// What the locale allows; plain text stays ASCII
+    Auto,
+    /// Letters and punctuation only: works everywhere, and screen readers can follow
+    Ascii,
+    /// Block elements
+    Block,
+    /// Braille dots: the finest, where the font has them
+    Braille,
+}
+
+/// Carry out a command line; the first argument is the program's name.
+///
+/// # Errors
+/// [`CliError`], which knows its exit code; [`report`] prints it.
+pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help and version go to standard output, errors to standard error; a closed pipe is nobody's concern.
+            let _ = error.print();
+            return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
+        }
+    };
+    match arguments.command {
+        None => workbench::run(&arguments.workbench),
+        Some(Command::Run(arguments)) => run::run(&arguments),
+        Some(Command::Presets(arguments)) => presets::run(&arguments),
+        Some(Command::Paths) => paths::run(),
+        Some(Command::Completions(arguments)) => completions::run(arguments.shell),
+        Some(Command::Man(arguments)) => man::run(&arguments),
+    }
+}

@@ -1,0 +1,92 @@
+//! What can go wrong on the command line, and the exit code it has.
+
+use std::io;
+use std::process::ExitCode;
+
+use thiserror::Error;
+
+use crate::files::error::FileError;
+use crate::model::variables::VariableError;
+
+/// Why a command could not be carried out.
+#[derive(Debug, Error)]
+pub enum CliError {
+    /// A file cannot be read, written or found.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A file is there already.
+    #[error(
+        "`{path}` exists and was left alone: add --force to replace it, or choose another name"
+    )]
+    Exists {
+        /// The file.
+        path: String,
+    },
+    /// `--set` without a `=`.
+    #[error("--set {argument}: write NAME=VALUE, for example --set gamma=2")]
+    NotAnAssignment {
+        /// What was written.
+        argument: String,
+    },
+    /// `--set` with a name or a value that is refused.
+    #[error("--set {argument}: {source}")]
+    Set {
+        /// What was written.
+        argument: String,
+        /// Why it is refused.
+        source: Box<VariableError>,
+    },
+    /// The scene as a whole makes no sense.
+    #[error(transparent)]
+    Scene(Box<VariableError>),
+    /// There is no subcommand of this name.
+    #[error("`{name}` is not a subcommand: the subcommands are {known}")]
+    Subcommand {
+        /// What was written.
+        name: String,
+        /// What there is.
+        known: String,
+    },
+    /// Standard input cannot be read.
+    #[error("cannot read standard input: {0}")]
+    Stdin(io::Error),
+    /// Standard output cannot be written.
+    #[error("cannot write to standard output: {0}")]
+    Stdout(io::Error),
+    /// The workbench could not start or had to stop.
+    #[error("the workbench had to stop: {0}")]
+    Workbench(io::Error),
+}
+
+impl From<VariableError> for CliError {
+    fn from(error: VariableError) -> Self {
+        Self::Scene(Box::new(error))
+    }
+}
+
+impl CliError {
+    /// 1 where the computation or the system fell short, 2 where the command line or an input file is wrong.
+    pub fn code(&self) -> ExitCode {
+        match self {
+            // Whoever reads our output has had enough: not a failure.
+            Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+            Self::Stdin(_)
+            | Self::Stdout(_)
+            | Self::Workbench(_)
+            | Self::File(FileError::Write { .. } | FileError::Csv(_) | FileError::NoHome) => {
+                ExitCode::FAILURE
+            }
+            Self::File(_)
+            | Self::Exists { .. }
+            | Self::NotAnAssignment { .. }
+            | Self::Set { .. }
+            | Self::Scene(_)
+            | Self::Subcommand { .. } => ExitCode::from(2),
+        }
+    }
+
+    /// Whether nobody is left to tell.
+    pub(super) fn is_quiet(&self) -> bool {
+        matches!(self, Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe)
+    }
+}

@@ -1,0 +1,119 @@
+//! A run as one JSON object, in the order a reader expects, with null where a quantity does not exist.
+
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::{Map, Value, json};
+
+use crate::cli::run::Computed;
+use crate::cli::summary::warnings;
+use crate::model::results::RESULTS;
+use crate::model::run::{EnergyLedger, EstimateBasis, Run};
+use crate::model::scene::Scene;
+use crate::model::variables::{self, VARIABLES};
+
+/// The object's entries; a plain map would sort them.
+struct Entries(Vec<(&'static str, Value)>);
+
+impl Serialize for Entries {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (key, value) in &self.0 {
+            map.serialize_entry(key, value)?;
+        }
+        map.end()
+    }
+}
+
+/// The text of the object, with a line end.
+pub(super) fn text(computed: &Computed) -> String {
+    let run = &computed.run;
+    let scene = &run.scene;
+    let word = |name: &str| {
+        variables::find(name).map_or(Value::Null, |variable| Value::from(variable.show(scene)))
+    };
+    let mut entries = vec![
+        ("scene", Value::from(computed.preset.name.as_str())),
+        ("title", Value::from(scene.title.as_str())),
+        ("model", word("contact.model")),
+        ("interface", word("interface.law")),
+        ("outcome", Value::from(run.outcome.word())),
+        ("end", Value::from(run.end.words())),
+        ("complete", Value::from(run.end.is_complete())),
+    ];
+    for column in RESULTS {
+        entries.push((column.name, result(run, column.name)));
+    }
+    entries.extend([
+        (
+            "error_estimate_basis",
+            run.error_estimate.map_or(Value::Null, |estimate| {
+                Value::from(match estimate.basis {
+                    EstimateBasis::ClosedForm => "closed form",
+                    EstimateBasis::SecondComputation => "second computation",
+                })
+            }),
+        ),
+        ("method", Value::from(run.cost.method)),
+        ("method_reason", Value::from(run.cost.reason)),
+        ("run_time_s", finite(computed.took.as_secs_f64())),
+        ("omitted", run.omitted.iter().map(|omitted| omitted.words()).collect()),
+        ("warnings", Value::from(warnings(run))),
+        ("energy_j", energy(&run.ledger)),
+        (
+            "events",
+            run.events
+                .iter()
+                .map(|event| json!({ "time_s": finite(event.t_s), "event": event.kind.words() }))
+                .collect(),
+        ),
+        ("variables", all_variables(scene)),
+        ("version", Value::from(env!("CARGO_PKG_VERSION"))),
+    ]);
+    // Keys are strings and every number is finite, so nothing can be refused.
+    let text = serde_json::to_string_pretty(&Entries(entries)).unwrap_or_default();
+    text + "\n"
+}
+
+/// A result by name; counts stay whole numbers.
+fn result(run: &Run, name: &str) -> Value {
+    match name {
+        "steps" => Value::from(run.cost.steps),
+        "rejected" => Value::from(run.cost.rejected),
+        "rhs_evaluations" => Value::from(run.cost.rhs_evaluations),
+        other => crate::model::results::find(other)
+            .and_then(|column| column.value(run))
+            .map_or(Value::Null, finite),
+    }
+}
+
+/// A number; null for one that is not finite, which JSON cannot say.
+fn finite(value: f64) -> Value {
+    serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
+}
+
+fn energy(ledger: &EnergyLedger) -> Value {
+    json!({
+        "initial_kinetic": finite(ledger.initial_kinetic_j),
+        "initial_spring": finite(ledger.initial_spring_j),
+        "projectile": finite(ledger.projectile_j),
+        "plate": finite(ledger.plate_j),
+        "spring": finite(ledger.spring_j),
+        "damper": finite(ledger.damper_j),
+        "penetration": finite(ledger.penetration_j),
+        "stop": finite(ledger.stop_j),
+    })
+}
+
+/// What was put in, by full key.
+fn all_variables(scene: &Scene) -> Value {
+    let mut map = Map::new();
+    for variable in VARIABLES {
+        let value = match variable.value(scene) {
+            variables::Value::Number(number) => finite(number),
+            variables::Value::Absent => Value::Null,
+            variables::Value::Word(word) => Value::from(word),
+            variables::Value::Switch(on) => Value::from(on),
+        };
+        map.insert(variable.key.to_owned(), value);
+    }
+    Value::Object(map)
+}

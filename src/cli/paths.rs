@@ -1,0 +1,18 @@
+//! `cmra paths`: where this program keeps its files.
+
+use std::process::ExitCode;
+
+use crate::cli::{CliError, output};
+use crate::files::paths::Paths;
+
+/// Print the paths, one a line.
+pub(super) fn run() -> Result<ExitCode, CliError> {
+    let paths = Paths::of_user()?;
+    output::print(&format!(
+        "presets  {}\nsession  {}\nlog      {}\n",
+        paths.presets.display(),
+        paths.session_file().display(),
+        paths.log_file().display()
+    ))?;
+    Ok(ExitCode::SUCCESS)
+}

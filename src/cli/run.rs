@@ -1,0 +1,142 @@
+//! `cmra run SCENE`: one impact, as a readable summary, as JSON, as CSV, or with charts in plain text.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::{CliError, Glyphs, json, output, plain, summary};
+use crate::files::csv::{self, NamedRun, Rows};
+use crate::files::error::FileError;
+use crate::files::export::{self, ExportRequest};
+use crate::files::preset::Preset;
+use crate::model::impact::{self, Settings};
+use crate::model::run::Run;
+use crate::model::variables::VariableError;
+
+#[derive(Debug, Args)]
+pub(super) struct RunArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Print one JSON object, SI units, null where a quantity does not exist
+    #[arg(long, conflicts_with = "plain")]
+    json: bool,
+    /// Print charts as plain text below the summary
+    #[arg(long)]
+    plain: bool,
+    /// Write the series to this file, and the scene beside it as NAME.toml; `-` writes it to standard output instead
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace existing files
+    #[arg(long, requires = "csv")]
+    force: bool,
+    /// The characters charts are drawn with
+    #[arg(long, value_enum, default_value = "auto", value_name = "GLYPHS")]
+    glyphs: Glyphs,
+}
+
+/// A run with what the command line adds to it.
+pub(super) struct Computed {
+    /// The scene's name and origin.
+    pub(super) preset: Preset,
+    /// The result.
+    pub(super) run: Arc<Run>,
+    /// Wall-clock time of the one computation.
+    pub(super) took: Duration,
+}
+
+/// What is wanted besides the results.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Only the results.
+    Results,
+    /// The series, too.
+    Series,
+}
+
+/// Whether charts stand below the summary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Charts {
+    /// No charts.
+    Without,
+    /// With charts, drawn with these characters.
+    With(Glyphs),
+}
+
+/// Compute a scene, and measure the time of the computation alone.
+pub(super) fn compute(preset: Preset, wanted: Wanted) -> Result<Computed, VariableError> {
+    let scene = Arc::new(preset.scene.clone());
+    let settings = Settings { series: wanted == Wanted::Series, estimate: true };
+    let start = Instant::now();
+    let run = impact::simulate(&scene, &settings, &mut |_t_s| ControlFlow::Continue(()))?;
+    let took = start.elapsed();
+    Ok(Computed { preset, run: Arc::new(run), took })
+}
+
+/// Run one scene.
+pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
+    let wanted =
+        if arguments.plain || arguments.csv.is_some() { Wanted::Series } else { Wanted::Results };
+    let computed = compute(arguments.scene.load()?, wanted)?;
+    let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
+    match &arguments.csv {
+        Some(_) if to_stdout => {
+            let runs = [named(&computed)];
+            output::print(&csv::text(Rows::Series, &runs, &[])?)?;
+        }
+        Some(path) => write_csv(&computed, path, arguments.force)?,
+        None => {}
+    }
+    if arguments.json && !to_stdout {
+        output::print(&json::text(&computed))?;
+    } else if !to_stdout {
+        let charts = if arguments.plain { Charts::With(arguments.glyphs) } else { Charts::Without };
+        print_readable(&computed, charts)?;
+    }
+    Ok(exit_code(&computed.run))
+}
+
+/// The summary, with charts where they are wanted.
+pub(super) fn print_readable(computed: &Computed, charts: Charts) -> Result<(), CliError> {
+    let mut text = summary::text(computed);
+    if let Charts::With(glyphs) = charts {
+        text.push_str(&plain::charts(&computed.run, glyphs));
+    }
+    output::print(&text)
+}
+
+/// 0 for a complete run, 1 for one that ended early.
+pub(super) fn exit_code(run: &Run) -> ExitCode {
+    if run.end.is_complete() {
+        ExitCode::SUCCESS
+    } else {
+        output::note(&format!("the run is incomplete: {}", run.end.words()));
+        ExitCode::FAILURE
+    }
+}
+
+fn named(computed: &Computed) -> NamedRun {
+    (computed.preset.name.clone(), Arc::clone(&computed.run))
+}
+
+fn write_csv(computed: &Computed, path: &Path, force: bool) -> Result<(), CliError> {
+    let request = ExportRequest {
+        path: path.to_owned(),
+        overwrite: force,
+        rows: Rows::Series,
+        runs: vec![named(computed)],
+        columns: Vec::new(),
+    };
+    let written = export::write(&request).map_err(|error| match error {
+        FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
+        other => CliError::File(other),
+    })?;
+    for path in written {
+        output::note(&format!("wrote {}", path.display()));
+    }
+    Ok(())
+}

@@ -1,0 +1,58 @@
+//! The scene a command works on: SCENE, then every `--set` in order.
+
+use std::io::{self, Read as _};
+
+use clap::Args;
+
+use crate::cli::CliError;
+use crate::files::bundled;
+use crate::files::paths::Paths;
+use crate::files::preset::{self, Origin, Preset};
+use crate::model::units::Bare;
+use crate::model::variables;
+
+/// SCENE and `--set`.
+#[derive(Debug, Args)]
+pub(super) struct SceneArguments {
+    /// A preset's name, the path of a TOML file, or `-` for standard input [default: thesis-baseline]
+    scene: Option<String>,
+    /// Change a variable; may be repeated, and is applied in order.
+    #[arg(
+        long,
+        value_name = "NAME=VALUE",
+        allow_hyphen_values = true,
+        help = "Change a variable: NAME is a thesis symbol (gamma, v_i, k) or a full key (interface.grip), VALUE is SI \
+                or has a unit (d=50mm); may be repeated"
+    )]
+    set: Vec<String>,
+}
+
+impl SceneArguments {
+    /// The scene with every change made.
+    pub(super) fn load(&self) -> Result<Preset, CliError> {
+        let mut preset = match self.scene.as_deref() {
+            Some("-") => from_stdin()?,
+            name => named(name.unwrap_or(bundled::BASELINE))?,
+        };
+        for argument in &self.set {
+            let (name, value) = argument
+                .split_once('=')
+                .ok_or_else(|| CliError::NotAnAssignment { argument: argument.clone() })?;
+            variables::set_by_name(&mut preset.scene, name, value, Bare::Si).map_err(|source| {
+                CliError::Set { argument: argument.clone(), source: Box::new(source) }
+            })?;
+        }
+        Ok(preset)
+    }
+}
+
+/// A scene by name or path. Without a home directory there are just no own presets.
+pub(super) fn named(name: &str) -> Result<Preset, CliError> {
+    Ok(preset::resolve(name, Paths::of_user().ok().as_ref())?)
+}
+
+fn from_stdin() -> Result<Preset, CliError> {
+    let mut text = String::new();
+    io::stdin().read_to_string(&mut text).map_err(CliError::Stdin)?;
+    Ok(preset::from_text("standard input".to_owned(), Origin::Text, text)?)
+}

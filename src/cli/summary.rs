@@ -1,0 +1,237 @@
+//! A run as a page of text: what happened first, then the numbers, the energy, the cost, and what to be careful about.
+//!
+//! Every number stands twice where it matters: as a person reads it, and in SI with all its digits.
+
+use std::fmt::Write as _;
+
+use crate::cli::run::Computed;
+use crate::model::run::{EstimateBasis, Outcome, Run};
+use crate::model::scene::{Mount, Scene};
+use crate::model::units::{self, Engineering};
+use crate::model::variables;
+
+/// Width of the first column.
+const LABEL: usize = 24;
+/// Width of the second column.
+const VALUE: usize = 14;
+
+/// The page.
+pub(super) fn text(computed: &Computed) -> String {
+    let run = &computed.run;
+    let mut page = String::new();
+    let title = &run.scene.title;
+    let name = &computed.preset.name;
+    if title.is_empty() {
+        let _ = writeln!(page, "{name}");
+    } else {
+        let _ = writeln!(page, "{name}: {title}");
+    }
+    let _ = writeln!(page, "{}\n", sentence(run));
+    numbers(&mut page, run);
+    energy(&mut page, run);
+    events(&mut page, run);
+    cost(&mut page, computed);
+    let warnings = warnings(run);
+    if !warnings.is_empty() {
+        page.push_str("\nwarnings\n");
+        for warning in warnings {
+            let _ = writeln!(page, "  ! {warning}");
+        }
+    }
+    page
+}
+
+/// What a careful reader should know: about the run, then about values outside the range the thesis searched.
+pub(super) fn warnings(run: &Run) -> Vec<String> {
+    let about_run = run.warnings.iter().map(ToString::to_string);
+    let about_range = variables::range_warnings(&run.scene).into_iter().map(|warning| warning.text);
+    about_run.chain(about_range).collect()
+}
+
+fn show(value: f64, unit: &'static str) -> String {
+    Engineering { value, unit, digits: 7 }.to_string()
+}
+
+fn short(value: f64, unit: &'static str) -> String {
+    Engineering { value, unit, digits: 4 }.to_string()
+}
+
+/// The outcome in one sentence.
+fn sentence(run: &Run) -> String {
+    let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
+    match run.outcome {
+        Outcome::Arrested => {
+            let depth = depth.unwrap_or_else(|| "an unknown depth".to_owned());
+            let share = match (run.percent_of_baseline(), run.baseline_penetration_m) {
+                (Some(percent), Some(baseline)) if run.scene.plate.mount == Mount::Sprung => {
+                    format!(
+                        ", {} % of the {} on a rigid mount",
+                        units::fixed_significant(percent, 4),
+                        short(baseline, "m")
+                    )
+                }
+                _ => String::new(),
+            };
+            format!("arrested: the projectile stays in the plate, {depth} deep{share}")
+        }
+        Outcome::Perforated => {
+            let left = run.residual_velocity_m_s.map_or_else(String::new, |speed| {
+                format!(" and goes on at {}", short(speed, "m/s"))
+            });
+            format!("perforated: the projectile passes through the plate{left}")
+        }
+        Outcome::Separated => {
+            let left = run
+                .separation
+                .map_or_else(String::new, |(_, speed)| format!(" at {}", short(speed, "m/s")));
+            let depth =
+                depth.map_or_else(String::new, |depth| format!(", leaving a hole {depth} deep"));
+            format!("separated: the projectile leaves through the entry face{left}{depth}")
+        }
+        Outcome::Moving => format!("still moving: {}", run.end.words()),
+    }
+}
+
+/// One line: label, the value for people, the value in SI.
+fn line(page: &mut String, label: &str, value: Option<f64>, unit: &'static str) {
+    if let Some(value) = value {
+        let _ = writeln!(
+            page,
+            "{label:<LABEL$}{:<VALUE$}  {} {unit}",
+            show(value, unit),
+            units::shortest(value)
+        );
+    }
+}
+
+fn numbers(page: &mut String, run: &Run) {
+    if let Some(arrest) = run.first_arrest {
+        line(page, "first arrest, depth", Some(arrest.penetration_m), "m");
+        line(page, "  time", Some(arrest.t_s), "s");
+        line(page, "  plate displacement", Some(arrest.plate_displacement_m), "m");
+        line(page, "  common velocity", Some(arrest.plate_velocity_m_s), "m/s");
+    }
+    line(page, "final depth", run.final_penetration_m, "m");
+    line(page, "  on a rigid mount", run.baseline_penetration_m, "m");
+    if let Some(percent) = run.percent_of_baseline() {
+        let _ = writeln!(
+            page,
+            "{:<LABEL$}{} %",
+            "  of the rigid mount's",
+            units::fixed_significant(percent, 4)
+        );
+    }
+    line(page, "exit time", run.exit_time_s, "s");
+    line(page, "residual velocity", run.residual_velocity_m_s, "m/s");
+    line(page, "separation, time", run.separation.map(|it| it.0), "s");
+    line(page, "  projectile velocity", run.separation.map(|it| it.1), "m/s");
+    line(page, "peak contact force", Some(run.peak_contact_force_n), "N");
+    match run.max_plate_displacement_m {
+        Some(_) => line(page, "greatest displacement", run.max_plate_displacement_m, "m"),
+        None => {
+            let _ = writeln!(
+                page,
+                "{:<LABEL$}{}",
+                "greatest displacement",
+                no_greatest_displacement(&run.scene)
+            );
+        }
+    }
+    line(page, "stroke", run.stroke_m(), "m");
+    if let Some(ratio) = run.interface_demand_ratio {
+        let _ = writeln!(
+            page,
+            "{:<LABEL$}{} of the A S_y it can push",
+            "interface demand",
+            units::fixed_significant(ratio, 4)
+        );
+    }
+}
+
+/// Why there is none.
+fn no_greatest_displacement(scene: &Scene) -> &'static str {
+    let mechanism = &scene.mechanism;
+    let nothing_stops_it = mechanism.spring.coefficient == 0.0
+        && mechanism.damper.coefficient == 0.0
+        && mechanism.stop.position_m.is_none();
+    if nothing_stops_it { "none: nothing stops the plate" } else { "not reached within the run" }
+}
+
+fn energy(page: &mut String, run: &Run) {
+    let ledger = &run.ledger;
+    let start = ledger.initial_j();
+    page.push_str("\nenergy at the start\n");
+    let row = |page: &mut String, label: &str, energy_j: f64| {
+        // What the scene does not have is not listed.
+        if energy_j != 0.0 {
+            let _ = writeln!(
+                page,
+                "  {label:<22}{:>12} J {:>8.2} %",
+                fixed(energy_j),
+                100.0 * energy_j / start
+            );
+        }
+    };
+    row(page, "projectile", ledger.initial_kinetic_j);
+    row(page, "cocked spring", ledger.initial_spring_j);
+    page.push_str("energy at the end\n");
+    row(page, "penetration", ledger.penetration_j);
+    row(page, "projectile", ledger.projectile_j);
+    row(page, "plate", ledger.plate_j);
+    row(page, "spring", ledger.spring_j);
+    row(page, "damper", ledger.damper_j);
+    row(page, "stop", ledger.stop_j);
+    let _ = writeln!(page, "  {:<22}{:>12.1e} of the start", "residual", ledger.residual());
+}
+
+/// Joule with as many places for every size, so that the points stand in one column.
+fn fixed(energy_j: f64) -> String {
+    if energy_j.abs() < 1e7 { format!("{energy_j:.4}") } else { format!("{energy_j:.6e}") }
+}
+
+/// The letter of an event: `a` for the first, and again from `a` after `z`.
+pub(super) fn event_letter(index: usize) -> char {
+    let place = u8::try_from(index % 26).unwrap_or(0);
+    char::from(b'a' + place)
+}
+
+fn events(page: &mut String, run: &Run) {
+    if run.events.is_empty() {
+        return;
+    }
+    page.push_str("\nevents\n");
+    for (index, event) in run.events.iter().enumerate() {
+        let _ = writeln!(
+            page,
+            "  {}  {:>12}  {}",
+            event_letter(index),
+            show(event.t_s, "s"),
+            event.kind.words()
+        );
+    }
+}
+
+fn cost(page: &mut String, computed: &Computed) {
+    let run = &computed.run;
+    let cost = &run.cost;
+    let _ = writeln!(
+        page,
+        "\ncomputed by {} in {}: {} steps, {} rejected, {} evaluations",
+        cost.method,
+        short(computed.took.as_secs_f64(), "s"),
+        cost.steps,
+        cost.rejected,
+        cost.rhs_evaluations
+    );
+    if let Some(estimate) = run.error_estimate {
+        let basis = match estimate.basis {
+            EstimateBasis::ClosedForm => "closed form, rounding only",
+            EstimateBasis::SecondComputation => "from a second, tighter computation",
+        };
+        let _ = writeln!(page, "error estimate {:.1e} of the depth ({basis})", estimate.relative);
+    }
+    if !run.omitted.is_empty() {
+        let words: Vec<&str> = run.omitted.iter().map(|omitted| omitted.words()).collect();
+        let _ = writeln!(page, "left out, since not needed: {}", words.join(", "));
+    }
+}

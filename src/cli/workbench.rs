@@ -1,0 +1,50 @@
+//! `cmra [SCENE]`: the workbench, or its plain text where there is no terminal.
+
+use std::io::{self, IsTerminal as _};
+use std::process::ExitCode;
+
+use clap::Args;
+
+use crate::cli::run::{self, Charts, Wanted};
+use crate::cli::{CliError, Glyphs, output, scene};
+use crate::files::bundled;
+use crate::files::preset::Preset;
+
+#[derive(Debug, Args)]
+pub(super) struct WorkbenchArguments {
+    /// A preset's name or the path of a TOML file; without one the last session is restored
+    scene: Option<String>,
+    /// Start on the baseline instead of the last session
+    #[arg(long, conflicts_with = "scene")]
+    fresh: bool,
+    /// The characters charts are drawn with
+    #[arg(long, value_enum, default_value = "auto", value_name = "GLYPHS")]
+    glyphs: Glyphs,
+}
+
+/// Open the workbench; without a terminal print what `cmra run --plain` prints.
+pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> {
+    let preset = arguments.scene.as_deref().map(scene::named).transpose()?;
+    print_plain(preset, arguments.glyphs)
+}
+
+fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliError> {
+    let preset = match preset {
+        Some(preset) => preset,
+        None => scene::named(bundled::BASELINE)?,
+    };
+    if !has_terminal() {
+        output::note(
+            "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
+        );
+    }
+    let computed = run::compute(preset, Wanted::Series)?;
+    run::print_readable(&computed, Charts::With(glyphs))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Whether both ends are a terminal that can move its cursor.
+fn has_terminal() -> bool {
+    let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    io::stdin().is_terminal() && io::stdout().is_terminal() && !is_dumb
+}

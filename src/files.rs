@@ -1,0 +1,18 @@
+//! The edge: scenes, presets, sessions and exports on disk.
+//!
+//! Everything read is checked here, with errors that give file, line, key, value, what is allowed and the cure; everything
+//! written is written whole or not at all. TOML, CSV and serde stay inside this module (and JSON in `cli`): the
+//! model knows none of them. No screen, no thread and no standard output is known here.
+
+pub mod atomic;
+pub mod bundled;
+pub mod csv;
+pub mod error;
+pub mod export;
+pub mod paths;
+pub mod preset;
+pub mod read;
+pub mod session;
+pub mod write;
+
+mod read_sweep;

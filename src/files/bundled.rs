@@ -1,0 +1,55 @@
+//! The presets that come with the program, compiled in. A test lists `presets/` and holds this table to it.
+
+/// One bundled preset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bundled {
+    /// Name to load it by.
+    pub name: &'static str,
+    /// The text of its file.
+    pub text: &'static str,
+}
+
+macro_rules! bundled {
+    ($($name:literal),+ $(,)?) => {
+        &[$(Bundled {
+            name: $name,
+            text: include_str!(concat!("../../presets/", $name, ".toml")),
+        }),+]
+    };
+}
+
+/// The scene the workbench opens on, and what `cmra run` takes without a scene.
+pub const BASELINE: &str = "thesis-baseline";
+
+/// Every bundled preset, in the order of lists: the thesis first, then what lies beyond it.
+pub static BUNDLED: &[Bundled] = bundled![
+    "thesis-baseline",
+    "rigid-mount",
+    "free-plate",
+    "figure-9.2",
+    "figure-9.3",
+    "figure-9.4",
+    "figure-9.5",
+    "figure-9.6",
+    "figure-9.7",
+    "figure-9.8",
+    "figure-9.9",
+    "figure-9.10",
+    "figure-9.11",
+    "figure-9.12",
+    "appendix-listing",
+    "yang-xi",
+    "cocked",
+    "cocked-plastic",
+    "stop",
+    "thin-plate-perforation",
+    "oblique",
+    "stiff-spring",
+    "low-exponent",
+    "overdamped",
+];
+
+/// The bundled preset with this name.
+pub fn find(name: &str) -> Option<Bundled> {
+    BUNDLED.iter().copied().find(|preset| preset.name == name)
+}

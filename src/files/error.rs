@@ -1,0 +1,168 @@
+//! What can go wrong with a file, in words a person can act on. It knows no particular format.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use thiserror::Error;
+
+use crate::model::variables::edit_distance;
+
+/// Why a file could not be read, written or found.
+#[derive(Debug, Error)]
+pub enum FileError {
+    /// The file cannot be read.
+    #[error("cannot read `{}`: {}", .path.display(), reason(.source))]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The file cannot be written.
+    #[error("cannot write `{}`: {}", .path.display(), reason(.source))]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The file is far larger than any scene.
+    #[error("`{}` has {bytes} bytes: a scene has at most {limit}; is this the right file?", .path.display())]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// Its size.
+        bytes: u64,
+        /// What is accepted.
+        limit: u64,
+    },
+    /// The file is not a scene.
+    #[error("{0}")]
+    Scene(SceneErrors),
+    /// Neither a preset nor a file.
+    #[error("`{name}` is neither a preset nor a file: {hint}")]
+    UnknownScene {
+        /// What was written.
+        name: String,
+        /// The nearest names, or what to write.
+        hint: String,
+    },
+    /// The file is there already and was left alone.
+    #[error("`{}` exists and was left alone: choose another name, or allow it to be replaced", .0.display())]
+    Exists(PathBuf),
+    /// A preset cannot have this name.
+    #[error("`{name}` cannot be a preset's name: {problem}")]
+    Name {
+        /// What was written.
+        name: String,
+        /// What is wrong, and what is allowed.
+        problem: String,
+    },
+    /// A preset is to be replaced whose file is no readable scene; what is in it would be lost.
+    #[error("`{}` was left alone, since it is no readable scene: mend it, remove it, or save under another name\n{problem}", .path.display())]
+    Unmendable {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: SceneErrors,
+    },
+    /// The target of an export cannot be used.
+    #[error("`{}` cannot be the target: {problem}", .path.display())]
+    Target {
+        /// The file.
+        path: PathBuf,
+        /// Why not, and what to do.
+        problem: String,
+    },
+    /// There is no such column.
+    #[error("`{name}` is not a column: the columns are {columns}")]
+    Column {
+        /// What was asked for.
+        name: String,
+        /// What there is.
+        columns: String,
+    },
+    /// A table cannot be put into CSV.
+    #[error("cannot write CSV: {0}")]
+    Csv(#[from] csv::Error),
+    /// No home directory is known.
+    #[error("no home directory is known: set HOME, or XDG_DATA_HOME and XDG_STATE_HOME")]
+    NoHome,
+}
+
+impl FileError {
+    /// A reading error of this file.
+    pub fn read(path: &Path, source: io::Error) -> Self {
+        Self::Read { path: path.to_owned(), source }
+    }
+
+    /// A writing error of this file.
+    pub fn write(path: &Path, source: io::Error) -> Self {
+        Self::Write { path: path.to_owned(), source }
+    }
+}
+
+/// What the system said, lower case and without its error number.
+fn reason(error: &io::Error) -> String {
+    let text = error.to_string();
+    let text = text.split(" (os error").next().unwrap_or(&text);
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_lowercase().collect::<String>() + letters.as_str()
+    })
+}
+
+/// Everything that is wrong with one scene file, in the order of its lines. Never empty.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SceneErrors {
+    /// The file's name as the user wrote it.
+    pub file: String,
+    /// What is wrong.
+    pub problems: Vec<Problem>,
+}
+
+/// One thing that is wrong with a scene file.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Problem {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// Key and value, what is allowed, and the cure.
+    pub text: String,
+}
+
+impl fmt::Display for SceneErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, problem) in self.problems.iter().enumerate() {
+            if index > 0 {
+                f.write_str("\n")?;
+            }
+            let Problem { line, column, text } = problem;
+            write!(f, "{}:{line}:{column}: {text}", self.file)?;
+        }
+        Ok(())
+    }
+}
+
+/// `did you mean ...?` with the candidates spelled most like `name`; `None` when none is close.
+pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
+    const SHOWN_MAX: usize = 3;
+    let lower = name.to_lowercase();
+    let limit = (name.chars().count() / 3).max(1);
+    let mut ranked: Vec<(usize, &str)> = candidates
+        .iter()
+        .map(|candidate| (edit_distance(&lower, &candidate.to_lowercase()), *candidate))
+        // Whoever types the beginning of a long name means that name.
+        .map(|(distance, candidate)| {
+            let begun = lower.len() >= 3 && candidate.to_lowercase().starts_with(&lower);
+            (if begun { 0 } else { distance }, candidate)
+        })
+        .filter(|(distance, _)| *distance <= limit)
+        .collect();
+    ranked.sort_unstable();
+    let close: Vec<String> =
+        ranked.iter().take(SHOWN_MAX).map(|(_, candidate)| format!("`{candidate}`")).collect();
+    (!close.is_empty()).then(|| format!("did you mean {}?", close.join(" or ")))
+}

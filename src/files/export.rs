@@ -1,0 +1,132 @@
+//! Exports: a CSV file, and beside it the scene that gives it again.
+//!
+//! Both are written or neither is, and nothing is replaced unasked. The sidecar is a scene file like any other; its
+//! comments say which program wrote it and what came out.
+
+use std::ffi::OsStr;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::files::atomic::{self, Existing};
+use crate::files::csv::{self, NamedRun, Rows};
+use crate::files::error::FileError;
+use crate::files::write;
+use crate::model::results::RESULTS;
+use crate::model::run::Run;
+use crate::model::units;
+
+/// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
+const MARK: &str = "# exported by cmra";
+
+/// What an export contains and where it goes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExportRequest {
+    /// Target file of the CSV; the sidecar TOML goes beside it.
+    pub path: PathBuf,
+    /// Replace existing files.
+    pub overwrite: bool,
+    /// Which rows.
+    pub rows: Rows,
+    /// The runs, each with its name (`now`, `A`, ...); the first one's scene goes into the sidecar of the CSV's own name.
+    pub runs: Vec<NamedRun>,
+    /// Names of the columns to write, in order; empty: all.
+    pub columns: Vec<String>,
+}
+
+/// Write an export and give the files written, the CSV first.
+///
+/// # Errors
+/// [`FileError`]; no file is new or changed then.
+pub fn write(request: &ExportRequest) -> Result<Vec<PathBuf>, FileError> {
+    let existing = if request.overwrite { Existing::Replace } else { Existing::Keep };
+    let table = csv::text(request.rows, &request.runs, &request.columns)?;
+    let mut files = vec![(request.path.clone(), table)];
+    // A device or a pipe has no place beside it.
+    let ordinary = fs::metadata(&request.path).map_or(true, |found| found.is_file());
+    if ordinary {
+        for (index, (name, run)) in request.runs.iter().enumerate() {
+            let path = sidecar_path(&request.path, (index > 0).then_some(name.as_str()));
+            check_sidecar(&request.path, &path)?;
+            files.push((path, sidecar(&request.path, run)));
+        }
+    }
+    let contents: Vec<(PathBuf, &[u8])> =
+        files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+    atomic::write_all(&contents, existing)?;
+    Ok(files.into_iter().map(|(path, _)| path).collect())
+}
+
+/// The sidecar of a CSV file: `NAME.csv` has `NAME.toml`, and `NAME-A.toml` for a further run called `A`.
+pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
+    let is_csv = csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"));
+    let stem = if is_csv { csv.file_stem() } else { csv.file_name() };
+    let mut name = stem.unwrap_or_else(|| OsStr::new("export")).to_owned();
+    if let Some(run) = run {
+        name.push("-");
+        name.push(run);
+    }
+    name.push(".toml");
+    csv.with_file_name(name)
+}
+
+/// A sidecar may replace an older sidecar, never a scene that someone wrote.
+fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
+    let refuse = |problem: &str| {
+        Err(FileError::Target { path: csv.to_owned(), problem: problem.to_owned() })
+    };
+    if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
+        return refuse("it ends like a scene file; name a CSV file, for example run.csv");
+    }
+    let Ok(text) = fs::read(sidecar) else {
+        return Ok(());
+    };
+    if text.starts_with(MARK.as_bytes()) {
+        return Ok(());
+    }
+    Err(FileError::Target {
+        path: csv.to_owned(),
+        problem: format!(
+            "the scene goes beside it into `{}`, which is there and was not written by an export; choose another name",
+            sidecar.display()
+        ),
+    })
+}
+
+/// The scene of a run as a file, with what came out as comments.
+pub fn sidecar(csv: &Path, run: &Run) -> String {
+    let name = |path: &Path| {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        name.to_string_lossy().replace(|c: char| c.is_control(), "?")
+    };
+    let version = env!("CARGO_PKG_VERSION");
+    let mut text = format!("{MARK} {version} with {}\n", name(csv));
+    let _ = writeln!(text, "# outcome: {} ({})", run.outcome.word(), run.end.words());
+    for column in RESULTS {
+        if let Some(value) = column.value(run) {
+            let _ = writeln!(text, "# {} = {}", column.name, units::shortest(value));
+        }
+    }
+    let _ = writeln!(text, "# method: {}", run.cost.method);
+    for warning in &run.warnings {
+        let _ = writeln!(text, "# warning: {warning}");
+    }
+    text.push('\n');
+    text + &write::fresh(&run.scene)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_sidecar_stands_beside() {
+        for (csv, run, expected) in [
+            ("out/a.csv", None, "out/a.toml"),
+            ("out/a.CSV", Some("B"), "out/a-B.toml"),
+            ("v1.2", None, "v1.2.toml"),
+        ] {
+            assert_eq!(sidecar_path(Path::new(csv), run), Path::new(expected));
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! Where this program keeps its own files, by the conventions of the platform (XDG on Linux). `cmra paths` prints them.
+
+use std::path::{Path, PathBuf};
+
+use directories::ProjectDirs;
+
+use crate::files::error::FileError;
+
+/// The program's own directories and files. None need exist; they are made when something is first written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Paths {
+    /// The user's own presets.
+    pub presets: PathBuf,
+    /// Session, log and reports of a crash.
+    pub state: PathBuf,
+}
+
+impl Paths {
+    /// The paths of this user.
+    ///
+    /// # Errors
+    /// [`FileError::NoHome`] when the system knows no home directory.
+    pub fn of_user() -> Result<Self, FileError> {
+        let dirs = ProjectDirs::from("", "", "cmra").ok_or(FileError::NoHome)?;
+        Ok(Self {
+            presets: dirs.data_dir().join("presets"),
+            // Only some platforms have a state directory of their own.
+            state: dirs.state_dir().unwrap_or_else(|| dirs.data_local_dir()).to_owned(),
+        })
+    }
+
+    /// Paths below one directory, for tests.
+    pub fn below(directory: &Path) -> Self {
+        Self { presets: directory.join("data/presets"), state: directory.join("state") }
+    }
+
+    /// The file of the last session.
+    pub fn session_file(&self) -> PathBuf {
+        self.state.join("session.toml")
+    }
+
+    /// The log.
+    pub fn log_file(&self) -> PathBuf {
+        self.state.join("cmra.log")
+    }
+
+    /// The file of an own preset.
+    pub fn preset_file(&self, name: &str) -> PathBuf {
+        self.presets.join(format!("{name}.toml"))
+    }
+}

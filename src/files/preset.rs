@@ -1,0 +1,307 @@
+//! Presets: the bundled ones and the user's own, found by name; and scenes found by name or path.
+//!
+//! Bundled names cannot be taken by own presets, so a name always means the same scene. Own presets are plain scene
+//! files; saving over one keeps its comments and its layout.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::files::atomic::{self, Existing};
+use crate::files::bundled::{self, BUNDLED, Bundled};
+use crate::files::error::{FileError, did_you_mean};
+use crate::files::paths::Paths;
+use crate::files::{read, write};
+use crate::model::scene::Scene;
+use crate::model::variables;
+
+/// A scene with its name and where it comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Preset {
+    /// Name or path to load it by.
+    pub name: String,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// The scene.
+    pub scene: Scene,
+    /// The comment block at the head of its file, without the `#`: source and what to expect.
+    pub comment: String,
+    /// The whole text of its file.
+    pub text: String,
+}
+
+/// Where a scene comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Compiled in.
+    Bundled,
+    /// The user's own preset, in this file.
+    Mine(PathBuf),
+    /// A scene file named by its path.
+    File(PathBuf),
+    /// Text handed in, such as standard input.
+    Text,
+}
+
+impl Origin {
+    /// The word for lists.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Bundled => "bundled",
+            Self::Mine(_) => "mine",
+            Self::File(_) => "file",
+            Self::Text => "text",
+        }
+    }
+}
+
+/// Every preset that can be read, bundled first, then the user's own by name; and what could not be read.
+pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<FileError>) {
+    let mut presets = Vec::new();
+    let mut problems = Vec::new();
+    let own = paths.map(own_names).unwrap_or_default();
+    let found = BUNDLED
+        .iter()
+        .map(|preset| from_bundled(*preset))
+        .chain(own.into_iter().map(|(name, path)| from_own(name, path)));
+    for preset in found {
+        match preset {
+            Ok(preset) => presets.push(preset),
+            Err(problem) => problems.push(problem),
+        }
+    }
+    (presets, problems)
+}
+
+/// The scene meant by `name`: a bundled preset, an own one, or the path of a TOML file.
+///
+/// # Errors
+/// [`FileError`] when there is no such scene, or it cannot be read.
+pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
+    if let Some(preset) = bundled::find(name) {
+        return from_bundled(preset);
+    }
+    if let Some(paths) = paths
+        && check_name(name).is_ok()
+    {
+        let path = paths.preset_file(name);
+        if path.is_file() {
+            return from_own(name.to_owned(), path);
+        }
+    }
+    let path = Path::new(name);
+    if fs::metadata(path).is_ok() {
+        return from_file(path);
+    }
+    Err(FileError::UnknownScene { name: name.to_owned(), hint: hint(name, paths) })
+}
+
+/// A scene in a file.
+///
+/// # Errors
+/// [`FileError`] when it cannot be read.
+pub fn from_file(path: &Path) -> Result<Preset, FileError> {
+    from_text(path.display().to_string(), Origin::File(path.to_owned()), read::text_file(path)?)
+}
+
+/// A scene in a text; `name` is used in errors.
+///
+/// # Errors
+/// [`FileError::Scene`].
+pub fn from_text(name: String, origin: Origin, text: String) -> Result<Preset, FileError> {
+    let file = match &origin {
+        Origin::Bundled => format!("presets/{name}.toml"),
+        Origin::Mine(path) | Origin::File(path) => path.display().to_string(),
+        Origin::Text => name.clone(),
+    };
+    Ok(Preset {
+        scene: read::scene(&text, &file).map_err(FileError::Scene)?,
+        comment: head_comment(&text),
+        name,
+        origin,
+        text,
+    })
+}
+
+/// The scene everything starts from.
+///
+/// # Errors
+/// None in practice: a test reads every bundled preset.
+pub fn baseline() -> Result<Preset, FileError> {
+    resolve(bundled::BASELINE, None)
+}
+
+/// Save a scene as an own preset and give the path of its file. An existing file is replaced only where that is allowed, and
+/// keeps its comments, its order and its formatting.
+///
+/// # Errors
+/// [`FileError`]; an existing file is unchanged then.
+pub fn save(
+    paths: &Paths,
+    name: &str,
+    scene: &Scene,
+    existing: Existing,
+) -> Result<PathBuf, FileError> {
+    check_name(name)?;
+    let path = paths.preset_file(name);
+    save_file(&path, scene, existing)?;
+    Ok(path)
+}
+
+/// Save a scene in a file, as [`save`] does.
+///
+/// # Errors
+/// [`FileError`]; an existing file is unchanged then.
+pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), FileError> {
+    variables::validate(scene)
+        .map_err(|error| FileError::Target { path: path.to_owned(), problem: error.to_string() })?;
+    let text = match read::text_file(path) {
+        Ok(_) if existing == Existing::Keep => return Err(FileError::Exists(path.to_owned())),
+        Ok(old) => write::updated(&old, &path.display().to_string(), scene)
+            .map_err(|problem| FileError::Unmendable { path: path.to_owned(), problem })?,
+        Err(FileError::Read { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+            write::fresh(scene)
+        }
+        Err(problem) => return Err(problem),
+    };
+    if let Some(directory) = path.parent() {
+        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
+    }
+    atomic::write(path, text.as_bytes(), existing)
+}
+
+/// Whether an own preset may have this name.
+///
+/// # Errors
+/// [`FileError::Name`] with what is allowed.
+pub fn check_name(name: &str) -> Result<(), FileError> {
+    const LENGTH_MAX: usize = 64;
+    let refuse = |problem: String| Err(FileError::Name { name: name.to_owned(), problem });
+    if bundled::find(name).is_some() {
+        return refuse("a bundled preset has it; choose another".to_owned());
+    }
+    if name.is_empty() || name.chars().count() > LENGTH_MAX {
+        return refuse(format!("it must have 1 to {LENGTH_MAX} characters"));
+    }
+    if name.starts_with(['.', '-', ' ']) || name.ends_with(' ') {
+        return refuse("it must begin with a letter or a digit".to_owned());
+    }
+    let allowed = |c: char| c.is_alphanumeric() || "-_.+=, ".contains(c);
+    if let Some(bad) = name.chars().find(|c| !allowed(*c)) {
+        return refuse(format!(
+            "{bad:?} is not allowed; use letters, digits, spaces and - _ . + = ,"
+        ));
+    }
+    Ok(())
+}
+
+fn from_bundled(preset: Bundled) -> Result<Preset, FileError> {
+    from_text(preset.name.to_owned(), Origin::Bundled, preset.text.to_owned())
+}
+
+fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
+    let text = read::text_file(&path)?;
+    from_text(name, Origin::Mine(path), text)
+}
+
+/// Names and files of the user's own presets, by name.
+fn own_names(paths: &Paths) -> Vec<(String, PathBuf)> {
+    let Ok(entries) = fs::read_dir(&paths.presets) else {
+        return Vec::new();
+    };
+    let mut names: Vec<(String, PathBuf)> = entries
+        .filter_map(Result::ok)
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .filter_map(|path| Some((path.file_stem()?.to_str()?.to_owned(), path)))
+        .filter(|(name, _)| check_name(name).is_ok())
+        .collect();
+    names.sort();
+    names
+}
+
+/// What a person who wrote `name` may have meant.
+fn hint(name: &str, paths: Option<&Paths>) -> String {
+    let own = paths.map(own_names).unwrap_or_default();
+    let names: Vec<&str> = BUNDLED
+        .iter()
+        .map(|preset| preset.name)
+        .chain(own.iter().map(|(name, _)| name.as_str()))
+        .collect();
+    let looks_like_path =
+        name.contains(['/', '\\']) || Path::new(name).extension().is_some_and(|end| end == "toml");
+    let list = "`cmra presets` lists the presets";
+    match did_you_mean(name.trim_end_matches(".toml"), &names) {
+        Some(hint) => format!("{hint} ({list})"),
+        None if looks_like_path => format!("no such file; check the path ({list})"),
+        None => format!("{list}; a file is named by its path, for example ./{name}.toml"),
+    }
+}
+
+/// The comment lines a text begins with, without their `#`.
+fn head_comment(text: &str) -> String {
+    let lines: Vec<&str> = text
+        .lines()
+        .map_while(|line| line.strip_prefix('#'))
+        .map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end())
+        .collect();
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn own_presets_are_saved_listed_and_found() {
+        let place = tempfile::tempdir().unwrap();
+        let paths = Paths::below(place.path());
+        let scene = Scene { title: "mine".to_owned(), ..Scene::default() };
+        let path = save(&paths, "my scene", &scene, Existing::Keep).unwrap();
+        let (presets, problems) = list(Some(&paths));
+        assert!(problems.is_empty(), "{problems:?}");
+        let mine = presets.last().unwrap();
+        assert_eq!((mine.name.as_str(), &mine.scene), ("my scene", &scene));
+        assert_eq!(mine.origin, Origin::Mine(path));
+        assert_eq!(resolve("my scene", Some(&paths)).unwrap().scene, scene);
+        let again = save(&paths, "my scene", &scene, Existing::Keep).unwrap_err();
+        assert!(matches!(again, FileError::Exists(_)), "{again}");
+    }
+
+    #[test]
+    fn names_that_would_mislead_are_refused() {
+        for (name, fragment) in [
+            ("cocked", "bundled"),
+            ("", "1 to 64"),
+            (".hidden", "begin with"),
+            ("../up", "begin with"),
+            ("a/b", "not allowed"),
+            ("tab\there", "not allowed"),
+        ] {
+            let error = check_name(name).unwrap_err().to_string();
+            assert!(error.contains(fragment), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_broken_own_preset_is_told_and_never_overwritten() {
+        let place = tempfile::tempdir().unwrap();
+        let paths = Paths::below(place.path());
+        fs::create_dir_all(&paths.presets).unwrap();
+        let path = paths.preset_file("hurt");
+        fs::write(&path, "format = 1\n[plate]\nmass_ration = 2\n").unwrap();
+        let (_, problems) = list(Some(&paths));
+        assert!(problems[0].to_string().contains("hurt.toml:3:1"), "{}", problems[0]);
+        let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
+        assert!(error.to_string().contains("left alone"), "{error}");
+        assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));
+    }
+
+    #[test]
+    fn a_misspelt_name_gets_a_hint() {
+        let error = resolve("thesis-basline", None).unwrap_err().to_string();
+        assert!(error.contains("did you mean `thesis-baseline`?"), "{error}");
+        let error = resolve("no/such.toml", None).unwrap_err().to_string();
+        assert!(error.contains("check the path"), "{error}");
+    }
+}

@@ -1,0 +1,341 @@
+//! A scene from TOML text, read strictly against the table of variables.
+//!
+//! Each key of the file is looked up in [`VARIABLES`]; there is no second list of keys here. All problems of a file are
+//! collected and told together, each with its line and column. Writing is in [`crate::files::write`].
+
+use std::fs;
+use std::ops::Range;
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::files::error::{FileError, Problem, SceneErrors};
+use crate::files::read_sweep;
+use crate::model::scene::Scene;
+use crate::model::units::{self, Bare};
+use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
+
+/// The version of the scene format this program reads and writes.
+pub const FORMAT: i64 = 1;
+
+/// No scene is larger than this; a larger file is a mistake.
+const BYTES_MAX: u64 = 1 << 20;
+
+/// Read the scene in a file.
+///
+/// # Errors
+/// [`FileError`] when the file cannot be read or is not a scene.
+pub fn scene_file(path: &Path) -> Result<Scene, FileError> {
+    let text = text_file(path)?;
+    scene(&text, &path.display().to_string()).map_err(FileError::Scene)
+}
+
+/// The text of a file of reasonable size.
+///
+/// # Errors
+/// [`FileError`] when it cannot be read, is too large, or is not UTF-8.
+pub fn text_file(path: &Path) -> Result<String, FileError> {
+    let bytes = fs::metadata(path).map_err(|source| FileError::read(path, source))?.len();
+    if bytes > BYTES_MAX {
+        return Err(FileError::TooLarge { path: path.to_owned(), bytes, limit: BYTES_MAX });
+    }
+    fs::read_to_string(path).map_err(|source| FileError::read(path, source))
+}
+
+/// Read a scene from text; `file` is the name used in errors.
+///
+/// # Errors
+/// [`SceneErrors`] with every problem found.
+pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
+    let mut reader = Reader { text, problems: Vec::new() };
+    let mut scene = Scene::default();
+    match DeTable::parse(text) {
+        Ok(document) => reader.document(&mut scene, document.get_ref()),
+        Err(error) => reader.problem(error.span().unwrap_or(0..0), syntax(error.message())),
+    }
+    if reader.problems.is_empty() {
+        Ok(scene)
+    } else {
+        reader.problems.sort();
+        Err(SceneErrors { file: file.to_owned(), problems: reader.problems })
+    }
+}
+
+/// The parser's own words, on one line.
+fn syntax(message: &str) -> String {
+    format!("not TOML: {}", message.replace('\n', ", "))
+}
+
+/// The text being read, and what has been found wrong so far.
+pub(super) struct Reader<'t> {
+    text: &'t str,
+    problems: Vec<Problem>,
+}
+
+impl Reader<'_> {
+    fn document(&mut self, scene: &mut Scene, document: &DeTable<'_>) {
+        if !self.is_readable_format(document) {
+            return;
+        }
+        for (key, value) in document {
+            match key.get_ref().as_ref() {
+                "format" => {}
+                "title" => self.text_value("title", value, &mut scene.title),
+                "notes" => self.text_value("notes", value, &mut scene.notes),
+                "sweep" => scene.sweep = read_sweep::sweep(self, value),
+                name => self.entry(scene, name, key.span(), value),
+            }
+        }
+        if self.problems.is_empty()
+            && let Err(error) = variables::validate(scene)
+        {
+            // Every value has passed by itself: what is left concerns the stop and where the plate starts.
+            let span = find(document, "mechanism.stop.position_m").unwrap_or(0..0);
+            self.problem(span, error.to_string());
+        }
+    }
+
+    /// Whether the rest can be judged: a file of another format may well have other keys.
+    fn is_readable_format(&mut self, document: &DeTable<'_>) -> bool {
+        let cure = format!("write `format = {FORMAT}` at the top of the file");
+        let Some(value) = document.get("format") else {
+            self.problem(0..0, format!("`format` is missing: {cure}"));
+            return true;
+        };
+        let is_supported = number(value.get_ref()) == Some(FORMAT as f64);
+        if !is_supported {
+            let shown = self.shown(value);
+            self.problem(
+                value.span(),
+                format!(
+                    "format = {shown} is not supported: this program reads format {FORMAT}; {cure}"
+                ),
+            );
+        }
+        is_supported
+    }
+
+    /// A key below the top level's own four: a variable, or a table of variables.
+    fn entry(
+        &mut self,
+        scene: &mut Scene,
+        path: &str,
+        key_span: Range<usize>,
+        value: &Spanned<DeValue<'_>>,
+    ) {
+        let prefix = format!("{path}.");
+        let is_table = VARIABLES.iter().any(|variable| variable.key.starts_with(&prefix));
+        let variable = VARIABLES.iter().find(|variable| variable.key == path);
+        match (value.get_ref(), variable) {
+            (DeValue::Table(table), _) if is_table => {
+                for (key, value) in table {
+                    let path = format!("{prefix}{}", key.get_ref());
+                    self.entry(scene, &path, key.span(), value);
+                }
+            }
+            (_, Some(variable)) => self.variable(scene, variable, value),
+            (_, None) if is_table => {
+                let shown = self.shown(value);
+                self.problem(
+                    value.span(),
+                    format!(
+                        "{path} = {shown} is {}: `{path}` is a table; write [{path}] with {} below it",
+                        kind_of(value.get_ref()),
+                        keys_below(path)
+                    ),
+                );
+            }
+            (_, None) => {
+                let text = unknown(path, matches!(value.get_ref(), DeValue::Table(_)));
+                self.problem(key_span, text);
+            }
+        }
+    }
+
+    fn variable(&mut self, scene: &mut Scene, variable: &Variable, value: &Spanned<DeValue<'_>>) {
+        let read = match (&variable.kind, value.get_ref()) {
+            (Kind::Number(_), item) => number(item).map(Value::Number),
+            // A word that is not among the choices gets its own text from the table.
+            (Kind::Choice(_), DeValue::String(word)) => {
+                match variable.parse(scene, word, Bare::Stored) {
+                    Ok(value) => Some(value),
+                    Err(error) => return self.problem(value.span(), error.to_string()),
+                }
+            }
+            (Kind::Switch { .. }, DeValue::Boolean(on)) => Some(Value::Switch(*on)),
+            (Kind::Choice(_) | Kind::Switch { .. }, _) => None,
+        };
+        let Some(read) = read else {
+            let text = self.wrong_type(variable, value);
+            return self.problem(value.span(), text);
+        };
+        if let Err(error) = variable.set(scene, read) {
+            self.problem(value.span(), error.to_string());
+        }
+    }
+
+    fn wrong_type(&self, variable: &Variable, value: &Spanned<DeValue<'_>>) -> String {
+        let defaults = Scene::default();
+        let example = match variable.value(&defaults) {
+            Value::Absent => "leave the key out to do without".to_owned(),
+            Value::Word(word) => format!("write for example \"{word}\""),
+            Value::Number(_) | Value::Switch(_) => {
+                format!("write for example {}", variable.show(&defaults))
+            }
+        };
+        let cure = match value.get_ref() {
+            DeValue::String(text) => variable
+                .parse(&defaults, text, Bare::Stored)
+                .ok()
+                .and_then(|value| match value {
+                    Value::Number(number) => {
+                        Some(format!("write {} without quotes", units::shortest(number)))
+                    }
+                    Value::Switch(on) => Some(format!("write {on} without quotes")),
+                    Value::Absent | Value::Word(_) => None,
+                })
+                .unwrap_or(example),
+            _ => example,
+        };
+        let allowed = match &variable.kind {
+            Kind::Number(number) => number.allowed.describe(number.quantity),
+            Kind::Choice(_) | Kind::Switch { .. } => variable.allowed(),
+        };
+        format!(
+            "{} = {} is {}: it must be {allowed}; {cure}",
+            variable.key,
+            self.shown(value),
+            kind_of(value.get_ref()),
+        )
+    }
+
+    fn text_value(&mut self, key: &str, value: &Spanned<DeValue<'_>>, target: &mut String) {
+        if let DeValue::String(text) = value.get_ref() {
+            text.as_ref().clone_into(target);
+        } else {
+            let text = format!(
+                "{key} = {} is {}: it must be text; write it in quotes",
+                self.shown(value),
+                kind_of(value.get_ref())
+            );
+            self.problem(value.span(), text);
+        }
+    }
+
+    /// Note a problem at a place of the text.
+    pub(super) fn problem(&mut self, span: Range<usize>, text: String) {
+        let before = self.text.get(..span.start).unwrap_or(self.text);
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        self.problems.push(Problem {
+            line: before.matches('\n').count() + 1,
+            column: before[line_start..].chars().count() + 1,
+            text,
+        });
+    }
+
+    /// A value as it stands in the file, cut short.
+    pub(super) fn shown(&self, value: &Spanned<DeValue<'_>>) -> String {
+        const SHOWN_MAX: usize = 40;
+        let source = self.text.get(value.span()).unwrap_or_default();
+        let line = source.lines().next().unwrap_or_default();
+        if line.chars().count() > SHOWN_MAX || line.len() < source.trim_end().len() {
+            let cut: String = line.chars().take(SHOWN_MAX).collect();
+            format!("{cut}...")
+        } else {
+            line.to_owned()
+        }
+    }
+}
+
+/// The number in a TOML value, if it is one (integers count).
+pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
+        DeValue::Integer(integer) => {
+            i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|whole| whole as f64)
+        }
+        DeValue::String(_)
+        | DeValue::Boolean(_)
+        | DeValue::Datetime(_)
+        | DeValue::Array(_)
+        | DeValue::Table(_) => None,
+    }
+}
+
+/// The kind of a TOML value in words.
+pub(super) fn kind_of(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "a switch",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}
+
+/// Where in the text the value of a dotted key stands.
+fn find(document: &DeTable<'_>, key: &str) -> Option<Range<usize>> {
+    let (first, rest) = key.split_once('.').unwrap_or((key, ""));
+    let value = document.get(first)?;
+    match value.get_ref() {
+        _ if rest.is_empty() => Some(value.span()),
+        DeValue::Table(table) => find(table, rest),
+        _ => None,
+    }
+}
+
+/// What to say about a key that is not in the table.
+fn unknown(path: &str, is_table: bool) -> String {
+    let path: String = path.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+    let what = if is_table { "table" } else { "key" };
+    let last = path.rsplit('.').next().unwrap_or(&path);
+    let hint = if let Ok(variable) = variables::find(last) {
+        format!("did you mean `{}`?", variable.key)
+    } else if is_table {
+        nearest_table(&path)
+    } else {
+        let near = variables::nearest(&path);
+        if near.starts_with("did you mean") {
+            near
+        } else {
+            let parent = path.rsplit_once('.').map_or("", |(parent, _)| parent);
+            format!("the keys here are {}", keys_below(parent))
+        }
+    };
+    format!("`{path}` is not a {what} of a scene: {hint}")
+}
+
+fn nearest_table(path: &str) -> String {
+    let mut tables: Vec<&str> =
+        VARIABLES.iter().filter_map(|variable| Some(variable.key.rsplit_once('.')?.0)).collect();
+    tables.push("sweep");
+    tables.dedup();
+    let mut unique: Vec<&str> = Vec::new();
+    for table in tables {
+        if !unique.contains(&table) {
+            unique.push(table);
+        }
+    }
+    crate::files::error::did_you_mean(path, &unique)
+        .unwrap_or_else(|| format!("the tables are {}", unique.join(", ")))
+}
+
+/// The keys and tables directly below a table (`""`: the top level).
+fn keys_below(table: &str) -> String {
+    let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };
+    let mut names: Vec<&str> =
+        if table.is_empty() { vec!["format", "title", "notes", "sweep"] } else { Vec::new() };
+    for variable in VARIABLES {
+        let Some(rest) = variable.key.strip_prefix(&prefix) else {
+            continue;
+        };
+        let name = rest.split('.').next().unwrap_or(rest);
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names.join(", ")
+}

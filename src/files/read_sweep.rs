@@ -1,0 +1,271 @@
+//! The `[sweep]` table of a scene: axes over variables, and names of results. Read strictly, run elsewhere.
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::files::error::did_you_mean;
+use crate::files::read::{Reader, kind_of, number};
+use crate::model::results;
+use crate::model::scene::{Sweep, SweepAxis};
+use crate::model::units;
+use crate::model::variables::{self, Kind, Number};
+
+/// More points than this along one axis are a mistake.
+const COUNT_MAX: usize = 100_000;
+
+const AXIS_EXAMPLE: &str = r#"{ name = "gamma", from = 0.8, to = 7.0, count = 101 }"#;
+const AXIS_KEYS: [&str; 5] = ["name", "from", "to", "count", "log"];
+
+/// Read the table; `None` when it is unusable (the reader knows why).
+pub(super) fn sweep(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Option<Sweep> {
+    let DeValue::Table(table) = value.get_ref() else {
+        let text = format!(
+            "sweep = {} is {}: `sweep` is a table; write [sweep] with axes and outputs below it",
+            reader.shown(value),
+            kind_of(value.get_ref())
+        );
+        reader.problem(value.span(), text);
+        return None;
+    };
+    let mut sweep = Sweep::default();
+    for (key, value) in table {
+        match key.get_ref().as_ref() {
+            "axes" => sweep.axes = axes(reader, value),
+            "outputs" => sweep.outputs = outputs(reader, value),
+            other => {
+                let hint = did_you_mean(other, &["axes", "outputs"])
+                    .unwrap_or_else(|| "the keys here are axes, outputs".to_owned());
+                reader.problem(
+                    key.span(),
+                    format!("`sweep.{other}` is not a key of a scene: {hint}"),
+                );
+            }
+        }
+    }
+    if !table.contains_key("axes") {
+        reader.problem(
+            value.span(),
+            format!("sweep.axes is missing: write at least one axis, for example axes = [{AXIS_EXAMPLE}]"),
+        );
+    }
+    Some(sweep)
+}
+
+fn axes(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<SweepAxis> {
+    let rows = match value.get_ref() {
+        DeValue::Array(rows) if !rows.is_empty() => rows,
+        _ => {
+            let text = format!(
+                "sweep.axes = {} must be a list of one or more axes; write for example [{AXIS_EXAMPLE}]",
+                reader.shown(value)
+            );
+            reader.problem(value.span(), text);
+            return Vec::new();
+        }
+    };
+    let mut axes: Vec<SweepAxis> = Vec::new();
+    for row in rows {
+        let Some(axis) = axis(reader, row) else {
+            continue;
+        };
+        let key_of = |name: &str| variables::find(name).map(|variable| variable.key).ok();
+        if axes.iter().any(|other| key_of(&other.name) == key_of(&axis.name)) {
+            let text =
+                format!("sweep.axes: `{}` is swept twice; give each variable one axis", axis.name);
+            reader.problem(row.span(), text);
+        }
+        axes.push(axis);
+    }
+    axes
+}
+
+fn axis(reader: &mut Reader<'_>, row: &Spanned<DeValue<'_>>) -> Option<SweepAxis> {
+    let DeValue::Table(table) = row.get_ref() else {
+        let text = format!(
+            "sweep.axes: {} is {}: an axis is a table; write for example {AXIS_EXAMPLE}",
+            reader.shown(row),
+            kind_of(row.get_ref())
+        );
+        reader.problem(row.span(), text);
+        return None;
+    };
+    for key in table.keys() {
+        let name = key.get_ref().as_ref();
+        if !AXIS_KEYS.contains(&name) {
+            let hint = did_you_mean(name, &AXIS_KEYS)
+                .unwrap_or_else(|| format!("the keys here are {}", AXIS_KEYS.join(", ")));
+            reader.problem(
+                key.span(),
+                format!("sweep.axes: `{name}` is not a key of an axis: {hint}"),
+            );
+        }
+    }
+    let (name, variable) = swept(reader, row, table)?;
+    let from = bound(reader, row, table, "from", &name, variable);
+    let to = bound(reader, row, table, "to", &name, variable);
+    let count = count(reader, row, table, &name);
+    let log = log(reader, table, &name);
+    let axis = SweepAxis { name, from: from?, to: to?, count: count?, log: log? };
+    check_ends(reader, row, &axis);
+    Some(axis)
+}
+
+fn check_ends(reader: &mut Reader<'_>, row: &Spanned<DeValue<'_>>, axis: &SweepAxis) {
+    let SweepAxis { name, from, to, .. } = axis;
+    let (low, high) = (units::shortest(*from), units::shortest(*to));
+    if from.to_bits() == to.to_bits() {
+        let text =
+            format!("sweep.axes: {name} goes from {low} to {high}: the two ends must differ");
+        reader.problem(row.span(), text);
+    } else if axis.log && (*from <= 0.0 || *to <= 0.0) {
+        let text = format!(
+            "sweep.axes: {name} goes from {low} to {high} at equal ratios: both ends must be greater than 0; \
+             leave out log or change the ends"
+        );
+        reader.problem(row.span(), text);
+    }
+}
+
+/// The axis's variable, which must have numbers.
+fn swept(
+    reader: &mut Reader<'_>,
+    row: &Spanned<DeValue<'_>>,
+    table: &DeTable<'_>,
+) -> Option<(String, &'static Number)> {
+    let Some(value) = table.get("name") else {
+        reader.problem(
+            row.span(),
+            format!("sweep.axes: `name` is missing; write for example {AXIS_EXAMPLE}"),
+        );
+        return None;
+    };
+    let DeValue::String(name) = value.get_ref() else {
+        let text = format!(
+            "sweep.axes: name = {} is {}: it must be a variable's symbol or key in quotes",
+            reader.shown(value),
+            kind_of(value.get_ref())
+        );
+        reader.problem(value.span(), text);
+        return None;
+    };
+    match variables::find(name) {
+        Err(error) => {
+            reader.problem(value.span(), format!("sweep.axes: {error}"));
+            None
+        }
+        Ok(variable) => match &variable.kind {
+            Kind::Number(number) => Some((name.clone().into_owned(), number)),
+            Kind::Choice(_) | Kind::Switch { .. } => {
+                reader.problem(
+                    value.span(),
+                    format!("sweep.axes: `{name}` has no numbers to sweep over; choose a numeric variable"),
+                );
+                None
+            }
+        },
+    }
+}
+
+fn bound(
+    reader: &mut Reader<'_>,
+    row: &Spanned<DeValue<'_>>,
+    table: &DeTable<'_>,
+    key: &str,
+    name: &str,
+    variable: &Number,
+) -> Option<f64> {
+    let allowed = variable.allowed.describe(variable.quantity);
+    let Some(value) = table.get(key) else {
+        reader.problem(
+            row.span(),
+            format!("sweep.axes: `{key}` of {name} is missing; it must be {allowed}"),
+        );
+        return None;
+    };
+    let found = number(value.get_ref()).filter(|number| variable.allowed.contains(*number));
+    if found.is_none() {
+        let text = format!(
+            "sweep.axes: {key} = {} of {name} is impossible: it must be {allowed}",
+            reader.shown(value)
+        );
+        reader.problem(value.span(), text);
+    }
+    found
+}
+
+fn count(
+    reader: &mut Reader<'_>,
+    row: &Spanned<DeValue<'_>>,
+    table: &DeTable<'_>,
+    name: &str,
+) -> Option<usize> {
+    let Some(value) = table.get("count") else {
+        reader.problem(
+            row.span(),
+            format!("sweep.axes: `count` of {name} is missing; write for example count = 101"),
+        );
+        return None;
+    };
+    let whole = match value.get_ref() {
+        DeValue::Integer(integer) => usize::from_str_radix(integer.as_str(), integer.radix()).ok(),
+        _ => None,
+    };
+    let found = whole.filter(|count| (2..=COUNT_MAX).contains(count));
+    if found.is_none() {
+        let text = format!(
+            "sweep.axes: count = {} of {name} must be a whole number from 2 to {COUNT_MAX}",
+            reader.shown(value)
+        );
+        reader.problem(value.span(), text);
+    }
+    found
+}
+
+fn log(reader: &mut Reader<'_>, table: &DeTable<'_>, name: &str) -> Option<bool> {
+    let Some(value) = table.get("log") else {
+        return Some(false);
+    };
+    if let DeValue::Boolean(on) = value.get_ref() {
+        return Some(*on);
+    }
+    let text = format!(
+        "sweep.axes: log = {} of {name} is {}: it must be true or false",
+        reader.shown(value),
+        kind_of(value.get_ref())
+    );
+    reader.problem(value.span(), text);
+    None
+}
+
+fn outputs(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<String> {
+    let DeValue::Array(rows) = value.get_ref() else {
+        let text = format!(
+            "sweep.outputs = {} is {}: it must be a list of result names in quotes",
+            reader.shown(value),
+            kind_of(value.get_ref())
+        );
+        reader.problem(value.span(), text);
+        return Vec::new();
+    };
+    let names: Vec<&str> = results::RESULTS.iter().map(|column| column.name).collect();
+    let mut outputs = Vec::new();
+    for row in rows {
+        match row.get_ref() {
+            DeValue::String(name) if results::find(name).is_some() => {
+                outputs.push(name.clone().into_owned());
+            }
+            other => {
+                let shown = reader.shown(row);
+                let bare = shown.trim_matches(['"', '\'']);
+                let hint = did_you_mean(bare, &names)
+                    .unwrap_or_else(|| format!("the results are {}", names.join(", ")));
+                let kind = match other {
+                    DeValue::String(_) => "is not a result of a run".to_owned(),
+                    other => format!("is {}, not the name of a result", kind_of(other)),
+                };
+                reader.problem(row.span(), format!("sweep.outputs: {shown} {kind}: {hint}"));
+            }
+        }
+    }
+    outputs
+}

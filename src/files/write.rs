@@ -1,0 +1,191 @@
+//! A scene as TOML text: fresh, or into an existing text whose comments, order and formatting stay.
+//!
+//! Keys, symbols and values come from [`VARIABLES`]; floats are written with the fewest digits that read back to the
+//! same float. Reading is in [`crate::files::read`].
+
+use std::fmt::Write as _;
+
+use toml_edit::{DocumentMut, Item, Table, TableLike};
+
+use crate::files::error::SceneErrors;
+use crate::files::read;
+use crate::model::scene::{Scene, Sweep};
+use crate::model::units;
+use crate::model::variables::{Group, Kind, VARIABLES, Value, Variable};
+
+/// Where the comment beside a value begins.
+const COMMENT_COLUMN: usize = 28;
+
+/// A scene as a new TOML file.
+pub fn fresh(scene: &Scene) -> String {
+    let mut text = format!("format = {}\n", read::FORMAT);
+    let _ = writeln!(text, "title = {}", quoted(&scene.title));
+    if !scene.notes.is_empty() {
+        let _ = writeln!(text, "notes = {}", quoted(&scene.notes));
+    }
+    let mut table = "";
+    for variable in VARIABLES.iter().filter(|row| is_written(row, scene)) {
+        let (parent, key) = split(variable);
+        if parent != table {
+            let _ = writeln!(text, "\n[{parent}]");
+            table = parent;
+        }
+        let (line, note) = match value_text(variable, scene) {
+            Some(value) => (format!("{key} = {value}"), String::new()),
+            // An optional number that is not there: shown, so that a reader knows it can be.
+            None => (format!("# {key} ="), ", left out".to_owned()),
+        };
+        let _ = writeln!(
+            text,
+            "{line:<width$} # {}{note}",
+            comment(variable),
+            width = COMMENT_COLUMN - 1
+        );
+    }
+    if let Some(sweep) = &scene.sweep {
+        let _ = write!(text, "\n[sweep]\n{}", sweep_text(sweep));
+    }
+    text
+}
+
+/// `text`, a scene file, with the values of `scene` in it; what has not changed stays letter for letter.
+///
+/// # Errors
+/// [`SceneErrors`] when `text` is not a scene: changing it blindly might lose what someone wrote.
+pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErrors> {
+    let old = read::scene(text, file)?;
+    // The strict reader has just accepted the same text, so the editing parser of the same make does too.
+    let Ok(mut document) = text.parse::<DocumentMut>() else {
+        return Ok(fresh(scene));
+    };
+    let root = document.as_table_mut();
+    if old.title != scene.title {
+        put(root, "title", &quoted(&scene.title));
+    }
+    if old.notes != scene.notes {
+        put(root, "notes", &quoted(&scene.notes));
+    }
+    for variable in VARIABLES {
+        if same(variable.value(&old), variable.value(scene)) {
+            continue;
+        }
+        let (parent, key) = split(variable);
+        match value_text(variable, scene) {
+            Some(value) => put(table_at(root, parent), key, &value),
+            None => {
+                table_at(root, parent).remove(key);
+            }
+        }
+    }
+    if old.sweep != scene.sweep {
+        root.remove("sweep");
+        if let Some(sweep) = &scene.sweep {
+            let mut fresh = Table::new();
+            if let Ok(parsed) = sweep_text(sweep).parse::<DocumentMut>() {
+                fresh = parsed.into_table();
+                fresh.set_position(None);
+            }
+            root.insert("sweep", Item::Table(fresh));
+        }
+    }
+    Ok(document.to_string())
+}
+
+/// Equal to the last bit, so that 0.0 and -0.0 differ.
+fn same(a: Value, b: Value) -> bool {
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => a.to_bits() == b.to_bits(),
+        (a, b) => a == b,
+    }
+}
+
+/// The table of a dotted path, made where it is missing.
+fn table_at<'t>(root: &'t mut Table, path: &str) -> &'t mut dyn TableLike {
+    let mut table: &mut dyn TableLike = root;
+    for name in path.split('.') {
+        if table.get(name).and_then(Item::as_table_like).is_none() {
+            let mut fresh = Table::new();
+            // `[mechanism]` need not appear above `[mechanism.spring]`.
+            fresh.set_implicit(true);
+            table.insert(name, Item::Table(fresh));
+        }
+        table = table
+            .get_mut(name)
+            .and_then(Item::as_table_like_mut)
+            .expect("it is there, or has just been inserted");
+    }
+    table
+}
+
+/// Set a key to a value written as TOML, with the comment and the spaces that stood around the old one.
+fn put(table: &mut dyn TableLike, key: &str, value: &str) {
+    let mut value: toml_edit::Value = value.parse().expect("it was written by this file, as TOML");
+    if let Some(old) = table.get(key).and_then(Item::as_value) {
+        *value.decor_mut() = old.decor().clone();
+    }
+    if let Some(item) = table.get_mut(key) {
+        *item = Item::Value(value);
+    } else {
+        table.insert(key, Item::Value(value));
+    }
+}
+
+fn split(variable: &Variable) -> (&'static str, &'static str) {
+    variable.key.rsplit_once('.').unwrap_or(("", variable.key))
+}
+
+/// A stop is written only where there is one, or where its settings would otherwise be lost.
+fn is_written(variable: &Variable, scene: &Scene) -> bool {
+    variable.group != Group::Stop
+        || scene.mechanism.stop != Scene::default().mechanism.stop
+            && (variable.key != "mechanism.stop.position_m"
+                || scene.mechanism.stop.position_m.is_some())
+}
+
+fn value_text(variable: &Variable, scene: &Scene) -> Option<String> {
+    match variable.value(scene) {
+        Value::Absent => None,
+        Value::Number(number) => Some(float(number)),
+        Value::Word(word) => Some(quoted(word)),
+        Value::Switch(on) => Some(on.to_string()),
+    }
+}
+
+/// The symbol; for a word, what else it may be.
+fn comment(variable: &Variable) -> String {
+    match &variable.kind {
+        Kind::Number(_) => variable.symbol.to_owned(),
+        Kind::Choice(choice) if choice.words.len() > 1 => choice.words.join(" or "),
+        Kind::Choice(_) | Kind::Switch { .. } => variable.meaning.to_owned(),
+    }
+}
+
+/// A float as TOML: shortest digits, and never without a point or an exponent.
+pub fn float(value: f64) -> String {
+    let text = units::shortest(value);
+    if text.contains(['.', 'e']) { text } else { text + ".0" }
+}
+
+fn quoted(text: &str) -> String {
+    toml_edit::Value::from(text).to_string()
+}
+
+fn sweep_text(sweep: &Sweep) -> String {
+    let mut text = "axes = [".to_owned();
+    for (index, axis) in sweep.axes.iter().enumerate() {
+        let log = if axis.log { ", log = true" } else { "" };
+        let comma = if index == 0 { "" } else { "," };
+        let _ = write!(
+            text,
+            "{comma}\n    {{ name = {}, from = {}, to = {}, count = {}{log} }}",
+            quoted(&axis.name),
+            float(axis.from),
+            float(axis.to),
+            axis.count
+        );
+    }
+    text.push_str(",\n]\n");
+    let outputs: Vec<String> = sweep.outputs.iter().map(|name| quoted(name)).collect();
+    let _ = writeln!(text, "outputs = [{}]", outputs.join(", "));
+    text
+}

@@ -1,0 +1,79 @@
+//! THE table of results: the name, unit and meaning of every number a run comes down to.
+//!
+//! JSON keys, the results row of an export and the outputs of a sweep are all taken from here, so that a name means the
+//! same wherever it is met. Nothing here knows files or screens; the time a run took is measured by whoever ran it.
+
+use crate::model::run::Run;
+
+/// One number a run comes down to.
+pub struct ResultColumn {
+    /// Name in JSON, CSV and `[sweep] outputs`; it ends in its unit.
+    pub name: &'static str,
+    /// What it means, in a few words.
+    pub meaning: &'static str,
+    /// Read it from a run; `None` where the quantity does not exist, never a number that is not finite.
+    pub get: fn(&Run) -> Option<f64>,
+}
+
+impl ResultColumn {
+    /// Its value for a run; `None` where it does not exist.
+    pub fn value(&self, run: &Run) -> Option<f64> {
+        (self.get)(run).filter(|value| value.is_finite())
+    }
+}
+
+const fn column(
+    name: &'static str,
+    meaning: &'static str,
+    get: fn(&Run) -> Option<f64>,
+) -> ResultColumn {
+    ResultColumn { name, meaning, get }
+}
+
+/// Every numeric result, in the order of files.
+#[rustfmt::skip]
+pub static RESULTS: &[ResultColumn] = &[
+    column("first_arrest_penetration_m", "depth when projectile and plate first reach common velocity", |run| Some(run.first_arrest?.penetration_m)),
+    column("first_arrest_time_s", "time of the first arrest", |run| Some(run.first_arrest?.t_s)),
+    column("first_arrest_plate_displacement_m", "plate displacement at the first arrest", |run| Some(run.first_arrest?.plate_displacement_m)),
+    column("first_arrest_plate_velocity_m_s", "common velocity at the first arrest", |run| Some(run.first_arrest?.plate_velocity_m_s)),
+    column("final_penetration_m", "depth of the hole at the end", |run| run.final_penetration_m),
+    column("percent_of_baseline", "final depth over that of the same plate on a rigid mount, percent", Run::percent_of_baseline),
+    column("baseline_penetration_m", "depth of the same shot into the same plate on a rigid mount", |run| run.baseline_penetration_m),
+    column("peak_contact_force_n", "greatest contact force while penetrating", |run| Some(run.peak_contact_force_n)),
+    column("max_plate_displacement_m", "greatest plate displacement", |run| run.max_plate_displacement_m),
+    column("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Run::stroke_m),
+    column("residual_velocity_m_s", "projectile velocity after perforation", |run| run.residual_velocity_m_s),
+    column("exit_time_s", "when the nose was clear of the rear face", |run| run.exit_time_s),
+    column("separation_time_s", "when the projectile left through the entry face", |run| Some(run.separation?.0)),
+    column("separation_velocity_m_s", "projectile velocity when it left through the entry face", |run| Some(run.separation?.1)),
+    column("interface_demand_ratio", "greatest push the fused interface had to carry over its strength A S_y", |run| run.interface_demand_ratio),
+    column("energy_residual", "energy that does not add up, relative to that at the start", |run| Some(run.ledger.residual())),
+    column("error_estimate", "relative error estimate of the final depth", |run| Some(run.error_estimate?.relative)),
+    column("steps", "accepted steps", |run| Some(run.cost.steps as f64)),
+    column("rejected", "rejected steps", |run| Some(run.cost.rejected as f64)),
+    column("rhs_evaluations", "evaluations of the equations of motion", |run| Some(run.cost.rhs_evaluations as f64)),
+];
+
+/// The result with this name, if there is one.
+pub fn find(name: &str) -> Option<&'static ResultColumn> {
+    RESULTS.iter().find(|column| column.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::{RESULTS, find};
+
+    #[test]
+    fn names_are_unique_and_found() {
+        let mut seen = HashSet::new();
+        for column in RESULTS {
+            assert!(seen.insert(column.name), "{} twice", column.name);
+            assert!(!column.meaning.is_empty());
+            assert_eq!(find(column.name).map(|found| found.name), Some(column.name));
+        }
+        assert!(find("depth").is_none());
+    }
+}

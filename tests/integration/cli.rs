@@ -1,0 +1,450 @@
+//! The command line as a script sees it: exit codes, what goes to which stream, JSON keys, files written and files left alone.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// A directory of its own for each test, with a home inside.
+struct Place(TempDir);
+
+/// What a command left behind.
+struct Outcome {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+impl Place {
+    fn new() -> Self {
+        Self(tempfile::tempdir().unwrap())
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        let path = self.path(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+
+    fn command(&self) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_cmra"));
+        command
+            .current_dir(self.0.path())
+            .env_clear()
+            .env("HOME", self.path("home"))
+            .env("XDG_DATA_HOME", self.path("data"))
+            .env("XDG_STATE_HOME", self.path("state"))
+            .env("XDG_CONFIG_HOME", self.path("config"));
+        command
+    }
+
+    /// Run `cmra` with arguments split at spaces; `~` stands for a space within one.
+    fn cmra(&self, arguments: &str) -> Outcome {
+        let split = arguments.split_whitespace().map(|argument| argument.replace('~', " "));
+        outcome(self.command().args(split))
+    }
+
+    fn json(&self, arguments: &str) -> Value {
+        let done = self.cmra(arguments);
+        assert_eq!((done.code, done.err.as_str()), (0, ""), "{arguments}");
+        serde_json::from_str(&done.out).unwrap()
+    }
+}
+
+fn outcome(command: &mut Command) -> Outcome {
+    let output = command.output().unwrap();
+    Outcome {
+        code: output.status.code().unwrap(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// The keys every script may rely on.
+const CONTRACT_KEYS: [&str; 27] = [
+    "scene",
+    "model",
+    "interface",
+    "outcome",
+    "first_arrest_penetration_m",
+    "first_arrest_time_s",
+    "first_arrest_plate_displacement_m",
+    "first_arrest_plate_velocity_m_s",
+    "final_penetration_m",
+    "percent_of_baseline",
+    "peak_contact_force_n",
+    "max_plate_displacement_m",
+    "stroke_m",
+    "residual_velocity_m_s",
+    "exit_time_s",
+    "interface_demand_ratio",
+    "energy_residual",
+    "error_estimate",
+    "method",
+    "steps",
+    "rejected",
+    "rhs_evaluations",
+    "run_time_s",
+    "omitted",
+    "warnings",
+    "end",
+    "title",
+];
+
+/// The columns every script may rely on, in order.
+const CONTRACT_COLUMNS: &str = "time_s,mode,penetration_m,projectile_displacement_m,projectile_velocity_m_s,\
+     plate_displacement_m,plate_velocity_m_s,contact_force_n,spring_force_n,damper_force_n";
+
+/// A run's JSON without what differs from one computation to the next.
+fn digits(mut json: Value) -> Value {
+    let map = json.as_object_mut().unwrap();
+    for key in ["run_time_s", "scene"] {
+        assert!(map.remove(key).is_some(), "{key}");
+    }
+    json
+}
+
+#[test]
+fn run_prints_a_summary_of_the_baseline() {
+    let place = Place::new();
+    let done = place.cmra("run");
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    let mut lines = done.out.lines();
+    assert_eq!(lines.next(), Some("thesis-baseline: Baseline of chapter 9"));
+    assert!(lines.next().unwrap().starts_with("arrested: "), "{}", done.out);
+    for label in ["first arrest", "peak contact force", "residual", "computed by"] {
+        assert!(done.out.contains(label), "{label}\n{}", done.out);
+    }
+    assert!(!done.out.contains('\u{1b}'), "no colour codes in a pipe");
+}
+
+#[test]
+fn json_has_every_key_of_the_contract() {
+    let place = Place::new();
+    for scene in ["thesis-baseline", "thin-plate-perforation", "rigid-mount"] {
+        let json = place.json(&format!("run {scene} --json"));
+        for key in CONTRACT_KEYS {
+            assert!(json.get(key).is_some(), "{scene}: {key}");
+        }
+        assert_eq!(json["scene"], scene);
+        assert_eq!(json["interface"], "fused");
+        assert_eq!(json["model"], "hydrodynamic");
+        assert!(json["steps"].is_u64() && json["warnings"].is_array());
+        assert!(json["run_time_s"].as_f64().unwrap() > 0.0);
+    }
+}
+
+#[test]
+fn set_changes_variables_in_order() {
+    let place = Place::new();
+    let json = place.json(
+        "run --json --set gamma=2 --set plate.mass_ratio=*2 --set k=7.5MN/m --set h=25.4mm --set interface=plastic \
+         --set theta=0deg --set d=50~mm",
+    );
+    let variables = &json["variables"];
+    assert_eq!(variables["plate.mass_ratio"], 4.0);
+    assert_eq!(variables["mechanism.spring.coefficient"], 7.5e6);
+    assert_eq!(variables["target.thickness_m"], 0.0254);
+    assert_eq!(variables["plate.cocking_m"], 0.05);
+    assert_eq!(json["interface"], "plastic");
+}
+
+#[test]
+fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
+    let place = Place::new();
+    for (arguments, fragments) in [
+        ("run --set gama=2", &["`gama` is not a variable", "`gamma`"][..]),
+        ("run --set gamma", &["NAME=VALUE"]),
+        ("run --set gamma=heavy", &["gamma (plate.mass_ratio)", "`heavy` is not a number"]),
+        (
+            "run --set gamma=-1",
+            &["gamma (plate.mass_ratio) = -1", "greater than 0", "did you mean 1?"],
+        ),
+        ("run --set m_p=nan", &["m_p (projectile.mass_kg)", "nan"]),
+        ("run --set m_p=1e999", &["m_p (projectile.mass_kg)", "not a finite number"]),
+        ("run --set h=3kg", &["h (target.thickness_m)", "`kg` is not a unit", "mm"]),
+        ("run --set interface=glue", &["interface (interface.law) = `glue`", "fused or plastic"]),
+        ("run --set stop=-1", &["x_stop (mechanism.stop.position_m) = -1 m", "reduce d"]),
+        ("run basline", &["`basline` is neither a preset nor a file"]),
+        ("run thesis-basline", &["did you mean `thesis-baseline`?"]),
+        ("run no/such.toml", &["no such file"]),
+        ("run .", &["cannot read `.`"]),
+        ("presets show cockd", &["did you mean `cocked`"]),
+        ("man swep", &["`swep` is not a subcommand", "run"]),
+        ("thesis-basline", &["did you mean `thesis-baseline`?"]),
+        ("run --csv a.toml", &["`a.toml` cannot be the target", "name a CSV file"]),
+    ] {
+        let done = place.cmra(arguments);
+        assert_eq!((done.code, done.out.as_str()), (2, ""), "{arguments}: {}", done.err);
+        assert!(done.err.starts_with("error: "), "{arguments}: {}", done.err);
+        assert_eq!(done.err.lines().count(), 1, "{arguments}: {}", done.err);
+        for fragment in fragments {
+            assert!(done.err.contains(fragment), "{arguments}: {}", done.err);
+        }
+    }
+}
+
+#[test]
+fn contradictory_options_are_refused() {
+    let place = Place::new();
+    for arguments in ["run --json --plain", "run --force", "run --nonsense", "cocked --fresh"] {
+        let done = place.cmra(arguments);
+        assert_eq!((done.code, done.out.as_str()), (2, ""), "{arguments}");
+        assert!(done.err.contains("Usage"), "{arguments}: {}", done.err);
+    }
+}
+
+#[test]
+fn a_broken_scene_file_is_told_with_its_lines() {
+    let place = Place::new();
+    place.write("bad.toml", "format = 1\n[plate]\nmass_ration = 2\ncocking_m = -1\n");
+    let done = place.cmra("run bad.toml");
+    assert_eq!(done.code, 2);
+    assert!(done.err.contains("bad.toml:3:1: `plate.mass_ration`"), "{}", done.err);
+    assert!(done.err.contains("bad.toml:4:13: d (plate.cocking_m) = -1 m"), "{}", done.err);
+}
+
+#[test]
+fn a_scene_comes_from_standard_input() {
+    let place = Place::new();
+    let done = outcome(
+        place
+            .command()
+            .args(["run", "-", "--json"])
+            .write_stdin("format = 1\nplate.mass_ratio = 3\n"),
+    );
+    assert_eq!(done.code, 0, "{}", done.err);
+    let json: Value = serde_json::from_str(&done.out).unwrap();
+    assert_eq!(json["variables"]["plate.mass_ratio"], 3.0);
+}
+
+#[test]
+fn csv_reads_back_the_same_floats() {
+    let place = Place::new();
+    let done = place.cmra("run free-plate --csv out.csv");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(done.err.contains("wrote out.csv\nwrote out.toml"), "{}", done.err);
+    let text = place.read("out.csv");
+    assert!(text.starts_with(CONTRACT_COLUMNS), "{}", text.lines().next().unwrap());
+    assert!(text.contains("first arrest"), "events stand in the rows");
+
+    // The same run inside this process, for floats to compare with.
+    let preset = cmra::files::preset::resolve("free-plate", None).unwrap();
+    let run = cmra::model::impact::simulate(
+        &std::sync::Arc::new(preset.scene),
+        &cmra::model::impact::Settings::default(),
+        &mut |_| std::ops::ControlFlow::Continue(()),
+    )
+    .unwrap();
+    let mut reader = csv::Reader::from_path(place.path("out.csv")).unwrap();
+    let mut rows = 0;
+    for (record, sample) in reader.records().zip(&run.series) {
+        let record = record.unwrap();
+        let number = |at: usize| record[at].parse::<f64>().unwrap().to_bits();
+        assert_eq!(number(0), sample.t_s.to_bits());
+        assert_eq!(&record[1], sample.mode.word());
+        assert_eq!(number(2), sample.penetration_m.to_bits());
+        assert_eq!(number(6), sample.plate_velocity_m_s.to_bits());
+        assert_eq!(number(7), sample.contact_force_n.to_bits());
+        rows += 1;
+    }
+    assert_eq!(rows, run.series.len());
+    assert!(rows > 20);
+}
+
+#[test]
+fn the_sidecar_runs_again_to_the_same_digits() {
+    let place = Place::new();
+    let first = place.json("run overdamped --set gamma=1.7 --set h=1/30 --json");
+    let done = place.cmra("run overdamped --set gamma=1.7 --set h=1/30 --csv out.csv");
+    assert_eq!(done.code, 0, "{}", done.err);
+    let sidecar = place.read("out.toml");
+    let version = env!("CARGO_PKG_VERSION");
+    assert!(sidecar.starts_with(&format!("# exported by cmra {version} with out.csv\n")));
+    assert!(sidecar.contains("# outcome: "), "{sidecar}");
+    let again = place.json("run out.toml --json");
+    assert_eq!(digits(again), digits(first));
+    let before = place.read("out.csv");
+    assert_eq!(place.cmra("run out.toml --csv again.csv").code, 0);
+    assert_eq!(place.read("again.csv"), before);
+}
+
+#[test]
+fn nothing_is_overwritten_unasked() {
+    let place = Place::new();
+    place.write("out.csv", "mine");
+    let done = place.cmra("run --csv out.csv");
+    assert_eq!((done.code, done.out.as_str()), (2, ""));
+    assert!(done.err.contains("`out.csv` exists") && done.err.contains("--force"), "{}", done.err);
+    assert_eq!(place.read("out.csv"), "mine");
+    assert!(!place.path("out.toml").exists());
+
+    assert_eq!(place.cmra("run --csv out.csv --force").code, 0);
+    assert!(place.read("out.csv").starts_with("time_s"));
+    assert_eq!(place.cmra("run --csv out.csv --force").code, 0, "an own sidecar may go");
+
+    // A sidecar alone in the way keeps the CSV from being written, too.
+    fs::remove_file(place.path("out.csv")).unwrap();
+    let done = place.cmra("run --csv out.csv");
+    assert_eq!(done.code, 2);
+    assert!(done.err.contains("out.toml` exists"), "{}", done.err);
+    assert!(!place.path("out.csv").exists());
+}
+
+#[test]
+fn a_scene_someone_wrote_is_never_taken_for_a_sidecar() {
+    let place = Place::new();
+    let mine = "# my plate\nformat = 1\nplate.mass_ratio = 2\n";
+    place.write("plate.toml", mine);
+    let done = place.cmra("run plate.toml --csv plate.csv --force");
+    assert_eq!(done.code, 2);
+    assert!(done.err.contains("was not written by an export"), "{}", done.err);
+    assert_eq!(place.read("plate.toml"), mine);
+    assert!(!place.path("plate.csv").exists());
+}
+
+#[test]
+fn csv_goes_to_standard_output_alone() {
+    let place = Place::new();
+    let done = place.cmra("run free-plate --csv -");
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    assert!(done.out.starts_with(CONTRACT_COLUMNS));
+    assert!(!done.out.contains("arrested:"));
+    assert_eq!(fs::read_dir(place.0.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_a_failure_and_leaves_nothing() {
+    let place = Place::new();
+    let done = place.cmra("run --csv no/such/out.csv");
+    assert_eq!((done.code, done.out.as_str()), (1, ""));
+    assert!(done.err.contains("cannot write `no/such/out.csv`"), "{}", done.err);
+    assert_eq!(fs::read_dir(place.0.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn presets_are_listed_and_shown() {
+    let place = Place::new();
+    let list = place.cmra("presets");
+    assert_eq!((list.code, list.err.as_str()), (0, ""));
+    for preset in cmra::files::bundled::BUNDLED {
+        let row = list.out.lines().find(|line| line.split_whitespace().next() == Some(preset.name));
+        assert!(row.is_some(), "{}", preset.name);
+        let shown = place.cmra(&format!("presets show {}", preset.name));
+        assert_eq!((shown.code, shown.out.as_str()), (0, preset.text));
+    }
+}
+
+#[test]
+fn own_presets_are_found_by_name() {
+    let place = Place::new();
+    place.write(
+        "data/cmra/presets/heavy.toml",
+        "format = 1\ntitle = \"Heavy\"\nplate.mass_ratio = 6\n",
+    );
+    place.write("data/cmra/presets/hurt.toml", "format = 1\nplate = 6\n");
+    // A file of a bundled name is not what that name means.
+    place.write("data/cmra/presets/cocked.toml", "format = 1\nplate.mass_ratio = 6\n");
+    let list = place.cmra("presets");
+    assert_eq!(list.code, 0);
+    assert!(list.out.contains("\nheavy ") && list.out.contains("Heavy"), "{}", list.out);
+    assert!(list.err.contains("hurt.toml:2:9"), "{}", list.err);
+    assert_eq!(place.json("run heavy --json")["variables"]["plate.mass_ratio"], 6.0);
+    assert_eq!(place.json("run cocked --json")["variables"]["plate.mass_ratio"], 1.0);
+}
+
+#[test]
+fn paths_follow_the_environment() {
+    let place = Place::new();
+    let done = place.cmra("paths");
+    assert_eq!(done.code, 0);
+    for path in ["data/cmra/presets", "state/cmra/session.toml", "state/cmra/cmra.log"] {
+        let path = place.path(path);
+        assert!(done.out.contains(path.to_str().unwrap()), "{}", done.out);
+    }
+}
+
+#[test]
+fn completions_and_manual_pages_are_printed() {
+    let place = Place::new();
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let done = place.cmra(&format!("completions {shell}"));
+        assert_eq!(done.code, 0, "{shell}");
+        assert!(done.out.contains("presets"), "{shell}");
+    }
+    for (page, title) in [("man", ".TH cmra 1"), ("man run", ".TH cmra-run 1")] {
+        let done = place.cmra(page);
+        assert_eq!(done.code, 0, "{page}");
+        assert!(done.out.contains(title), "{page}: {}", done.out);
+    }
+}
+
+#[test]
+fn help_and_version_are_results() {
+    let place = Place::new();
+    for arguments in ["--help", "run --help", "--version"] {
+        let done = place.cmra(arguments);
+        assert_eq!((done.code, done.err.as_str()), (0, ""), "{arguments}");
+        assert!(done.out.contains("cmra"), "{arguments}");
+    }
+}
+
+#[test]
+fn plain_charts_are_ascii_and_narrow() {
+    let place = Place::new();
+    let done = place.cmra("run --plain");
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    assert!(done.out.is_ascii());
+    for title in ["penetration p, contact", "plate displacement x", "contact force F"] {
+        assert!(done.out.contains(title), "{title}");
+    }
+    let charts = done.out.lines().filter(|line| line.starts_with(['|', '+']));
+    assert!(charts.clone().count() > 30);
+    assert!(charts.clone().all(|line| line.len() <= 80));
+}
+
+#[test]
+fn without_a_terminal_the_workbench_prints_the_plain_run() {
+    let place = Place::new();
+    let computed = |text: &str| text.find("computed by").unwrap();
+    let plain = place.cmra("run cocked --plain").out;
+    for arguments in ["cocked", "cocked --glyphs ascii"] {
+        let done = place.cmra(arguments);
+        assert_eq!(done.code, 0);
+        assert!(done.err.contains("needs a terminal"), "{}", done.err);
+        assert_eq!(done.err.lines().count(), 1);
+        // All but the time it took.
+        assert_eq!(done.out[..computed(&done.out)], plain[..computed(&plain)]);
+    }
+    let done = place.cmra("");
+    assert!(done.out.starts_with("thesis-baseline"), "{}", done.out);
+    assert!(!Path::new(&place.path("state")).exists(), "no session is written");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_leaves_early_is_no_error() {
+    use std::io::Read as _;
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(env!("CARGO_BIN_EXE_cmra"))
+        .args(["run", "--csv", "-"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let mut said = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    assert_eq!(said, "");
+}

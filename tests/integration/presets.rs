@@ -1,0 +1,92 @@
+//! Every bundled preset: complete, readable, explained, and written back without loss.
+
+use std::collections::BTreeSet;
+
+use cmra::files::bundled::{BASELINE, BUNDLED};
+use cmra::files::preset::{self, Preset};
+use cmra::files::{read, write};
+use cmra::model::scene::Scene;
+use cmra::model::variables::{VARIABLES, validate};
+
+use crate::support::{files_in, in_repository};
+
+fn all() -> Vec<Preset> {
+    let (presets, problems) = preset::list(None);
+    assert!(problems.is_empty(), "{problems:?}");
+    presets
+}
+
+#[test]
+fn the_table_of_bundled_presets_is_the_folder() {
+    let in_folder: BTreeSet<String> = files_in(&in_repository("presets"), "toml")
+        .iter()
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    let in_table: BTreeSet<String> = BUNDLED.iter().map(|one| one.name.to_owned()).collect();
+    assert_eq!(in_table, in_folder);
+    assert_eq!(BUNDLED.len(), in_table.len(), "a name stands twice");
+    assert_eq!(BUNDLED[0].name, BASELINE);
+}
+
+#[test]
+fn every_preset_loads_validates_and_is_explained() {
+    for preset in all() {
+        let name = &preset.name;
+        validate(&preset.scene).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(preset.comment.starts_with("Source: "), "{name}");
+        assert!(preset.comment.contains("\nExpect: "), "{name}");
+        let length = preset.scene.title.chars().count();
+        assert!((1..=40).contains(&length), "{name}: title of {length}");
+    }
+}
+
+#[test]
+fn every_preset_is_written_and_read_without_loss() {
+    for preset in all() {
+        let name = &preset.name;
+        let fresh = write::fresh(&preset.scene);
+        assert_eq!(read::scene(&fresh, name).unwrap(), preset.scene, "{name}");
+        let same = write::updated(&preset.text, name, &preset.scene).unwrap();
+        assert_eq!(same, preset.text, "{name}: saving unchanged changes the text");
+    }
+}
+
+#[test]
+fn the_baseline_is_the_default_scene() {
+    let baseline = preset::baseline().unwrap().scene;
+    let defaults = Scene::default();
+    for variable in VARIABLES {
+        assert_eq!(variable.value(&baseline), variable.value(&defaults), "{}", variable.key);
+    }
+    assert_eq!(baseline.sweep, None);
+}
+
+#[test]
+fn every_figure_has_its_sweep_over_the_range_searched() {
+    let mut figures = 0;
+    for preset in all() {
+        let Some(number) = preset.name.strip_prefix("figure-9.") else {
+            assert_eq!(preset.scene.sweep, None, "{}", preset.name);
+            continue;
+        };
+        figures += 1;
+        let number: usize = number.parse().unwrap();
+        let sweep = preset.scene.sweep.expect("a figure has a sweep");
+        // Figures 9.2 to 9.6 are curves, 9.7 to 9.12 surfaces.
+        assert_eq!(sweep.axes.len(), if number <= 6 { 1 } else { 2 }, "{number}");
+        assert_eq!(sweep.outputs, ["percent_of_baseline", "max_plate_displacement_m"]);
+        for axis in sweep.axes {
+            // Table 9.2 of the thesis.
+            let range = match axis.name.as_str() {
+                "gamma" => (0.8, 7.0),
+                "d" => (0.0, 0.5),
+                "b" => (0.0, 2000.0),
+                "k" => (0.0, 7.5e6),
+                "n" => (0.1, 3.0),
+                other => panic!("figure 9.{number} sweeps over {other}"),
+            };
+            assert_eq!((axis.from, axis.to), range, "figure 9.{number}");
+        }
+    }
+    assert_eq!(figures, 11);
+}

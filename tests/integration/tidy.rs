@@ -1,0 +1,178 @@
+//! The house rules that a compiler does not check: who may import whom, what a layer must not know, how a file begins and
+//! how long it may be.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::support::in_repository;
+
+/// The layers from the lowest to the highest: a file may name its own and those before it.
+const LAYERS: [&str; 7] = ["numerics", "model", "study", "files", "worker", "tui", "cli"];
+
+/// What a part of the house must not know: words that must not appear in its code.
+const MUST_NOT_KNOW: &[(&str, &[&str])] = &[
+    (
+        "numerics",
+        &["std::fs", "std::time", "std::thread", "plate", "projectile", "ratatui", "serde"],
+    ),
+    ("model", &["std::fs", "std::time", "std::thread", "std::io", "ratatui", "serde", "toml::"]),
+    ("files", &["std::thread", "ratatui", "crossterm", "stdout()", "stderr()"]),
+    ("worker", &["ratatui", "crossterm"]),
+    ("tui/app", &["ratatui", "std::fs", "Instant::now"]),
+    ("tui/update", &["ratatui", "std::fs", "Instant::now"]),
+    ("tui/chart", &["crate::model", "crate::files", "crate::worker"]),
+];
+
+const LINES_MAX: usize = 500;
+
+struct Source {
+    /// Path below `src/`, with `/`.
+    name: String,
+    text: String,
+}
+
+impl Source {
+    /// Everything before the tests.
+    fn code(&self) -> &str {
+        let end = self.text.find("#[cfg(test)]\nmod tests");
+        &self.text[..end.unwrap_or(self.text.len())]
+    }
+
+    /// Lines of code with their numbers, without comments.
+    fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
+        self.text
+            .lines()
+            .enumerate()
+            .map(|(index, line)| (index + 1, line.split("//").next().unwrap_or("")))
+    }
+
+    /// The top-level module it belongs to; none for `main.rs` and `lib.rs`.
+    fn layer(&self) -> Option<usize> {
+        let top = self.name.split(['/', '.']).next()?;
+        LAYERS.iter().position(|layer| *layer == top)
+    }
+}
+
+fn sources() -> Vec<Source> {
+    let root = in_repository("src");
+    let mut folders = vec![root.clone()];
+    let mut found: Vec<PathBuf> = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| end == "rs") {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    let name = |path: &Path| {
+        let parts = path.strip_prefix(&root).unwrap().iter();
+        parts.map(|part| part.to_str().unwrap()).collect::<Vec<_>>().join("/")
+    };
+    found
+        .iter()
+        .map(|path| Source { name: name(path), text: fs::read_to_string(path).unwrap() })
+        .collect()
+}
+
+fn assert_none(complaints: &[String]) {
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
+/// The modules named directly after `crate::` in a line, `crate::{a, b}` included.
+fn named_modules(line: &str) -> Vec<&str> {
+    let mut names = Vec::new();
+    for after in line.split("crate::").skip(1) {
+        let group = after.strip_prefix('{').map(|rest| rest.split('}').next().unwrap_or(rest));
+        let list = group.unwrap_or(after);
+        for item in list.split(',') {
+            let end = item.trim_start().find(|c: char| !(c.is_alphanumeric() || c == '_'));
+            let item = item.trim_start();
+            names.push(&item[..end.unwrap_or(item.len())]);
+            if group.is_none() {
+                break;
+            }
+        }
+    }
+    names
+}
+
+#[test]
+fn arrows_point_one_way() {
+    let mut complaints = Vec::new();
+    for source in sources() {
+        let Some(own) = source.layer() else { continue };
+        for (number, line) in source.lines() {
+            for name in named_modules(line) {
+                let Some(other) = LAYERS.iter().position(|layer| *layer == name) else {
+                    complaints.push(format!("{}:{number}: crate::{name} is no layer", source.name));
+                    continue;
+                };
+                if other > own {
+                    complaints.push(format!(
+                        "{}:{number}: {} must not know {name}",
+                        source.name, LAYERS[own]
+                    ));
+                }
+            }
+        }
+    }
+    assert_none(&complaints);
+}
+
+#[test]
+fn named_modules_are_found() {
+    assert_eq!(named_modules("use crate::model::run::Run;"), ["model"]);
+    assert_eq!(named_modules("use crate::{tui, cli::run};"), ["tui", "cli"]);
+    assert_eq!(named_modules("f(crate::a::B, crate::c)"), ["a", "c"]);
+    assert!(named_modules("use super::x;").is_empty());
+}
+
+#[test]
+fn nobody_knows_what_it_must_not_know() {
+    let mut complaints = Vec::new();
+    for source in sources() {
+        let code_lines = source.code().lines().count();
+        for (part, words) in MUST_NOT_KNOW {
+            let is_part =
+                source.name == format!("{part}.rs") || source.name.starts_with(&format!("{part}/"));
+            if !is_part {
+                continue;
+            }
+            for (number, line) in source.lines().take(code_lines) {
+                for word in *words {
+                    if line.contains(word) {
+                        complaints.push(format!("{}:{number}: knows {word}", source.name));
+                    }
+                }
+            }
+        }
+    }
+    assert_none(&complaints);
+}
+
+#[test]
+fn every_file_says_what_it_is_and_keeps_to_one_subject() {
+    let mut complaints = Vec::new();
+    for source in sources() {
+        if !source.text.starts_with("//! ") {
+            complaints.push(format!("{}: does not open with `//!`", source.name));
+        }
+        let lines = source.code().lines().count();
+        if lines > LINES_MAX {
+            complaints.push(format!("{}: {lines} lines before its tests", source.name));
+        }
+        if source.name.ends_with("mod.rs") {
+            complaints.push(format!("{}: write a parent file instead", source.name));
+        }
+        for (number, line) in source.lines() {
+            if line.trim_start().starts_with("pub use") && line.contains("::*") {
+                complaints.push(format!("{}:{number}: pub use of everything", source.name));
+            }
+        }
+    }
+    assert_none(&complaints);
+}
