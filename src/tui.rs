@@ -1,3 +1,5 @@
 //! The workbench.
 
+pub mod chart;
 pub mod message;
+pub mod theme;

@@ -1,0 +1,455 @@
+//! Charts for scientific use in a terminal: linear and logarithmic axes with ticks under their labels, gaps where a value is
+//! missing, spikes kept whatever the width, event lines, a crosshair, a second vertical axis.
+//!
+//! ```text
+//! +- Penetration p [mm] ------ * now  o A rigid  t [us] +    title; legend; the horizontal axis
+//! |  8+              a                         b        |    events with their tags
+//! |   |              :               ooooooooooooooo    |    curves over event lines
+//! |  4+        ooooo****************************        |
+//! |   | *******      :                         :        |
+//! |  0+*             :                         :        |
+//! |   ++--------------+--------------+--------------+   |
+//! |    0             50             100            150  |    labels centred on their ticks
+//! +-----------------------------------------------------+
+//! ```
+//!
+//! Everything shown comes in as plain data: names and units are texts. Knows ratatui and the theme; must not know plates,
+//! runs or scenes. A chart of any size with any numbers draws inside its area, never panics, and costs O(points + cells).
+
+use std::borrow::Cow;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use crate::tui::theme::{Pane, Role, Theme, ascii_pass};
+
+mod canvas;
+pub mod curve;
+pub mod layout;
+mod paint;
+pub mod prefix;
+pub mod scale;
+mod ticks;
+mod trace;
+
+pub use curve::{Curve, Emphasis, MARKERS, Points, Side};
+pub use layout::Layout;
+pub use prefix::Unit;
+pub use scale::{Mapping, Scale, ViewRange};
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis<'a> {
+    /// What it measures: `t`. Of the left axis the chart's title says it.
+    pub label: Cow<'a, str>,
+    /// The unit numbers are shown in; points, views, events and crosshair stay in the unit of the data.
+    pub unit: Unit<'a>,
+    /// How values are spread.
+    pub scale: Scale,
+    /// Which values are shown, in the unit of the data.
+    pub view: ViewRange,
+    /// Whether numbers stand at the ticks.
+    pub labels: Labels,
+}
+
+impl<'a> Axis<'a> {
+    /// A linear axis that shows numbers as they are, without a unit.
+    pub fn new(label: impl Into<Cow<'a, str>>, view: ViewRange) -> Self {
+        Self {
+            label: label.into(),
+            unit: Unit::new(""),
+            scale: Scale::Linear,
+            view,
+            labels: Labels::Shown,
+        }
+    }
+
+    /// With numbers in this unit.
+    #[must_use]
+    pub fn unit(mut self, unit: Unit<'a>) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    /// With this scale.
+    #[must_use]
+    pub fn scale(mut self, scale: Scale) -> Self {
+        self.scale = scale;
+        self
+    }
+
+    /// With or without numbers.
+    #[must_use]
+    pub fn labels(mut self, labels: Labels) -> Self {
+        self.labels = labels;
+        self
+    }
+}
+
+/// Whether the numbers of the horizontal axis are written: of charts stacked on one time axis only the lowest needs them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Labels {
+    /// Written.
+    #[default]
+    Shown,
+    /// Ticks only.
+    Hidden,
+}
+
+/// A vertical dotted line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EventLine<'a> {
+    /// Where, in the unit of the data.
+    pub x: f64,
+    /// A letter or a few at its top; may be empty.
+    pub tag: Cow<'a, str>,
+}
+
+/// A horizontal dotted line, by the left axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Level<'a> {
+    /// Where, in the unit of the data.
+    pub y: f64,
+    /// A word at its right end; may be empty.
+    pub tag: Cow<'a, str>,
+}
+
+/// What is around a chart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Frame {
+    /// A box with the title in its top line.
+    #[default]
+    Boxed,
+    /// A box without its lower line, for charts stacked on each other.
+    OpenBelow,
+    /// A title line only.
+    Bare,
+}
+
+/// Whether the curves are named.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Legend {
+    /// In the title line, or in a row above the plot where that is too short. Never over data.
+    #[default]
+    Shown,
+    /// Not: another chart names them.
+    Hidden,
+}
+
+/// A chart. Build it with [`Chart::new`] and set the rest: `Chart { crosshair: Some(t), ..Chart::new(title, x, y, curves) }`.
+pub struct Chart<'a> {
+    /// What it shows; the unit of the left axis is appended.
+    pub title: Cow<'a, str>,
+    /// The horizontal axis.
+    pub x: Axis<'a>,
+    /// The left axis.
+    pub y: Axis<'a>,
+    /// A second vertical axis, for the curves of [`Side::Right`].
+    pub right: Option<Axis<'a>>,
+    /// The curves, later ones over earlier ones.
+    pub curves: Vec<Curve<'a>>,
+    /// Vertical lines under the curves.
+    pub events: Vec<EventLine<'a>>,
+    /// Horizontal lines under the curves.
+    pub levels: Vec<Level<'a>>,
+    /// Where the crosshair stands, in the unit of the data.
+    pub crosshair: Option<f64>,
+    /// What is around it.
+    pub frame: Frame,
+    /// Whether the curves are named.
+    pub legend: Legend,
+    /// Least columns for the labels of the left axis; see [`align_gutters`].
+    pub gutter: u16,
+    /// Whether it has the keys.
+    pub focused: bool,
+}
+
+/// What a drawn chart tells its caller.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// Where everything lies.
+    pub layout: Layout,
+    /// Points a logarithmic axis could not show because a value is not positive.
+    pub left_out: usize,
+}
+
+impl<'a> Chart<'a> {
+    /// A chart with curves and axes and nothing else.
+    pub fn new(
+        title: impl Into<Cow<'a, str>>,
+        x: Axis<'a>,
+        y: Axis<'a>,
+        curves: Vec<Curve<'a>>,
+    ) -> Self {
+        Self {
+            title: title.into(),
+            x,
+            y,
+            right: None,
+            curves,
+            events: Vec::new(),
+            levels: Vec::new(),
+            crosshair: None,
+            frame: Frame::Boxed,
+            legend: Legend::Shown,
+            gutter: 0,
+            focused: false,
+        }
+    }
+
+    /// Where everything would lie in an area, without drawing.
+    pub fn layout(&self, area: Rect) -> Layout {
+        self.plan(area, Theme::PLAIN).layout
+    }
+
+    /// Draws the chart into an area.
+    pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Drawn {
+        let area = area.intersection(buffer.area);
+        let plan = self.plan(area, theme);
+        self.draw_frame(&plan, area, buffer, theme);
+        paint::paint(self, &plan.layout, buffer, theme);
+        Drawn {
+            layout: plan.layout,
+            left_out: plan.left_out,
+        }
+    }
+
+    /// The chart as lines of text, blanks at their ends removed: what `--plain` prints.
+    pub fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
+        let area = Rect::new(0, 0, width, height);
+        let mut buffer = Buffer::empty(area);
+        self.render(area, &mut buffer, theme);
+        if theme.glyphs == crate::tui::theme::GlyphSet::Ascii {
+            ascii_pass(&mut buffer);
+        }
+        buffer_lines(&buffer)
+    }
+
+    fn plan(&self, area: Rect, theme: Theme) -> Plan<'_> {
+        let left_out = self.left_out();
+        let inner = self.inner(area);
+        let room = usize::from(area.width.saturating_sub(8));
+        let legend = self.legend_line(theme);
+        let axis = |layout: &Layout| axis_text(&self.x, layout.x_ticks.exponent);
+
+        let layout = layout::layout(self, inner, false);
+        let title = self.title_text(&layout, left_out);
+        let both = join(legend.clone(), axis(&layout));
+        if Span::raw(&title).width() + both.width() <= room {
+            return Plan {
+                layout,
+                title,
+                right: both,
+                legend: Line::default(),
+                left_out,
+            };
+        }
+        let layout = layout::layout(self, inner, legend.width() > 0);
+        let title = self.title_text(&layout, left_out);
+        let axis = Line::from(axis(&layout));
+        let room = room.saturating_sub(Span::raw(&title).width());
+        let (right, legend) = if layout.legend.is_some() {
+            (axis, legend)
+        } else if legend.width() > 0 {
+            (shortened(legend, room), Line::default())
+        } else {
+            (axis, legend)
+        };
+        Plan {
+            layout,
+            title,
+            right,
+            legend,
+            left_out,
+        }
+    }
+
+    fn inner(&self, area: Rect) -> Rect {
+        match self.frame {
+            Frame::Boxed => Pane::default().inner(area),
+            Frame::OpenBelow => Pane::default().open_below().inner(area),
+            Frame::Bare => {
+                let top = area.height.min(1);
+                Rect {
+                    y: area.y + top,
+                    height: area.height - top,
+                    ..area
+                }
+            }
+        }
+    }
+
+    fn draw_frame(&self, plan: &Plan<'_>, area: Rect, buffer: &mut Buffer, theme: Theme) {
+        let title = Line::from(plan.title.as_str());
+        let pane = Pane::new(title.clone())
+            .right(plan.right.clone())
+            .focused(self.focused);
+        match self.frame {
+            Frame::Boxed => {
+                pane.render(area, buffer, theme);
+            }
+            Frame::OpenBelow => {
+                pane.open_below().render(area, buffer, theme);
+            }
+            Frame::Bare if area.height > 0 => {
+                let style = theme.style(if self.focused {
+                    Role::Focus
+                } else {
+                    Role::Title
+                });
+                let right = u16::try_from(plan.right.width()).unwrap_or(u16::MAX);
+                buffer.set_line(area.x, area.y, &title.patch_style(style), area.width);
+                let used = u16::try_from(Span::raw(&plan.title).width()).unwrap_or(u16::MAX);
+                if used.saturating_add(right).saturating_add(2) <= area.width {
+                    buffer.set_line(area.right() - right, area.y, &plan.right, right);
+                }
+            }
+            Frame::Bare => {}
+        }
+        if let Some(row) = plan.layout.legend {
+            buffer.set_line(row.x + 1, row.y, &plan.legend, row.width.saturating_sub(1));
+        }
+    }
+
+    /// Points that a logarithmic axis cannot show.
+    fn left_out(&self) -> usize {
+        let count = |curve: &Curve<'_>| {
+            let vertical = match (curve.side, &self.right) {
+                (Side::Right, Some(axis)) => axis.scale,
+                (Side::Right, None) | (Side::Left, _) => self.y.scale,
+            };
+            trace::left_out(curve, self.x.scale, vertical)
+        };
+        self.curves.iter().map(count).sum()
+    }
+
+    fn title_text(&self, layout: &Layout, left_out: usize) -> String {
+        let unit = unit_text(&self.y, layout.y_ticks.exponent);
+        let mut text = spaced(&self.title, &unit);
+        if let Some(axis) = &self.right {
+            text += ", right: ";
+            text += &axis_text(axis, layout.right_ticks.exponent);
+        }
+        match left_out {
+            0 => text,
+            1 => text + " (1 point <= 0 left out)",
+            count => text + &format!(" ({count} points <= 0 left out)"),
+        }
+    }
+
+    fn legend_line(&self, theme: Theme) -> Line<'_> {
+        let mut spans = Vec::new();
+        if self.legend == Legend::Hidden {
+            return Line::default();
+        }
+        for curve in &self.curves {
+            if !spans.is_empty() {
+                spans.push(Span::raw("  "));
+            }
+            let style = theme.style(curve.role());
+            spans.push(Span::styled(curve.cell_marker().to_string(), style));
+            let old = match curve.emphasis {
+                Emphasis::Stale => " (old)",
+                Emphasis::Normal | Emphasis::Selected => "",
+            };
+            let side = match curve.side {
+                Side::Left => "",
+                Side::Right => " (right)",
+            };
+            spans.push(Span::raw(format!(" {}{old}{side}", curve.label)));
+        }
+        Line::from(spans)
+    }
+}
+
+/// What goes where in the title line.
+struct Plan<'a> {
+    layout: Layout,
+    title: String,
+    right: Line<'a>,
+    legend: Line<'a>,
+    left_out: usize,
+}
+
+/// Makes the plots of charts stacked on each other begin in one column: gives all the widest gutter.
+pub fn align_gutters(charts: &mut [Chart<'_>], areas: &[Rect]) {
+    let gutters = charts
+        .iter()
+        .zip(areas)
+        .map(|(chart, area)| chart.layout(*area).gutter);
+    let widest = gutters.max().unwrap_or(0);
+    for chart in charts {
+        chart.gutter = widest;
+    }
+}
+
+/// A buffer as lines of text, blanks at their ends removed.
+pub fn buffer_lines(buffer: &Buffer) -> Vec<String> {
+    let width = usize::from(buffer.area.width.max(1));
+    let line = |row: &[ratatui::buffer::Cell]| {
+        let mut text = String::with_capacity(width);
+        let mut hidden = 0;
+        for cell in row {
+            // A wide character hides the cell after it.
+            if hidden > 0 {
+                hidden -= 1;
+                continue;
+            }
+            text.push_str(cell.symbol());
+            hidden = Span::raw(cell.symbol()).width().saturating_sub(1);
+        }
+        text.truncate(text.trim_end().len());
+        text
+    };
+    buffer.content.chunks(width).map(line).collect()
+}
+
+fn unit_text(axis: &Axis<'_>, exponent: i32) -> String {
+    let unit = &axis.unit.name;
+    match (exponent, unit.is_empty()) {
+        (0, true) => String::new(),
+        (0, false) => format!("[{unit}]"),
+        (_, true) => format!("[1e{exponent}]"),
+        (_, false) => format!("[1e{exponent} {unit}]"),
+    }
+}
+
+fn axis_text(axis: &Axis<'_>, exponent: i32) -> String {
+    spaced(&axis.label, &unit_text(axis, exponent))
+}
+
+fn spaced(a: &str, b: &str) -> String {
+    let gap = if a.is_empty() || b.is_empty() {
+        ""
+    } else {
+        " "
+    };
+    format!("{a}{gap}{b}")
+}
+
+fn join<'a>(mut legend: Line<'a>, axis: String) -> Line<'a> {
+    if !axis.is_empty() {
+        if legend.width() > 0 {
+            legend.spans.push(Span::raw("   "));
+        }
+        legend.spans.push(Span::raw(axis));
+    }
+    legend
+}
+
+/// As many whole entries of a legend as fit; markers alone when no more than that fits.
+fn shortened(legend: Line<'_>, room: usize) -> Line<'_> {
+    if legend.width() <= room {
+        return legend;
+    }
+    let markers = legend.spans.iter().filter(|span| span.width() == 1);
+    let mut short: Vec<Span<'_>> = Vec::new();
+    for marker in markers {
+        if short.len() + 2 > room {
+            break;
+        }
+        short.push(marker.clone());
+    }
+    Line::from(short)
+}

@@ -1,0 +1,228 @@
+//! The dots of a plot: one, two or eight to a cell, each cell remembering whose dots it has.
+//!
+//! Coordinates run in dots, x to the right and y upward from the lower left corner of the lower left dot.
+
+use super::scale::whole_below;
+use crate::tui::theme::GlyphSet;
+
+/// A grid of dots.
+pub(super) struct Canvas {
+    glyphs: GlyphSet,
+    /// Cells across and down.
+    cells: (usize, usize),
+    /// Dots of each cell, as bits: row of dots from the top times dots across, plus column of dots.
+    dots: Vec<u8>,
+    /// Who drew last in each cell; meaningless where there are no dots.
+    owners: Vec<usize>,
+    /// Lowest and highest row of cells from the top that the present owner reached in each column.
+    reach: Vec<Option<(usize, usize)>>,
+}
+
+impl Canvas {
+    pub(super) fn new(glyphs: GlyphSet, width: u16, height: u16) -> Self {
+        let cells = (usize::from(width), usize::from(height));
+        Self {
+            glyphs,
+            cells,
+            dots: vec![0; cells.0 * cells.1],
+            owners: vec![0; cells.0 * cells.1],
+            reach: vec![None; cells.0],
+        }
+    }
+
+    /// Dots across and upward.
+    pub(super) fn size(&self) -> (usize, usize) {
+        let (across, down) = self.glyphs.dots();
+        (
+            self.cells.0 * usize::from(across),
+            self.cells.1 * usize::from(down),
+        )
+    }
+
+    /// A position in cells from the middle of the first one, in dots.
+    pub(super) fn in_dots(&self, x: f64, y: f64) -> (f64, f64) {
+        let (across, down) = self.glyphs.dots();
+        ((x + 0.5) * f64::from(across), (y + 0.5) * f64::from(down))
+    }
+
+    /// Forgets which cells the last owner reached, for the next one.
+    pub(super) fn start_owner(&mut self) {
+        self.reach.fill(None);
+    }
+
+    /// For a column of cells, the middle of what the present owner drew there: a row of cells from the top.
+    pub(super) fn middle(&self, column: usize) -> Option<usize> {
+        let (top, bottom) = (*self.reach.get(column)?)?;
+        Some(usize::midpoint(top, bottom))
+    }
+
+    /// The owner of a cell (from the top) and its dots, if it has any.
+    pub(super) fn cell(&self, column: usize, row: usize) -> Option<(usize, char)> {
+        let index = row * self.cells.0 + column;
+        let dots = *self.dots.get(index)?;
+        (dots != 0).then(|| (self.owners[index], self.character(dots)))
+    }
+
+    fn character(&self, dots: u8) -> char {
+        match self.glyphs {
+            GlyphSet::Ascii => '*',
+            GlyphSet::Block => match dots {
+                0b01 => '▀',
+                0b10 => '▄',
+                _ => '█',
+            },
+            GlyphSet::Braille => char::from_u32(0x2800 + u32::from(braille(dots))).unwrap_or(' '),
+        }
+    }
+
+    /// Sets the dot at whole coordinates; outside the grid nothing happens.
+    pub(super) fn dot(&mut self, x: usize, y: usize, owner: usize) {
+        let (width, height) = self.size();
+        if x >= width || y >= height {
+            return;
+        }
+        let (across, down) = self.glyphs.dots();
+        let (across, down) = (usize::from(across), usize::from(down));
+        let from_top = height - 1 - y;
+        let (column, row) = (x / across, from_top / down);
+        let index = row * self.cells.0 + column;
+        self.dots[index] |= 1 << (from_top % down * across + x % across);
+        self.owners[index] = owner;
+        let (top, bottom) = self.reach[column].unwrap_or((row, row));
+        self.reach[column] = Some((top.min(row), bottom.max(row)));
+    }
+
+    /// Fills a column of dots from one height to another, as far as it lies in the grid.
+    pub(super) fn span(&mut self, x: usize, low: f64, high: f64, owner: usize) {
+        let height = self.size().1;
+        let top = height as f64 - 0.5;
+        if low >= height as f64 || high < 0.0 {
+            return;
+        }
+        let ends = (
+            whole_below(low.max(0.0), height),
+            whole_below(high.min(top), height),
+        );
+        if let (Some(low), Some(high)) = ends {
+            for y in low..=high {
+                self.dot(x, y, owner);
+            }
+        }
+    }
+
+    /// A straight line, as far as it lies in the grid.
+    pub(super) fn line(&mut self, from: (f64, f64), to: (f64, f64), owner: usize) {
+        let (width, height) = self.size();
+        let Some((from, to)) = clip(from, to, (width as f64, height as f64)) else {
+            return;
+        };
+        let place = |(x, y): (f64, f64)| {
+            let x = whole_below(x.clamp(0.0, width as f64 - 0.5), width)?;
+            let y = whole_below(y.clamp(0.0, height as f64 - 0.5), height)?;
+            Some((x, y))
+        };
+        if let (Some(from), Some(to)) = (place(from), place(to)) {
+            self.walk(from, to, owner);
+        }
+    }
+
+    /// Bresenham's line between two dots, both drawn: one dot a column where it is flat, one a row where it is steep.
+    fn walk(&mut self, from: (usize, usize), to: (usize, usize), owner: usize) {
+        let (dx, dy) = (from.0.abs_diff(to.0), from.1.abs_diff(to.1));
+        let steps = dx.max(dy);
+        for step in 0..=steps {
+            // Rounded to the nearest dot, halves away from the start.
+            let part = |from: usize, to: usize, length: usize| {
+                let by = (step * length + steps / 2).checked_div(steps).unwrap_or(0);
+                if to >= from { from + by } else { from - by }
+            };
+            let (x, y) = (part(from.0, to.0, dx), part(from.1, to.1, dy));
+            self.dot(x, y, owner);
+        }
+    }
+}
+
+/// From rows of two dots to the order of bits in a braille character: 1 4 / 2 5 / 3 6 / 7 8.
+fn braille(dots: u8) -> u8 {
+    const BITS: [u8; 8] = [0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80];
+    let set = |(place, bit): (usize, &u8)| if dots >> place & 1 == 1 { *bit } else { 0 };
+    BITS.iter().enumerate().map(set).sum()
+}
+
+/// The part of a line inside `0..=size` (Liang and Barsky 1984), if any.
+fn clip(from: (f64, f64), to: (f64, f64), size: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    let edges = [
+        (-dx, from.0),
+        (dx, size.0 - from.0),
+        (-dy, from.1),
+        (dy, size.1 - from.1),
+    ];
+    for (toward, distance) in edges {
+        if toward == 0.0 {
+            if distance < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let at = distance / toward;
+        if toward < 0.0 {
+            enter = enter.max(at);
+        } else {
+            leave = leave.min(at);
+        }
+    }
+    let point = |t: f64| (from.0 + t * dx, from.1 + t * dy);
+    (enter <= leave).then(|| (point(enter), point(leave)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture(canvas: &Canvas) -> Vec<String> {
+        let (width, height) = canvas.cells;
+        let row = |y| (0..width).map(move |x| canvas.cell(x, y).map_or(' ', |(_, c)| c));
+        (0..height).map(|y| row(y).collect()).collect()
+    }
+
+    #[test]
+    fn flat_lines_have_one_dot_a_column_and_steep_ones_one_a_row() {
+        let mut flat = Canvas::new(GlyphSet::Ascii, 6, 2);
+        flat.line((0.5, 0.5), (5.5, 1.5), 0);
+        assert_eq!(picture(&flat), ["   ***", "***   "]);
+        let mut steep = Canvas::new(GlyphSet::Ascii, 2, 4);
+        steep.line((0.5, 0.5), (1.5, 3.5), 0);
+        assert_eq!(picture(&steep), [" *", " *", "* ", "* "]);
+    }
+
+    #[test]
+    fn lines_are_cut_at_the_edges_however_long_they_are() {
+        let mut canvas = Canvas::new(GlyphSet::Ascii, 4, 3);
+        canvas.line((-1e9, 1.5), (1e9, 1.5), 0);
+        assert_eq!(picture(&canvas), ["    ", "****", "    "]);
+        canvas.line((-5.0, -5.0), (-1.0, 9.0), 0);
+        assert_eq!(picture(&canvas), ["    ", "****", "    "]);
+    }
+
+    #[test]
+    fn every_braille_dot_is_where_unicode_has_it() {
+        // Unicode 15, block "Braille Patterns": dots 1 2 3 7 go down the left side, 4 5 6 8 down the right.
+        let expected = ["⠁", "⠂", "⠄", "⡀", "⠈", "⠐", "⠠", "⢀"];
+        for (index, character) in expected.iter().enumerate() {
+            let mut canvas = Canvas::new(GlyphSet::Braille, 1, 1);
+            canvas.dot(index / 4, 3 - index % 4, 0);
+            assert_eq!(picture(&canvas), [*character]);
+        }
+    }
+
+    #[test]
+    fn half_blocks_hold_two_dots() {
+        let mut canvas = Canvas::new(GlyphSet::Block, 3, 1);
+        canvas.dot(0, 1, 0);
+        canvas.dot(1, 0, 0);
+        canvas.span(2, -7.0, 99.0, 0);
+        assert_eq!(picture(&canvas), ["▀▄█"]);
+    }
+}

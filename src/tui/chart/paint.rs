@@ -1,0 +1,290 @@
+//! Puts a laid-out chart into cells: axes, reference and event lines, curves over them, the crosshair over all.
+
+use ratatui::buffer::Buffer;
+use ratatui::style::{Modifier, Style};
+
+use super::canvas::Canvas;
+use super::layout::Layout;
+use super::scale::Mapping;
+use super::ticks::{Tick, label_start};
+use super::trace::trace;
+use super::{Chart, Curve, Emphasis, Labels, Side};
+use crate::tui::theme::{GlyphSet, Role, Theme};
+
+/// Columns from one marker of a curve to its next where curves differ by colour.
+const MARKER_EVERY: usize = 18;
+/// How far the markers of one curve are shifted against those of the one before, so that they never meet.
+const MARKER_SHIFT: usize = 5;
+
+/// Draws everything inside the frame.
+pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer, theme: Theme) {
+    if layout.plot.width == 0 || layout.plot.height == 0 {
+        return;
+    }
+    let mut brush = Brush {
+        chart,
+        layout,
+        buffer,
+        theme,
+    };
+    brush.vertical_axis(layout.axis_left, &layout.y_ticks.ticks, true);
+    brush.vertical_axis(layout.axis_right, &layout.right_ticks.ticks, false);
+    brush.horizontal_axis();
+    brush.levels();
+    brush.events();
+    brush.curves();
+}
+
+struct Brush<'a> {
+    chart: &'a Chart<'a>,
+    layout: &'a Layout,
+    buffer: &'a mut Buffer,
+    theme: Theme,
+}
+
+impl Brush<'_> {
+    fn put(&mut self, x: u16, y: u16, character: char, style: Style) {
+        if let Some(cell) = self.buffer.cell_mut((x, y)) {
+            cell.set_char(character).set_style(style);
+        }
+    }
+
+    /// The row of the screen of a cell counted upward in the plot.
+    fn row(&self, cell: u16) -> u16 {
+        self.layout.plot.bottom() - 1 - cell
+    }
+
+    fn vertical_axis(&mut self, column: Option<u16>, ticks: &[Tick], left: bool) {
+        let Some(x) = column else {
+            return;
+        };
+        let plot = self.layout.plot;
+        let (lines, style) = (self.theme.lines(), self.theme.style(Role::Border));
+        for y in plot.top()..plot.bottom() {
+            self.put(x, y, lines.vertical, style);
+        }
+        let mark = if left {
+            lines.tick_left
+        } else {
+            lines.tick_right
+        };
+        for tick in ticks {
+            let y = self.row(tick.cell);
+            self.put(x, y, mark, style);
+            let width = u16::try_from(tick.label.len()).unwrap_or(u16::MAX);
+            let from = if left { x.saturating_sub(width) } else { x + 1 };
+            let text = self.theme.style(Role::Text);
+            self.buffer.set_string(from, y, &tick.label, text);
+        }
+    }
+
+    fn horizontal_axis(&mut self) {
+        let Some(y) = self.layout.axis_below else {
+            return;
+        };
+        let plot = self.layout.plot;
+        let (lines, style) = (self.theme.lines(), self.theme.style(Role::Border));
+        for x in plot.left()..plot.right() {
+            self.put(x, y, lines.horizontal, style);
+        }
+        if let Some(x) = self.layout.axis_left {
+            self.put(x, y, lines.bottom_left, style);
+        }
+        if let Some(x) = self.layout.axis_right {
+            self.put(x, y, lines.bottom_right, style);
+        }
+        let mut free_from = i32::from(self.layout.inner.left());
+        for tick in &self.layout.x_ticks.ticks {
+            self.put(plot.x + tick.cell, y, lines.tick_below, style);
+            free_from = self.label_below(tick, free_from);
+        }
+    }
+
+    /// Writes a label centred under its tick, moved only as far as the frame demands, and gives the first cell after it.
+    /// Without room it is left out; the tick stays.
+    fn label_below(&mut self, tick: &Tick, free_from: i32) -> i32 {
+        let (Some(y), Labels::Shown) = (self.layout.labels_below, self.chart.x.labels) else {
+            return free_from;
+        };
+        let inner = self.layout.inner;
+        let length = i32::try_from(tick.label.len()).unwrap_or(i32::MAX / 2);
+        let centre = i32::from(self.layout.plot.x + tick.cell);
+        let latest = i32::from(inner.right()) - length;
+        let earliest = i32::from(inner.left());
+        let start = label_start(centre, length).min(latest).max(earliest);
+        let room =
+            start >= free_from && start <= centre && start + length <= i32::from(inner.right());
+        match u16::try_from(start) {
+            Ok(x) if room => {
+                let style = self.theme.style(Role::Text);
+                self.buffer.set_string(x, y, &tick.label, style);
+                start + length + 1
+            }
+            _ => free_from,
+        }
+    }
+
+    fn levels(&mut self) {
+        let plot = self.layout.plot;
+        let style = self.theme.style(Role::Event);
+        let dotted = self.theme.lines().level;
+        let step = if self.theme.glyphs == GlyphSet::Braille {
+            1
+        } else {
+            2
+        };
+        for level in &self.chart.levels {
+            let Some(cell) = self.layout.y.cell(level.y) else {
+                continue;
+            };
+            let y = self.row(cell);
+            for x in (plot.left()..plot.right()).step_by(step) {
+                self.put(x, y, dotted, style);
+            }
+            let length = u16::try_from(level.tag.chars().count()).unwrap_or(u16::MAX);
+            if length < plot.width {
+                let room = usize::from(length);
+                self.buffer
+                    .set_stringn(plot.right() - length, y, &level.tag, room, style);
+            }
+        }
+    }
+
+    fn events(&mut self) {
+        let plot = self.layout.plot;
+        let style = self.theme.style(Role::Event);
+        let dotted = self.theme.lines().event;
+        let mut tags: Vec<(u16, &str)> = Vec::new();
+        for event in &self.chart.events {
+            let Some(cell) = self.layout.x.cell(event.x) else {
+                continue;
+            };
+            for y in plot.top()..plot.bottom() {
+                self.put(plot.x + cell, y, dotted, style);
+            }
+            if !event.tag.is_empty() {
+                tags.push((plot.x + cell, &event.tag));
+            }
+        }
+        tags.sort_by_key(|(x, _)| *x);
+        tags.dedup_by_key(|(x, _)| *x);
+        for (index, (x, tag)) in tags.iter().enumerate() {
+            // A blank before the next tag, unless the two are neighbours.
+            let next = tags.get(index + 1);
+            let end = next.map_or(plot.right(), |(next, _)| next.saturating_sub(1));
+            let room = usize::from((end - x).max(1));
+            self.buffer.set_stringn(*x, plot.top(), tag, room, style);
+        }
+    }
+
+    fn curves(&mut self) {
+        let plot = self.layout.plot;
+        let mut canvas = Canvas::new(self.theme.glyphs, plot.width, plot.height);
+        let mut markers = Vec::new();
+        for owner in drawing_order(&self.chart.curves) {
+            let curve = &self.chart.curves[owner];
+            canvas.start_owner();
+            trace(
+                curve,
+                owner,
+                (self.layout.x, self.vertical(curve)),
+                &mut canvas,
+            );
+            if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
+                place_markers(&canvas, owner, usize::from(plot.width), &mut markers);
+            }
+        }
+        for row in 0..plot.height {
+            for column in 0..plot.width {
+                if let Some((owner, dots)) = canvas.cell(usize::from(column), usize::from(row)) {
+                    let curve = &self.chart.curves[owner];
+                    let character = match self.theme.glyphs {
+                        GlyphSet::Ascii => curve.cell_marker(),
+                        GlyphSet::Block | GlyphSet::Braille => dots,
+                    };
+                    let style = self.curve_style(curve);
+                    self.put(plot.x + column, plot.y + row, character, style);
+                }
+            }
+        }
+        for (column, row, owner) in markers {
+            let place = (u16::try_from(column), u16::try_from(row));
+            if let (Ok(column), Ok(row)) = place {
+                let curve = &self.chart.curves[owner];
+                let style = self.curve_style(curve);
+                self.put(plot.x + column, plot.y + row, curve.cell_marker(), style);
+            }
+        }
+        self.crosshair(&canvas);
+    }
+
+    fn vertical(&self, curve: &Curve<'_>) -> Mapping {
+        match (curve.side, self.layout.right) {
+            (Side::Right, Some(map)) => map,
+            (Side::Right, None) | (Side::Left, _) => self.layout.y,
+        }
+    }
+
+    fn curve_style(&self, curve: &Curve<'_>) -> Style {
+        let style = self.theme.style(curve.role());
+        match curve.emphasis {
+            Emphasis::Selected => style.add_modifier(Modifier::BOLD),
+            Emphasis::Normal | Emphasis::Stale => style,
+        }
+    }
+
+    /// A line over everything; where it meets a curve, the curve's marker stands on it.
+    fn crosshair(&mut self, canvas: &Canvas) {
+        let plot = self.layout.plot;
+        let Some(column) = self.chart.crosshair.and_then(|x| self.layout.x.cell(x)) else {
+            return;
+        };
+        let line = self.theme.lines().crosshair;
+        for row in 0..plot.height {
+            let met = canvas.cell(usize::from(column), usize::from(row));
+            let (character, style) = match met {
+                Some((owner, _)) => {
+                    let curve = &self.chart.curves[owner];
+                    let style = self.curve_style(curve).add_modifier(Modifier::BOLD);
+                    (curve.cell_marker(), style)
+                }
+                None => (line, self.theme.style(Role::Crosshair)),
+            };
+            self.put(plot.x + column, plot.y + row, character, style);
+        }
+    }
+}
+
+/// Old curves first, the selected one last, the others as given.
+fn drawing_order(curves: &[Curve<'_>]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..curves.len()).collect();
+    order.sort_by_key(|index| match curves[*index].emphasis {
+        Emphasis::Stale => 0,
+        Emphasis::Normal => 1,
+        Emphasis::Selected => 2,
+    });
+    order
+}
+
+/// Chooses the cells (column, row, owner) that show a curve's marker, so that colour is never the only difference.
+fn place_markers(
+    canvas: &Canvas,
+    owner: usize,
+    width: usize,
+    markers: &mut Vec<(usize, usize, usize)>,
+) {
+    let first = (owner * MARKER_SHIFT + 3) % MARKER_EVERY;
+    let before = markers.len();
+    for column in (first..width).step_by(MARKER_EVERY) {
+        if let Some(row) = canvas.middle(column) {
+            markers.push((column, row, owner));
+        }
+    }
+    if markers.len() == before {
+        let drawn: Vec<usize> = (0..width).filter(|x| canvas.middle(*x).is_some()).collect();
+        let middle = drawn.get(drawn.len() / 2).copied();
+        if let Some((column, row)) = middle.and_then(|x| Some((x, canvas.middle(x)?))) {
+            markers.push((column, row, owner));
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! SI prefixes: the factor and the unit that make the numbers of an axis short.
+
+use super::scale::ViewRange;
+use std::borrow::Cow;
+
+/// How to show a quantity: numbers times `factor` are in `unit`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unit<'a> {
+    /// Shown number = value * factor; finite and > 0.
+    pub factor: f64,
+    /// Name of the shown unit; empty for a pure number.
+    pub name: Cow<'a, str>,
+}
+
+impl<'a> Unit<'a> {
+    /// A unit as it is.
+    pub fn new(name: impl Into<Cow<'a, str>>) -> Self {
+        Self {
+            factor: 1.0,
+            name: name.into(),
+        }
+    }
+
+    /// A unit and the factor that leads to it.
+    pub fn scaled(factor: f64, name: impl Into<Cow<'a, str>>) -> Self {
+        let usable = factor.is_finite() && factor > 0.0;
+        Self {
+            factor: if usable { factor } else { 1.0 },
+            name: name.into(),
+        }
+    }
+
+    /// The prefix under which the greatest number of a range is from 1 to below 1000: 0 to 0.0071 m gives mm. Units that take
+    /// no prefix (none, `kg`, `deg`, `%`, powers such as `m^2`) are left alone.
+    pub fn with_prefix(range: ViewRange, unit: &'a str) -> Self {
+        let greatest = range.lo().abs().max(range.hi().abs());
+        if !takes_prefix(unit) {
+            return Self::new(unit);
+        }
+        // A hair below the limit, so that 1 mm computed as 0.00099999999 m is still 1 mm.
+        let found = PREFIXES
+            .iter()
+            .find(|(size, _, _)| greatest >= size * (1.0 - 1e-9));
+        match found {
+            Some((_, factor, prefix)) => Self {
+                factor: *factor,
+                name: format!("{prefix}{unit}").into(),
+            },
+            None => Self::new(unit),
+        }
+    }
+}
+
+/// Size of one, factor, prefix; greatest first. Factors are written out because 1/1e-6 is not 1e6.
+const PREFIXES: [(f64, f64, &str); 9] = [
+    (1e12, 1e-12, "T"),
+    (1e9, 1e-9, "G"),
+    (1e6, 1e-6, "M"),
+    (1e3, 1e-3, "k"),
+    (1.0, 1.0, ""),
+    (1e-3, 1e3, "m"),
+    (1e-6, 1e6, "µ"),
+    (1e-9, 1e9, "n"),
+    (1e-12, 1e12, "p"),
+];
+
+fn takes_prefix(unit: &str) -> bool {
+    let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
+    let plain = leading
+        .chars()
+        .all(|c| c.is_alphabetic() && c != '²' && c != '³');
+    plain && !matches!(leading, "" | "kg" | "deg" | "rad")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(hi: f64, unit: &str) -> (f64, String) {
+        let unit = Unit::with_prefix(ViewRange::new(0.0, hi), unit);
+        (unit.factor, unit.name.into_owned())
+    }
+
+    #[test]
+    fn the_greatest_number_is_from_one_to_a_thousand() {
+        assert_eq!(shown(0.0071, "m"), (1e3, "mm".to_owned()));
+        assert_eq!(shown(200e-6, "s"), (1e6, "µs".to_owned()));
+        assert_eq!(shown(18_300.0, "N"), (1e-3, "kN".to_owned()));
+        assert_eq!(shown(100.0, "m/s"), (1.0, "m/s".to_owned()));
+        assert_eq!(shown(0.001, "s"), (1e3, "ms".to_owned()));
+        assert_eq!(shown(7.5e6, "N/m"), (1e-6, "MN/m".to_owned()));
+    }
+
+    #[test]
+    fn units_without_prefixes_are_left_alone() {
+        for unit in ["", "kg", "deg", "%", "m^2", "m²", "-"] {
+            assert_eq!(shown(1e6, unit), (1.0, unit.to_owned()), "{unit}");
+        }
+        assert_eq!(shown(1e-30, "m"), (1.0, "m".to_owned()));
+    }
+}

@@ -1,0 +1,468 @@
+//! From values to cells and back: [`Scale`], the shown range ([`ViewRange`]), and [`Mapping`], the only place where a value
+//! becomes a column or a row.
+//!
+//! The first value of a range lies in the middle of the first cell, the last one in the middle of the last, whatever the glyph
+//! set: a tick, a curve and the crosshair at the same value are always in the same column.
+
+/// Positions are kept within this many cells of the view: far enough that the direction of a line is right, near enough that
+/// clipping it loses nothing.
+const FAR_CELLS: f64 = 1e9;
+/// The narrowest range, as a fraction of its greatest bound: twelve digits are what a label can still tell apart.
+const NARROWEST: f64 = 1e-12;
+/// Bounds stay within this, so that a difference of two never overflows.
+const GREATEST: f64 = 1e300;
+/// The narrowest range about zero; keeps the arithmetic of ticks away from subnormal numbers.
+const NARROWEST_ABSOLUTE: f64 = 1e-280;
+/// A logarithmic axis whose lower bound is not positive starts this fraction below its upper bound.
+const LOG_FLOOR: f64 = 1e-6;
+
+/// How values are spread over an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Scale {
+    /// Evenly.
+    #[default]
+    Linear,
+    /// By decades; values that are not positive have no place.
+    Log10,
+}
+
+impl Scale {
+    /// Whether a value has a place on this scale.
+    pub fn shows(self, value: f64) -> bool {
+        match self {
+            Self::Linear => value.is_finite(),
+            Self::Log10 => value.is_finite() && value > 0.0,
+        }
+    }
+
+    /// The other scale.
+    #[must_use]
+    pub fn toggled(self) -> Self {
+        match self {
+            Self::Linear => Self::Log10,
+            Self::Log10 => Self::Linear,
+        }
+    }
+
+    fn forward(self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Log10 => value.log10(),
+        }
+    }
+
+    fn back(self, place: f64) -> f64 {
+        match self {
+            Self::Linear => place,
+            Self::Log10 => 10_f64.powf(place),
+        }
+    }
+}
+
+/// The range of values an axis shows. Always finite, never empty, never reversed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViewRange {
+    lo: f64,
+    hi: f64,
+}
+
+impl Default for ViewRange {
+    /// From 0 to 1.
+    fn default() -> Self {
+        Self { lo: 0.0, hi: 1.0 }
+    }
+}
+
+impl ViewRange {
+    /// The range between two values, in either order. Where it would be empty it is widened; a value that is not finite is
+    /// replaced: both, by 0 to 1; one, by a range of width 1 at the other.
+    pub fn new(a: f64, b: f64) -> Self {
+        let (a, b) = match (a.is_finite(), b.is_finite()) {
+            (true, true) => (a, b),
+            (true, false) => (a, a + 1.0),
+            (false, true) => (b - 1.0, b),
+            (false, false) => (0.0, 1.0),
+        };
+        let (a, b) = (a.clamp(-GREATEST, GREATEST), b.clamp(-GREATEST, GREATEST));
+        let (lo, hi) = if a <= b { (a, b) } else { (b, a) };
+        let greatest = lo.abs().max(hi.abs());
+        if hi - lo >= (greatest * NARROWEST).max(NARROWEST_ABSOLUTE) {
+            return Self { lo, hi };
+        }
+        let half = if greatest < NARROWEST_ABSOLUTE {
+            0.5
+        } else {
+            greatest * 0.05
+        };
+        Self {
+            lo: lo - half,
+            hi: hi + half,
+        }
+    }
+
+    /// The range of all values that have a place on the scale; `None` when there is none.
+    pub fn of(scale: Scale, values: impl IntoIterator<Item = f64>) -> Option<Self> {
+        let mut bounds: Option<(f64, f64)> = None;
+        for value in values.into_iter().filter(|value| scale.shows(*value)) {
+            let (lo, hi) = bounds.unwrap_or((value, value));
+            bounds = Some((lo.min(value), hi.max(value)));
+        }
+        bounds.map(|(lo, hi)| Self::new(lo, hi).on(scale))
+    }
+
+    /// The lower bound.
+    pub fn lo(self) -> f64 {
+        self.lo
+    }
+
+    /// The upper bound.
+    pub fn hi(self) -> f64 {
+        self.hi
+    }
+
+    /// Upper less lower bound, > 0.
+    pub fn span(self) -> f64 {
+        self.hi - self.lo
+    }
+
+    /// Whether a value lies in the range, bounds included.
+    pub fn contains(self, value: f64) -> bool {
+        self.lo <= value && value <= self.hi
+    }
+
+    /// The range as a scale can show it: positive for a logarithmic one.
+    #[must_use]
+    pub fn on(self, scale: Scale) -> Self {
+        match scale {
+            Scale::Linear => self,
+            Scale::Log10 if self.hi <= 1e-290 => Self { lo: 0.1, hi: 10.0 },
+            Scale::Log10 => {
+                let lo = if self.lo > 1e-300 {
+                    self.lo
+                } else {
+                    self.hi * LOG_FLOOR
+                };
+                Self { lo, hi: self.hi }
+            }
+        }
+    }
+
+    /// The least range that holds both.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            lo: self.lo.min(other.lo),
+            hi: self.hi.max(other.hi),
+        }
+    }
+
+    /// Grown as far as needed to hold a value; one that is not finite changes nothing.
+    #[must_use]
+    pub fn including(self, value: f64) -> Self {
+        if value.is_finite() {
+            Self::new(self.lo.min(value), self.hi.max(value))
+        } else {
+            self
+        }
+    }
+
+    /// Grown by a fraction of its span at both ends.
+    #[must_use]
+    pub fn padded(self, scale: Scale, fraction: f64) -> Self {
+        self.mapped(scale, |lo, hi| {
+            let more = (hi - lo) * fraction;
+            (lo - more, hi + more)
+        })
+    }
+
+    /// Zoomed about a value, which keeps its place: `factor` 2 shows half the span, 0.5 twice. A value outside the range is
+    /// replaced by the nearer bound; a factor that is not positive and finite changes nothing.
+    #[must_use]
+    pub fn zoomed(self, scale: Scale, about: f64, factor: f64) -> Self {
+        if !(factor.is_finite() && factor > 0.0) || about.is_nan() {
+            return self;
+        }
+        let view = self.on(scale);
+        let about = scale.forward(about.clamp(view.lo, view.hi));
+        self.mapped(scale, |lo, hi| {
+            (about - (about - lo) / factor, about + (hi - about) / factor)
+        })
+    }
+
+    /// Moved by a fraction of its span; positive moves to greater values.
+    #[must_use]
+    pub fn panned(self, scale: Scale, fraction: f64) -> Self {
+        if !fraction.is_finite() {
+            return self;
+        }
+        self.mapped(scale, |lo, hi| {
+            let by = (hi - lo) * fraction;
+            (lo + by, hi + by)
+        })
+    }
+
+    /// Moved, and where it is wider also narrowed, to lie within `bounds`.
+    #[must_use]
+    pub fn within(self, scale: Scale, bounds: Self) -> Self {
+        let (bounds, view) = (bounds.on(scale), self.on(scale));
+        let [lo, hi, least, most] =
+            [view.lo, view.hi, bounds.lo, bounds.hi].map(|value| scale.forward(value));
+        if hi - lo >= most - least {
+            bounds
+        } else if lo < least {
+            Self::new(bounds.lo, scale.back(least + (hi - lo)))
+        } else if hi > most {
+            Self::new(scale.back(most - (hi - lo)), bounds.hi)
+        } else {
+            view
+        }
+    }
+
+    /// Changes the bounds in the space of the scale. A result too narrow to show leaves the range as it is.
+    fn mapped(self, scale: Scale, change: impl Fn(f64, f64) -> (f64, f64)) -> Self {
+        let view = self.on(scale);
+        let (lo, hi) = change(scale.forward(view.lo), scale.forward(view.hi));
+        let (lo, hi) = (scale.back(lo), scale.back(hi));
+        let greatest = lo.abs().max(hi.abs());
+        let sane = lo.is_finite() && hi.is_finite() && greatest <= GREATEST;
+        let positive = scale == Scale::Linear || lo > 1e-300;
+        if sane && positive && hi - lo > (greatest * NARROWEST).max(NARROWEST_ABSOLUTE) {
+            Self { lo, hi }
+        } else {
+            view
+        }
+    }
+}
+
+/// Values to cells along one axis and back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mapping {
+    scale: Scale,
+    view: ViewRange,
+    cells: u16,
+}
+
+impl Mapping {
+    /// A range spread over so many cells.
+    pub fn new(scale: Scale, view: ViewRange, cells: u16) -> Self {
+        Self {
+            scale,
+            view: view.on(scale),
+            cells,
+        }
+    }
+
+    /// The range as shown.
+    pub fn view(self) -> ViewRange {
+        self.view
+    }
+
+    /// The scale.
+    pub fn scale(self) -> Scale {
+        self.scale
+    }
+
+    /// How many cells there are.
+    pub fn cells(self) -> u16 {
+        self.cells
+    }
+
+    /// Where a value lies, in cells from the middle of the first one; `None` where the scale has no place for it. Values far
+    /// outside are held within a billion cells.
+    pub fn position(self, value: f64) -> Option<f64> {
+        if !self.scale.shows(value) {
+            return None;
+        }
+        let lo = self.scale.forward(self.view.lo);
+        let hi = self.scale.forward(self.view.hi);
+        let fraction = (self.scale.forward(value) - lo) / (hi - lo);
+        let last = f64::from(self.cells.saturating_sub(1));
+        Some((fraction * last).clamp(-FAR_CELLS, FAR_CELLS))
+    }
+
+    /// The cell a value lies in, from 0; `None` outside the view.
+    pub fn cell(self, value: f64) -> Option<u16> {
+        let cells = usize::from(self.cells);
+        let index = whole_below(self.position(value)? + 0.5, cells)?;
+        u16::try_from(index).ok()
+    }
+
+    /// The value in the middle of a cell; cells beyond the last one count as the last.
+    pub fn value(self, cell: u16) -> f64 {
+        let last = self.cells.saturating_sub(1);
+        if last == 0 || cell == 0 {
+            return self.view.lo;
+        }
+        if cell >= last {
+            return self.view.hi;
+        }
+        let lo = self.scale.forward(self.view.lo);
+        let hi = self.scale.forward(self.view.hi);
+        let fraction = f64::from(cell) / f64::from(last);
+        self.scale.back(lo + (hi - lo) * fraction)
+    }
+
+    /// A value moved by so many cells, and held in the view: how the crosshair walks. From outside it starts at the nearer
+    /// bound.
+    pub fn stepped(self, value: f64, by: i32) -> f64 {
+        let inside = if value.is_nan() {
+            self.view.lo
+        } else {
+            value.clamp(self.view.lo, self.view.hi)
+        };
+        let cell = i32::from(self.cell(inside).unwrap_or(0));
+        let last = i32::from(self.cells.saturating_sub(1));
+        let target = cell.saturating_add(by).clamp(0, last);
+        self.value(u16::try_from(target).unwrap_or(0))
+    }
+}
+
+/// The whole number just below a position, if it is one of `count` places from 0. The one conversion from floating point to
+/// a cell or dot.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the value is checked to be in 0..count first; NaN fails the check"
+)]
+pub(super) fn whole_below(position: f64, count: usize) -> Option<usize> {
+    (position >= 0.0 && position < count as f64).then_some(position as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn bounds_are_put_in_order_and_never_empty() {
+        assert_eq!(ViewRange::new(3.0, 1.0), ViewRange::new(1.0, 3.0));
+        assert_eq!(
+            ViewRange::new(f64::NAN, f64::INFINITY),
+            ViewRange::default()
+        );
+        assert_eq!(
+            ViewRange::new(2.0, f64::NAN),
+            ViewRange { lo: 2.0, hi: 3.0 }
+        );
+        assert_eq!(ViewRange::new(0.0, 0.0), ViewRange { lo: -0.5, hi: 0.5 });
+        assert_eq!(ViewRange::new(10.0, 10.0), ViewRange { lo: 9.5, hi: 10.5 });
+    }
+
+    #[test]
+    fn a_logarithmic_view_is_positive() {
+        let view = ViewRange::new(0.0, 200.0).on(Scale::Log10);
+        assert!(view.lo() > 0.0 && view.hi() == 200.0);
+        assert!(ViewRange::new(-5.0, -1.0).on(Scale::Log10).lo() > 0.0);
+    }
+
+    #[test]
+    fn the_bounds_lie_in_the_middle_of_the_outer_cells() {
+        let map = Mapping::new(Scale::Linear, ViewRange::new(0.0, 200.0), 41);
+        assert_eq!(map.position(0.0), Some(0.0));
+        assert_eq!(map.position(200.0), Some(40.0));
+        assert_eq!(map.cell(50.0), Some(10));
+        assert_eq!(map.cell(202.0), Some(40));
+        assert_eq!(map.cell(203.0), None);
+        assert_eq!(map.position(f64::NAN), None);
+    }
+
+    #[test]
+    fn the_crosshair_walks_by_cells_and_stops_at_the_bounds() {
+        let map = Mapping::new(Scale::Linear, ViewRange::new(0.0, 200.0), 41);
+        assert_eq!(map.stepped(50.0, 1), 55.0);
+        assert_eq!(map.stepped(50.0, -10), 0.0);
+        assert_eq!(map.stepped(50.0, -11), 0.0);
+        assert_eq!(map.stepped(50.0, i32::MAX), 200.0);
+        assert_eq!(map.stepped(1e9, -1), 195.0);
+        assert_eq!(map.stepped(f64::NAN, 0), 0.0);
+    }
+
+    #[test]
+    fn zoom_keeps_the_value_in_its_place() {
+        let view = ViewRange::new(0.0, 100.0).zoomed(Scale::Linear, 25.0, 2.0);
+        assert_eq!(view, ViewRange { lo: 12.5, hi: 62.5 });
+        let log = ViewRange::new(1.0, 1e4).zoomed(Scale::Log10, 1.0, 2.0);
+        assert!((log.lo() - 1.0).abs() < 1e-12 && (log.hi() - 100.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn within_moves_before_it_narrows() {
+        let all = ViewRange::new(0.0, 100.0);
+        let linear = Scale::Linear;
+        assert_eq!(
+            ViewRange::new(-10.0, 20.0).within(linear, all),
+            ViewRange::new(0.0, 30.0)
+        );
+        assert_eq!(
+            ViewRange::new(90.0, 130.0).within(linear, all),
+            ViewRange::new(60.0, 100.0)
+        );
+        assert_eq!(ViewRange::new(-90.0, 130.0).within(linear, all), all);
+    }
+
+    fn any_f64() -> impl Strategy<Value = f64> {
+        prop_oneof![
+            4 => -1e6..1e6_f64,
+            1 => any::<f64>(),
+            1 => prop::sample::select(vec![
+                0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN,
+                f64::MIN_POSITIVE, 5e-324, 1.0,
+            ]),
+        ]
+    }
+
+    fn any_scale() -> impl Strategy<Value = Scale> {
+        prop::sample::select(vec![Scale::Linear, Scale::Log10])
+    }
+
+    fn sane(view: ViewRange) -> bool {
+        view.lo().is_finite() && view.hi().is_finite() && view.lo() < view.hi()
+    }
+
+    proptest! {
+        #[test]
+        fn ranges_stay_sane_under_any_operation(
+            a in any_f64(), b in any_f64(), c in any_f64(), d in any_f64(), scale in any_scale(),
+        ) {
+            let view = ViewRange::new(a, b);
+            let zoomed = view.zoomed(scale, c, d);
+            let all = [
+                view, zoomed, view.on(scale), view.panned(scale, c), view.padded(scale, 0.1),
+                zoomed.within(scale, view), view.including(d), view.union(ViewRange::new(c, d)),
+            ];
+            for range in all {
+                prop_assert!(sane(range), "{:?}", range);
+            }
+        }
+
+        #[test]
+        fn zoom_in_and_out_again_returns(
+            lo in -1e3..1e3_f64, span in 1e-3..1e3_f64, at in 0.0..1.0_f64, factor in 1.1..8.0_f64,
+        ) {
+            let view = ViewRange::new(lo, lo + span);
+            let about = lo + at * span;
+            let back = view.zoomed(Scale::Linear, about, factor).zoomed(Scale::Linear, about, 1.0 / factor);
+            prop_assert!((back.lo() - view.lo()).abs() < 1e-9 * (1.0 + lo.abs() + span));
+            prop_assert!((back.hi() - view.hi()).abs() < 1e-9 * (1.0 + lo.abs() + span));
+        }
+
+        #[test]
+        fn a_cell_and_its_value_return_to_each_other(
+            a in any_f64(), b in any_f64(), scale in any_scale(), cells in 1_u16..400, pick in 0.0..1.0_f64,
+        ) {
+            let map = Mapping::new(scale, ViewRange::new(a, b), cells);
+            let cell = whole_below(pick * f64::from(cells), usize::from(cells)).unwrap();
+            let cell = u16::try_from(cell).unwrap();
+            prop_assert_eq!(map.cell(map.value(cell)), Some(cell));
+        }
+
+        #[test]
+        fn positions_are_never_nan(a in any_f64(), b in any_f64(), x in any_f64(), scale in any_scale()) {
+            let map = Mapping::new(scale, ViewRange::new(a, b), 80);
+            let position = map.position(x);
+            prop_assert_eq!(position.is_some(), scale.shows(x));
+            prop_assert!(position.is_none_or(|place| place.abs() <= FAR_CELLS));
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Where an axis has ticks and what is written at them: 1-2-5 steps, decades on a logarithmic axis, as many as fit.
+//!
+//! A tick knows its cell from the same [`Mapping`] the curves use, and its label is centred on that cell. What is common to
+//! all labels (a power of ten) is factored out.
+
+use super::scale::{Mapping, Scale};
+
+/// Blank cells between two labels side by side: a twelfth of the axis, but at least and at most this many. Room is used for
+/// calm before it is used for numbers.
+const LABEL_GAP: (i32, i32) = (2, 8);
+/// Steps tried for one axis, each 2 or 2.5 times the one before: enough to pass from one tick a cell to one in all.
+const STEPS_TRIED: usize = 24;
+/// Ticks looked at for one step; more would never fit.
+const TICKS_LOOKED_AT: usize = 512;
+
+/// One tick.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tick {
+    /// Cell from the start of the axis.
+    pub(super) cell: u16,
+    /// What is written at it.
+    pub(super) label: String,
+}
+
+/// The ticks of an axis.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Ticks {
+    /// In order of value.
+    pub(super) ticks: Vec<Tick>,
+    /// Power of ten the labels are to be multiplied by.
+    pub(super) exponent: i32,
+}
+
+impl Ticks {
+    /// Width of the widest label.
+    pub(super) fn width(&self) -> u16 {
+        let widest = self.ticks.iter().map(|tick| tick.label.len()).max();
+        widest
+            .and_then(|width| u16::try_from(width).ok())
+            .unwrap_or(0)
+    }
+}
+
+/// How labels stand to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Along {
+    /// Side by side: widths decide.
+    Row,
+    /// One above the other: so many half rows apart on average, and no two nearer than the whole rows in that.
+    Column(u16),
+}
+
+/// The ticks of an axis, as many as fit.
+pub(super) fn ticks(map: Mapping, along: Along) -> Ticks {
+    if map.cells() == 0 {
+        return Ticks::default();
+    }
+    match map.scale() {
+        Scale::Linear => linear(map, along),
+        Scale::Log10 => decades(map, along).unwrap_or_else(|| linear(map, along)),
+    }
+}
+
+/// The first span of cells a label of this length takes when centred on a cell: the one rule for placing labels.
+pub(super) fn label_start(cell: i32, length: i32) -> i32 {
+    cell - length / 2
+}
+
+fn linear(map: Mapping, along: Along) -> Ticks {
+    let view = map.view();
+    let greatest = view.lo().abs().max(view.hi().abs());
+    let exponent = common_exponent(greatest);
+    let most = f64::from(map.cells()).max(2.0);
+    let mut step = Step::at_least(view.span() / most);
+    let mut best = Ticks::default();
+    for _ in 0..STEPS_TRIED {
+        let found = Ticks {
+            ticks: multiples(map, step, exponent),
+            exponent,
+        };
+        if found.ticks.is_empty() {
+            break;
+        }
+        if fits(&found.ticks, along, map) {
+            return found;
+        }
+        best = found;
+        step = step.next();
+    }
+    best.ticks.truncate(1);
+    best
+}
+
+/// A step of 1, 2 or 5 times a power of ten.
+#[derive(Clone, Copy)]
+struct Step {
+    mantissa: u8,
+    exponent: i32,
+}
+
+impl Step {
+    fn at_least(width: f64) -> Self {
+        let exponent = decade(width);
+        let fraction = width / power(exponent);
+        let (mantissa, exponent) = match fraction {
+            f if f <= 1.0 => (1, exponent),
+            f if f <= 2.0 => (2, exponent),
+            f if f <= 5.0 => (5, exponent),
+            _ => (1, exponent + 1),
+        };
+        Self { mantissa, exponent }
+    }
+
+    fn next(self) -> Self {
+        match self.mantissa {
+            1 => Self {
+                mantissa: 2,
+                ..self
+            },
+            2 => Self {
+                mantissa: 5,
+                ..self
+            },
+            _ => Self {
+                mantissa: 1,
+                exponent: self.exponent + 1,
+            },
+        }
+    }
+}
+
+/// The multiples of a step in view. Counting whole steps keeps labels and places free of accumulated error.
+fn multiples(map: Mapping, step: Step, exponent: i32) -> Vec<Tick> {
+    let view = map.view();
+    let size = f64::from(step.mantissa) * power(step.exponent);
+    let mut count = (view.lo() / size - 1e-9).ceil();
+    let last = (view.hi() / size + 1e-9).floor();
+    let mut found = Vec::new();
+    while count <= last && found.len() < TICKS_LOOKED_AT {
+        if let Some(cell) = map.cell(count * size) {
+            let units = count * f64::from(step.mantissa);
+            found.push(Tick {
+                cell,
+                label: label(units, step.exponent - exponent),
+            });
+        }
+        count += 1.0;
+    }
+    found
+}
+
+/// A whole number of `10^exponent`, written with just the decimals that needs.
+fn label(units: f64, exponent: i32) -> String {
+    if units == 0.0 {
+        return "0".to_owned();
+    }
+    let decimals = usize::try_from(-exponent).unwrap_or(0);
+    // Dividing by a power of ten that is exact rounds once; multiplying by its inverse rounds twice.
+    let value = if exponent < 0 {
+        units / power(-exponent)
+    } else {
+        units * power(exponent)
+    };
+    format!("{value:.decimals$}")
+}
+
+/// Decade ticks, with 2 and 5 between them where there is room; `None` where fewer than three would be seen: a linear axis
+/// tells more inside a decade.
+fn decades(map: Mapping, along: Along) -> Option<Ticks> {
+    let first = decade(map.view().lo());
+    let last = decade(map.view().hi());
+    let list = |mantissas: &[u8], stride: i32| -> Vec<Tick> {
+        let start = first.div_euclid(stride) * stride;
+        let mut values = Vec::new();
+        let mut exponent = start;
+        while exponent <= last {
+            values.extend(mantissas.iter().map(|mantissa| (*mantissa, exponent)));
+            exponent += stride;
+        }
+        let spelled = values
+            .iter()
+            .filter(|(mantissa, exponent)| in_view(map, *mantissa, *exponent))
+            .any(|(_, exponent)| !(-3..=4).contains(exponent));
+        let tick = |(mantissa, exponent): (u8, i32)| {
+            let cell = map.cell(f64::from(mantissa) * power(exponent))?;
+            in_view(map, mantissa, exponent).then(|| Tick {
+                cell,
+                label: if spelled {
+                    format!("{mantissa}e{exponent}")
+                } else {
+                    label(f64::from(mantissa), exponent)
+                },
+            })
+        };
+        values.into_iter().filter_map(tick).collect()
+    };
+    let dense = list(&[1, 2, 5], 1);
+    if dense.len() < 3 {
+        return None;
+    }
+    if fits(&dense, along, map) {
+        return Some(Ticks {
+            ticks: dense,
+            exponent: 0,
+        });
+    }
+    let strides = [1, 2, 3, 5, 10, 20, 50, 100, 200];
+    let found = strides.into_iter().map(|stride| list(&[1], stride));
+    found
+        .filter(|ticks| !ticks.is_empty())
+        .find(|ticks| fits(ticks, along, map))
+        .map(|ticks| Ticks { ticks, exponent: 0 })
+}
+
+fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {
+    let value = f64::from(mantissa) * power(exponent);
+    let view = map.view();
+    view.lo() * (1.0 - 1e-9) <= value && value <= view.hi() * (1.0 + 1e-9)
+}
+
+/// Whether all labels stand clear of each other, each on a cell of its own.
+fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
+    let (least, most) = LABEL_GAP;
+    let gap = (i32::from(map.cells()) / 12).clamp(least, most);
+    let apart = |pair: &[Tick]| match (pair, along) {
+        ([a, b], Along::Column(halves)) => b.cell >= a.cell + (halves / 2).max(1),
+        ([a, b], Along::Row) => {
+            let [la, lb] = [a, b].map(|tick| i32::try_from(tick.label.len()).unwrap_or(0));
+            let end = label_start(i32::from(a.cell), la) + la;
+            label_start(i32::from(b.cell), lb) >= end + gap
+        }
+        (_, _) => true,
+    };
+    let loose = match (ticks, along) {
+        ([first, .., last], Along::Column(halves)) => {
+            let between = u32::try_from(ticks.len() - 1).unwrap_or(u32::MAX);
+            2 * u32::from(last.cell.abs_diff(first.cell)) >= between.saturating_mul(halves.into())
+        }
+        (_, Along::Column(_) | Along::Row) => true,
+    };
+    loose && ticks.windows(2).all(apart)
+}
+
+/// The power of ten, a multiple of three, that keeps labels short: 0 from 0.001 to 99999.
+fn common_exponent(greatest: f64) -> i32 {
+    if (1e-3..1e5).contains(&greatest) {
+        0
+    } else {
+        decade(greatest).div_euclid(3) * 3
+    }
+}
+
+/// The decimal exponent of a positive number, as its scientific notation has it: exact, where a logarithm might round.
+pub(super) fn decade(value: f64) -> i32 {
+    let text = format!("{value:e}");
+    let exponent = text.rsplit('e').next().and_then(|part| part.parse().ok());
+    exponent.unwrap_or(0)
+}
+
+/// A power of ten; `powi` is inexact from 10^23 on, the parser is right to the last bit.
+fn power(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().unwrap_or(1.0)
+}

@@ -1,0 +1,199 @@
+//! What the screen is drawn with: characters ([`GlyphSet`]), colours ([`ColourDepth`]), and styles by role ([`Role`]).
+//!
+//! Panes ask for roles, never for colours. Foreground and background stay the terminal's own, so that light and dark both
+//! work. Knows ratatui; must not know what is shown. Colour is never the only channel: whoever uses a role for a meaning also
+//! writes a character.
+
+use ratatui::style::{Modifier, Style};
+
+pub mod colours;
+pub mod glyphs;
+pub mod pane;
+
+pub use colours::ColourDepth;
+pub use glyphs::{GlyphChoice, GlyphSet, Lines, ascii_pass, ascii_text};
+pub use pane::Pane;
+
+/// What a piece of the screen means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// Ordinary text.
+    Text,
+    /// Less important than text: units, what is old, what is off.
+    Dim,
+    /// Titles of panes and tabs.
+    Title,
+    /// The border and title of the pane that has the keys.
+    Focus,
+    /// The selected row, tab or field: reverse video.
+    Selection,
+    /// Something is wrong.
+    Error,
+    /// Something a careful reader should know.
+    Warning,
+    /// Something good to know.
+    Note,
+    /// A curve: 0 is the current run, 1 the first pinned one, and so on.
+    Curve(usize),
+    /// Vertical lines at events, and reference lines.
+    Event,
+    /// The crosshair.
+    Crosshair,
+    /// Borders and axes.
+    Border,
+    /// The name of a key.
+    Key,
+}
+
+/// Glyphs and colours together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Theme {
+    /// The characters to draw with.
+    pub glyphs: GlyphSet,
+    /// The colours to draw with.
+    pub depth: ColourDepth,
+}
+
+impl Theme {
+    /// Pure ASCII without colour: what `--plain` prints.
+    pub const PLAIN: Self = Self {
+        glyphs: GlyphSet::Ascii,
+        depth: ColourDepth::None,
+    };
+
+    /// The theme the environment asks for; `env` looks up a variable of it.
+    pub fn detect(glyphs: GlyphChoice, env: impl Fn(&str) -> Option<String>) -> Self {
+        Self {
+            glyphs: glyphs.resolve(&env),
+            depth: ColourDepth::detect(&env),
+        }
+    }
+
+    /// The lines and joints of the glyph set.
+    pub fn lines(self) -> &'static Lines {
+        self.glyphs.lines()
+    }
+
+    /// The style of a role.
+    pub fn style(self, role: Role) -> Style {
+        let plain = Style::new();
+        let bold = plain.add_modifier(Modifier::BOLD);
+        match role {
+            Role::Text => plain,
+            Role::Title | Role::Key => bold,
+            Role::Selection => plain.add_modifier(Modifier::REVERSED),
+            Role::Dim | Role::Border | Role::Event => self.faint(),
+            Role::Focus => self.coloured(bold, colours::FOCUS),
+            Role::Crosshair => self.coloured(bold, colours::CROSSHAIR),
+            Role::Error if self.depth == ColourDepth::None => bold.add_modifier(Modifier::REVERSED),
+            Role::Error => self.coloured(bold, colours::ERROR),
+            Role::Warning if self.depth == ColourDepth::None => bold,
+            Role::Warning => self.coloured(plain, colours::WARNING),
+            Role::Note if self.depth == ColourDepth::None => {
+                plain.add_modifier(Modifier::UNDERLINED)
+            }
+            Role::Note => self.coloured(plain, colours::NOTE),
+            Role::Curve(0) => self.coloured(bold, colours::curve(0)),
+            Role::Curve(index) => self.coloured(plain, colours::curve(index)),
+        }
+    }
+
+    /// Faint where colours are on. `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.
+    fn faint(self) -> Style {
+        match self.depth {
+            ColourDepth::None => Style::new(),
+            ColourDepth::Sixteen | ColourDepth::Ansi256 | ColourDepth::Rgb => {
+                Style::new().add_modifier(Modifier::DIM)
+            }
+        }
+    }
+
+    fn coloured(self, style: Style, colour: colours::Shade) -> Style {
+        match colour.at(self.depth) {
+            Some(colour) => style.fg(colour),
+            None => style,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROLES: [Role; 14] = [
+        Role::Text,
+        Role::Dim,
+        Role::Title,
+        Role::Focus,
+        Role::Selection,
+        Role::Error,
+        Role::Warning,
+        Role::Note,
+        Role::Curve(0),
+        Role::Curve(1),
+        Role::Event,
+        Role::Crosshair,
+        Role::Border,
+        Role::Key,
+    ];
+
+    #[test]
+    fn without_colour_only_bold_reverse_and_underline_are_used() {
+        let allowed = Modifier::BOLD | Modifier::REVERSED | Modifier::UNDERLINED;
+        for role in ROLES {
+            let style = Theme::PLAIN.style(role);
+            assert_eq!((style.fg, style.bg), (None, None), "{role:?}");
+            assert!(allowed.contains(style.add_modifier), "{role:?}");
+        }
+    }
+
+    #[test]
+    fn the_background_is_always_the_terminals_own() {
+        for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb] {
+            let theme = Theme {
+                glyphs: GlyphSet::Braille,
+                depth,
+            };
+            for role in ROLES {
+                assert_eq!(theme.style(role).bg, None, "{role:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn errors_warnings_and_notes_differ_at_every_depth() {
+        for depth in [
+            ColourDepth::None,
+            ColourDepth::Sixteen,
+            ColourDepth::Ansi256,
+            ColourDepth::Rgb,
+        ] {
+            let theme = Theme {
+                glyphs: GlyphSet::Ascii,
+                depth,
+            };
+            let [error, warning, note, text] =
+                [Role::Error, Role::Warning, Role::Note, Role::Text].map(|role| theme.style(role));
+            assert_ne!(error, warning);
+            assert_ne!(warning, note);
+            assert_ne!(note, error);
+            assert!(![error, warning, note].contains(&text));
+        }
+    }
+
+    #[test]
+    fn detect_reads_both_glyphs_and_colours() {
+        let env = |name: &str| match name {
+            "LANG" => Some("en_GB.UTF-8".to_owned()),
+            "TERM" => Some("xterm-256color".to_owned()),
+            _ => None,
+        };
+        assert_eq!(
+            Theme::detect(GlyphChoice::Auto, env),
+            Theme {
+                glyphs: GlyphSet::Braille,
+                depth: ColourDepth::Ansi256
+            }
+        );
+    }
+}

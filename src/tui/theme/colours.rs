@@ -1,0 +1,213 @@
+//! How many colours the terminal has, and which one a role gets at each depth.
+//!
+//! Every fixed shade is readable on white and on black (contrast at least 3 : 1 on both, WCAG 2.1 criterion 1.4.11; tested),
+//! and no two curves differ by red against green. In sixteen colours the terminal's own palette decides; blue is not used,
+//! because many palettes make it unreadable on black.
+
+use ratatui::style::Color;
+
+/// How many colours the terminal shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ColourDepth {
+    /// None: `NO_COLOR`, or a terminal without colours.
+    None,
+    /// The sixteen named ones.
+    Sixteen,
+    /// The 256 of xterm.
+    Ansi256,
+    /// Any.
+    Rgb,
+}
+
+impl ColourDepth {
+    /// The depth the environment promises, never more: RGB only where `COLORTERM` says so and no `screen` stands between.
+    pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
+        let value = |name| env(name).filter(|text| !text.is_empty());
+        let Some(term) = value("TERM") else {
+            return Self::None;
+        };
+        if value("NO_COLOR").is_some() || term == "dumb" {
+            return Self::None;
+        }
+        let few = ["linux", "vt", "ansi", "cons25"];
+        if few.iter().any(|name| term.starts_with(name))
+            || term.ends_with("-16color")
+            || term.ends_with("-color")
+        {
+            return Self::Sixteen;
+        }
+        let all = value("COLORTERM").is_some_and(|text| text == "truecolor" || text == "24bit");
+        if all && !term.starts_with("screen") {
+            return Self::Rgb;
+        }
+        Self::Ansi256
+    }
+
+    /// The next in the cycle full, sixteen, none; `full` is what the terminal can show.
+    #[must_use]
+    pub fn next(self, full: Self) -> Self {
+        match (self, full) {
+            (Self::Rgb | Self::Ansi256, _) => Self::Sixteen,
+            (Self::Sixteen, _) => Self::None,
+            (Self::None, Self::None) => Self::Ansi256,
+            (Self::None, _) => full,
+        }
+    }
+
+    /// The word shown to people.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Sixteen => "sixteen",
+            Self::Ansi256 => "256",
+            Self::Rgb => "full",
+        }
+    }
+}
+
+/// One colour at the three depths that have colours; `None` is the terminal's own foreground.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shade {
+    sixteen: Option<Color>,
+    ansi: u8,
+    rgb: (u8, u8, u8),
+}
+
+impl Shade {
+    /// The colour to use at a depth, or `None` for the terminal's own foreground.
+    pub(super) fn at(self, depth: ColourDepth) -> Option<Color> {
+        let (r, g, b) = self.rgb;
+        match depth {
+            ColourDepth::None => None,
+            ColourDepth::Sixteen => self.sixteen,
+            ColourDepth::Ansi256 => Some(Color::Indexed(self.ansi)),
+            ColourDepth::Rgb => Some(Color::Rgb(r, g, b)),
+        }
+    }
+}
+
+const fn shade(sixteen: Option<Color>, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
+    Shade { sixteen, ansi, rgb }
+}
+
+/// Border and title of the focused pane.
+pub(super) const FOCUS: Shade = shade(Some(Color::Cyan), 32, (0x1F, 0x86, 0xD6));
+/// The crosshair: the foreground itself where that is possible, else a grey that both backgrounds carry.
+pub(super) const CROSSHAIR: Shade = shade(None, 243, (0x77, 0x77, 0x77));
+/// Errors.
+pub(super) const ERROR: Shade = shade(Some(Color::Red), 160, (0xD4, 0x2A, 0x2A));
+/// Warnings.
+pub(super) const WARNING: Shade = shade(Some(Color::Yellow), 130, (0xB8, 0x70, 0x00));
+/// Notes.
+pub(super) const NOTE: Shade = shade(Some(Color::Cyan), 31, (0x1A, 0x85, 0x9C));
+
+/// Blue, orange, purple, grey, ochre, teal: neighbours differ in lightness or along blue to yellow.
+const CURVES: [Shade; 6] = [
+    shade(Some(Color::Cyan), 32, (0x1F, 0x86, 0xD6)),
+    shade(Some(Color::Yellow), 166, (0xCE, 0x6F, 0x00)),
+    shade(Some(Color::Magenta), 133, (0xB0, 0x5C, 0xC0)),
+    shade(None, 244, (0x80, 0x80, 0x80)),
+    shade(Some(Color::LightYellow), 136, (0x98, 0x7E, 0x10)),
+    shade(Some(Color::LightMagenta), 30, (0x12, 0x8C, 0x8C)),
+];
+
+/// The colour of a curve; repeats after six, the marker characters later.
+pub(super) fn curve(index: usize) -> Shade {
+    CURVES[index % CURVES.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn detect(pairs: &[(&str, &str)]) -> ColourDepth {
+        ColourDepth::detect(|name| {
+            let found = pairs.iter().find(|(key, _)| *key == name);
+            found.map(|(_, value)| (*value).to_owned())
+        })
+    }
+
+    #[test]
+    fn depth_follows_the_environment_conservatively() {
+        use ColourDepth as D;
+        let cases: &[(&[(&str, &str)], D)] = &[
+            (&[], D::None),
+            (&[("TERM", "dumb"), ("COLORTERM", "truecolor")], D::None),
+            (&[("TERM", "xterm-256color")], D::Ansi256),
+            (
+                &[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")],
+                D::Rgb,
+            ),
+            (&[("TERM", "tmux-256color"), ("COLORTERM", "24bit")], D::Rgb),
+            (
+                &[("TERM", "screen-256color"), ("COLORTERM", "truecolor")],
+                D::Ansi256,
+            ),
+            (&[("TERM", "xterm"), ("COLORTERM", "yes")], D::Ansi256),
+            (&[("TERM", "linux"), ("COLORTERM", "truecolor")], D::Sixteen),
+            (&[("TERM", "vt220")], D::Sixteen),
+            (&[("TERM", "xterm-16color")], D::Sixteen),
+            (&[("TERM", "xterm"), ("NO_COLOR", "1")], D::None),
+            (&[("TERM", "xterm"), ("NO_COLOR", "")], D::Ansi256),
+        ];
+        for (pairs, depth) in cases {
+            assert_eq!(detect(pairs), *depth, "{pairs:?}");
+        }
+    }
+
+    #[test]
+    fn cycling_comes_back_to_what_the_terminal_can_show() {
+        let full = ColourDepth::Rgb;
+        let path = [full, full.next(full), full.next(full).next(full)];
+        assert_eq!(path, [full, ColourDepth::Sixteen, ColourDepth::None]);
+        assert_eq!(ColourDepth::None.next(full), full);
+    }
+
+    /// Relative luminance, WCAG 2.1.
+    fn luminance((r, g, b): (u8, u8, u8)) -> f64 {
+        let linear = |byte: u8| {
+            let c = f64::from(byte) / 255.0;
+            if c <= 0.03928 {
+                c / 12.92
+            } else {
+                ((c + 0.055) / 1.055).powf(2.4)
+            }
+        };
+        0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b)
+    }
+
+    /// The xterm palette: a 6x6x6 cube from 16, then 24 greys from 232.
+    fn xterm(index: u8) -> (u8, u8, u8) {
+        let level = |step: u8| if step == 0 { 0 } else { 55 + 40 * step };
+        if index >= 232 {
+            let grey = 8 + 10 * (index - 232);
+            return (grey, grey, grey);
+        }
+        let cube = index - 16;
+        (level(cube / 36), level(cube / 6 % 6), level(cube % 6))
+    }
+
+    #[test]
+    fn fixed_shades_are_readable_on_white_and_on_black() {
+        let all = [FOCUS, CROSSHAIR, ERROR, WARNING, NOTE];
+        for shade in all.iter().chain(&CURVES) {
+            for rgb in [shade.rgb, xterm(shade.ansi)] {
+                let l = luminance(rgb);
+                let (on_white, on_black) = (1.05 / (l + 0.05), (l + 0.05) / 0.05);
+                assert!(
+                    on_white >= 3.0 && on_black >= 3.0,
+                    "{rgb:?} {on_white} {on_black}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn curves_have_different_colours_at_every_depth() {
+        for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb] {
+            let colours: std::collections::HashSet<_> =
+                (0..CURVES.len()).map(|i| curve(i).at(depth)).collect();
+            assert_eq!(colours.len(), CURVES.len(), "{depth:?}");
+        }
+    }
+}

@@ -1,0 +1,333 @@
+//! Which characters the terminal can show, the lines drawn with them, and the way back to ASCII.
+//!
+//! `Block` keeps to the characters of the old PC set (code page 437), because that is what the Linux console's fonts have;
+//! `Braille` may use any of Unicode's box drawing and the braille cells.
+
+use std::fmt;
+use std::str::FromStr;
+
+use ratatui::buffer::Buffer;
+
+/// A set of characters to draw with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum GlyphSet {
+    /// `+ - |` and letters: one dot a cell, works everywhere.
+    Ascii,
+    /// Lines and half blocks: two dots a cell, one above the other.
+    Block,
+    /// Lines and braille: two by four dots a cell.
+    Braille,
+}
+
+impl GlyphSet {
+    /// What the locale and the terminal can show. The first of `LC_ALL`, `LC_CTYPE`, `LANG` that is set decides; the Linux
+    /// console has no braille.
+    pub fn detect(env: impl Fn(&str) -> Option<String>) -> Self {
+        let value = |name| env(name).filter(|text| !text.is_empty());
+        let locale = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(value);
+        let utf8 = locale.is_some_and(|text| {
+            let upper = text.to_ascii_uppercase();
+            upper.contains("UTF-8") || upper.contains("UTF8")
+        });
+        let term = value("TERM").unwrap_or_default();
+        if !utf8 || term == "dumb" || term.starts_with("vt") {
+            Self::Ascii
+        } else if term == "linux" {
+            Self::Block
+        } else {
+            Self::Braille
+        }
+    }
+
+    /// The next in the cycle ASCII, block, braille.
+    #[must_use]
+    pub fn next(self) -> Self {
+        match self {
+            Self::Ascii => Self::Block,
+            Self::Block => Self::Braille,
+            Self::Braille => Self::Ascii,
+        }
+    }
+
+    /// The word used on the command line and in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Ascii => "ascii",
+            Self::Block => "block",
+            Self::Braille => "braille",
+        }
+    }
+
+    /// Dots in a cell: across, down.
+    pub fn dots(self) -> (u16, u16) {
+        match self {
+            Self::Ascii => (1, 1),
+            Self::Block => (1, 2),
+            Self::Braille => (2, 4),
+        }
+    }
+
+    /// The lines and joints of this set.
+    pub fn lines(self) -> &'static Lines {
+        match self {
+            Self::Ascii => &ASCII_LINES,
+            Self::Block => &BLOCK_LINES,
+            Self::Braille => &BRAILLE_LINES,
+        }
+    }
+}
+
+impl fmt::Display for GlyphSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.word())
+    }
+}
+
+/// What a person asked for: `ascii`, `block`, `braille` or `auto`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum GlyphChoice {
+    /// What the terminal can show.
+    #[default]
+    Auto,
+    /// This set, whatever the terminal says.
+    Fixed(GlyphSet),
+}
+
+impl GlyphChoice {
+    /// The set to use; `env` looks up a variable of the environment.
+    pub fn resolve(self, env: impl Fn(&str) -> Option<String>) -> GlyphSet {
+        match self {
+            Self::Auto => GlyphSet::detect(env),
+            Self::Fixed(set) => set,
+        }
+    }
+}
+
+/// The word for a glyph set is none of those that exist.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("glyphs '{0}' are not known: choose ascii, block, braille or auto")]
+pub struct UnknownGlyphs(pub String);
+
+impl FromStr for GlyphChoice {
+    type Err = UnknownGlyphs;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let sets = [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];
+        if text.eq_ignore_ascii_case("auto") {
+            return Ok(Self::Auto);
+        }
+        sets.into_iter()
+            .find(|set| text.eq_ignore_ascii_case(set.word()))
+            .map(Self::Fixed)
+            .ok_or_else(|| UnknownGlyphs(text.to_owned()))
+    }
+}
+
+/// The characters of borders, axes and rules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say where each character stands")]
+pub struct Lines {
+    pub horizontal: char,
+    pub vertical: char,
+    pub top_left: char,
+    pub top_right: char,
+    pub bottom_left: char,
+    pub bottom_right: char,
+    /// Tick of an axis at the left of a plot.
+    pub tick_left: char,
+    /// Tick of an axis at the right of a plot.
+    pub tick_right: char,
+    /// Labelled tick of an axis below a plot.
+    pub tick_below: char,
+    /// Vertical dotted line: an event.
+    pub event: char,
+    /// Horizontal dotted line: a reference.
+    pub level: char,
+    /// Vertical line at the crosshair.
+    pub crosshair: char,
+    /// Something was cut off here.
+    pub ellipsis: char,
+}
+
+const ASCII_LINES: Lines = Lines {
+    horizontal: '-',
+    vertical: '|',
+    top_left: '+',
+    top_right: '+',
+    bottom_left: '+',
+    bottom_right: '+',
+    tick_left: '+',
+    tick_right: '+',
+    tick_below: '+',
+    event: ':',
+    level: '.',
+    crosshair: '|',
+    ellipsis: '~',
+};
+
+const BLOCK_LINES: Lines = Lines {
+    horizontal: '─',
+    vertical: '│',
+    top_left: '┌',
+    top_right: '┐',
+    bottom_left: '└',
+    bottom_right: '┘',
+    tick_left: '┤',
+    tick_right: '├',
+    tick_below: '┬',
+    event: ':',
+    level: '·',
+    crosshair: '│',
+    ellipsis: '~',
+};
+
+const BRAILLE_LINES: Lines = Lines {
+    event: '┊',
+    level: '┈',
+    ellipsis: '…',
+    ..BLOCK_LINES
+};
+
+/// Replaces every character that is not ASCII by one that is, cell by cell; the last step of a frame in ASCII mode.
+pub fn ascii_pass(buffer: &mut Buffer) {
+    for cell in &mut buffer.content {
+        if !cell.symbol().is_ascii() {
+            let replacement = cell.symbol().chars().next().map_or(' ', ascii);
+            cell.set_char(replacement);
+        }
+    }
+}
+
+/// The same for a text.
+pub fn ascii_text(text: &str) -> String {
+    text.chars().map(ascii).collect()
+}
+
+/// The nearest ASCII character of the same width in cells; `?` where there is none.
+pub fn ascii(character: char) -> char {
+    match character {
+        '\u{0}'..='\u{7f}' => character,
+        '\u{a0}' | '\u{2000}'..='\u{200a}' => ' ',
+        '─' | '━' | '═' | '┄' | '┅' | '┈' | '┉' | '╌' | '╍' | '–' | '—' | '−' | '‐' | '‑' => {
+            '-'
+        }
+        '│' | '┃' | '║' | '╎' | '╏' | '▏' | '▕' | '▌' | '▐' => '|',
+        '┆' | '┇' | '┊' | '┋' | '∶' => ':',
+        '\u{250c}'..='\u{254b}' | '\u{2552}'..='\u{2570}' | '±' => '+',
+        '█' | '▓' | '■' | '▇' | '▉' | '▊' => '#',
+        '▒' | '▆' | '▅' | '▋' => '%',
+        '░' | '·' | '…' | '⋅' | '∙' => '.',
+        '▀' => '"',
+        '▄' | '▁' | '▂' | '▃' => '_',
+        '\u{2800}'..='\u{28ff}' => braille(character),
+        '←' | '◀' | '◂' | '◄' | '≤' | '‹' | '«' => '<',
+        '→' | '▶' | '▸' | '►' | '≥' | '›' | '»' => '>',
+        '↑' | '▲' | '▴' | '⇑' => '^',
+        '↓' | '▼' | '▾' | '⇓' => 'v',
+        'µ' | 'μ' => 'u',
+        'γ' => 'g',
+        'δ' | 'Δ' => 'd',
+        'ρ' => 'r',
+        'θ' => 't',
+        'σ' => 's',
+        'λ' => 'l',
+        'π' => 'p',
+        'ω' => 'w',
+        'Ω' => 'O',
+        'η' => 'n',
+        '∞' | '×' | '✗' | '✘' | '╳' => 'x',
+        '≈' | '∼' => '~',
+        '≠' => '#',
+        '²' => '2',
+        '³' => '3',
+        '°' | '○' | '◦' | '●' | '◉' => 'o',
+        '•' | '★' | '✱' => '*',
+        '✓' | '✔' | '√' => 'v',
+        '‘' | '’' => '\'',
+        '“' | '”' => '"',
+        _ => '?',
+    }
+}
+
+/// A braille cell by where its dots are: dots 1 to 6 of the pattern's low bits are the upper three rows, 7 and 8 the lowest.
+fn braille(character: char) -> char {
+    let dots = u32::from(character) & 0xff;
+    let (upper, lower) = (dots & 0b0001_1011 != 0, dots & 0b1110_0100 != 0);
+    match (upper, lower) {
+        (false, false) => ' ',
+        (true, false) => '\'',
+        (false, true) => '.',
+        (true, true) => ':',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use ratatui::layout::Rect;
+    use ratatui::style::Style;
+
+    use super::*;
+
+    fn detect(pairs: &[(&str, &str)]) -> GlyphSet {
+        GlyphSet::detect(|name| {
+            let found = pairs.iter().find(|(key, _)| *key == name);
+            found.map(|(_, value)| (*value).to_owned())
+        })
+    }
+
+    #[test]
+    fn the_first_locale_variable_that_is_set_decides() {
+        use GlyphSet as G;
+        let cases: &[(&[(&str, &str)], G)] = &[
+            (&[], G::Ascii),
+            (&[("LANG", "C")], G::Ascii),
+            (&[("LANG", "en_GB.UTF-8")], G::Braille),
+            (&[("LANG", "de_DE.utf8")], G::Braille),
+            (&[("LC_ALL", "C"), ("LANG", "en_GB.UTF-8")], G::Ascii),
+            (&[("LC_ALL", ""), ("LANG", "en_GB.UTF-8")], G::Braille),
+            (&[("LC_CTYPE", "C.UTF-8"), ("LANG", "C")], G::Braille),
+            (&[("LC_ALL", "C.UTF-8"), ("LC_CTYPE", "C")], G::Braille),
+            (&[("LANG", "en_GB.UTF-8"), ("TERM", "linux")], G::Block),
+            (&[("LANG", "C"), ("TERM", "linux")], G::Ascii),
+            (&[("LANG", "en_GB.UTF-8"), ("TERM", "vt220")], G::Ascii),
+        ];
+        for (pairs, set) in cases {
+            assert_eq!(detect(pairs), *set, "{pairs:?}");
+        }
+    }
+
+    #[test]
+    fn choices_are_read_and_an_unknown_one_names_the_cure() {
+        assert_eq!("auto".parse(), Ok(GlyphChoice::Auto));
+        for set in [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille] {
+            assert_eq!(set.word().parse(), Ok(GlyphChoice::Fixed(set)));
+        }
+        let error = "dots".parse::<GlyphChoice>().unwrap_err().to_string();
+        assert_eq!(
+            error,
+            "glyphs 'dots' are not known: choose ascii, block, braille or auto"
+        );
+    }
+
+    #[test]
+    fn the_ascii_pass_leaves_nothing_but_ascii_and_keeps_columns() {
+        let area = Rect::new(0, 0, 20, 1);
+        let mut buffer = Buffer::empty(area);
+        buffer.set_string(0, 0, "┌─ 5 µs → ·… ⣿⠁⡀│日", Style::new());
+        ascii_pass(&mut buffer);
+        let text: String = buffer.content.iter().map(|cell| cell.symbol()).collect();
+        assert_eq!(text, "+- 5 us > .. :'.|?  ");
+    }
+
+    #[test]
+    fn every_line_of_every_set_has_an_ascii_form() {
+        for set in [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille] {
+            let l = set.lines();
+            let corners = [l.top_left, l.top_right, l.bottom_left, l.bottom_right];
+            let ticks = [l.tick_left, l.tick_right, l.tick_below];
+            assert!(corners.iter().chain(&ticks).all(|c| ascii(*c) == '+'));
+            assert_eq!([l.horizontal, l.vertical].map(ascii), ['-', '|']);
+            assert_eq!([l.event, l.level, l.crosshair].map(ascii)[0], ':');
+        }
+    }
+}
