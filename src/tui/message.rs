@@ -29,6 +29,8 @@ pub enum Message {
     RunDue(u64),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),
+    /// A line of the program's own log, for the Log tab (not for the message row).
+    Logged(log::Level, String),
 }
 
 /// How an effect ended. The texts are for the message row.
@@ -44,6 +46,8 @@ pub enum EffectReport {
     Loaded(Result<(String, Box<Scene>), String>),
     /// Text was copied (or could not be), and where else it was put.
     Copied(String),
+    /// Something could not be done, and why.
+    Refused(String),
     /// Names that complete a path.
     Completions(Vec<String>),
 }
