@@ -4,7 +4,12 @@
 //! change the state, does the effects, takes all else that waits, and draws once. Idle, it draws nothing and wakes four times a
 //! second to see whether the terminal is still there. What is drawn and what keys mean is not known here.
 
+pub mod app;
+pub mod chart;
 pub mod message;
+pub mod theme;
+pub mod update;
+pub mod view;
 
 mod complete;
 mod effects;
@@ -13,6 +18,7 @@ mod log;
 mod pace;
 mod shell;
 mod signals;
+mod start;
 mod terminal;
 
 use std::io::{self, Write};

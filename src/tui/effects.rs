@@ -12,14 +12,16 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::Incoming;
+use crate::files::csv::Rows;
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::session::{self, Session};
-use crate::files::{export, preset};
+use crate::files::preset::{self, Preset};
+use crate::files::export;
 use crate::model::scene::Scene;
 use crate::tui::complete;
-use crate::tui::message::{EffectReport, ExportOutcome, ExportRequest, Message, PresetEntry};
+use crate::tui::message::{EffectReport, ExportOutcome, ExportRequest, ExportRows, Message, PresetEntry};
 
 /// How long a changed session may stay unsaved.
 const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -34,8 +36,8 @@ pub(super) enum Task {
     },
     /// Write an export.
     Export(Box<ExportRequest>),
-    /// Tell which presets there are.
-    ListPresets,
+    /// Tell which presets there are, these files among them.
+    ListPresets(Vec<PathBuf>),
     /// Read a scene file.
     Load(PathBuf),
     /// Complete a path.
@@ -182,7 +184,7 @@ impl Desk {
                 overwrite,
             } => EffectReport::Saved(save_preset(paths, name, &scene, overwrite)),
             Task::Export(request) => EffectReport::Exported(write_export(*request)),
-            Task::ListPresets => EffectReport::Presets(list_presets(paths)),
+            Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
                 preset::from_file(&path)
                     .map(|found| (found.name, Box::new(found.scene)))
@@ -217,6 +219,18 @@ fn save_preset(
 }
 
 fn write_export(request: ExportRequest) -> ExportOutcome {
+    let request = export::ExportRequest {
+        path: request.path,
+        overwrite: request.overwrite,
+        rows: match request.rows {
+            ExportRows::Series => Rows::Series,
+            ExportRows::Grid(rows) => Rows::Grid(rows),
+            ExportRows::Results => Rows::Results,
+            ExportRows::Events => Rows::Events,
+        },
+        runs: request.runs,
+        columns: request.columns,
+    };
     match export::write(&request) {
         Ok(files) => ExportOutcome::Written(files),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
@@ -224,19 +238,26 @@ fn write_export(request: ExportRequest) -> ExportOutcome {
     }
 }
 
-fn list_presets(paths: Option<&Paths>) -> Vec<PresetEntry> {
+fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
     let (presets, problems) = preset::list(paths);
     for problem in problems {
         log::warn!("{problem}");
     }
+    // A recent file that is gone or broken is left out: loading it says why.
+    let recent = recent.iter().filter_map(|path| preset::from_file(path).ok());
+    let entry = |found: Preset, origin| PresetEntry {
+        origin,
+        name: found.name,
+        scene: found.scene,
+        comment: found.comment,
+    };
     presets
         .into_iter()
-        .map(|found| PresetEntry {
-            origin: found.origin.word(),
-            name: found.name,
-            scene: found.scene,
-            comment: found.comment,
+        .map(|found| {
+            let origin = found.origin.word();
+            entry(found, origin)
         })
+        .chain(recent.map(|found| entry(found, "recent")))
         .collect()
 }
 
@@ -329,7 +350,7 @@ mod tests {
         assert!(matches!(report(&inbox), EffectReport::Saved(Err(text)) if text.contains("exists")));
         ask(true);
         assert!(matches!(report(&inbox), EffectReport::Saved(Ok(_))));
-        clerk.ask(Task::ListPresets);
+        clerk.ask(Task::ListPresets(Vec::new()));
         let EffectReport::Presets(presets) = report(&inbox) else {
             panic!("not a list");
         };

@@ -71,11 +71,13 @@ impl Pace {
         Some(self.waits_until.map_or(budget, |until| budget.max(until)))
     }
 
-    /// A frame has been drawn.
-    pub(super) fn drawn(&mut self, now: Instant) {
+    /// A frame has been drawn; one that changed nothing cost the line nothing.
+    pub(super) fn drawn(&mut self, now: Instant, changed: bool) {
         self.dirty = false;
         self.waits_until = None;
-        self.full_at = self.full_at.max(now) + self.interval();
+        if changed {
+            self.full_at = self.full_at.max(now) + self.interval();
+        }
     }
 
     fn interval(&self) -> Duration {
@@ -94,7 +96,7 @@ mod tests {
         while now < start + span {
             pace.change();
             if pace.due().is_some_and(|due| due <= now) {
-                pace.drawn(now);
+                pace.drawn(now, true);
                 frames += 1;
             }
             now += Duration::from_millis(1);
@@ -107,7 +109,7 @@ mod tests {
         let now = Instant::now();
         let mut pace = Pace::new(now);
         assert!(pace.due().is_some_and(|due| due <= now));
-        pace.drawn(now);
+        pace.drawn(now, true);
         assert_eq!(pace.due(), None);
     }
 
@@ -115,7 +117,7 @@ mod tests {
     fn a_change_after_a_pause_is_drawn_at_once() {
         let start = Instant::now();
         let mut pace = Pace::new(start);
-        pace.drawn(start);
+        pace.drawn(start, true);
         let later = start + Duration::from_secs(1);
         pace.change();
         assert!(pace.due().is_some_and(|due| due <= later));

@@ -2,6 +2,7 @@
 
 use std::collections::{HashSet, VecDeque};
 use std::io;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
@@ -65,6 +66,8 @@ pub(super) struct Shell {
     /// What came while the process was being stopped.
     put_off: VecDeque<Incoming>,
     last_look: Instant,
+    /// Files opened or saved lately, newest first.
+    recent: Vec<PathBuf>,
     _watch: Watch,
 }
 
@@ -81,7 +84,8 @@ impl Shell {
             // The loop may be over already.
             let _ = for_reports.send(Incoming::Message(Message::Report(report)));
         })?;
-        let (app, effects) = start::app(options, paths.as_ref());
+        let (mut app, recent) = start::app(options, paths.as_ref());
+        let effects = update::start(&mut app);
         let clerk = Clerk::spawn(paths, sender.clone())?;
         let unsaved = clerk.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
@@ -103,6 +107,7 @@ impl Shell {
             newest: None,
             put_off: VecDeque::new(),
             last_look: now,
+            recent,
             _watch: watch,
         };
         input::spawn(sender)?;
@@ -136,7 +141,7 @@ impl Shell {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
             Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
         };
-        self.clerk.session_changed(start::session(&self.app));
+        self.clerk.session_changed(start::session(&self.app, &self.recent));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
         self.clerk.finish(patience);
@@ -175,8 +180,8 @@ impl Shell {
         }
         if self.pace.due().is_some_and(|due| due <= now) {
             let app = &self.app;
-            self.guard.draw(|frame| view::view(app, frame))?;
-            self.pace.drawn(Instant::now());
+            let changed = self.guard.draw(|frame| view::view(app, frame))?;
+            self.pace.drawn(Instant::now(), changed);
         }
         Ok(None)
     }
@@ -221,8 +226,12 @@ impl Shell {
     fn take(&mut self, message: Message) -> io::Result<Option<Ending>> {
         let mut queue = VecDeque::from([message]);
         while let Some(message) = queue.pop_front() {
-            if let Message::Report(report) = &message {
-                self.note(report);
+            match &message {
+                Message::Report(report) => self.note(report),
+                Message::Done(EffectReport::Loaded(Ok((name, _)))) => {
+                    start::note_recent(&mut self.recent, Path::new(name));
+                }
+                _ => {}
             }
             let effects = update::update(&mut self.app, message);
             self.pace.change();
@@ -277,8 +286,8 @@ impl Shell {
                 overwrite,
             }),
             Effect::Export(request) => self.clerk.ask(Task::Export(request)),
-            Effect::SaveSession => self.clerk.session_changed(start::session(&self.app)),
-            Effect::ListPresets => self.clerk.ask(Task::ListPresets),
+            Effect::SaveSession => self.clerk.session_changed(start::session(&self.app, &self.recent)),
+            Effect::ListPresets => self.clerk.ask(Task::ListPresets(self.recent.clone())),
             Effect::Load(path) => self.clerk.ask(Task::Load(path)),
             Effect::Complete(text) => self.clerk.ask(Task::Complete(text)),
             Effect::Copy(text) => self.copy(text)?,

@@ -68,12 +68,14 @@ impl Guard {
         Ok((size.width, size.height))
     }
 
-    /// Draw one frame in one write.
+    /// Draw one frame in one write; returns whether anything had changed.
     pub(super) fn draw(
         &mut self,
         render: impl FnOnce(&mut ratatui::Frame<'_>),
-    ) -> io::Result<()> {
-        self.terminal.draw(render).map(|_| ())
+    ) -> io::Result<bool> {
+        let before = self.terminal.backend().writes;
+        self.terminal.draw(render)?;
+        Ok(self.terminal.backend().writes != before)
     }
 
     /// The next frame clears the screen and draws every cell.
@@ -177,8 +179,8 @@ struct Screen {
     cursor_shown: bool,
     /// Where the cursor was last put, for the frames that show it.
     cursor_at: Option<Position>,
-    /// Whether colours are wanted (`NO_COLOR` is not set).
-    colours: bool,
+    /// Writes so far.
+    writes: u64,
 }
 
 impl Screen {
@@ -187,7 +189,7 @@ impl Screen {
             pending: Vec::with_capacity(16 * 1024),
             cursor_shown: true,
             cursor_at: None,
-            colours: std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty()),
+            writes: 0,
         }
     }
 
@@ -216,6 +218,7 @@ impl Screen {
         queue!(frame, BeginSynchronizedUpdate)?;
         frame.append(&mut self.pending);
         queue!(frame, EndSynchronizedUpdate)?;
+        self.writes = self.writes.wrapping_add(1);
         write_all(&frame)
     }
 }
@@ -227,7 +230,7 @@ impl Backend for Screen {
     where
         I: Iterator<Item = (u16, u16, &'a Cell)>,
     {
-        if encode::cells(&mut self.pending, content, self.colours) {
+        if encode::cells(&mut self.pending, content) {
             self.cursor_at = None;
         }
         Ok(())

@@ -24,7 +24,6 @@ const PLAIN: Style = Style {
 pub(super) fn cells<'a>(
     out: &mut Vec<u8>,
     content: impl Iterator<Item = (u16, u16, &'a Cell)>,
-    colours: bool,
 ) -> bool {
     let mut style = PLAIN;
     // Where the next character would land, were nothing done about it.
@@ -34,8 +33,8 @@ pub(super) fn cells<'a>(
         any = true;
         go_to(out, next, (x, y));
         let wanted = Style {
-            fg: if colours { cell.fg } else { Color::Reset },
-            bg: if colours { cell.bg } else { Color::Reset },
+            fg: cell.fg,
+            bg: cell.bg,
             modifier: cell.modifier,
         };
         if wanted != style {
@@ -185,7 +184,7 @@ mod tests {
         let mut previous = Buffer::empty(area);
         for buffer in buffers {
             let mut bytes = Vec::new();
-            cells(&mut bytes, previous.diff(buffer).into_iter(), true);
+            cells(&mut bytes, previous.diff(buffer).into_iter());
             parser.process(&bytes);
             last = bytes.len();
             previous = buffer.clone();
@@ -273,12 +272,13 @@ mod tests {
     }
 
     #[test]
-    fn without_colours_only_attributes_are_sent() {
-        let mut buffer = Buffer::with_lines(["x"]);
+    fn a_style_is_one_sequence_and_plain_text_has_none() {
+        let mut buffer = Buffer::with_lines(["xy z"]);
         buffer[(0, 0)].set_style(Wanted::new().fg(Color::Red).add_modifier(Modifier::BOLD));
         let mut bytes = Vec::new();
         let before = Buffer::empty(buffer.area);
-        assert!(cells(&mut bytes, before.diff(&buffer).into_iter(), false));
-        assert_eq!(bytes, b"\x1b[1H\x1b[1mx\x1b[m");
+        assert!(cells(&mut bytes, before.diff(&buffer).into_iter()));
+        // SGR by ECMA-48: 1 bold, 31 red, none plain; CUF moves on; CUP without a column is column 1.
+        assert_eq!(bytes, b"\x1b[1H\x1b[1;31mx\x1b[my\x1b[Cz");
     }
 }
