@@ -205,7 +205,6 @@ pub enum Action {
     Run,
     AutoRun,
     Cancel,
-    Back,
     CursorLeft,
     CursorRight,
     CursorLeftFar,
@@ -238,51 +237,6 @@ pub enum Action {
 /// A key with its modifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Key(pub KeyCode, pub KeyModifiers);
-
-impl Key {
-    /// The key as people write it: `Ctrl-r`, `Space`, `Tab`, `G`.
-    pub fn words(self) -> String {
-        let name = match self.0 {
-            KeyCode::Char(' ') => "Space".to_owned(),
-            KeyCode::Char(c) => c.to_string(),
-            KeyCode::BackTab => "Shift-Tab".to_owned(),
-            KeyCode::PageUp => "PgUp".to_owned(),
-            KeyCode::PageDown => "PgDn".to_owned(),
-            KeyCode::Delete => "Del".to_owned(),
-            other => format!("{other}"),
-        };
-        let mut text = String::new();
-        if self.1.contains(KeyModifiers::CONTROL) {
-            text.push_str("Ctrl-");
-        }
-        if self.1.contains(KeyModifiers::SHIFT) && self.0 != KeyCode::BackTab {
-            text.push_str("Shift-");
-        }
-        text + &name
-    }
-}
-
-impl Binding {
-    /// All its keys, as people write them: `j, Down`.
-    pub fn keys_in_words(&self) -> String {
-        let mut words: Vec<String> = self.keys.iter().map(|key| key.words()).collect();
-        words.dedup();
-        words.join(", ")
-    }
-
-    /// Whether it only moves within a list: of no use by name.
-    pub fn is_movement(&self) -> bool {
-        matches!(
-            self.action,
-            Action::Up
-                | Action::Down
-                | Action::First
-                | Action::Last
-                | Action::PageUp
-                | Action::PageDown
-        )
-    }
-}
 
 /// One row of the key table.
 pub struct Binding {
@@ -342,8 +296,7 @@ use Place::{Anywhere, Charts, Runs, Variables};
 #[rustfmt::skip]
 pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[plain('?')], A::Help, "help", "keys and what the selected row means", 1),
-    bind(Anywhere, &[plain('q')], A::Quit, "quit", "quit (the session is kept)", 2),
-    bind(Anywhere, &[special(C::Esc)], A::Back, "back", "stop a running job, leave the full pane or the filter", 0),
+    bind(Anywhere, &[plain('q'), special(C::Esc)], A::Quit, "quit", "quit (the session is kept); Esc stops a running job first", 2),
     bind(Anywhere, &[special(C::Tab)], A::FocusNext, "pane", "next pane", 3),
     bind(Anywhere, &[special(C::BackTab), shifted(C::BackTab)], A::FocusPrevious, "previous pane", "previous pane", 0),
     bind(Anywhere, &[plain('p')], A::Presets, "preset", "choose a preset", 5),
