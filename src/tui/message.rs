@@ -27,8 +27,6 @@ pub enum Message {
     Report(Report),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
-    /// A line of the program's own log, for the Log tab (not for the message row).
-    Logged(log::Level, String),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),
     /// A line of the program's own log, for the Log tab (not for the message row).
