@@ -7,6 +7,10 @@ mod files;
 #[cfg(test)]
 mod presets;
 #[cfg(test)]
+mod pty;
+#[cfg(test)]
 mod support;
+#[cfg(test)]
+mod terminal;
 #[cfg(test)]
 mod tidy;
