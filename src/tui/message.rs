@@ -29,6 +29,8 @@ pub enum Message {
     RunDue(u64),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),
+    /// A line of the program's own log, for the Log tab (not for the message row).
+    Logged(log::Level, String),
 }
 
 /// How an effect ended. The texts are for the message row.
@@ -44,6 +46,8 @@ pub enum EffectReport {
     Loaded(Result<(String, Box<Scene>), String>),
     /// Text was copied (or could not be), and where else it was put.
     Copied(String),
+    /// Something could not be done, and why.
+    Refused(String),
     /// Names that complete a path.
     Completions(Vec<String>),
 }
@@ -154,6 +158,8 @@ pub enum Place {
     Charts,
     /// The table of runs.
     Runs,
+    /// The Log tab.
+    Log,
 }
 
 /// Everything the workbench can do by a key.
@@ -198,6 +204,7 @@ pub enum Action {
     Run,
     AutoRun,
     Cancel,
+    Back,
     CursorLeft,
     CursorRight,
     CursorLeftFar,
@@ -230,6 +237,51 @@ pub enum Action {
 /// A key with its modifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Key(pub KeyCode, pub KeyModifiers);
+
+impl Key {
+    /// The key as people write it: `Ctrl-r`, `Space`, `Tab`, `G`.
+    pub fn words(self) -> String {
+        let name = match self.0 {
+            KeyCode::Char(' ') => "Space".to_owned(),
+            KeyCode::Char(c) => c.to_string(),
+            KeyCode::BackTab => "Shift-Tab".to_owned(),
+            KeyCode::PageUp => "PgUp".to_owned(),
+            KeyCode::PageDown => "PgDn".to_owned(),
+            KeyCode::Delete => "Del".to_owned(),
+            other => format!("{other}"),
+        };
+        let mut text = String::new();
+        if self.1.contains(KeyModifiers::CONTROL) {
+            text.push_str("Ctrl-");
+        }
+        if self.1.contains(KeyModifiers::SHIFT) && self.0 != KeyCode::BackTab {
+            text.push_str("Shift-");
+        }
+        text + &name
+    }
+}
+
+impl Binding {
+    /// All its keys, as people write them: `j, Down`.
+    pub fn keys_in_words(&self) -> String {
+        let mut words: Vec<String> = self.keys.iter().map(|key| key.words()).collect();
+        words.dedup();
+        words.join(", ")
+    }
+
+    /// Whether it only moves within a list: of no use by name.
+    pub fn is_movement(&self) -> bool {
+        matches!(
+            self.action,
+            Action::Up
+                | Action::Down
+                | Action::First
+                | Action::Last
+                | Action::PageUp
+                | Action::PageDown
+        )
+    }
+}
 
 /// One row of the key table.
 pub struct Binding {
@@ -276,13 +328,14 @@ const fn bind(
 
 use Action as A;
 use KeyCode as C;
-use Place::{Anywhere, Charts, Runs, Variables};
+use Place::{Anywhere, Charts, Log, Runs, Variables};
 
 /// THE key table.
 #[rustfmt::skip]
 pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[plain('?')], A::Help, "help", "keys and what the selected row means", 1),
-    bind(Anywhere, &[plain('q'), special(C::Esc)], A::Quit, "quit", "quit (the session is kept); Esc stops a running job first", 2),
+    bind(Anywhere, &[plain('q')], A::Quit, "quit", "quit (the session is kept)", 2),
+    bind(Anywhere, &[special(C::Esc)], A::Back, "back", "stop a running job, leave the full pane or the filter", 0),
     bind(Anywhere, &[special(C::Tab)], A::FocusNext, "pane", "next pane", 3),
     bind(Anywhere, &[special(C::BackTab), shifted(C::BackTab)], A::FocusPrevious, "previous pane", "previous pane", 0),
     bind(Anywhere, &[plain('p')], A::Presets, "preset", "choose a preset", 5),
@@ -354,6 +407,13 @@ pub static BINDINGS: &[Binding] = &[
     bind(Runs, &[plain('='), special(C::Enter)], A::Adopt, "adopt", "make this pinned run's scene the current one", 2),
     bind(Runs, &[plain('V')], A::ShowHide, "show/hide", "draw this run or leave it out", 4),
     bind(Runs, &[plain('D')], A::Difference, "difference", "curves as differences to the first pinned run", 0),
+
+    bind(Log, &[plain('k'), special(C::Up)], A::Up, "up", "scroll up", 0),
+    bind(Log, &[plain('j'), special(C::Down)], A::Down, "scroll", "scroll down", 2),
+    bind(Log, &[plain('g'), special(C::Home)], A::First, "first", "to the beginning", 0),
+    bind(Log, &[plain('G'), special(C::End)], A::Last, "last", "to the end", 0),
+    bind(Log, &[special(C::PageUp)], A::PageUp, "page up", "a page up", 0),
+    bind(Log, &[special(C::PageDown)], A::PageDown, "page down", "a page down", 0),
 ];
 
 /// The action of a key in a place, if any: the place's own bindings first, then those that work anywhere.
@@ -365,7 +425,7 @@ pub fn action_for(place: Place, key: KeyEvent) -> Option<Action> {
             .find(|binding| binding.place == wanted && binding.keys.contains(&pressed))
             .map(|binding| binding.action)
     };
-    in_place(place).or_else(|| in_place(Place::Anywhere))
+    in_place(place).or_else(|| in_place(Anywhere))
 }
 
 /// Terminals disagree on whether a capital letter carries SHIFT: drop it for characters.

@@ -11,6 +11,10 @@ mod physics;
 #[cfg(test)]
 mod presets;
 #[cfg(test)]
+mod pty;
+#[cfg(test)]
 mod support;
+#[cfg(test)]
+mod terminal;
 #[cfg(test)]
 mod tidy;

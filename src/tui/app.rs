@@ -1,0 +1,264 @@
+//! The state of the workbench: plain data, no terminal type, no I/O, no clock.
+//!
+//! [`crate::tui::update`] changes it, [`crate::tui::view`] draws it. What the session file keeps is taken from here.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::model::scene::Scene;
+use crate::tui::message::{Place, PresetEntry};
+use crate::tui::theme::{ColourDepth, Theme};
+
+pub mod charts;
+pub mod dialog;
+pub mod editor;
+pub mod history;
+pub mod layout;
+pub mod log;
+pub mod notice;
+pub mod quantity;
+pub mod runs;
+pub mod status;
+pub mod steps;
+
+use charts::Charts;
+use dialog::Dialog;
+use editor::Editor;
+use history::History;
+use layout::Layout;
+use notice::{Notice, Severity};
+use runs::{Jobs, Pin, Shown};
+
+/// The tabs, in the order of the title row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tab {
+    /// One impact: variables, charts, runs.
+    Run,
+    /// Warnings, events, energy, cost and messages.
+    Log,
+}
+
+impl Tab {
+    /// All tabs, in order.
+    pub const ALL: [Self; 2] = [Self::Run, Self::Log];
+
+    /// The text in the title row, with the key that leads there.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Run => "1:Run",
+            Self::Log => "6:Log",
+        }
+    }
+}
+
+/// Where a preset comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Compiled in; never overwritten.
+    Bundled,
+    /// The user's own, in the data directory.
+    Mine,
+    /// A file elsewhere, or a scene without a file.
+    Other,
+}
+
+/// What the scene is compared with: the preset it was loaded from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Base {
+    /// The preset's name.
+    pub name: String,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// The scene as loaded.
+    pub scene: Arc<Scene>,
+}
+
+/// The whole state.
+#[derive(Clone, Debug)]
+pub struct App {
+    /// Columns and rows of the terminal.
+    pub size: (u16, u16),
+    /// Characters and colours.
+    pub theme: Theme,
+    /// The most colours the terminal can show.
+    pub best_depth: ColourDepth,
+    /// The tab shown.
+    pub tab: Tab,
+    /// The pane that has the keys.
+    pub focus: Place,
+    /// The focused pane fills the body.
+    pub full_pane: bool,
+    /// The scene being edited.
+    pub scene: Arc<Scene>,
+    /// The preset it came from.
+    pub base: Base,
+    /// The list of variables and the open field.
+    pub editor: Editor,
+    /// Edits that can be undone.
+    pub history: History,
+    /// The result on the screen, if any yet.
+    pub shown: Option<Shown>,
+    /// What the worker has been asked.
+    pub jobs: Jobs,
+    /// Pinned runs, in the order of their letters.
+    pub pins: Vec<Pin>,
+    /// The row selected in the table of runs: 0 is the current run.
+    pub selected_run: usize,
+    /// Whether the current run is drawn.
+    pub current_visible: bool,
+    /// The charts.
+    pub charts: Charts,
+    /// The dialog on top, if any.
+    pub dialog: Option<Dialog>,
+    /// The newest message, until the next key.
+    pub notice: Option<Notice>,
+    /// All messages of this session, oldest first.
+    pub log: Vec<Notice>,
+    /// First row shown of the Log tab.
+    pub log_scroll: usize,
+    /// Run after every edit.
+    pub auto_run: bool,
+    /// The program has the mouse.
+    pub mouse: bool,
+    /// The presets as last listed.
+    pub presets: Vec<PresetEntry>,
+    /// Where relative paths start.
+    pub directory: PathBuf,
+}
+
+impl App {
+    /// A workbench on a scene, which is also what edits are compared with.
+    pub fn new(base: Base, theme: Theme, directory: PathBuf) -> Self {
+        Self {
+            size: (80, 24),
+            theme,
+            best_depth: theme.depth,
+            tab: Tab::Run,
+            focus: Place::Variables,
+            full_pane: false,
+            scene: Arc::clone(&base.scene),
+            base,
+            editor: Editor::default(),
+            history: History::default(),
+            shown: None,
+            jobs: Jobs::default(),
+            pins: Vec::new(),
+            selected_run: 0,
+            current_visible: true,
+            charts: Charts::default(),
+            dialog: None,
+            notice: None,
+            log: Vec::new(),
+            log_scroll: 0,
+            auto_run: true,
+            mouse: false,
+            presets: Vec::new(),
+            directory,
+        }
+    }
+
+    /// Where everything stands at the present size.
+    pub fn layout(&self) -> Layout {
+        self.layout_at(self.size)
+    }
+
+    /// Where everything would stand at a size.
+    pub fn layout_at(&self, size: (u16, u16)) -> Layout {
+        let rows = self.message_lines(usize::from(size.0)).len();
+        layout::layout(
+            size,
+            u16::try_from(rows).unwrap_or(1).max(1),
+            self.tab,
+            self.focus,
+            self.full_pane,
+            self.pins.len(),
+        )
+    }
+
+    /// Where a key is pressed now.
+    pub fn place(&self) -> Place {
+        match self.tab {
+            Tab::Run => self.focus,
+            Tab::Log => Place::Log,
+        }
+    }
+
+    /// Whether the scene differs from the preset it came from.
+    pub fn is_modified(&self) -> bool {
+        *self.scene != *self.base.scene
+    }
+
+    /// Whether the result on the screen belongs to an older scene.
+    pub fn is_stale(&self) -> bool {
+        self.shown
+            .as_ref()
+            .is_some_and(|shown| *shown.run.scene != *self.scene)
+    }
+
+    /// Whether to say so: not in the first moments after an edit, in which most runs land.
+    pub fn shows_old(&self) -> bool {
+        self.is_stale() && (self.jobs.overdue || self.jobs.current.is_none())
+    }
+
+    /// Show a message and keep it for the Log tab.
+    pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
+        let notice = Notice {
+            severity,
+            text: text.into(),
+        };
+        self.log.push(notice.clone());
+        self.notice = Some(notice);
+    }
+
+    /// The runs to draw, the current one last so that it lies on top.
+    pub fn visible_runs(&self) -> Vec<runs::RunView<'_>> {
+        let pins = self.pins.iter().enumerate().filter(|(_, pin)| pin.visible);
+        let mut list: Vec<runs::RunView<'_>> = pins
+            .filter_map(|(index, pin)| {
+                pin.run.as_deref().map(|run| runs::RunView {
+                    letter: Some(pin.letter),
+                    index: index + 1,
+                    name: &pin.name,
+                    run,
+                    old: false,
+                })
+            })
+            .collect();
+        if let Some(shown) = self.shown.as_ref().filter(|_| self.current_visible) {
+            list.push(runs::RunView {
+                letter: None,
+                index: 0,
+                name: "now",
+                run: &shown.run,
+                old: self.shows_old(),
+            });
+        }
+        list
+    }
+
+    /// The pin that differences are taken against: the first one that has a result.
+    pub fn reference_pin(&self) -> Option<&Pin> {
+        self.pins.iter().find(|pin| pin.run.is_some())
+    }
+
+    /// The variables that differ between two scenes, by index into the table.
+    pub fn differing(a: &Scene, b: &Scene) -> Vec<usize> {
+        crate::model::variables::VARIABLES
+            .iter()
+            .enumerate()
+            .filter(|(_, variable)| variable.value(a) != variable.value(b))
+            .map(|(index, _)| index)
+            .collect()
+    }
+}
+
+/// How long the computation took, in a few characters: `0.21 ms`.
+pub fn show_duration(took: Duration) -> String {
+    crate::model::units::Engineering {
+        value: took.as_secs_f64(),
+        unit: "s",
+        digits: 2,
+    }
+    .to_string()
+}

@@ -1,0 +1,257 @@
+//! What the charts show: quantities, the time range, the crosshair, and the points of every curve. No drawing.
+
+use super::App;
+use super::quantity::Quantity;
+use super::runs::RunView;
+use crate::model::run::Run;
+use crate::tui::chart::scale::Scale;
+
+/// Which part of the time is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Window {
+    /// From first contact to a little after the first arrest (or perforation).
+    Contact,
+    /// The whole run.
+    Whole,
+}
+
+/// What the vertical axis is fitted to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fit {
+    /// The part of the curves in view.
+    View,
+    /// The whole curves.
+    Everything,
+}
+
+/// The state of the three charts.
+#[derive(Clone, Debug)]
+pub struct Charts {
+    /// What each shows, from top to bottom.
+    pub quantities: [Quantity; 3],
+    /// The chart the keys act on.
+    pub selected: usize,
+    /// The crosshair, s since first contact.
+    pub cursor_s: Option<f64>,
+    /// Contact window or whole response.
+    pub window: Window,
+    /// A time range chosen by zooming or panning, s; `None`: all of the window.
+    pub zoom_s: Option<(f64, f64)>,
+    /// What the vertical axes are fitted to.
+    pub fit: Fit,
+    /// The time axis.
+    pub time_scale: Scale,
+    /// The vertical axes.
+    pub value_scales: [Scale; 3],
+    /// Curves are differences to the first pinned run.
+    pub difference: bool,
+}
+
+impl Default for Charts {
+    fn default() -> Self {
+        Self {
+            quantities: [
+                Quantity::Penetration,
+                Quantity::PlateDisplacement,
+                Quantity::ContactForce,
+            ],
+            selected: 0,
+            cursor_s: None,
+            window: Window::Contact,
+            zoom_s: None,
+            fit: Fit::View,
+            time_scale: Scale::Linear,
+            value_scales: [Scale::Linear; 3],
+            difference: false,
+        }
+    }
+}
+
+/// The points of one run, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// The pin's letter; `None` for the current run.
+    pub letter: Option<char>,
+    /// Row in the table of runs.
+    pub index: usize,
+    /// It belongs to an older scene.
+    pub old: bool,
+    /// Time, s, and value; a gap where the value is not a number.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// How far the zoom goes in.
+const NARROWEST_S: f64 = 1e-12;
+
+impl App {
+    /// The time range of the window without zoom, s.
+    pub fn window_s(&self) -> (f64, f64) {
+        let of = |run: &Run| match self.charts.window {
+            Window::Contact => 1.1 * run.contact_end_s(),
+            Window::Whole => run.series.last().map_or(0.0, |sample| sample.t_s),
+        };
+        let end = self
+            .visible_runs()
+            .iter()
+            .map(|view| of(view.run))
+            .filter(|end| end.is_finite() && *end > 0.0)
+            .fold(0.0f64, |most, end| if end > most { end } else { most });
+        (0.0, if end > 0.0 { end } else { 1e-3 })
+    }
+
+    /// The time range on the screen, s; begins above zero on a logarithmic axis.
+    pub fn time_range_s(&self) -> (f64, f64) {
+        let (from, to) = self.charts.zoom_s.unwrap_or_else(|| self.window_s());
+        match self.charts.time_scale {
+            Scale::Log10 if from <= 0.0 => (to * 1e-4, to),
+            Scale::Log10 | Scale::Linear => (from, to),
+        }
+    }
+
+    /// Every visible curve of a quantity.
+    pub fn curves(&self, quantity: Quantity) -> Vec<Curve> {
+        let reference = self
+            .reference_pin()
+            .filter(|_| self.charts.difference)
+            .and_then(|pin| pin.run.as_deref());
+        self.visible_runs()
+            .iter()
+            .map(|view| curve(view, quantity, reference))
+            .collect()
+    }
+
+    /// The range of values to show, over the curves; a little room is left to the chart itself.
+    pub fn value_range(&self, curves: &[Curve], scale: Scale) -> (f64, f64) {
+        let (from, to) = self.time_range_s();
+        let seen = |t: f64| self.charts.fit == Fit::Everything || (from..=to).contains(&t);
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for &(t, value) in curves.iter().flat_map(|curve| &curve.points) {
+            if seen(t) && value.is_finite() && (scale == Scale::Linear || value > 0.0) {
+                if value < low {
+                    low = value;
+                }
+                if value > high {
+                    high = value;
+                }
+            }
+        }
+        match (low < high, low.is_finite(), scale) {
+            (true, _, _) => (low, high),
+            (false, true, Scale::Linear) if low == 0.0 => (0.0, 1.0),
+            (false, true, Scale::Linear) => (low - 0.1 * low.abs(), high + 0.1 * high.abs()),
+            (false, true, Scale::Log10) => (low / 10.0, high * 10.0),
+            (false, false, _) => (0.1, 1.0),
+        }
+    }
+
+    /// Move the crosshair by columns of the chart; it starts in the middle and stays in the range.
+    pub fn move_cursor(&mut self, columns: f64) {
+        let (from, to) = self.time_range_s();
+        let width = f64::from(self.layout().chart_columns().max(10));
+        let step = (to - from) / width;
+        let here = self
+            .charts
+            .cursor_s
+            .unwrap_or(0.5 * (from + to) - columns * step);
+        self.charts.cursor_s = Some(match self.charts.time_scale {
+            Scale::Linear => (here + columns * step).clamp(from, to),
+            Scale::Log10 => (here.max(from) * (to / from).powf(columns / width)).clamp(from, to),
+        });
+    }
+
+    /// Move the crosshair to the next or previous event of the current run and bring it into view; gives its name.
+    pub fn move_to_event(&mut self, forward: bool) -> Option<&'static str> {
+        let events = &self.shown.as_ref()?.run.events;
+        let here = self.charts.cursor_s;
+        let event = if forward {
+            let start = here.unwrap_or(f64::NEG_INFINITY);
+            events.iter().find(|event| event.t_s > start)
+        } else {
+            let start = here.unwrap_or(f64::INFINITY);
+            events.iter().rev().find(|event| event.t_s < start)
+        }?;
+        let (t_s, words) = (event.t_s, event.kind.words());
+        self.charts.cursor_s = Some(t_s);
+        let (from, to) = self.time_range_s();
+        if t_s < from || t_s > to {
+            let width = to - from;
+            self.charts.zoom_s = Some(((t_s - 0.5 * width).max(0.0), t_s + 0.5 * width));
+        }
+        Some(words)
+    }
+
+    /// The event of the current run under the crosshair.
+    pub fn event_at_cursor(&self) -> Option<&'static str> {
+        let cursor = self.charts.cursor_s?;
+        let run = &self.shown.as_ref()?.run;
+        let (from, to) = self.time_range_s();
+        let near = 0.5 * (to - from) / f64::from(self.layout().chart_columns().max(10));
+        run.events
+            .iter()
+            .filter(|event| (event.t_s - cursor).abs() <= near)
+            .min_by(|a, b| {
+                let distance = |t: f64| (t - cursor).abs();
+                distance(a.t_s).total_cmp(&distance(b.t_s))
+            })
+            .map(|event| event.kind.words())
+    }
+
+    /// Zoom by a factor about the crosshair (the middle without one); at most to the whole window.
+    pub fn zoom(&mut self, factor: f64) {
+        let (from, to) = self.time_range_s();
+        let centre = self
+            .charts
+            .cursor_s
+            .filter(|t| (from..=to).contains(t))
+            .unwrap_or(0.5 * (from + to));
+        let low = centre - (centre - from) * factor;
+        let high = centre + (to - centre) * factor;
+        self.set_zoom(low, high);
+    }
+
+    /// Move the range by a share of its width.
+    pub fn pan(&mut self, share: f64) {
+        let (from, to) = self.time_range_s();
+        let (_, end) = self.whole_s();
+        let shift = (share * (to - from)).clamp((-from).min(0.0), (end - to).max(0.0));
+        self.set_zoom(from + shift, to + shift);
+    }
+
+    fn set_zoom(&mut self, low: f64, high: f64) {
+        let (begin, end) = self.whole_s();
+        let (low, high) = (low.max(begin), high.min(end));
+        if high - low > NARROWEST_S {
+            let all = (low, high) == self.window_s();
+            self.charts.zoom_s = (!all).then_some((low, high));
+        }
+    }
+
+    /// From first contact to the end of the longest visible run (or of the window, where that is later), s.
+    fn whole_s(&self) -> (f64, f64) {
+        let (begin, mut end) = self.window_s();
+        for view in self.visible_runs() {
+            if let Some(last) = view.run.series.last()
+                && last.t_s > end
+            {
+                end = last.t_s;
+            }
+        }
+        (begin, end)
+    }
+}
+
+fn curve(view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
+    let points = view.run.series.iter().map(|sample| {
+        let value = quantity.of(sample);
+        let value = reference.map_or(value, |run| {
+            value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN)
+        });
+        (sample.t_s, value)
+    });
+    Curve {
+        letter: view.letter,
+        index: view.index,
+        old: view.old,
+        points: points.collect(),
+    }
+}

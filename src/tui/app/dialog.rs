@@ -1,0 +1,255 @@
+//! What lies on top of the panes: help, palette, preset picker, list of edits, saving, exporting.
+
+use tui_input::Input;
+
+use crate::tui::message::{BINDINGS, Binding, Place, PresetEntry};
+
+/// The dialog on top.
+#[derive(Clone, Debug)]
+pub enum Dialog {
+    /// Keys, and what the selected variable means.
+    Help(Picker),
+    /// Every action by name.
+    Palette(Picker),
+    /// Presets to load.
+    Presets(Picker),
+    /// The edits of this session.
+    History(Picker),
+    /// A name to save under.
+    Save(Save),
+    /// What to export and where.
+    Export(Box<Export>),
+}
+
+/// A list with a filter.
+#[derive(Clone, Debug, Default)]
+pub struct Picker {
+    /// The filter's text.
+    pub filter: Input,
+    /// Characters go into the filter.
+    pub typing: bool,
+    /// The selected row of those that pass the filter.
+    pub selected: usize,
+}
+
+impl Picker {
+    /// A list whose filter takes characters at once.
+    pub fn typing() -> Self {
+        Self {
+            typing: true,
+            ..Self::default()
+        }
+    }
+
+    /// A list with a row selected.
+    pub fn at(selected: usize) -> Self {
+        Self {
+            selected,
+            ..Self::default()
+        }
+    }
+}
+
+/// The dialog for saving a preset.
+#[derive(Clone, Debug)]
+pub struct Save {
+    /// The name.
+    pub input: Input,
+    /// The name is the proposed one: the first character replaces it.
+    pub fresh: bool,
+    /// A preset of this name exists: the answer to "overwrite?" is awaited.
+    pub question: bool,
+    /// Why the name is no good, or saving failed.
+    pub error: Option<String>,
+}
+
+/// The rows of the export dialog.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExportRow {
+    /// Which rows: four kinds.
+    What,
+    /// Number of rows of a uniform grid.
+    GridRows,
+    /// A run, by its row in the table of runs.
+    Run(usize),
+    /// A column, by index.
+    Column(usize),
+    /// The file.
+    Path,
+}
+
+/// The kinds of export.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    /// The solver's steps and enough between them.
+    Series,
+    /// A uniform grid.
+    Grid,
+    /// One row a run.
+    Results,
+    /// The events.
+    Events,
+}
+
+impl What {
+    /// All kinds, in order.
+    pub const ALL: [Self; 4] = [Self::Series, Self::Grid, Self::Results, Self::Events];
+
+    /// What it is, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Series => "time series: the solver's steps and enough between to draw from",
+            Self::Grid => "time series on a uniform grid",
+            Self::Results => "results: one row per run",
+            Self::Events => "events with their times",
+        }
+    }
+
+    /// The kind by this many places further on, round and round.
+    pub fn other(self, by: isize) -> Self {
+        let at = Self::ALL.iter().position(|one| *one == self).unwrap_or(0);
+        Self::ALL[wrap(at, by, Self::ALL.len())]
+    }
+}
+
+/// The export dialog.
+#[derive(Clone, Debug)]
+pub struct Export {
+    /// Which rows.
+    pub what: What,
+    /// Rows of a uniform grid, as typed.
+    pub grid: Input,
+    /// The runs: name, and whether it goes along.
+    pub runs: Vec<(String, bool)>,
+    /// The columns of a series: name, and whether it goes along.
+    pub columns: Vec<(&'static str, bool)>,
+    /// The file.
+    pub path: Input,
+    /// The selected row.
+    pub row: ExportRow,
+    /// The file exists: the answer to "overwrite?" is awaited.
+    pub question: bool,
+    /// Names that complete the path.
+    pub completions: Vec<String>,
+    /// Why it cannot be done.
+    pub error: Option<String>,
+}
+
+impl Export {
+    /// The rows there are now, in order: the grid's number only for a grid, columns only for a series.
+    pub fn rows(&self) -> Vec<ExportRow> {
+        let mut rows = vec![ExportRow::Path, ExportRow::What];
+        if self.what == What::Grid {
+            rows.push(ExportRow::GridRows);
+        }
+        rows.extend((0..self.runs.len()).map(ExportRow::Run));
+        if matches!(self.what, What::Series | What::Grid) {
+            rows.extend((0..self.columns.len()).map(ExportRow::Column));
+        }
+        rows
+    }
+
+    /// Move the selection, stopping at the ends.
+    pub fn move_by(&mut self, by: isize) {
+        let rows = self.rows();
+        let here = rows.iter().position(|row| *row == self.row).unwrap_or(0);
+        self.row = rows[here.saturating_add_signed(by).min(rows.len() - 1)];
+    }
+}
+
+/// `at` moved by `by` within `0..count`, round and round.
+pub fn wrap(at: usize, by: isize, count: usize) -> usize {
+    let count = isize::try_from(count.max(1)).unwrap_or(1);
+    let at = isize::try_from(at).unwrap_or(0);
+    usize::try_from((at + by).rem_euclid(count)).unwrap_or(0)
+}
+
+/// The bindings the help overlay lists: the focused pane first, then those that work anywhere, then the other panes.
+pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
+    let order = [Place::Variables, Place::Charts, Place::Runs, Place::Log];
+    let others = order.into_iter().filter(|place| *place != focus);
+    let places = [focus, Place::Anywhere].into_iter().chain(others);
+    let wanted = filter.to_lowercase();
+    places
+        .flat_map(|place| BINDINGS.iter().filter(move |row| row.place == place))
+        .filter(|row| {
+            row.help.to_lowercase().contains(&wanted)
+                || row.short.to_lowercase().contains(&wanted)
+                || row
+                    .keys
+                    .iter()
+                    .any(|key| key.words().to_lowercase() == wanted)
+        })
+        .collect()
+}
+
+/// The actions that match what was typed in the palette, best first, each once.
+pub fn palette_rows(typed: &str) -> Vec<&'static Binding> {
+    let mut seen = Vec::new();
+    let mut ranked: Vec<(usize, &'static Binding)> = Vec::new();
+    for row in BINDINGS {
+        if row.is_movement() || seen.contains(&row.action) {
+            continue;
+        }
+        let text = format!("{} {}", row.short, row.help);
+        if let Some(rank) = fuzzy(typed, &text) {
+            seen.push(row.action);
+            ranked.push((rank, row));
+        }
+    }
+    ranked.sort_by_key(|(rank, _)| *rank);
+    ranked.into_iter().map(|(_, row)| row).collect()
+}
+
+/// The presets whose name or origin matches, best first; all of them in their order when nothing is typed.
+pub fn preset_rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
+    let mut ranked: Vec<(usize, &PresetEntry)> = presets
+        .iter()
+        .filter_map(|entry| {
+            let text = format!("{} {} {}", entry.name, entry.origin, entry.scene.title);
+            fuzzy(typed, &text).map(|rank| (rank, entry))
+        })
+        .collect();
+    ranked.sort_by_key(|(rank, _)| *rank);
+    ranked.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// Whether the characters of `typed` occur in `text` in order, and how far apart (smaller is better).
+pub fn fuzzy(typed: &str, text: &str) -> Option<usize> {
+    let wanted: Vec<char> = typed
+        .to_lowercase()
+        .chars()
+        .filter(|c| !c.is_whitespace())
+        .collect();
+    let text: Vec<char> = text.to_lowercase().chars().collect();
+    let Some(first) = wanted.first() else {
+        return Some(0);
+    };
+    let starts = text.iter().enumerate().filter(|(_, c)| *c == first);
+    starts
+        .filter_map(|(start, _)| {
+            let mut at = start;
+            for (place, c) in wanted.iter().enumerate() {
+                let rest = &text[at..];
+                let step = rest.iter().position(|other| other == c)?;
+                at += step + usize::from(place + 1 < wanted.len());
+            }
+            let begins_word = start == 0 || !text[start - 1].is_alphanumeric();
+            Some((at - start) * 4 + usize::from(!begins_word) * 8 + start / 4)
+        })
+        .min()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fuzzy_matches_a_subsequence_and_prefers_word_starts() {
+        assert_eq!(fuzzy("", "anything"), Some(0));
+        assert_eq!(fuzzy("xyz", "export runs to CSV"), None);
+        assert!(fuzzy("exp", "export runs") < fuzzy("exp", "next pane"));
+        assert!(fuzzy("pin", "pin this run") < fuzzy("pin", "unpin this run"));
+        assert_eq!(palette_rows("export")[0].short, "export");
+    }
+}

@@ -1,0 +1,148 @@
+//! The list of variables: which rows there are, which is selected, the open field, and how a value is shown.
+
+use tui_input::Input;
+
+use crate::model::scene::Scene;
+use crate::model::units;
+use crate::model::variables::{Group, VARIABLES, Value, Variable};
+
+/// The list of variables and the open field.
+#[derive(Clone, Debug, Default)]
+pub struct Editor {
+    /// Selected variable, by index into the table.
+    pub selected: usize,
+    /// First row shown; the view keeps the selection in sight from here.
+    pub filter: String,
+    /// The filter's field while it is open.
+    pub filter_field: Option<Input>,
+    /// The open field.
+    pub field: Option<Field>,
+    /// The arrow step in use: the variable and its decade, kept while the arrows go on.
+    pub stride: Option<(usize, i32)>,
+}
+
+/// A value being typed.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// The variable, by index into the table.
+    pub variable: usize,
+    /// The text.
+    pub input: Input,
+    /// The old value is still selected: the first character replaces it.
+    pub fresh: bool,
+    /// Why the text is no value.
+    pub error: Option<String>,
+}
+
+/// One row of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Row {
+    /// A group's heading.
+    Heading(Group),
+    /// A variable, by index into the table.
+    Variable(usize),
+}
+
+impl Editor {
+    /// The rows that pass the filter, with a heading over each group that has any.
+    pub fn rows(&self) -> Vec<Row> {
+        let mut rows = Vec::new();
+        for group in Group::ALL {
+            let start = rows.len();
+            for (index, variable) in VARIABLES.iter().enumerate() {
+                if variable.group == group && self.passes(variable) {
+                    rows.push(Row::Variable(index));
+                }
+            }
+            if rows.len() > start {
+                rows.insert(start, Row::Heading(group));
+            }
+        }
+        rows
+    }
+
+    /// The variables that pass the filter, in order of the list.
+    pub fn listed(&self) -> Vec<usize> {
+        self.rows()
+            .into_iter()
+            .filter_map(|row| match row {
+                Row::Variable(index) => Some(index),
+                Row::Heading(_) => None,
+            })
+            .collect()
+    }
+
+    /// Move the selection by rows, stopping at the ends.
+    pub fn move_by(&mut self, rows: isize) {
+        let listed = self.listed();
+        let Some(last) = listed.len().checked_sub(1) else {
+            return;
+        };
+        let here = listed
+            .iter()
+            .position(|index| *index == self.selected)
+            .unwrap_or(0);
+        self.selected = listed[here.saturating_add_signed(rows).min(last)];
+    }
+
+    /// The selected variable.
+    pub fn variable(&self) -> &'static Variable {
+        &VARIABLES[self.selected.min(VARIABLES.len() - 1)]
+    }
+
+    /// Set the filter; the selection moves to the first row that passes when its own does not.
+    pub fn set_filter(&mut self, text: &str) {
+        text.trim().clone_into(&mut self.filter);
+        let listed = self.listed();
+        if !listed.contains(&self.selected)
+            && let Some(first) = listed.first()
+        {
+            self.selected = *first;
+        }
+    }
+
+    fn passes(&self, variable: &Variable) -> bool {
+        let wanted = self.filter.to_lowercase();
+        wanted.is_empty()
+            || [
+                variable.symbol,
+                variable.key,
+                variable.meaning,
+                variable.group.title(),
+            ]
+            .iter()
+            .any(|text| text.to_lowercase().contains(&wanted))
+    }
+
+    /// The first of `height` rows to show so that the selected one is in sight, near the middle of a long list.
+    pub fn first_row(&self, height: usize) -> usize {
+        let rows = self.rows();
+        let here = rows
+            .iter()
+            .position(|row| *row == Row::Variable(self.selected))
+            .unwrap_or(0);
+        let most = rows.len().saturating_sub(height);
+        here.saturating_sub(height * 2 / 3).min(most)
+    }
+}
+
+/// The value as shown in a row: at most `width` characters, as many of six figures as fit.
+pub fn shown_value(variable: &Variable, scene: &Scene, width: usize) -> String {
+    match variable.value(scene) {
+        Value::Number(number) => shown_number(number, width),
+        Value::Absent | Value::Word(_) | Value::Switch(_) => match variable.value(scene) {
+            Value::Switch(true) => "on".to_owned(),
+            Value::Switch(false) => "off".to_owned(),
+            Value::Absent | Value::Word(_) | Value::Number(_) => variable.show(scene),
+        },
+    }
+}
+
+/// A number in at most `width` characters.
+pub fn shown_number(number: f64, width: usize) -> String {
+    (1..=6)
+        .rev()
+        .map(|digits| units::significant(number, digits))
+        .find(|text| text.len() <= width)
+        .unwrap_or_else(|| format!("{number:.0e}"))
+}

@@ -1,0 +1,268 @@
+//! Where each pane stands: a total function of the size, without any type of the terminal library.
+
+use super::Tab;
+use crate::tui::message::Place;
+
+/// The smallest size that can be worked with: columns and rows.
+pub const SMALLEST: (u16, u16) = (60, 16);
+
+/// From this width on: three stacked charts.
+const WIDE: u16 = 100;
+/// From this width on: events and energy beside the charts.
+const WIDEST: u16 = 160;
+/// From this height on: the table of runs is always there.
+const TALL: u16 = 34;
+
+/// A rectangle of character cells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Area {
+    /// Left column.
+    pub x: u16,
+    /// Top row.
+    pub y: u16,
+    /// Columns.
+    pub width: u16,
+    /// Rows.
+    pub height: u16,
+}
+
+impl Area {
+    fn split_left(self, width: u16) -> (Self, Self) {
+        let width = width.min(self.width);
+        let right = Self {
+            x: self.x + width,
+            width: self.width - width,
+            ..self
+        };
+        (Self { width, ..self }, right)
+    }
+
+    fn split_bottom(self, height: u16) -> (Self, Self) {
+        let height = height.min(self.height);
+        let bottom = Self {
+            y: self.y + self.height - height,
+            height,
+            ..self
+        };
+        let top = Self {
+            height: self.height - height,
+            ..self
+        };
+        (top, bottom)
+    }
+}
+
+/// Where everything stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Layout {
+    /// Tabs, preset, auto-run.
+    pub title: Area,
+    /// The panes.
+    pub body: Body,
+    /// The newest message, or the readout.
+    pub message: Area,
+    /// State of the run.
+    pub status: Area,
+    /// Keys that work here.
+    pub keys: Area,
+}
+
+/// What stands between title row and message row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Body {
+    /// Nothing fits.
+    TooSmall,
+    /// The Run tab.
+    Run(Panes),
+    /// The Log tab.
+    Log(Area),
+}
+
+/// The panes of the Run tab.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Panes {
+    /// The list of variables.
+    pub variables: Option<Area>,
+    /// One chart (the selected one) or all three, from top to bottom.
+    pub charts: Vec<Area>,
+    /// The table of runs.
+    pub runs: Option<Area>,
+    /// The events of the current run.
+    pub events: Option<Area>,
+    /// Its energy ledger.
+    pub ledger: Option<Area>,
+}
+
+impl Layout {
+    /// Columns of a chart that stand for time.
+    pub fn chart_columns(&self) -> u16 {
+        match &self.body {
+            Body::Run(panes) => panes
+                .charts
+                .first()
+                .map_or(40, |area| area.width.saturating_sub(12)),
+            Body::TooSmall | Body::Log(_) => 40,
+        }
+    }
+
+    /// Rows of the list of variables.
+    pub fn variable_rows(&self) -> usize {
+        match &self.body {
+            Body::Run(panes) => panes
+                .variables
+                .map_or(10, |area| usize::from(area.height.saturating_sub(3))),
+            Body::TooSmall | Body::Log(_) => 10,
+        }
+    }
+
+    /// Rows of the Log tab.
+    pub fn log_rows(&self) -> usize {
+        match &self.body {
+            Body::Log(area) => usize::from(area.height.saturating_sub(2)),
+            Body::TooSmall | Body::Run(_) => 10,
+        }
+    }
+}
+
+/// Where everything stands on a terminal of this size (columns, rows).
+///
+/// The message row grows to `message_rows` for a long message; the body gives way.
+pub fn layout(
+    size: (u16, u16),
+    message_rows: u16,
+    tab: Tab,
+    focus: Place,
+    full_pane: bool,
+    pins: usize,
+) -> Layout {
+    let message_rows = if size.1 < SMALLEST.1 {
+        1
+    } else {
+        message_rows.clamp(1, 4)
+    };
+    let (width, height) = size;
+    let row = |y: u16| Area {
+        x: 0,
+        y: y.min(height.saturating_sub(1)),
+        width,
+        height: height.min(1),
+    };
+    let body = Area {
+        x: 0,
+        y: height.min(1),
+        width,
+        height: height.saturating_sub(3 + message_rows),
+    };
+    let body = if width < SMALLEST.0 || height < SMALLEST.1 {
+        Body::TooSmall
+    } else {
+        match tab {
+            Tab::Log => Body::Log(body),
+            Tab::Run if full_pane => Body::Run(full(body, focus)),
+            Tab::Run if width < WIDE => Body::Run(narrow(body, height, focus, pins)),
+            Tab::Run => Body::Run(wide(body, height, focus, pins)),
+        }
+    };
+    Layout {
+        title: row(0),
+        body,
+        message: Area {
+            height: message_rows.min(height),
+            ..row(height.saturating_sub(2 + message_rows))
+        },
+        status: row(height.saturating_sub(2)),
+        keys: row(height.saturating_sub(1)),
+    }
+}
+
+fn full(body: Area, focus: Place) -> Panes {
+    match focus {
+        Place::Variables | Place::Anywhere | Place::Log => Panes {
+            variables: Some(body),
+            ..Panes::default()
+        },
+        Place::Charts => Panes {
+            charts: stacked(body),
+            ..Panes::default()
+        },
+        Place::Runs => Panes {
+            runs: Some(body),
+            ..Panes::default()
+        },
+    }
+}
+
+fn narrow(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
+    let (left, right) = body.split_left(31);
+    let mut panes = Panes {
+        variables: Some(left),
+        ..Panes::default()
+    };
+    if height >= TALL {
+        let (top, bottom) = right.split_bottom(runs_height(pins));
+        panes.runs = Some(bottom);
+        panes.charts = if top.height >= 36 {
+            stacked(top)
+        } else {
+            vec![top]
+        };
+    } else if focus == Place::Runs {
+        panes.runs = Some(right);
+    } else {
+        panes.charts = vec![right];
+    }
+    panes
+}
+
+fn wide(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
+    let (left, mut right) = body.split_left(if body.width >= WIDEST { 46 } else { 38 });
+    let mut panes = Panes::default();
+    if height >= TALL || focus == Place::Runs {
+        let wanted = runs_height(pins).min(body.height / 2);
+        let (top, bottom) = left.split_bottom(wanted);
+        panes.variables = Some(top);
+        panes.runs = Some(bottom);
+    } else {
+        panes.variables = Some(left);
+    }
+    if body.width >= WIDEST {
+        let (middle, column) = right.split_left(right.width - 42);
+        right = middle;
+        let (events, ledger) = column.split_bottom(14.min(column.height / 2));
+        panes.events = Some(events);
+        panes.ledger = Some(ledger);
+    }
+    panes.charts = stacked(right);
+    panes
+}
+
+/// Header, the current run, the pins, and what differs from the first pin.
+fn runs_height(pins: usize) -> u16 {
+    let rows = u16::try_from(pins.min(8)).unwrap_or(8);
+    if rows == 0 { 6 } else { 8 + rows }
+}
+
+/// As many of the three charts as can be read: six rows each, and two more for the common axis.
+fn stacked(area: Area) -> Vec<Area> {
+    let count = match area.height {
+        0..=13 => 1,
+        14..=19 => 2,
+        _ => 3,
+    };
+    // Short charts share the time axis of the lowest, which needs two rows more for it.
+    let extra = if count > 1 && area.height / count < 11 {
+        2
+    } else {
+        0
+    };
+    let each = (area.height - extra) / count;
+    let mut areas = Vec::new();
+    let mut y = area.y;
+    for index in 0..count {
+        let rest = area.y + area.height - y;
+        let height = if index + 1 == count { rest } else { each };
+        areas.push(Area { y, height, ..area });
+        y += height;
+    }
+    areas
+}

@@ -1,0 +1,209 @@
+//! What the Log tab says about the run on the screen and about this session, as lines with a meaning. No drawing.
+
+use super::App;
+use super::notice::{Notice, Severity};
+use super::runs::engineering;
+use crate::model::run::{EnergyLedger, EstimateBasis, Run};
+
+/// What a line of the Log tab is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineKind {
+    /// A heading.
+    Heading,
+    /// Ordinary text.
+    Text,
+    /// Nothing to report.
+    Dim,
+    /// A warning.
+    Warning,
+    /// An error.
+    Error,
+}
+
+/// A line of the Log tab.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LogLine {
+    /// What it is.
+    pub kind: LineKind,
+    /// Its text.
+    pub text: String,
+}
+
+impl App {
+    /// Keep a line of the program's own log; it does not show in the message row.
+    pub fn note(&mut self, level: log::Level, text: String) {
+        let severity = match level {
+            log::Level::Error => Severity::Error,
+            log::Level::Warn => Severity::Warning,
+            log::Level::Info | log::Level::Debug | log::Level::Trace => Severity::Note,
+        };
+        self.log.push(Notice { severity, text });
+    }
+
+    /// Everything the Log tab says, from top to bottom.
+    pub fn log_lines(&self) -> Vec<LogLine> {
+        let mut lines = Vec::new();
+        match &self.shown {
+            Some(shown) => {
+                let which = if self.is_stale() {
+                    " (old: the scene has changed since)"
+                } else {
+                    ""
+                };
+                warnings(&mut lines, &shown.run, which);
+                events(&mut lines, &shown.run);
+                energy(&mut lines, &shown.run.ledger);
+                cost(&mut lines, &shown.run);
+            }
+            None => {
+                heading(&mut lines, "Run");
+                push(&mut lines, LineKind::Dim, "no run yet".to_owned());
+            }
+        }
+        heading(&mut lines, "Messages of this session, newest first");
+        if self.log.is_empty() {
+            push(&mut lines, LineKind::Dim, "none".to_owned());
+        }
+        for notice in self.log.iter().rev() {
+            let kind = match notice.severity {
+                Severity::Note => LineKind::Text,
+                Severity::Warning => LineKind::Warning,
+                Severity::Error => LineKind::Error,
+            };
+            push(
+                &mut lines,
+                kind,
+                format!("{:<8} {}", notice.severity.word(), notice.text),
+            );
+        }
+        lines
+    }
+}
+
+fn push(lines: &mut Vec<LogLine>, kind: LineKind, text: String) {
+    lines.push(LogLine { kind, text });
+}
+
+fn heading(lines: &mut Vec<LogLine>, text: &str) {
+    if !lines.is_empty() {
+        push(lines, LineKind::Text, String::new());
+    }
+    push(lines, LineKind::Heading, text.to_owned());
+}
+
+fn warnings(lines: &mut Vec<LogLine>, run: &Run, which: &str) {
+    heading(lines, &format!("Warnings of the run{which}"));
+    if run.warnings.is_empty() {
+        push(lines, LineKind::Dim, "none".to_owned());
+    }
+    for warning in &run.warnings {
+        push(lines, LineKind::Warning, format!("! {warning}"));
+    }
+}
+
+fn events(lines: &mut Vec<LogLine>, run: &Run) {
+    heading(lines, "Events");
+    if run.events.is_empty() {
+        push(lines, LineKind::Dim, "none".to_owned());
+    }
+    for line in event_lines(run) {
+        push(lines, LineKind::Text, line);
+    }
+}
+
+/// The events with their times, one a line.
+pub fn event_lines(run: &Run) -> Vec<String> {
+    run.events
+        .iter()
+        .map(|event| {
+            format!(
+                "{:>10}  {}",
+                engineering(event.t_s, "s"),
+                event.kind.words()
+            )
+        })
+        .collect()
+}
+
+fn energy(lines: &mut Vec<LogLine>, ledger: &EnergyLedger) {
+    heading(
+        lines,
+        "Energy: where it was at the start, and where it went",
+    );
+    for line in energy_lines(ledger) {
+        push(lines, LineKind::Text, line);
+    }
+}
+
+/// The energy ledger, one term a line, with its share of the energy at the start.
+pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
+    let start = ledger.initial_j();
+    let term = |name: &str, value: f64| {
+        let percent = if start == 0.0 {
+            0.0
+        } else {
+            100.0 * value / start
+        };
+        format!(
+            "{name:<13}{:>10}  {percent:>5.1} %",
+            engineering(value, "J")
+        )
+    };
+    let mut lines = vec![term("at the start", start)];
+    if ledger.initial_spring_j != 0.0 {
+        lines.push(term(" in motion", ledger.initial_kinetic_j));
+        lines.push(term(" in spring", ledger.initial_spring_j));
+    }
+    lines.extend([
+        term("projectile", ledger.projectile_j),
+        term("plate", ledger.plate_j),
+        term("spring", ledger.spring_j),
+        term("damper", ledger.damper_j),
+        term("penetration", ledger.penetration_j),
+        term("stop", ledger.stop_j),
+        term("at the end", ledger.final_j()),
+        format!("{:<13}{:>10.1e}  relative", "residual", ledger.residual()),
+    ]);
+    lines
+}
+
+fn cost(lines: &mut Vec<LogLine>, run: &Run) {
+    heading(lines, "Computation");
+    let estimate = run.error_estimate.map_or_else(
+        || "not estimated".to_owned(),
+        |estimate| match estimate.basis {
+            EstimateBasis::ClosedForm => {
+                format!(
+                    "{:.1e} (closed form: only rounding is left)",
+                    estimate.relative
+                )
+            }
+            EstimateBasis::SecondComputation => format!(
+                "{:.1e} (difference to a second, tighter computation)",
+                estimate.relative
+            ),
+        },
+    );
+    let omitted: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();
+    let omitted = if omitted.is_empty() {
+        "nothing".to_owned()
+    } else {
+        omitted.join(", ")
+    };
+    let cost = &run.cost;
+    for (name, text) in [
+        ("method", format!("{}: {}", cost.method, cost.reason)),
+        (
+            "steps",
+            format!(
+                "{} accepted, {} rejected, {} evaluations",
+                cost.steps, cost.rejected, cost.rhs_evaluations
+            ),
+        ),
+        ("end", run.end.words().to_owned()),
+        ("error", estimate),
+        ("left out", omitted),
+    ] {
+        push(lines, LineKind::Text, format!("{name:<13}{text}"));
+    }
+}

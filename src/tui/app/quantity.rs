@@ -1,0 +1,112 @@
+//! What a chart can show: name, symbol, unit, and where it is found in a sample.
+
+use crate::model::run::{Run, Sample};
+
+/// A quantity of the series.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Depth of the nose in the plate.
+    Penetration,
+    /// Plate displacement from neutral.
+    PlateDisplacement,
+    /// Force between projectile and plate.
+    ContactForce,
+    /// Projectile velocity.
+    ProjectileVelocity,
+    /// Plate velocity.
+    PlateVelocity,
+    /// Spring force on the mount.
+    SpringForce,
+    /// Damper force on the mount.
+    DamperForce,
+    /// Projectile displacement since first contact.
+    ProjectileDisplacement,
+}
+
+impl Quantity {
+    /// All quantities, in the order `v` goes through them.
+    pub const ALL: [Self; 8] = [
+        Self::Penetration,
+        Self::PlateDisplacement,
+        Self::ContactForce,
+        Self::ProjectileVelocity,
+        Self::PlateVelocity,
+        Self::SpringForce,
+        Self::DamperForce,
+        Self::ProjectileDisplacement,
+    ];
+
+    /// The name for chart titles.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Penetration => "Penetration",
+            Self::PlateDisplacement => "Plate displacement",
+            Self::ContactForce => "Contact force",
+            Self::ProjectileVelocity => "Projectile velocity",
+            Self::PlateVelocity => "Plate velocity",
+            Self::SpringForce => "Spring force",
+            Self::DamperForce => "Damper force",
+            Self::ProjectileDisplacement => "Projectile displacement",
+        }
+    }
+
+    /// The symbol for readouts.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Penetration => "p",
+            Self::PlateDisplacement => "x",
+            Self::ContactForce => "F",
+            Self::ProjectileVelocity => "v",
+            Self::PlateVelocity => "w",
+            Self::SpringForce => "F_spring",
+            Self::DamperForce => "F_damper",
+            Self::ProjectileDisplacement => "s",
+        }
+    }
+
+    /// The SI unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Penetration | Self::PlateDisplacement | Self::ProjectileDisplacement => "m",
+            Self::ContactForce | Self::SpringForce | Self::DamperForce => "N",
+            Self::ProjectileVelocity | Self::PlateVelocity => "m/s",
+        }
+    }
+
+    /// The value in a sample, SI.
+    pub fn of(self, sample: &Sample) -> f64 {
+        match self {
+            Self::Penetration => sample.penetration_m,
+            Self::PlateDisplacement => sample.plate_displacement_m,
+            Self::ContactForce => sample.contact_force_n,
+            Self::ProjectileVelocity => sample.projectile_velocity_m_s,
+            Self::PlateVelocity => sample.plate_velocity_m_s,
+            Self::SpringForce => sample.spring_force_n,
+            Self::DamperForce => sample.damper_force_n,
+            Self::ProjectileDisplacement => sample.projectile_displacement_m,
+        }
+    }
+
+    /// The value in a run at a time, linear between samples; `None` outside the series. At a jump the value after it.
+    pub fn at(self, run: &Run, t_s: f64) -> Option<f64> {
+        let after = run.series.partition_point(|sample| sample.t_s <= t_s);
+        let before = run.series.get(after.checked_sub(1)?)?;
+        let Some(next) = run.series.get(after) else {
+            return (t_s <= before.t_s).then(|| self.of(before));
+        };
+        let (low, high) = (self.of(before), self.of(next));
+        let width = next.t_s - before.t_s;
+        let share = if width > 0.0 {
+            (t_s - before.t_s) / width
+        } else {
+            0.0
+        };
+        Some(low + share * (high - low))
+    }
+
+    /// The next quantity, round and round.
+    pub fn next(self) -> Self {
+        let at = Self::ALL.iter().position(|one| *one == self).unwrap_or(0);
+        Self::ALL[(at + 1) % Self::ALL.len()]
+    }
+}

@@ -1,0 +1,283 @@
+//! The texts of the message row and the status row, and the summary printed after leaving. No drawing.
+
+use super::App;
+use super::notice::Severity;
+use super::quantity::Quantity;
+use super::runs::{RunView, engineering, final_depth, millimetres, name_of};
+use super::show_duration;
+use crate::model::run::{EstimateBasis, Outcome, Run, Warning};
+use crate::tui::message::Place;
+
+/// Most rows a message may take.
+const MESSAGE_ROWS: usize = 4;
+
+impl App {
+    /// The message row: error of the open field, newest message, readout, or what the selected variable means; wrapped.
+    pub fn message_lines(&self, width: usize) -> Vec<(Severity, String)> {
+        let (severity, text) = self.message(width);
+        let room = width.saturating_sub(4).max(10);
+        let mut lines = wrap(&text, room);
+        if lines.len() > MESSAGE_ROWS {
+            lines.truncate(MESSAGE_ROWS);
+            if let Some(last) = lines.last_mut() {
+                last.push_str(" ...");
+            }
+        }
+        lines.into_iter().map(|line| (severity, line)).collect()
+    }
+
+    fn message(&self, width: usize) -> (Severity, String) {
+        let field_error = self
+            .editor
+            .field
+            .as_ref()
+            .and_then(|field| field.error.clone());
+        if let Some(error) = field_error {
+            return (Severity::Error, error);
+        }
+        if let Some(notice) = &self.notice {
+            return (notice.severity, notice.text.clone());
+        }
+        if self.place() == Place::Charts && self.charts.cursor_s.is_some() {
+            return (
+                Severity::Note,
+                clip(&self.readout(), width.saturating_sub(4)),
+            );
+        }
+        if self.place() == Place::Variables {
+            let variable = self.editor.variable();
+            let text = format!("{}: {}", variable.symbol, variable.meaning);
+            let long = format!("{text} ({})", variable.source);
+            let fits = long.chars().count() + 4 <= width;
+            return (
+                Severity::Note,
+                clip(if fits { &long } else { &text }, width.saturating_sub(4)),
+            );
+        }
+        (Severity::Note, String::new())
+    }
+
+    /// Everything at the crosshair: the current run in full, the others in the selected chart's quantity.
+    pub fn readout(&self) -> String {
+        let Some(cursor) = self.charts.cursor_s else {
+            return String::new();
+        };
+        let mut parts = vec![format!("t {}", engineering(cursor, "s"))];
+        if let Some(event) = self.event_at_cursor() {
+            parts.push(event.to_owned());
+        }
+        let selected = self.charts.quantities[self.charts.selected];
+        let full = [
+            Quantity::Penetration,
+            Quantity::ContactForce,
+            Quantity::ProjectileVelocity,
+            Quantity::PlateVelocity,
+            Quantity::PlateDisplacement,
+        ];
+        let views = self.visible_runs();
+        for view in views.iter().rev() {
+            let quantities: &[Quantity] = if view.letter.is_none() {
+                &full
+            } else {
+                std::slice::from_ref(&selected)
+            };
+            let values: Vec<String> = quantities
+                .iter()
+                .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)))
+                .collect();
+            parts.push(format!("{} {}", short_name(view), values.join("  ")));
+        }
+        parts.join(" | ")
+    }
+
+    /// The parts of the status row, the most important first; the second of a pair is a shorter form.
+    pub fn status(&self) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let mut parts = vec![self.state_words()];
+        let Some(shown) = &self.shown else {
+            return parts;
+        };
+        let run = &shown.run;
+        if let Some(estimate) = run.error_estimate {
+            parts.push(same(
+                Severity::Note,
+                match estimate.basis {
+                    EstimateBasis::ClosedForm => "exact".to_owned(),
+                    EstimateBasis::SecondComputation => {
+                        format!("err est {:.0e}", estimate.relative)
+                    }
+                },
+            ));
+        }
+        let cost = &run.cost;
+        let rejected = match cost.rejected {
+            0 => String::new(),
+            count => format!(", {count} rejected"),
+        };
+        parts.push(same(
+            Severity::Note,
+            format!(
+                "{} {}{rejected}, {} {}",
+                cost.steps,
+                plural("step", cost.steps),
+                run.events.len(),
+                plural("event", run.events.len())
+            ),
+        ));
+        parts.push((
+            Severity::Note,
+            format!("{} ({})", cost.method, cost.reason),
+            cost.method.to_owned(),
+        ));
+        let severity = match run.outcome {
+            Outcome::Arrested | Outcome::Separated => Severity::Note,
+            Outcome::Perforated | Outcome::Moving => Severity::Warning,
+        };
+        parts.push(same(severity, run.outcome.word().to_owned()));
+        parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
+        parts
+    }
+
+    fn state_words(&self) -> (Severity, String, String) {
+        let same = |severity, text: &str| (severity, text.to_owned(), text.to_owned());
+        if let Some(job) = &self.jobs.current
+            && (self.jobs.overdue || self.shown.is_none())
+        {
+            let text = job.reached_s.map_or_else(
+                || "running".to_owned(),
+                |t_s| format!("running, at t = {}", engineering(t_s, "s")),
+            );
+            return (Severity::Note, format!("{text} (Esc stops)"), text);
+        }
+        if self.jobs.failure.is_some() {
+            return same(Severity::Error, "failed: see 6:Log");
+        }
+        match &self.shown {
+            None => same(Severity::Note, "not run yet: r runs"),
+            Some(_) if self.is_stale() && self.jobs.current.is_none() => (
+                Severity::Warning,
+                "old: r runs the changed scene".to_owned(),
+                "old: r runs".to_owned(),
+            ),
+            Some(shown) => match shown.took {
+                Some(took) if shown.run.end.is_complete() => {
+                    same(Severity::Note, &format!("done {}", show_duration(took)))
+                }
+                Some(_) => same(Severity::Warning, "ended early"),
+                None => same(Severity::Warning, "cancelled: a part is shown"),
+            },
+        }
+    }
+
+    /// The last result in a few lines, for the main screen after leaving.
+    pub fn summary(&self) -> String {
+        let Some(shown) = &self.shown else {
+            return format!("{}: not run", self.base.name);
+        };
+        let run = &shown.run;
+        let mut lines = vec![
+            format!(
+                "scene        {}",
+                name_of(&run.scene, &self.base.name, &self.base.scene)
+            ),
+            format!("outcome      {} ({})", run.outcome, run.end.words()),
+        ];
+        if let Some(arrest) = run.first_arrest {
+            lines.push(format!(
+                "first arrest {} mm at {}",
+                millimetres(Some(arrest.penetration_m)),
+                engineering(arrest.t_s, "s")
+            ));
+        }
+        let percent = run
+            .percent_of_baseline()
+            .map_or_else(String::new, |percent| {
+                format!(" ({percent:.1} % of a rigid mount's)")
+            });
+        let unit = if run.outcome == Outcome::Arrested {
+            " mm"
+        } else {
+            ""
+        };
+        lines.push(format!("final depth  {}{unit}{percent}", final_depth(run)));
+        lines.push(format!(
+            "peak force   {}",
+            engineering(run.peak_contact_force_n, "N")
+        ));
+        if run.max_plate_displacement_m.is_some() {
+            lines.push(format!(
+                "plate travel {} mm",
+                millimetres(run.max_plate_displacement_m)
+            ));
+        }
+        for warning in &run.warnings {
+            lines.push(format!("warning      {warning}"));
+        }
+        lines.join("\n")
+    }
+}
+
+fn plural(word: &str, count: usize) -> String {
+    format!("{word}{}", if count == 1 { "" } else { "s" })
+}
+
+/// The interface demand where it is more than can be carried.
+fn demand(run: &Run) -> Option<String> {
+    run.warnings.iter().find_map(|warning| match warning {
+        Warning::InterfacePush { ratio, .. } => Some(format!("! interface {ratio:.2} x A S_y")),
+        Warning::InterfacePull { ratio, .. } => Some(format!("! interface {ratio:.2} x g A S_y")),
+        Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
+        Warning::EnergyDrift { residual } => Some(format!("! energy off by {residual:.0e}")),
+        Warning::InterfaceWithoutStrength | Warning::EndedEarly(_) | Warning::NoBaseline => None,
+    })
+}
+
+/// `now`, or the pin's letter.
+pub fn short_name(view: &RunView<'_>) -> String {
+    view.letter.map_or_else(|| "now".to_owned(), String::from)
+}
+
+/// The value at a time with unit, `-` outside the run.
+pub fn value_at(run: &Run, quantity: Quantity, t_s: f64) -> String {
+    quantity.at(run, t_s).map_or_else(
+        || "-".to_owned(),
+        |value| engineering(value, quantity.unit()),
+    )
+}
+
+/// At most `width` characters; what is cut ends in `..`.
+pub fn clip(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.to_owned();
+    }
+    let kept: String = text.chars().take(width.saturating_sub(2)).collect();
+    kept.trim_end().to_owned() + ".."
+}
+
+/// Lines of at most `width` characters, broken at blanks; a longer word is broken where it must be.
+pub fn wrap(text: &str, width: usize) -> Vec<String> {
+    let width = width.max(1);
+    let mut lines: Vec<String> = Vec::new();
+    let mut line = String::new();
+    for word in text.split(' ') {
+        let mut word = word.to_owned();
+        let needed = line.chars().count() + usize::from(!line.is_empty()) + word.chars().count();
+        if needed > width && !line.is_empty() {
+            lines.push(std::mem::take(&mut line));
+        }
+        while word.chars().count() > width {
+            let rest = word.split_off(
+                word.char_indices()
+                    .nth(width)
+                    .map_or(word.len(), |(at, _)| at),
+            );
+            lines.push(std::mem::replace(&mut word, rest));
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(&word);
+    }
+    lines.push(line);
+    lines
+}

@@ -1,0 +1,381 @@
+//! The clerk: carries out the effects that touch files, on a thread of its own, so that a slow disk never holds up a key.
+//!
+//! Tasks are done in order. The session is kept soon after it changed (changes in quick succession are written once), and at
+//! once when the loop leaves. Knows nothing of the terminal.
+
+use std::fs;
+use std::panic::{self, AssertUnwindSafe};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::Incoming;
+use crate::files::atomic::{self, Existing};
+use crate::files::csv::Rows;
+use crate::files::error::FileError;
+use crate::files::export;
+use crate::files::paths::Paths;
+use crate::files::preset::{self, Preset};
+use crate::files::session::{self, Session};
+use crate::model::scene::Scene;
+use crate::tui::complete;
+use crate::tui::message::{
+    EffectReport, ExportOutcome, ExportRequest, ExportRows, Message, PresetEntry,
+};
+
+/// How long a changed session may stay unsaved.
+const SESSION_DELAY: Duration = Duration::from_secs(1);
+
+/// Something to do with files.
+pub(super) enum Task {
+    /// Save the scene as an own preset.
+    SavePreset {
+        name: String,
+        scene: Box<Scene>,
+        overwrite: bool,
+    },
+    /// Write an export.
+    Export(Box<ExportRequest>),
+    /// Tell which presets there are, these files among them.
+    ListPresets(Vec<PathBuf>),
+    /// Read a scene file.
+    Load(PathBuf),
+    /// Complete a path.
+    Complete(String),
+    /// Write copied text to a file; the text says where else it went.
+    KeepCopy { text: String, sent: String },
+    /// The session has changed: it lies in [`Unsaved`].
+    SessionChanged,
+    /// Save the session now and say so.
+    Finish(Sender<()>),
+}
+
+/// The session that has yet to be saved. Whoever takes it out saves it.
+#[derive(Clone, Default)]
+pub(super) struct Unsaved {
+    session: Arc<Mutex<Option<Box<Session>>>>,
+    paths: Option<Paths>,
+}
+
+impl Unsaved {
+    fn lock(&self) -> MutexGuard<'_, Option<Box<Session>>> {
+        self.session.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Save what has not been saved. Failing is told in the log: there is nothing a person must do at once.
+    pub(super) fn save(&self) {
+        let session = self.lock().take();
+        let (Some(session), Some(paths)) = (session, &self.paths) else {
+            return;
+        };
+        if let Err(error) = session::save(&paths.session_file(), &session) {
+            log::error!("the session was not saved: {error}");
+        }
+    }
+}
+
+/// The thread and its inbox.
+pub(super) struct Clerk {
+    tasks: Sender<Task>,
+    unsaved: Unsaved,
+}
+
+impl Clerk {
+    /// Start the thread. Without paths nothing of the program's own is kept.
+    ///
+    /// # Errors
+    /// When the system has no thread to give.
+    pub(super) fn spawn(paths: Option<Paths>, inbox: Sender<Incoming>) -> std::io::Result<Self> {
+        let (tasks, receive) = mpsc::channel();
+        let unsaved = Unsaved {
+            session: Arc::default(),
+            paths,
+        };
+        let desk = Desk {
+            unsaved: unsaved.clone(),
+            inbox,
+        };
+        thread::Builder::new()
+            .name("clerk".to_owned())
+            .spawn(move || desk.serve(&receive))?;
+        Ok(Self { tasks, unsaved })
+    }
+
+    /// Have something done.
+    pub(super) fn ask(&self, task: Task) {
+        if self.tasks.send(task).is_err() {
+            log::error!("the thread for files has ended; nothing is saved any more");
+        }
+    }
+
+    /// Have the session saved soon.
+    pub(super) fn session_changed(&self, session: Session) {
+        *self.unsaved.lock() = Some(Box::new(session));
+        self.ask(Task::SessionChanged);
+    }
+
+    /// The session that has yet to be saved, for whoever must save it when the loop cannot.
+    pub(super) fn unsaved(&self) -> Unsaved {
+        self.unsaved.clone()
+    }
+
+    /// Finish all tasks and save the session, waiting at most this long.
+    pub(super) fn finish(&self, patience: Duration) {
+        let (done, wait) = mpsc::channel();
+        if self.tasks.send(Task::Finish(done)).is_err() || wait.recv_timeout(patience).is_err() {
+            // Stuck behind a slow task: the session comes first.
+            self.unsaved.save();
+        }
+    }
+}
+
+/// What the thread has at hand.
+struct Desk {
+    unsaved: Unsaved,
+    inbox: Sender<Incoming>,
+}
+
+impl Desk {
+    fn serve(&self, tasks: &Receiver<Task>) {
+        let mut session_due: Option<Instant> = None;
+        loop {
+            let next = match session_due {
+                None => tasks.recv().map_err(RecvTimeoutError::from),
+                Some(due) => tasks.recv_timeout(due.saturating_duration_since(Instant::now())),
+            };
+            match next {
+                Ok(Task::SessionChanged) => {
+                    session_due.get_or_insert_with(|| Instant::now() + SESSION_DELAY);
+                }
+                Ok(Task::Finish(done)) => {
+                    session_due = None;
+                    self.unsaved.save();
+                    // The loop may have lost patience.
+                    let _ = done.send(());
+                }
+                Ok(task) => self.contained(task),
+                Err(RecvTimeoutError::Timeout) => {
+                    session_due = None;
+                    self.unsaved.save();
+                }
+                Err(RecvTimeoutError::Disconnected) => {
+                    self.unsaved.save();
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Do one task and report; a panic ends the task, not the thread.
+    fn contained(&self, task: Task) {
+        let done = panic::catch_unwind(AssertUnwindSafe(|| self.do_task(task)));
+        if let Ok(Some(report)) = done {
+            // The loop may be over already.
+            let _ = self.inbox.send(Incoming::Message(Message::Done(report)));
+        }
+    }
+
+    fn do_task(&self, task: Task) -> Option<EffectReport> {
+        let paths = self.unsaved.paths.as_ref();
+        let report = match task {
+            Task::SavePreset {
+                name,
+                scene,
+                overwrite,
+            } => EffectReport::Saved(save_preset(paths, name, &scene, overwrite)),
+            Task::Export(request) => EffectReport::Exported(write_export(*request)),
+            Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
+            Task::Load(path) => EffectReport::Loaded(
+                preset::from_file(&path)
+                    .map(|found| (found.name, Box::new(found.scene)))
+                    .map_err(|error| error.to_string()),
+            ),
+            Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
+            Task::KeepCopy { text, sent } => EffectReport::Copied(keep_copy(paths, &text, &sent)),
+            Task::SessionChanged | Task::Finish(_) => return None,
+        };
+        Some(report)
+    }
+}
+
+fn existing(overwrite: bool) -> Existing {
+    if overwrite {
+        Existing::Replace
+    } else {
+        Existing::Keep
+    }
+}
+
+fn save_preset(
+    paths: Option<&Paths>,
+    name: String,
+    scene: &Scene,
+    overwrite: bool,
+) -> Result<(String, PathBuf), String> {
+    let paths = paths.ok_or_else(|| FileError::NoHome.to_string())?;
+    preset::save(paths, &name, scene, existing(overwrite))
+        .map(|path| (name, path))
+        .map_err(|error| error.to_string())
+}
+
+fn write_export(request: ExportRequest) -> ExportOutcome {
+    let request = export::ExportRequest {
+        path: request.path,
+        overwrite: request.overwrite,
+        rows: match request.rows {
+            ExportRows::Series => Rows::Series,
+            ExportRows::Grid(rows) => Rows::Grid(rows),
+            ExportRows::Results => Rows::Results,
+            ExportRows::Events => Rows::Events,
+        },
+        runs: request.runs,
+        columns: request.columns,
+    };
+    match export::write(&request) {
+        Ok(files) => ExportOutcome::Written(files),
+        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
+        Err(error) => ExportOutcome::Failed(error.to_string()),
+    }
+}
+
+fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
+    let (presets, problems) = preset::list(paths);
+    for problem in problems {
+        log::warn!("{problem}");
+    }
+    // A recent file that is gone or broken is left out: loading it says why.
+    let recent = recent
+        .iter()
+        .filter_map(|path| preset::from_file(path).ok());
+    let entry = |found: Preset, origin| PresetEntry {
+        origin,
+        name: found.name,
+        scene: found.scene,
+        comment: found.comment,
+    };
+    presets
+        .into_iter()
+        .map(|found| {
+            let origin = found.origin.word();
+            entry(found, origin)
+        })
+        .chain(recent.map(|found| entry(found, "recent")))
+        .collect()
+}
+
+/// Write the copied text where a terminal without OSC 52 leaves it in reach, and say where it went.
+fn keep_copy(paths: Option<&Paths>, text: &str, sent: &str) -> String {
+    let Some(paths) = paths else {
+        return format!("{sent}; not to a file: {}", FileError::NoHome);
+    };
+    let path = paths.state.join("clipboard.txt");
+    match write_copy(&path, text) {
+        Ok(()) => format!("{sent}; also written to {}", path.display()),
+        Err(error) => format!("{sent}; not to a file: {error}"),
+    }
+}
+
+fn write_copy(path: &Path, text: &str) -> Result<(), FileError> {
+    if let Some(directory) = path.parent() {
+        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
+    }
+    atomic::write(path, text.as_bytes(), Existing::Replace)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PATIENCE: Duration = Duration::from_secs(20);
+
+    fn start() -> (tempfile::TempDir, Paths, Clerk, Receiver<Incoming>) {
+        let place = tempfile::tempdir().unwrap();
+        let paths = Paths::below(place.path());
+        let (send, receive) = mpsc::channel();
+        let clerk = Clerk::spawn(Some(paths.clone()), send).unwrap();
+        (place, paths, clerk, receive)
+    }
+
+    fn report(inbox: &Receiver<Incoming>) -> EffectReport {
+        loop {
+            match inbox.recv_timeout(PATIENCE).expect("a report in time") {
+                Incoming::Message(Message::Done(report)) => return report,
+                Incoming::Message(_) | Incoming::InputLost | Incoming::Signal(_) => {}
+            }
+        }
+    }
+
+    fn session_of(mass_ratio: f64) -> Session {
+        let mut session = Session::default();
+        session.scene.plate.mass_ratio = mass_ratio;
+        session
+    }
+
+    #[test]
+    fn the_newest_session_is_saved_on_leaving() {
+        let (_place, paths, clerk, _inbox) = start();
+        clerk.session_changed(session_of(2.0));
+        clerk.session_changed(session_of(3.0));
+        clerk.finish(PATIENCE);
+        let kept = session::load(&paths.session_file()).session;
+        assert_eq!(kept, Some(session_of(3.0)));
+    }
+
+    #[test]
+    fn a_session_is_saved_by_itself_after_a_while() {
+        let (_place, paths, clerk, _inbox) = start();
+        let started = Instant::now();
+        clerk.session_changed(session_of(2.0));
+        while !paths.session_file().exists() {
+            assert!(started.elapsed() < PATIENCE, "never saved");
+            thread::yield_now();
+        }
+        assert!(started.elapsed() >= SESSION_DELAY);
+    }
+
+    #[test]
+    fn a_preset_is_not_replaced_unasked() {
+        let (_place, paths, clerk, inbox) = start();
+        let ask = |overwrite| {
+            clerk.ask(Task::SavePreset {
+                name: "mine".to_owned(),
+                scene: Box::default(),
+                overwrite,
+            });
+        };
+        ask(false);
+        let EffectReport::Saved(Ok((name, path))) = report(&inbox) else {
+            panic!("not saved");
+        };
+        assert_eq!((name.as_str(), &path), ("mine", &paths.preset_file("mine")));
+        ask(false);
+        assert!(
+            matches!(report(&inbox), EffectReport::Saved(Err(text)) if text.contains("exists"))
+        );
+        ask(true);
+        assert!(matches!(report(&inbox), EffectReport::Saved(Ok(_))));
+        clerk.ask(Task::ListPresets(Vec::new()));
+        let EffectReport::Presets(presets) = report(&inbox) else {
+            panic!("not a list");
+        };
+        let mine = presets.iter().find(|entry| entry.name == "mine").unwrap();
+        assert_eq!(mine.origin, "mine");
+    }
+
+    #[test]
+    fn copied_text_is_in_a_file_too_and_the_message_says_where() {
+        let (_place, paths, clerk, inbox) = start();
+        clerk.ask(Task::KeepCopy {
+            text: "depth 7 mm".to_owned(),
+            sent: "copied".to_owned(),
+        });
+        let EffectReport::Copied(text) = report(&inbox) else {
+            panic!("not copied");
+        };
+        let path = paths.state.join("clipboard.txt");
+        assert_eq!(text, format!("copied; also written to {}", path.display()));
+        assert_eq!(fs::read_to_string(path).unwrap(), "depth 7 mm");
+    }
+}

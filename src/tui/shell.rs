@@ -1,0 +1,350 @@
+//! The loop itself, and the effects that are not files: jobs, timers, the clipboard, suspending, leaving.
+
+use std::collections::{HashSet, VecDeque};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
+use std::time::{Duration, Instant};
+
+use crossterm::clipboard::CopyToClipboard;
+
+use super::effects::{Clerk, Task};
+use super::pace::Pace;
+use super::signals::{self, Signal, Watch};
+use super::terminal::{self, Guard};
+use super::{Incoming, Options, input, start};
+use crate::files::paths::Paths;
+use crate::tui::app::App;
+use crate::tui::message::{Effect, EffectReport, Message};
+use crate::tui::{update, view};
+use crate::worker::{Report, Slot, Worker};
+
+/// Idle, the loop looks this often whether the terminal is still there.
+const LOOK: Duration = Duration::from_millis(250);
+
+/// Messages taken before the loop looks at anything else.
+const MESSAGES_PER_TURN: usize = 256;
+
+/// Most bytes of text sent to the terminal's clipboard: what terminals take at least.
+const CLIPBOARD_MAX: usize = 64 * 1024 / 4 * 3;
+
+/// How long the system may take to stop the process.
+const STOPPING: Duration = Duration::from_millis(150);
+
+/// How long leaving may take when the person left, and when the terminal or the system ends the process.
+const FINISH_QUIT: Duration = Duration::from_secs(10);
+const FINISH_FORCED: Duration = Duration::from_millis(900);
+
+/// Why the loop ended.
+pub(super) enum Ending {
+    /// The person left.
+    Quit {
+        /// The last summary is wanted on the main screen.
+        summary: bool,
+    },
+    /// A signal, with the exit status it stands for.
+    Signal(u8),
+    /// The terminal is gone.
+    HungUp,
+    /// The terminal cannot be used any more, though it is there.
+    Broken(io::Error),
+}
+
+/// Everything the loop has at hand.
+pub(super) struct Shell {
+    app: App,
+    guard: Guard,
+    inbox: Receiver<Incoming>,
+    worker: Worker,
+    clerk: Clerk,
+    pace: Pace,
+    timers: Vec<(Instant, Message)>,
+    /// Jobs submitted that have not ended.
+    running: HashSet<u64>,
+    /// The newest job of the scene on the screen.
+    newest: Option<u64>,
+    /// What came while the process was being stopped.
+    put_off: VecDeque<Incoming>,
+    last_look: Instant,
+    /// Files opened or saved lately, newest first.
+    recent: Vec<PathBuf>,
+    _watch: Watch,
+}
+
+impl Shell {
+    /// Take the terminal over and start every thread. The first run is under way before the terminal is touched.
+    pub(super) fn start(
+        options: Options,
+        paths: Option<Paths>,
+        sender: Sender<Incoming>,
+        inbox: Receiver<Incoming>,
+    ) -> io::Result<Self> {
+        let for_reports = sender.clone();
+        let worker = Worker::spawn(move |report| {
+            // The loop may be over already.
+            let _ = for_reports.send(Incoming::Message(Message::Report(report)));
+        })?;
+        let (mut app, recent) = start::app(options, paths.as_ref());
+        let effects = update::start(&mut app);
+        let clerk = Clerk::spawn(paths, sender.clone())?;
+        let unsaved = clerk.unsaved();
+        let watch = signals::spawn(sender.clone(), move || {
+            unsaved.save();
+            terminal::restore();
+        })?;
+        let now = Instant::now();
+        // Dropped when anything below fails, which restores the terminal.
+        let guard = Guard::enter()?;
+        let mut shell = Self {
+            app,
+            guard,
+            inbox,
+            worker,
+            clerk,
+            pace: Pace::new(now),
+            timers: Vec::new(),
+            running: HashSet::new(),
+            newest: None,
+            put_off: VecDeque::new(),
+            last_look: now,
+            recent,
+            _watch: watch,
+        };
+        input::spawn(sender)?;
+        let (columns, rows) = shell.guard.size()?;
+        let mut queue = VecDeque::from([Message::Resize(columns, rows)]);
+        for effect in effects {
+            // Starting asks for runs and lists, not for leaving.
+            let _ = shell.carry_out(effect, &mut queue)?;
+        }
+        for message in queue {
+            let _ = shell.take(message)?;
+        }
+        Ok(shell)
+    }
+
+    /// Go on until there is a reason to leave.
+    pub(super) fn run(&mut self) -> Ending {
+        loop {
+            match self.turn() {
+                Ok(None) => {}
+                Ok(Some(ending)) => return ending,
+                // A terminal that is gone answers with several different errors.
+                Err(_) if terminal::is_hung_up() => return Ending::HungUp,
+                Err(error) => return Ending::Broken(error),
+            }
+        }
+    }
+
+    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted.
+    pub(super) fn leave(self, ending: &Ending) -> Option<String> {
+        let (patience, summary) = match ending {
+            Ending::Quit { summary } => (FINISH_QUIT, *summary),
+            Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
+        };
+        self.clerk
+            .session_changed(start::session(&self.app, &self.recent));
+        // The person sees the prompt while the disk is still busy.
+        drop(self.guard);
+        self.clerk.finish(patience);
+        summary.then(|| self.app.summary())
+    }
+
+    /// Wait for something, deal with all that has come, and draw if it is time.
+    fn turn(&mut self) -> io::Result<Option<Ending>> {
+        let mut next = match self.put_off.pop_front() {
+            Some(incoming) => Some(incoming),
+            None => match self.inbox.recv_timeout(self.wait(Instant::now())) {
+                Ok(incoming) => Some(incoming),
+                Err(RecvTimeoutError::Timeout) => None,
+                Err(RecvTimeoutError::Disconnected) => return Ok(Some(Ending::HungUp)),
+            },
+        };
+        let mut taken = 0;
+        while let Some(incoming) = next.take() {
+            if let Some(ending) = self.receive(incoming)? {
+                return Ok(Some(ending));
+            }
+            taken += 1;
+            if taken < MESSAGES_PER_TURN {
+                next = self
+                    .put_off
+                    .pop_front()
+                    .or_else(|| self.inbox.try_recv().ok());
+            }
+        }
+        if let Some(ending) = self.fire_timers()? {
+            return Ok(Some(ending));
+        }
+        let now = Instant::now();
+        if now.duration_since(self.last_look) >= LOOK {
+            self.last_look = now;
+            if terminal::is_hung_up() {
+                return Ok(Some(Ending::HungUp));
+            }
+        }
+        if self.pace.due().is_some_and(|due| due <= now) {
+            let app = &self.app;
+            let changed = self.guard.draw(|frame| view::view(app, frame))?;
+            self.pace.drawn(Instant::now(), changed);
+        }
+        Ok(None)
+    }
+
+    /// How long nothing can happen by itself.
+    fn wait(&self, now: Instant) -> Duration {
+        let timers = self.timers.iter().map(|(due, _)| *due);
+        timers
+            .chain(self.pace.due())
+            .map(|due| due.saturating_duration_since(now))
+            .min()
+            .map_or(LOOK, |wait| wait.min(LOOK))
+    }
+
+    fn fire_timers(&mut self) -> io::Result<Option<Ending>> {
+        loop {
+            let now = Instant::now();
+            let Some(at) = self.timers.iter().position(|(due, _)| *due <= now) else {
+                return Ok(None);
+            };
+            let (_, message) = self.timers.remove(at);
+            if let Some(ending) = self.take(message)? {
+                return Ok(Some(ending));
+            }
+        }
+    }
+
+    fn receive(&mut self, incoming: Incoming) -> io::Result<Option<Ending>> {
+        match incoming {
+            Incoming::Message(message) => self.take(message),
+            Incoming::Signal(Signal::End(status)) => Ok(Some(Ending::Signal(status))),
+            Incoming::Signal(Signal::Continued) => {
+                self.guard.enter_again()?;
+                self.pace.change();
+                Ok(None)
+            }
+            Incoming::InputLost => Ok(Some(Ending::HungUp)),
+        }
+    }
+
+    /// Let the state take a message, and all that follows from it at once.
+    fn take(&mut self, message: Message) -> io::Result<Option<Ending>> {
+        let mut queue = VecDeque::from([message]);
+        while let Some(message) = queue.pop_front() {
+            match &message {
+                Message::Report(report) => self.note(report),
+                Message::Done(EffectReport::Loaded(Ok((name, _)))) => {
+                    start::note_recent(&mut self.recent, Path::new(name));
+                }
+                _ => {}
+            }
+            let effects = update::update(&mut self.app, message);
+            self.pace.change();
+            for effect in effects {
+                if let Some(ending) = self.carry_out(effect, &mut queue)? {
+                    return Ok(Some(ending));
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// Keep count of what the worker is doing.
+    fn note(&mut self, report: &Report) {
+        if !report.body.is_last() {
+            self.pace.set_busy(true);
+            return;
+        }
+        self.running.remove(&report.id);
+        if self.newest == Some(report.id) {
+            self.newest = None;
+            self.pace.result_came();
+        }
+        if self.running.is_empty() {
+            self.pace.set_busy(false);
+        }
+    }
+
+    fn carry_out(
+        &mut self,
+        effect: Effect,
+        queue: &mut VecDeque<Message>,
+    ) -> io::Result<Option<Ending>> {
+        match effect {
+            Effect::Submit(job) => {
+                self.running.insert(job.id);
+                if job.slot == Slot::Current {
+                    self.newest = Some(job.id);
+                    self.pace.expect_result(Instant::now());
+                }
+                self.worker.submit(job);
+            }
+            Effect::CancelJob => self.worker.cancel(),
+            Effect::After(delay, message) => self.timers.push((Instant::now() + delay, message)),
+            Effect::SavePreset {
+                name,
+                scene,
+                overwrite,
+            } => self.clerk.ask(Task::SavePreset {
+                name,
+                scene,
+                overwrite,
+            }),
+            Effect::Export(request) => self.clerk.ask(Task::Export(request)),
+            Effect::SaveSession => self
+                .clerk
+                .session_changed(start::session(&self.app, &self.recent)),
+            Effect::ListPresets => self.clerk.ask(Task::ListPresets(self.recent.clone())),
+            Effect::Load(path) => self.clerk.ask(Task::Load(path)),
+            Effect::Complete(text) => self.clerk.ask(Task::Complete(text)),
+            Effect::Copy(text) => self.copy(text)?,
+            Effect::Mouse(on) => self.guard.set_mouse(on)?,
+            Effect::Redraw => self.guard.redraw_all()?,
+            Effect::Suspend => {
+                if !self.suspend()? {
+                    queue.push_back(Message::Done(EffectReport::Refused(
+                        "cannot suspend: no shell is there to come back from".to_owned(),
+                    )));
+                }
+            }
+            Effect::Quit { summary } => return Ok(Some(Ending::Quit { summary })),
+        }
+        Ok(None)
+    }
+
+    fn copy(&mut self, text: String) -> io::Result<()> {
+        let sent = if text.len() <= CLIPBOARD_MAX {
+            self.guard
+                .send(&CopyToClipboard::to_clipboard_from(&text))?;
+            "sent to the terminal's clipboard (OSC 52)".to_owned()
+        } else {
+            format!(
+                "{} kB are too long for the terminal's clipboard (at most {} kB)",
+                text.len() / 1024,
+                CLIPBOARD_MAX / 1024
+            )
+        };
+        self.clerk.ask(Task::KeepCopy { text, sent });
+        Ok(())
+    }
+
+    /// Give the terminal back, stop, and take it over again when continued. Returns whether the process was stopped.
+    fn suspend(&mut self) -> io::Result<bool> {
+        terminal::restore();
+        terminal::stop()?;
+        // The system stops the process a moment after the call, or not at all; it goes on with a signal. The time runs out
+        // while stopped, too: only the second wait in a row without a signal means that nothing happened.
+        let mut stopped = false;
+        let mut waits = 0;
+        while !stopped && waits < 2 {
+            match self.inbox.recv_timeout(STOPPING) {
+                Ok(Incoming::Signal(Signal::Continued)) => stopped = true,
+                Ok(other) => self.put_off.push_back(other),
+                Err(_) => waits += 1,
+            }
+        }
+        self.guard.enter_again()?;
+        self.pace.change();
+        Ok(stopped)
+    }
+}

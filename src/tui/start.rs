@@ -1,0 +1,242 @@
+//! From the command line and the last session to the state the workbench starts with, and back to the session.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::Options;
+use crate::files::paths::Paths;
+use crate::files::preset::{self, Preset};
+use crate::files::session::{self, Session};
+use crate::tui::app::charts::Window;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::runs::{LETTERS, Pin, name_of};
+use crate::tui::app::{App, Base, Origin};
+use crate::tui::theme::{ColourDepth, GlyphChoice, Theme};
+
+/// The words of the session's view table.
+const GLYPHS: &str = "glyphs";
+const COLOURS: &str = "colours";
+const WINDOW: &str = "window";
+const AUTO_RUN: &str = "auto_run";
+
+/// The state to start with, and the files opened or saved lately.
+pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>) {
+    let theme = Theme::detect(options.glyphs, environment);
+    let directory = std::env::current_dir().unwrap_or_default();
+    let loaded = match paths {
+        Some(paths) if !options.fresh => session::load(&paths.session_file()),
+        Some(_) | None => session::Loaded::default(),
+    };
+    let mut recent = loaded
+        .session
+        .as_ref()
+        .map(|last| last.recent.clone())
+        .unwrap_or_default();
+    let mut app = match (options.scene, loaded.session) {
+        (Some(preset), _) => {
+            if let preset::Origin::File(path) = &preset.origin {
+                note_recent(&mut recent, path);
+            }
+            App::new(base_of(preset), theme, directory)
+        }
+        (None, Some(last)) => {
+            let base = base_of_session(&last, paths);
+            let mut app = App::new(base, theme, directory);
+            restore(&mut app, last, options.glyphs);
+            app
+        }
+        (None, None) => App::new(baseline(), theme, directory),
+    };
+    if let Some(text) = loaded.notice {
+        app.say(Severity::Warning, text);
+    }
+    (app, recent)
+}
+
+/// What the session file keeps of the state.
+pub(super) fn session(app: &App, recent: &[PathBuf]) -> Session {
+    let detected = Theme::detect(GlyphChoice::Auto, environment);
+    let mut view = BTreeMap::new();
+    let mut keep = |key: &str, word: &str| view.insert(key.to_owned(), word.to_owned());
+    // Only what a person chose: the next terminal may be able to show more, or less.
+    if app.theme.glyphs != detected.glyphs {
+        keep(GLYPHS, app.theme.glyphs.word());
+    }
+    if app.theme.depth != detected.depth {
+        keep(COLOURS, app.theme.depth.word());
+    }
+    if app.charts.window == Window::Whole {
+        keep(WINDOW, "whole");
+    }
+    if !app.auto_run {
+        keep(AUTO_RUN, "off");
+    }
+    Session {
+        scene: (*app.scene).clone(),
+        preset: Some(app.base.name.clone()),
+        pins: app
+            .pins
+            .iter()
+            .map(|pin| (pin.letter.to_string(), (*pin.scene).clone()))
+            .collect(),
+        view,
+        recent: recent.to_vec(),
+    }
+}
+
+/// Put a file at the head of those opened or saved lately.
+pub(super) fn note_recent(recent: &mut Vec<PathBuf>, path: &Path) {
+    let mut session = Session {
+        recent: std::mem::take(recent),
+        ..Session::default()
+    };
+    session.note_recent(path);
+    *recent = session.recent;
+}
+
+fn environment(name: &str) -> Option<String> {
+    std::env::var(name).ok()
+}
+
+/// What edits of a preset are compared with.
+fn base_of(preset: Preset) -> Base {
+    Base {
+        origin: match preset.origin {
+            preset::Origin::Bundled => Origin::Bundled,
+            preset::Origin::Mine(_) => Origin::Mine,
+            preset::Origin::File(_) | preset::Origin::Text => Origin::Other,
+        },
+        name: preset.name,
+        scene: Arc::new(preset.scene),
+    }
+}
+
+/// Every bundled preset can be read (a test reads them); the scene's defaults are those of the baseline in any case.
+fn baseline() -> Base {
+    preset::baseline().map_or_else(
+        |_| Base {
+            name: crate::files::bundled::BASELINE.to_owned(),
+            origin: Origin::Bundled,
+            scene: Arc::default(),
+        },
+        base_of,
+    )
+}
+
+/// The preset the session's scene came from; where it is gone, the scene itself.
+fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
+    let name = last.preset.as_deref();
+    name.and_then(|name| preset::resolve(name, paths).ok())
+        .map_or_else(
+            || Base {
+                name: name.unwrap_or("session").to_owned(),
+                origin: Origin::Other,
+                scene: Arc::new(last.scene.clone()),
+            },
+            base_of,
+        )
+}
+
+/// Take over what the session has, and say so.
+fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
+    app.scene = Arc::new(last.scene);
+    for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
+        app.pins.push(Pin {
+            letter,
+            name: name_of(&scene, &app.base.name, &app.base.scene),
+            scene: Arc::new(scene),
+            run: None,
+            visible: true,
+            job: None,
+        });
+    }
+    let word = |key: &str| last.view.get(key).map(String::as_str);
+    if glyphs == GlyphChoice::Auto
+        && let Some(Ok(choice)) = word(GLYPHS).map(str::parse::<GlyphChoice>)
+    {
+        app.theme.glyphs = choice.resolve(environment);
+    }
+    let depths = [
+        ColourDepth::None,
+        ColourDepth::Sixteen,
+        ColourDepth::Ansi256,
+        ColourDepth::Rgb,
+    ];
+    if let Some(depth) = depths
+        .into_iter()
+        .find(|depth| word(COLOURS) == Some(depth.word()))
+    {
+        app.theme.depth = depth;
+    }
+    if word(WINDOW) == Some("whole") {
+        app.charts.window = Window::Whole;
+    }
+    app.auto_run = word(AUTO_RUN) != Some("off");
+    app.say(Severity::Note, greeting(app));
+}
+
+/// One line on what has been restored.
+fn greeting(app: &App) -> String {
+    let modified = if app.is_modified() { ", modified" } else { "" };
+    let pins = match app.pins.len() {
+        0 => String::new(),
+        1 => ", 1 pinned run".to_owned(),
+        count => format!(", {count} pinned runs"),
+    };
+    format!(
+        "last session restored: {}{modified}{pins} (cmra --fresh starts anew)",
+        app.base.name
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tui::theme::GlyphSet;
+
+    fn state() -> App {
+        let base = baseline();
+        let theme = Theme::detect(GlyphChoice::Auto, environment);
+        App::new(base, theme, PathBuf::new())
+    }
+
+    #[test]
+    fn a_session_comes_back() {
+        let mut app = state();
+        Arc::make_mut(&mut app.scene).plate.mass_ratio = 2.5;
+        app.pins.push(Pin {
+            letter: 'A',
+            name: "thesis-baseline".to_owned(),
+            scene: Arc::clone(&app.base.scene),
+            run: None,
+            visible: true,
+            job: None,
+        });
+        app.auto_run = false;
+        app.charts.window = Window::Whole;
+        app.theme.glyphs = app.theme.glyphs.next();
+        let kept = session(&app, &[PathBuf::from("a.toml")]);
+        let mut again = state();
+        restore(&mut again, kept.clone(), GlyphChoice::Auto);
+        assert_eq!(again.scene, app.scene);
+        assert_eq!(again.theme, app.theme);
+        assert_eq!(session(&again, &[PathBuf::from("a.toml")]), kept);
+        let said = again.notice.expect("it says so").text;
+        assert!(said.contains("modified, 1 pinned run"), "{said}");
+        // What the command line asks for goes before what the session has.
+        let mut fixed = state();
+        restore(&mut fixed, kept, GlyphChoice::Fixed(GlyphSet::Ascii));
+        assert_eq!(fixed.theme.glyphs, state().theme.glyphs);
+    }
+
+    #[test]
+    fn a_preset_that_is_gone_does_not_lose_the_scene() {
+        let mut last = Session::default();
+        last.scene.plate.mass_ratio = 3.0;
+        last.preset = Some("gone".to_owned());
+        let base = base_of_session(&last, None);
+        assert_eq!((base.name.as_str(), base.origin), ("gone", Origin::Other));
+        assert_eq!(*base.scene, last.scene);
+    }
+}

@@ -1,0 +1,330 @@
+//! The terminal: entering and leaving it, and one write per frame.
+//!
+//! Leaving must work from anywhere (return, panic, signal, suspension), so the little state it needs is global and
+//! [`restore`] may be called at any time, any number of times. A frame goes out as begin-synchronised-update, the changed
+//! cells, end, in one write; a frame without a change writes nothing. The terminal is never asked anything: no round trips.
+//! Knows nothing of what is drawn; how cells become bytes is in `encode`.
+
+mod encode;
+pub(super) mod hook;
+
+use std::io;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crossterm::cursor::{Hide, MoveTo, Show};
+use crossterm::event::{
+    DisableBracketedPaste, DisableMouseCapture, EnableBracketedPaste, EnableMouseCapture,
+};
+use crossterm::queue;
+use crossterm::style::{Attribute, SetAttribute};
+use crossterm::terminal::{
+    BeginSynchronizedUpdate, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
+    disable_raw_mode, enable_raw_mode,
+};
+use ratatui::Terminal;
+use ratatui::backend::{Backend, ClearType, WindowSize};
+use ratatui::buffer::Cell;
+use ratatui::layout::{Position, Size};
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::io::Errno;
+use rustix::stdio::stdout;
+
+/// Whether the terminal is ours at present (raw, alternate screen).
+static ENTERED: AtomicBool = AtomicBool::new(false);
+
+/// Whether the mouse is captured.
+static MOUSE: AtomicBool = AtomicBool::new(false);
+
+/// Size assumed where the terminal does not know its own.
+const UNKNOWN_SIZE: Size = Size {
+    width: 80,
+    height: 24,
+};
+
+/// A terminal that restores itself when dropped.
+pub(super) struct Guard {
+    terminal: Terminal<Screen>,
+}
+
+impl Guard {
+    /// Take over the terminal: raw mode, alternate screen, bracketed paste, hidden cursor.
+    pub(super) fn enter() -> io::Result<Self> {
+        let mut screen = Screen::new();
+        enable_raw_mode()?;
+        ENTERED.store(true, Ordering::SeqCst);
+        screen.queue_entry()?;
+        match Terminal::new(screen) {
+            Ok(terminal) => Ok(Self { terminal }),
+            Err(error) => {
+                restore();
+                Err(error)
+            }
+        }
+    }
+
+    /// Columns and rows.
+    pub(super) fn size(&self) -> io::Result<(u16, u16)> {
+        let size = self.terminal.size()?;
+        Ok((size.width, size.height))
+    }
+
+    /// Draw one frame in one write; returns whether anything had changed.
+    pub(super) fn draw(
+        &mut self,
+        render: impl FnOnce(&mut ratatui::Frame<'_>),
+    ) -> io::Result<bool> {
+        let before = self.terminal.backend().writes;
+        self.terminal.draw(render)?;
+        Ok(self.terminal.backend().writes != before)
+    }
+
+    /// The next frame clears the screen and draws every cell.
+    pub(super) fn redraw_all(&mut self) -> io::Result<()> {
+        self.terminal.clear()
+    }
+
+    /// Take the terminal over again, after a suspension or after someone else may have changed its modes.
+    pub(super) fn enter_again(&mut self) -> io::Result<()> {
+        // Whoever ran meanwhile may have changed the modes: forget ours, so that the present ones are the ones to restore.
+        disable_raw_mode()?;
+        enable_raw_mode()?;
+        ENTERED.store(true, Ordering::SeqCst);
+        self.terminal.backend_mut().queue_entry()?;
+        self.terminal.clear()
+    }
+
+    /// Capture the mouse, or leave it to the terminal's own selection.
+    pub(super) fn set_mouse(&mut self, on: bool) -> io::Result<()> {
+        MOUSE.store(on, Ordering::SeqCst);
+        let pending = &mut self.terminal.backend_mut().pending;
+        if on {
+            queue!(pending, EnableMouseCapture)?;
+        } else {
+            queue!(pending, DisableMouseCapture)?;
+        }
+        self.terminal.backend_mut().commit()
+    }
+
+    /// Send a sequence that draws nothing (the clipboard's).
+    pub(super) fn send(&mut self, sequence: &impl crossterm::Command) -> io::Result<()> {
+        queue!(self.terminal.backend_mut().pending, sequence)?;
+        self.terminal.backend_mut().commit()
+    }
+}
+
+impl Drop for Guard {
+    fn drop(&mut self) {
+        restore();
+    }
+}
+
+/// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone).
+pub(super) fn restore() {
+    if !ENTERED.swap(false, Ordering::SeqCst) {
+        return;
+    }
+    let mut bytes = Vec::with_capacity(64);
+    let mouse = MOUSE.load(Ordering::SeqCst);
+    // Writing to a vector does not fail.
+    let _ = queue!(bytes, EndSynchronizedUpdate);
+    if mouse {
+        let _ = queue!(bytes, DisableMouseCapture);
+    }
+    let _ = queue!(
+        bytes,
+        DisableBracketedPaste,
+        SetAttribute(Attribute::Reset),
+        LeaveAlternateScreen,
+        Show
+    );
+    // Nobody is left to tell when the terminal is gone.
+    let _ = write_all(&bytes);
+    let _ = disable_raw_mode();
+}
+
+/// Stop this process and those started with it (`cargo run`, for one), as the shell's own Ctrl-Z does. The system does
+/// nothing where no shell could continue them.
+pub(super) fn stop() -> io::Result<()> {
+    use rustix::process::{Signal, kill_current_process_group};
+    Ok(kill_current_process_group(Signal::TSTP)?)
+}
+
+/// Whether the terminal is ours at present.
+pub(super) fn is_entered() -> bool {
+    ENTERED.load(Ordering::SeqCst)
+}
+
+/// Whether the other end of the terminal is gone.
+pub(super) fn is_hung_up() -> bool {
+    // No event asked for: only hang-ups and errors are reported.
+    let out = stdout();
+    let mut watched = [PollFd::new(&out, PollFlags::empty())];
+    let now = Timespec {
+        tv_sec: 0,
+        tv_nsec: 0,
+    };
+    match poll(&mut watched, Some(&now)) {
+        Ok(_) => watched[0]
+            .revents()
+            .intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL),
+        Err(error) => error != Errno::INTR,
+    }
+}
+
+/// The backend: collects a frame and writes it at once.
+struct Screen {
+    /// Bytes of the frame in the making.
+    pending: Vec<u8>,
+    /// Whether the cursor is shown, as far as the terminal has been told.
+    cursor_shown: bool,
+    /// Where the cursor was last put, for the frames that show it.
+    cursor_at: Option<Position>,
+    /// Writes so far.
+    writes: u64,
+}
+
+impl Screen {
+    fn new() -> Self {
+        Self {
+            pending: Vec::with_capacity(16 * 1024),
+            cursor_shown: true,
+            cursor_at: None,
+            writes: 0,
+        }
+    }
+
+    /// What the first frame begins with.
+    fn queue_entry(&mut self) -> io::Result<()> {
+        queue!(
+            self.pending,
+            EnterAlternateScreen,
+            EnableBracketedPaste,
+            Hide
+        )?;
+        if MOUSE.load(Ordering::SeqCst) {
+            queue!(self.pending, EnableMouseCapture)?;
+        }
+        self.cursor_shown = false;
+        self.cursor_at = None;
+        Ok(())
+    }
+
+    /// Write what has been collected; nothing when there is nothing.
+    fn commit(&mut self) -> io::Result<()> {
+        if self.pending.is_empty() {
+            return Ok(());
+        }
+        let mut frame = Vec::with_capacity(self.pending.len() + 16);
+        queue!(frame, BeginSynchronizedUpdate)?;
+        frame.append(&mut self.pending);
+        queue!(frame, EndSynchronizedUpdate)?;
+        self.writes = self.writes.wrapping_add(1);
+        write_all(&frame)
+    }
+}
+
+impl Backend for Screen {
+    type Error = io::Error;
+
+    fn draw<'a, I>(&mut self, content: I) -> io::Result<()>
+    where
+        I: Iterator<Item = (u16, u16, &'a Cell)>,
+    {
+        if encode::cells(&mut self.pending, content) {
+            self.cursor_at = None;
+        }
+        Ok(())
+    }
+
+    fn hide_cursor(&mut self) -> io::Result<()> {
+        if self.cursor_shown {
+            queue!(self.pending, Hide)?;
+            self.cursor_shown = false;
+        }
+        Ok(())
+    }
+
+    fn show_cursor(&mut self) -> io::Result<()> {
+        if !self.cursor_shown {
+            queue!(self.pending, Show)?;
+            self.cursor_shown = true;
+        }
+        Ok(())
+    }
+
+    fn get_cursor_position(&mut self) -> io::Result<Position> {
+        // Asking the terminal would be a round trip; ratatui only wants to put it back.
+        Ok(self.cursor_at.unwrap_or_default())
+    }
+
+    fn set_cursor_position<P: Into<Position>>(&mut self, position: P) -> io::Result<()> {
+        let position = position.into();
+        if self.cursor_shown && self.cursor_at != Some(position) {
+            queue!(self.pending, MoveTo(position.x, position.y))?;
+            self.cursor_at = Some(position);
+        }
+        Ok(())
+    }
+
+    fn clear(&mut self) -> io::Result<()> {
+        self.clear_region(ClearType::All)
+    }
+
+    fn clear_region(&mut self, region: ClearType) -> io::Result<()> {
+        use crossterm::terminal::{Clear, ClearType as Part};
+        let part = match region {
+            ClearType::All => Part::All,
+            ClearType::AfterCursor => Part::FromCursorDown,
+            ClearType::BeforeCursor => Part::FromCursorUp,
+            ClearType::CurrentLine => Part::CurrentLine,
+            ClearType::UntilNewLine => Part::UntilNewLine,
+        };
+        queue!(self.pending, Clear(part))
+    }
+
+    fn size(&self) -> io::Result<Size> {
+        let size = rustix::termios::tcgetwinsize(stdout())?;
+        if size.ws_col == 0 || size.ws_row == 0 {
+            return Ok(UNKNOWN_SIZE);
+        }
+        Ok(Size {
+            width: size.ws_col,
+            height: size.ws_row,
+        })
+    }
+
+    fn window_size(&mut self) -> io::Result<WindowSize> {
+        Ok(WindowSize {
+            columns_rows: self.size()?,
+            pixels: Size::default(),
+        })
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.commit()
+    }
+}
+
+/// Write everything to the terminal, whatever mode others have put the descriptor in.
+fn write_all(mut bytes: &[u8]) -> io::Result<()> {
+    while !bytes.is_empty() {
+        match rustix::io::write(stdout(), bytes) {
+            Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
+            Ok(written) => bytes = &bytes[written..],
+            Err(Errno::INTR) => {}
+            Err(Errno::AGAIN) => wait_until_writable()?,
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(())
+}
+
+/// Someone who shares the terminal has made it non-blocking: wait for it.
+fn wait_until_writable() -> io::Result<()> {
+    let out = stdout();
+    let mut watched = [PollFd::new(&out, PollFlags::OUT)];
+    match poll(&mut watched, None) {
+        Ok(_) | Err(Errno::INTR) => Ok(()),
+        Err(error) => Err(error.into()),
+    }
+}

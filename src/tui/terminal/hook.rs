@@ -1,0 +1,170 @@
+//! What happens when something panics while the workbench has the terminal.
+//!
+//! On the thread that draws: the terminal is restored first, then the panic is told on the main screen and a report with a
+//! backtrace is left in the state directory. On any other thread: only the log is told; the terminal stays as it is, since the
+//! workbench goes on. Outside the workbench the hook that was there before does its work.
+
+use std::backtrace::Backtrace;
+use std::fmt::Write as _;
+use std::fs;
+use std::io::Write as _;
+use std::panic::{self, PanicHookInfo};
+use std::path::{Path, PathBuf};
+use std::thread::{self, ThreadId};
+
+/// Install the hook; the calling thread is the one that draws. Reports go to `directory`.
+pub(in crate::tui) fn install(directory: Option<PathBuf>) {
+    let drawing = thread::current().id();
+    let before = panic::take_hook();
+    panic::set_hook(Box::new(move |info| {
+        if !super::is_entered() {
+            before(info);
+        } else if on(drawing) {
+            super::restore();
+            tell(&report(info), directory.as_deref());
+        } else {
+            log::error!("{}", report(info));
+        }
+    }));
+}
+
+fn on(thread: ThreadId) -> bool {
+    thread::current().id() == thread
+}
+
+/// Everything a person who mends this wants to know.
+fn report(info: &PanicHookInfo<'_>) -> String {
+    let current = thread::current();
+    format!(
+        "cmra {} panicked on thread {}\n{info}\n{}",
+        env!("CARGO_PKG_VERSION"),
+        current.name().unwrap_or("without a name"),
+        Backtrace::force_capture()
+    )
+}
+
+/// Leave the report in a file and say so on the main screen; without a file, print all of it.
+fn tell(report: &str, directory: Option<&Path>) {
+    let written = directory.and_then(|directory| {
+        let path = directory.join(format!("panic-{}.txt", std::process::id()));
+        fs::create_dir_all(directory).ok()?;
+        fs::write(&path, report).ok()?;
+        Some(path)
+    });
+    let mut text = String::from("cmra: internal error; the terminal has been restored\n");
+    // Writing to a string does not fail.
+    let _ = match written {
+        Some(path) => {
+            let first: Vec<&str> = report.lines().take(3).collect();
+            writeln!(
+                text,
+                "{}\nthe details are in {}: please report them",
+                first.join("\n"),
+                path.display()
+            )
+        }
+        None => writeln!(text, "{report}"),
+    };
+    // Nobody is left to tell when standard error is gone.
+    let _ = std::io::stderr().write_all(text.as_bytes());
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read;
+
+    use portable_pty::{CommandBuilder, PtySize, native_pty_system};
+
+    use super::*;
+    use crate::tui::terminal::Guard;
+
+    const PLACE: &str = "CMRA_TEST_PLACE";
+
+    /// Run one of the ignored tests below in a terminal of its own; gives what the terminal shows in the end, what it showed
+    /// last on the alternate screen, and whether its modes are the old ones.
+    fn in_a_terminal(test: &str, place: &Path) -> (vt100::Parser, String, bool) {
+        let pair = native_pty_system().openpty(PtySize::default()).unwrap();
+        let mut command = CommandBuilder::new(std::env::current_exe().unwrap());
+        let name = format!("{}::{test}", module_path!().split_once("::").unwrap().1);
+        command.args(["--ignored", "--exact", &name, "--nocapture"]);
+        command.env(PLACE, place);
+        command.env("TERM", "xterm-256color");
+        let before = format!("{:?}", pair.master.get_termios());
+        let mut child = pair.slave.spawn_command(command).unwrap();
+        drop(pair.slave);
+        let mut reader = pair.master.try_clone_reader().unwrap();
+        let mut parser = vt100::Parser::default();
+        let mut on_alternate = String::new();
+        let mut buffer = [0; 4096];
+        // The system ends reading when the program, the last to have the terminal open, has ended.
+        while let Ok(count) = reader.read(&mut buffer) {
+            if count == 0 {
+                break;
+            }
+            // In small pieces, so as not to miss what is overwritten at once.
+            for piece in buffer[..count].chunks(8) {
+                parser.process(piece);
+                if parser.screen().alternate_screen() {
+                    on_alternate = parser.screen().contents();
+                }
+            }
+        }
+        child.wait().unwrap();
+        let same_modes = format!("{:?}", pair.master.get_termios()) == before;
+        (parser, on_alternate, same_modes)
+    }
+
+    #[test]
+    fn a_panic_of_the_drawing_thread_restores_first_and_leaves_a_report() {
+        let place = tempfile::tempdir().unwrap();
+        let (parser, _, same_modes) = in_a_terminal("the_drawing_thread_panics", place.path());
+        let screen = parser.screen();
+        assert!(!screen.alternate_screen() && !screen.hide_cursor() && same_modes);
+        let text = screen.contents();
+        assert!(text.contains("internal error"), "{text}");
+        assert!(text.contains("deliberate"), "{text}");
+        let report = fs::read_dir(place.path())
+            .unwrap()
+            .next()
+            .unwrap()
+            .unwrap()
+            .path();
+        let name = report.file_name().unwrap().to_str().unwrap();
+        assert!(text.replace('\n', "").contains(name), "{text}");
+        let report = fs::read_to_string(report).unwrap();
+        assert!(report.contains("deliberate") && report.contains("the_drawing_thread_panics"));
+    }
+
+    #[test]
+    fn a_panic_of_another_thread_leaves_the_terminal_alone() {
+        let place = tempfile::tempdir().unwrap();
+        let (parser, on_alternate, same_modes) =
+            in_a_terminal("another_thread_panics", place.path());
+        assert_eq!(on_alternate.trim(), "still here");
+        assert!(!parser.screen().alternate_screen() && same_modes);
+        let text = parser.screen().contents();
+        assert!(!text.contains("deliberate"), "{text}");
+        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 0);
+    }
+
+    fn take_over() -> Guard {
+        install(std::env::var_os(PLACE).map(PathBuf::from));
+        Guard::enter().expect("a terminal")
+    }
+
+    #[test]
+    #[ignore = "run by a test above, in a terminal of its own"]
+    fn the_drawing_thread_panics() {
+        let _guard = take_over();
+        panic!("deliberate");
+    }
+
+    #[test]
+    #[ignore = "run by a test above, in a terminal of its own"]
+    fn another_thread_panics() {
+        let mut guard = take_over();
+        assert!(thread::spawn(|| panic!("deliberate")).join().is_err());
+        let drawn = guard.draw(|frame| frame.render_widget("still here", frame.area()));
+        assert!(drawn.is_ok_and(|changed| changed));
+    }
+}

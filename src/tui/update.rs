@@ -1,0 +1,107 @@
+//! What each message does to the state, and what it asks the outside to do. No I/O, no clock.
+
+use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::message::{self, Action, Effect, Message};
+
+mod act;
+mod charts;
+mod dialogs;
+mod done;
+mod edit;
+mod export;
+mod field;
+mod input;
+mod jobs;
+mod runs;
+
+/// What to ask for first: a run of the scene and of the pins, and the list of presets.
+pub fn start(app: &mut App) -> Vec<Effect> {
+    let mut effects = jobs::submit_now(app);
+    effects.extend(jobs::submit_pins(app));
+    effects.push(Effect::ListPresets);
+    effects
+}
+
+/// Change the state by a message.
+pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
+    match message {
+        Message::Key(key) if key.kind == KeyEventKind::Release => Vec::new(),
+        Message::Key(key) => press(app, key),
+        Message::Paste(text) => input::paste(app, &text),
+        Message::Resize(width, height) => {
+            app.size = (width, height);
+            Vec::new()
+        }
+        Message::Act(action) => act::act(app, action),
+        Message::Report(report) => jobs::report(app, report),
+        Message::RunDue(serial) => jobs::run_due(app, serial),
+        Message::Done(report) => done::done(app, report),
+        Message::Logged(level, text) => {
+            app.note(level, text);
+            Vec::new()
+        }
+    }
+}
+
+fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+    app.notice = None;
+    if let Some(effects) = everywhere(app, key) {
+        return effects;
+    }
+    if app.dialog.is_some() {
+        return dialogs::press(app, key);
+    }
+    if app.editor.field.is_some() {
+        return field::press(app, key);
+    }
+    if app.editor.filter_field.is_some() {
+        return field::press_in_filter(app, key);
+    }
+    match message::action_for(app.place(), key) {
+        Some(action) => act::act(app, action),
+        None => {
+            app.history.seal();
+            app.hint(key);
+            Vec::new()
+        }
+    }
+}
+
+/// Keys that do the same with a field or dialog open.
+fn everywhere(app: &mut App, key: KeyEvent) -> Option<Vec<Effect>> {
+    if key.modifiers != KeyModifiers::CONTROL {
+        return None;
+    }
+    match key.code {
+        KeyCode::Char('z') => Some(vec![Effect::Suspend]),
+        KeyCode::Char('l') => Some(vec![Effect::Redraw]),
+        KeyCode::Char('c') if app.jobs.current.is_none() && close_top(app) => Some(Vec::new()),
+        KeyCode::Char('c') => Some(act::act(app, Action::Cancel)),
+        _ => None,
+    }
+}
+
+/// Close the dialog or field on top; whether there was one.
+fn close_top(app: &mut App) -> bool {
+    let open = app.dialog.take().is_some();
+    let field = app.editor.field.take().is_some();
+    let filter = app.editor.filter_field.take().is_some();
+    open || field || filter
+}
+
+impl App {
+    /// Say that a key does nothing here, where a person may have expected something.
+    fn hint(&mut self, key: KeyEvent) {
+        if let KeyCode::Char(c) = key.code
+            && key.modifiers.difference(KeyModifiers::SHIFT).is_empty()
+        {
+            self.notice = Some(crate::tui::app::notice::Notice {
+                severity: Severity::Note,
+                text: format!("`{c}` does nothing here: ? lists the keys"),
+            });
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! One action of the key table.
+
+use crate::model::units;
+use crate::tui::app::dialog::{Dialog, Picker};
+use crate::tui::app::notice::Severity;
+use crate::tui::app::steps::Size;
+use crate::tui::app::{App, Tab, runs as run_words};
+use crate::tui::message::{Action, Effect, Place};
+
+use super::{charts, dialogs, edit, export, field, jobs, runs};
+
+/// Do it, in the pane that has the keys.
+pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+    use Action as A;
+    if !is_step(action) {
+        app.history.seal();
+        app.editor.stride = None;
+    }
+    match action {
+        A::TabRun | A::TabLog | A::TabNext | A::TabPrevious => tabs(app, action),
+        A::FocusNext | A::FocusPrevious => focus(app, action == A::FocusNext),
+        A::Up | A::Down | A::First | A::Last | A::PageUp | A::PageDown => movement(app, action),
+        A::Edit => return field::open(app),
+        A::StepDown => return edit::step(app, false, Size::Plain),
+        A::StepUp => return edit::step(app, true, Size::Plain),
+        A::StepDownCoarse => return edit::step(app, false, Size::Coarse),
+        A::StepUpCoarse => return edit::step(app, true, Size::Coarse),
+        A::StepDownFine => return edit::step(app, false, Size::Fine),
+        A::StepUpFine => return edit::step(app, true, Size::Fine),
+        A::Reset => return edit::reset(app),
+        A::ResetAll => return edit::reset_all(app),
+        A::Filter => field::open_filter(app),
+        A::Undo => return edit::undo(app),
+        A::Redo => return edit::redo(app),
+        A::Interface => return edit::switch_interface(app),
+        A::History | A::Help | A::Palette => overlay(app, action),
+        A::Presets => {
+            app.dialog = Some(Dialog::Presets(Picker::default()));
+            return vec![Effect::ListPresets];
+        }
+        A::Save => return dialogs::save(app, false),
+        A::SaveAs => return dialogs::save(app, true),
+        A::Export => export::open(app),
+        A::Pin | A::Unpin | A::Adopt | A::ShowHide => return runs::act(app, action),
+        A::Copy => return copy(app),
+        A::Run => return jobs::run_now(app),
+        A::AutoRun => return auto_run(app),
+        A::Cancel | A::Back | A::Quit | A::QuitWithSummary => return leave(app, action),
+        A::Difference
+        | A::CursorLeft
+        | A::CursorRight
+        | A::CursorLeftFar
+        | A::CursorRightFar
+        | A::EventNext
+        | A::EventPrevious
+        | A::ZoomIn
+        | A::ZoomOut
+        | A::ZoomFit
+        | A::PanLeft
+        | A::PanRight
+        | A::FitVertical
+        | A::Window
+        | A::Quantity
+        | A::LogX
+        | A::LogY => return charts::act(app, action),
+        A::FullPane | A::Glyphs | A::Theme | A::Mouse | A::Redraw | A::Suspend => {
+            return screen(app, action);
+        }
+    }
+    Vec::new()
+}
+
+fn is_step(action: Action) -> bool {
+    matches!(
+        action,
+        Action::StepDown
+            | Action::StepUp
+            | Action::StepDownCoarse
+            | Action::StepUpCoarse
+            | Action::StepDownFine
+            | Action::StepUpFine
+    )
+}
+
+fn tabs(app: &mut App, action: Action) {
+    let at = Tab::ALL.iter().position(|tab| *tab == app.tab).unwrap_or(0);
+    let count = Tab::ALL.len();
+    app.tab = match action {
+        Action::TabRun => Tab::Run,
+        Action::TabLog => Tab::Log,
+        Action::TabPrevious => Tab::ALL[(at + count - 1) % count],
+        _ => Tab::ALL[(at + 1) % count],
+    };
+    app.log_scroll = 0;
+}
+
+fn focus(app: &mut App, forward: bool) {
+    let places = [Place::Variables, Place::Charts, Place::Runs];
+    let at = places.iter().position(|place| *place == app.focus);
+    let step = if forward { 1 } else { places.len() - 1 };
+    app.focus = places[(at.unwrap_or(0) + step) % places.len()];
+}
+
+fn overlay(app: &mut App, action: Action) {
+    app.dialog = Some(match action {
+        Action::History => Dialog::History(Picker::at(app.history.done)),
+        Action::Palette => Dialog::Palette(Picker::typing()),
+        _ => Dialog::Help(Picker::default()),
+    });
+}
+
+fn movement(app: &mut App, action: Action) {
+    let by = |page: usize| {
+        let page = isize::try_from(page.max(2) - 1).unwrap_or(1);
+        match action {
+            Action::Up => -1,
+            Action::Down => 1,
+            Action::PageUp => -page,
+            Action::PageDown => page,
+            Action::First => isize::MIN / 2,
+            _ => isize::MAX / 2,
+        }
+    };
+    match app.place() {
+        Place::Variables | Place::Anywhere => {
+            let rows = app.layout().variable_rows();
+            app.editor.move_by(by(rows));
+        }
+        Place::Charts => {
+            app.charts.selected = app.charts.selected.saturating_add_signed(by(3)).min(2);
+        }
+        Place::Runs => {
+            let last = app.pins.len();
+            app.selected_run = app.selected_run.saturating_add_signed(by(8)).min(last);
+        }
+        Place::Log => {
+            let rows = app.layout().log_rows();
+            let most = app.log_lines().len().saturating_sub(rows);
+            app.log_scroll = app.log_scroll.saturating_add_signed(by(rows)).min(most);
+        }
+    }
+}
+
+fn auto_run(app: &mut App) -> Vec<Effect> {
+    app.auto_run = !app.auto_run;
+    if !app.auto_run {
+        app.say(
+            Severity::Note,
+            "auto-run is off: r runs, a switches it on again",
+        );
+        return Vec::new();
+    }
+    app.say(Severity::Note, "auto-run is on: every edit runs at once");
+    if app.is_stale() {
+        jobs::run_now(app)
+    } else {
+        Vec::new()
+    }
+}
+
+fn leave(app: &mut App, action: Action) -> Vec<Effect> {
+    let quit = |summary| vec![Effect::SaveSession, Effect::Quit { summary }];
+    let running = app.jobs.current.is_some();
+    match action {
+        Action::Cancel | Action::Back if running => vec![Effect::CancelJob],
+        Action::Back => {
+            if app.full_pane {
+                app.full_pane = false;
+            } else if !app.editor.filter.is_empty() {
+                app.editor.set_filter("");
+            } else {
+                app.say(
+                    Severity::Note,
+                    "nothing to stop: q quits (the session is kept)",
+                );
+            }
+            Vec::new()
+        }
+        Action::QuitWithSummary => quit(true),
+        _ => quit(false),
+    }
+}
+
+fn screen(app: &mut App, action: Action) -> Vec<Effect> {
+    match action {
+        Action::FullPane => app.full_pane = !app.full_pane,
+        Action::Glyphs => {
+            app.theme.glyphs = app.theme.glyphs.next();
+            app.say(
+                Severity::Note,
+                format!("characters: {} (m for the next set)", app.theme.glyphs),
+            );
+            return vec![Effect::SaveSession];
+        }
+        Action::Theme => {
+            app.theme.depth = app.theme.depth.next(app.best_depth);
+            app.say(
+                Severity::Note,
+                format!("colours: {} (t for the next)", app.theme.depth.word()),
+            );
+            return vec![Effect::SaveSession];
+        }
+        Action::Mouse => {
+            app.mouse = !app.mouse;
+            app.say(
+                Severity::Note,
+                if app.mouse {
+                    "the program has the mouse: M gives it back"
+                } else {
+                    "the terminal has the mouse: select text as usual"
+                },
+            );
+            return vec![Effect::Mouse(app.mouse)];
+        }
+        Action::Redraw => return vec![Effect::Redraw],
+        _ => return vec![Effect::Suspend],
+    }
+    Vec::new()
+}
+
+fn copy(app: &mut App) -> Vec<Effect> {
+    let Some(shown) = &app.shown else {
+        app.say(Severity::Error, "nothing to copy yet: r runs the scene");
+        return Vec::new();
+    };
+    let run = &shown.run;
+    let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), units::shortest);
+    let name = run_words::name_of(&run.scene, &app.base.name, &app.base.scene);
+    let lines = [
+        format!("scene\t{name}"),
+        format!("outcome\t{}", run.outcome),
+        format!(
+            "first_arrest_penetration_m\t{}",
+            number(run.first_arrest.map(|arrest| arrest.penetration_m))
+        ),
+        format!(
+            "first_arrest_time_s\t{}",
+            number(run.first_arrest.map(|arrest| arrest.t_s))
+        ),
+        format!("final_penetration_m\t{}", number(run.final_penetration_m)),
+        format!("percent_of_baseline\t{}", number(run.percent_of_baseline())),
+        format!(
+            "peak_contact_force_n\t{}",
+            number(Some(run.peak_contact_force_n))
+        ),
+        format!(
+            "max_plate_displacement_m\t{}",
+            number(run.max_plate_displacement_m)
+        ),
+        format!(
+            "residual_velocity_m_s\t{}",
+            number(run.residual_velocity_m_s)
+        ),
+        format!(
+            "interface_demand_ratio\t{}",
+            number(run.interface_demand_ratio)
+        ),
+    ];
+    vec![Effect::Copy(lines.join("\n") + "\n")]
+}

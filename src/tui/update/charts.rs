@@ -1,0 +1,117 @@
+//! Crosshair, zoom, axes and quantities.
+
+use crate::tui::app::App;
+use crate::tui::app::charts::{Fit, Window};
+use crate::tui::app::notice::Severity;
+use crate::tui::chart::scale::Scale;
+use crate::tui::message::{Action, Effect};
+
+/// One zoom step.
+const ZOOM: f64 = 0.5;
+/// One pan step, as a share of the range.
+const PAN: f64 = 0.25;
+
+/// One of the actions on charts.
+pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+    use Action as A;
+    let selected = app.charts.selected;
+    match action {
+        A::CursorLeft => app.move_cursor(-1.0),
+        A::CursorRight => app.move_cursor(1.0),
+        A::CursorLeftFar => app.move_cursor(-10.0),
+        A::CursorRightFar => app.move_cursor(10.0),
+        A::EventNext => event(app, true),
+        A::EventPrevious => event(app, false),
+        A::ZoomIn => app.zoom(ZOOM),
+        A::ZoomOut => app.zoom(1.0 / ZOOM),
+        A::ZoomFit => {
+            app.charts.zoom_s = None;
+            app.charts.fit = Fit::View;
+        }
+        A::PanLeft => app.pan(-PAN),
+        A::PanRight => app.pan(PAN),
+        A::FitVertical => fit(app),
+        A::Window => window(app),
+        A::Quantity => {
+            app.charts.quantities[selected] = app.charts.quantities[selected].next();
+        }
+        A::LogX => {
+            app.charts.time_scale = app.charts.time_scale.toggled();
+            let text = format!("time axis: {}", word(app.charts.time_scale));
+            app.say(Severity::Note, text);
+        }
+        A::LogY => {
+            let scale = &mut app.charts.value_scales[selected];
+            *scale = scale.toggled();
+            let text = format!("value axis: {}", word(*scale));
+            app.say(Severity::Note, text);
+        }
+        _ => difference(app),
+    }
+    Vec::new()
+}
+
+fn word(scale: Scale) -> &'static str {
+    match scale {
+        Scale::Linear => "linear",
+        Scale::Log10 => "logarithmic (values of zero or less are left out)",
+    }
+}
+
+fn event(app: &mut App, forward: bool) {
+    if app.move_to_event(forward).is_none() {
+        let text = match (&app.shown, forward) {
+            (None, _) => "no run yet",
+            (Some(shown), _) if shown.run.events.is_empty() => "this run has no events",
+            (Some(_), true) => "no later event",
+            (Some(_), false) => "no earlier event",
+        };
+        app.say(Severity::Note, text);
+    }
+}
+
+fn fit(app: &mut App) {
+    app.charts.fit = match app.charts.fit {
+        Fit::View => Fit::Everything,
+        Fit::Everything => Fit::View,
+    };
+    app.say(
+        Severity::Note,
+        match app.charts.fit {
+            Fit::View => "vertical axes: fitted to what is in view",
+            Fit::Everything => "vertical axes: fitted to the whole run",
+        },
+    );
+}
+
+fn window(app: &mut App) {
+    app.charts.window = match app.charts.window {
+        Window::Contact => Window::Whole,
+        Window::Whole => Window::Contact,
+    };
+    app.charts.zoom_s = None;
+    app.say(
+        Severity::Note,
+        match app.charts.window {
+            Window::Contact => "time axis: the contact, up to first arrest or perforation",
+            Window::Whole => "time axis: the whole response",
+        },
+    );
+}
+
+fn difference(app: &mut App) {
+    let Some(letter) = app.reference_pin().map(|pin| pin.letter) else {
+        app.say(
+            Severity::Error,
+            "no pinned run to compare with: Space pins the current one",
+        );
+        return;
+    };
+    app.charts.difference = !app.charts.difference;
+    let text = if app.charts.difference {
+        format!("curves are differences to {letter}: D shows the values again")
+    } else {
+        "curves are values again".to_owned()
+    };
+    app.say(Severity::Note, text);
+}

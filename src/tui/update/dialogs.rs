@@ -1,0 +1,270 @@
+//! Keys in the dialogs: help, palette, presets, list of edits, saving. (Exporting has its own file.)
+
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use tui_input::Input;
+
+use crate::tui::app::dialog::{self, Dialog, Picker, Save};
+use crate::tui::app::{App, Base, Origin};
+use crate::tui::message::{Binding, Effect, Place, PresetEntry};
+
+use super::{act, edit, export, input, runs};
+
+/// A key while a dialog is open.
+pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+    match app.dialog.take() {
+        Some(Dialog::Save(state)) => save_key(app, state, key),
+        Some(Dialog::Export(state)) => export::press(app, *state, key),
+        Some(Dialog::Help(picker)) => in_list(app, picker, key, Kind::Help),
+        Some(Dialog::Palette(picker)) => in_list(app, picker, key, Kind::Palette),
+        Some(Dialog::Presets(picker)) => in_list(app, picker, key, Kind::Presets),
+        Some(Dialog::History(picker)) => in_list(app, picker, key, Kind::History),
+        None => Vec::new(),
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Help,
+    Palette,
+    Presets,
+    History,
+}
+
+impl Kind {
+    fn dialog(self, picker: Picker) -> Dialog {
+        match self {
+            Self::Help => Dialog::Help(picker),
+            Self::Palette => Dialog::Palette(picker),
+            Self::Presets => Dialog::Presets(picker),
+            Self::History => Dialog::History(picker),
+        }
+    }
+
+    fn count(self, app: &App, typed: &str) -> usize {
+        match self {
+            Self::Help => dialog::help_rows(app.place(), typed).len(),
+            Self::Palette => dialog::palette_rows(typed).len(),
+            Self::Presets => dialog::preset_rows(&app.presets, typed).len(),
+            Self::History => app.history.edits.len() + 1,
+        }
+    }
+}
+
+/// Keys all lists share; Enter and Space mean what the list is for.
+fn in_list(app: &mut App, mut picker: Picker, key: KeyEvent, kind: Kind) -> Vec<Effect> {
+    let last = kind.count(app, picker.filter.value()).saturating_sub(1);
+    let control = key.modifiers.contains(KeyModifiers::CONTROL);
+    let letter = !picker.typing && !control;
+    let to = |by: isize| picker.selected.saturating_add_signed(by).min(last);
+    match key.code {
+        KeyCode::Esc if picker.typing && kind != Kind::Palette => {
+            picker.typing = false;
+            picker.filter = Input::default();
+            picker.selected = 0;
+        }
+        KeyCode::Esc => return Vec::new(),
+        KeyCode::Enter => return chosen(app, &picker, kind),
+        KeyCode::Up => picker.selected = to(-1),
+        KeyCode::Down => picker.selected = to(1),
+        KeyCode::PageUp => picker.selected = to(-10),
+        KeyCode::PageDown => picker.selected = to(10),
+        KeyCode::Home if letter => picker.selected = 0,
+        KeyCode::End if letter => picker.selected = last,
+        KeyCode::Char('p' | 'k') if control => picker.selected = to(-1),
+        KeyCode::Char('n' | 'j') if control => picker.selected = to(1),
+        KeyCode::Char('q') if letter => return Vec::new(),
+        KeyCode::Char('?') if letter && kind == Kind::Help => return Vec::new(),
+        KeyCode::Char('k') if letter => picker.selected = to(-1),
+        KeyCode::Char('j') if letter => picker.selected = to(1),
+        KeyCode::Char('g') if letter => picker.selected = 0,
+        KeyCode::Char('G') if letter => picker.selected = last,
+        KeyCode::Char('/') if letter && kind != Kind::History => picker.typing = true,
+        KeyCode::Char(' ') if letter && kind == Kind::Presets => {
+            let effects = pin_preset(app, &picker);
+            app.dialog = Some(Dialog::Presets(picker));
+            return effects;
+        }
+        _ if picker.typing => {
+            if input::press(&mut picker.filter, &mut false, key) {
+                picker.selected = 0;
+            }
+        }
+        _ => {}
+    }
+    app.dialog = Some(kind.dialog(picker));
+    Vec::new()
+}
+
+/// After text came into a dialog: what is selected may not be there any more.
+pub(super) fn after_typing(app: &mut App) {
+    match &mut app.dialog {
+        Some(Dialog::Help(picker) | Dialog::Palette(picker) | Dialog::Presets(picker)) => {
+            picker.selected = 0;
+        }
+        Some(Dialog::Save(save)) => {
+            save.question = false;
+            save.error = None;
+        }
+        Some(Dialog::Export(export)) => {
+            export.question = false;
+            export.error = None;
+            export.completions.clear();
+        }
+        Some(Dialog::History(_)) | None => {}
+    }
+}
+
+fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
+    let typed = picker.filter.value();
+    match kind {
+        Kind::Help => {
+            let rows = dialog::help_rows(app.place(), typed);
+            rows.get(picker.selected)
+                .map_or_else(Vec::new, |row| execute(app, row))
+        }
+        Kind::Palette => {
+            let rows = dialog::palette_rows(typed);
+            rows.get(picker.selected)
+                .map_or_else(Vec::new, |row| execute(app, row))
+        }
+        Kind::Presets => match selected_preset(app, picker) {
+            Some(entry) => edit::load(app, base_of(entry)),
+            None if looks_like_path(typed) => vec![Effect::Load(typed.trim().into())],
+            None => {
+                app.dialog = Some(Dialog::Presets(picker.clone()));
+                Vec::new()
+            }
+        },
+        Kind::History => edit::travel(app, picker.selected),
+    }
+}
+
+/// Do what a row of the key table says, in the pane it belongs to.
+fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
+    match row.place {
+        Place::Anywhere => {}
+        Place::Log => app.tab = crate::tui::app::Tab::Log,
+        Place::Variables | Place::Charts | Place::Runs => {
+            app.tab = crate::tui::app::Tab::Run;
+            app.focus = row.place;
+        }
+    }
+    act::act(app, row.action)
+}
+
+fn looks_like_path(text: &str) -> bool {
+    let text = text.trim();
+    text.contains('/') || text.ends_with(".toml")
+}
+
+fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {
+    let rows = dialog::preset_rows(&app.presets, picker.filter.value());
+    rows.get(picker.selected).map(|entry| (*entry).clone())
+}
+
+fn base_of(entry: PresetEntry) -> Base {
+    let origin = match entry.origin {
+        "bundled" => Origin::Bundled,
+        "mine" => Origin::Mine,
+        _ => Origin::Other,
+    };
+    Base {
+        name: entry.name,
+        origin,
+        scene: entry.scene.into(),
+    }
+}
+
+fn pin_preset(app: &mut App, picker: &Picker) -> Vec<Effect> {
+    match selected_preset(app, picker) {
+        Some(entry) => runs::pin(app, entry.name, entry.scene.into()),
+        None => Vec::new(),
+    }
+}
+
+/// Save the scene: under its own name where it is one of the user's presets, else ask for a name.
+pub(super) fn save(app: &mut App, ask: bool) -> Vec<Effect> {
+    if !ask && app.base.origin == Origin::Mine {
+        return vec![Effect::SavePreset {
+            name: app.base.name.clone(),
+            scene: Box::new((*app.scene).clone()),
+            overwrite: true,
+        }];
+    }
+    app.dialog = Some(Dialog::Save(Save {
+        input: Input::new(proposed_name(app)),
+        fresh: true,
+        question: false,
+        error: None,
+    }));
+    vec![Effect::ListPresets]
+}
+
+/// The present name for one's own preset, else that name with the first number that is free.
+fn proposed_name(app: &App) -> String {
+    if app.base.origin == Origin::Mine {
+        return app.base.name.clone();
+    }
+    let taken = |name: &str| app.presets.iter().any(|entry| entry.name == name);
+    let stem = app.base.name.rsplit('/').next().unwrap_or("scene");
+    let stem = stem.trim_end_matches(".toml");
+    (2..100)
+        .map(|number| format!("{stem}-{number}"))
+        .find(|name| !taken(name))
+        .unwrap_or_else(|| "my-scene".to_owned())
+}
+
+fn save_key(app: &mut App, mut state: Save, key: KeyEvent) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    match key.code {
+        KeyCode::Esc => return Vec::new(),
+        KeyCode::Char('y') if state.question => effects = save_as(app, &state, true),
+        KeyCode::Char('n') if state.question => state.question = false,
+        KeyCode::Enter if state.question => {}
+        KeyCode::Enter => {
+            state.fresh = false;
+            match name_problem(app, state.input.value().trim()) {
+                Some(NameProblem::Exists) => state.question = true,
+                Some(NameProblem::Refused(text)) => state.error = Some(text),
+                None => effects = save_as(app, &state, false),
+            }
+        }
+        _ => {
+            if input::press(&mut state.input, &mut state.fresh, key) {
+                state.question = false;
+                state.error = None;
+            }
+        }
+    }
+    app.dialog = Some(Dialog::Save(state));
+    effects
+}
+
+enum NameProblem {
+    Exists,
+    Refused(String),
+}
+
+fn name_problem(app: &App, name: &str) -> Option<NameProblem> {
+    if name.is_empty() {
+        return Some(NameProblem::Refused(
+            "a preset needs a name: letters, digits, - and _".to_owned(),
+        ));
+    }
+    let same = app.presets.iter().filter(|entry| entry.name == name);
+    let origins: Vec<&str> = same.map(|entry| entry.origin).collect();
+    if origins.contains(&"bundled") {
+        return Some(NameProblem::Refused(format!(
+            "`{name}` is a built-in preset and stays as it is: choose another name"
+        )));
+    }
+    origins.contains(&"mine").then_some(NameProblem::Exists)
+}
+
+fn save_as(app: &App, state: &Save, overwrite: bool) -> Vec<Effect> {
+    vec![Effect::SavePreset {
+        name: state.input.value().trim().to_owned(),
+        scene: Box::new((*app.scene).clone()),
+        overwrite,
+    }]
+}

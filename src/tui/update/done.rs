@@ -1,0 +1,107 @@
+//! What the reports of effects do: saved, exported, listed, loaded, copied, completed.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use tui_input::Input;
+
+use crate::tui::app::dialog::Dialog;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::{App, Base, Origin};
+use crate::tui::message::{Effect, EffectReport, ExportOutcome};
+
+use super::edit;
+
+/// An effect has been carried out, or has failed.
+pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
+    match report {
+        EffectReport::Saved(Ok((name, path))) => return saved(app, name, &path),
+        EffectReport::Saved(Err(text)) => match &mut app.dialog {
+            Some(Dialog::Save(save)) => save.error = Some(text),
+            _ => app.say(Severity::Error, text),
+        },
+        EffectReport::Exported(outcome) => exported(app, outcome),
+        EffectReport::Presets(list) => app.presets = list,
+        EffectReport::Loaded(Ok((name, scene))) => {
+            let base = Base {
+                name,
+                origin: Origin::Other,
+                scene: Arc::new(*scene),
+            };
+            return edit::load(app, base);
+        }
+        EffectReport::Refused(text) | EffectReport::Loaded(Err(text)) => {
+            app.say(Severity::Error, text)
+        }
+        EffectReport::Copied(text) => app.say(Severity::Note, text),
+        EffectReport::Completions(names) => complete(app, names),
+    }
+    Vec::new()
+}
+
+fn saved(app: &mut App, name: String, path: &Path) -> Vec<Effect> {
+    if matches!(app.dialog, Some(Dialog::Save(_))) {
+        app.dialog = None;
+    }
+    app.say(
+        Severity::Note,
+        format!("saved `{name}` as {}", path.display()),
+    );
+    app.base = Base {
+        name,
+        origin: Origin::Mine,
+        scene: Arc::clone(&app.scene),
+    };
+    vec![Effect::ListPresets, Effect::SaveSession]
+}
+
+fn exported(app: &mut App, outcome: ExportOutcome) {
+    match (outcome, &mut app.dialog) {
+        (ExportOutcome::Written(files), dialog) => {
+            if matches!(dialog, Some(Dialog::Export(_))) {
+                *dialog = None;
+            }
+            let names: Vec<String> = files
+                .iter()
+                .map(|file| file.display().to_string())
+                .collect();
+            app.say(Severity::Note, format!("written: {}", names.join(" and ")));
+        }
+        (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
+        (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
+        (ExportOutcome::Exists(path), _) => app.say(
+            Severity::Error,
+            format!("{} exists and was left alone", path.display()),
+        ),
+        (ExportOutcome::Failed(text), _) => app.say(Severity::Error, text),
+    }
+}
+
+/// One name: take it. Several: what they have in common, and the list.
+fn complete(app: &mut App, names: Vec<String>) {
+    let Some(Dialog::Export(export)) = &mut app.dialog else {
+        return;
+    };
+    let Some(common) = common_start(&names) else {
+        export.error = Some("no file or directory begins like this".to_owned());
+        return;
+    };
+    export.path = Input::new(common);
+    export.completions = if names.len() > 1 { names } else { Vec::new() };
+}
+
+fn common_start(names: &[String]) -> Option<String> {
+    let first = names.first()?;
+    let mut length = first.len();
+    for name in names {
+        let same = first
+            .char_indices()
+            .zip(name.chars())
+            .take_while(|((_, a), b)| a == b)
+            .map(|((at, a), _)| at + a.len_utf8())
+            .last()
+            .unwrap_or(0);
+        length = length.min(same);
+    }
+    Some(first[..length].to_owned())
+}

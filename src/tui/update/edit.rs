@@ -1,0 +1,264 @@
+//! Edits of the scene: every one can be undone, is checked before it counts, and asks for a new run.
+
+use std::sync::Arc;
+
+use crate::model::scene::Scene;
+use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
+use crate::tui::app::dialog::wrap;
+use crate::tui::app::history::{Edit, Snapshot};
+use crate::tui::app::notice::Severity;
+use crate::tui::app::steps::{self, Size};
+use crate::tui::app::{App, Base};
+use crate::tui::message::Effect;
+
+use super::jobs;
+
+/// Set a variable. `stepping` joins it with the steps just before.
+///
+/// # Errors
+/// Why the value, or the scene with it, makes no sense; nothing is changed then.
+pub(super) fn set(
+    app: &mut App,
+    index: usize,
+    value: Value,
+    stepping: Option<usize>,
+) -> Result<Vec<Effect>, String> {
+    let variable = &VARIABLES[index];
+    let mut scene = (*app.scene).clone();
+    variable
+        .set(&mut scene, value)
+        .and_then(|()| variables::validate(&scene))
+        .map_err(|error| error.to_string())?;
+    if scene == *app.scene {
+        return Ok(Vec::new());
+    }
+    let old = match app.history.edits.last() {
+        // Held arrows: from where they began.
+        Some(last) if stepping.is_some() && last.stepping == stepping => {
+            variable.show(&last.before.scene)
+        }
+        _ => variable.show(&app.scene),
+    };
+    let label = format!("{} {old} -> {}", variable.symbol, variable.show(&scene));
+    let warning = variable.range_warning(&scene);
+    let effects = commit_scene(app, scene, label, stepping);
+    if let Some(warning) = warning {
+        app.say(Severity::Warning, warning.text);
+    }
+    Ok(effects)
+}
+
+/// Make another scene the current one, as one edit.
+pub(super) fn commit_scene(
+    app: &mut App,
+    scene: Scene,
+    label: String,
+    stepping: Option<usize>,
+) -> Vec<Effect> {
+    let after = Snapshot {
+        scene: Arc::new(scene),
+        base: app.base.clone(),
+    };
+    commit(app, after, label, stepping)
+}
+
+/// Make another scene current and compare it with another preset, as one edit.
+pub(super) fn load(app: &mut App, base: Base) -> Vec<Effect> {
+    let label = format!("load {}", base.name);
+    let after = Snapshot {
+        scene: Arc::clone(&base.scene),
+        base,
+    };
+    app.charts.zoom_s = None;
+    app.charts.cursor_s = None;
+    commit(app, after, label, None)
+}
+
+fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>) -> Vec<Effect> {
+    let before = Snapshot {
+        scene: Arc::clone(&app.scene),
+        base: app.base.clone(),
+    };
+    app.history.push(Edit {
+        label,
+        before,
+        after: after.clone(),
+        stepping,
+    });
+    install(app, after)
+}
+
+fn install(app: &mut App, snapshot: Snapshot) -> Vec<Effect> {
+    app.scene = snapshot.scene;
+    app.base = snapshot.base;
+    let mut effects = jobs::after_edit(app);
+    effects.push(Effect::SaveSession);
+    effects
+}
+
+/// Take the last edit back.
+pub(super) fn undo(app: &mut App) -> Vec<Effect> {
+    let Some(edit) = app.history.undo().cloned() else {
+        app.say(Severity::Note, "nothing to undo");
+        return Vec::new();
+    };
+    app.say(
+        Severity::Note,
+        format!("undone: {} (Ctrl-r redoes)", edit.label),
+    );
+    install(app, edit.before)
+}
+
+/// Do the last undone edit again.
+pub(super) fn redo(app: &mut App) -> Vec<Effect> {
+    let Some(edit) = app.history.redo().cloned() else {
+        app.say(Severity::Note, "nothing to redo");
+        return Vec::new();
+    };
+    app.say(Severity::Note, format!("redone: {}", edit.label));
+    install(app, edit.after)
+}
+
+/// Go to the state after the first `done` edits.
+pub(super) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
+    let done = done.min(app.history.edits.len());
+    if done == app.history.done {
+        return Vec::new();
+    }
+    let snapshot = match done.checked_sub(1).and_then(|at| app.history.edits.get(at)) {
+        Some(edit) => edit.after.clone(),
+        None => app.history.edits[0].before.clone(),
+    };
+    app.history.done = done;
+    app.say(
+        Severity::Note,
+        format!("back to the state after edit {done}"),
+    );
+    install(app, snapshot)
+}
+
+/// Reset the selected variable to the preset's value.
+pub(super) fn reset(app: &mut App) -> Vec<Effect> {
+    let index = app.editor.selected;
+    let value = VARIABLES[index].value(&app.base.scene);
+    match set(app, index, value, None) {
+        Ok(effects) => {
+            if effects.is_empty() {
+                app.say(
+                    Severity::Note,
+                    format!("{} has the preset's value already", VARIABLES[index].symbol),
+                );
+            }
+            effects
+        }
+        Err(error) => {
+            app.say(Severity::Error, error);
+            Vec::new()
+        }
+    }
+}
+
+/// Reset every variable to the preset's value.
+pub(super) fn reset_all(app: &mut App) -> Vec<Effect> {
+    if !app.is_modified() {
+        app.say(Severity::Note, "nothing differs from the preset");
+        return Vec::new();
+    }
+    let scene = (*app.base.scene).clone();
+    let label = format!("reset all to {}", app.base.name);
+    app.say(Severity::Note, format!("{label}: u undoes"));
+    commit_scene(app, scene, label, None)
+}
+
+/// Switch between the interface laws.
+pub(super) fn switch_interface(app: &mut App) -> Vec<Effect> {
+    let found = VARIABLES.iter().position(|one| one.key == "interface.law");
+    let Some((index, value)) = found.zip(found.and_then(|index| cycled(app, index, true))) else {
+        return Vec::new();
+    };
+    let effects = finish(app, index, value, None);
+    let law = VARIABLES[index].show(&app.scene);
+    app.say(Severity::Note, format!("interface law: {law}"));
+    effects
+}
+
+/// Step the selected variable: a number by its rule, a choice or switch to its neighbour.
+pub(super) fn step(app: &mut App, up: bool, size: Size) -> Vec<Effect> {
+    let index = app.editor.selected;
+    let variable = &VARIABLES[index];
+    let Kind::Number(number) = &variable.kind else {
+        return match cycled(app, index, up) {
+            Some(value) => finish(app, index, value, None),
+            None => {
+                let only = format!(
+                    "{} has only one value: {}",
+                    variable.symbol,
+                    variable.show(&app.scene)
+                );
+                app.say(Severity::Note, only);
+                Vec::new()
+            }
+        };
+    };
+    let value = match (number.get)(&app.scene) {
+        Some(value) => step_number(app, index, number, value, (up, size)),
+        None => up.then(|| steps::first_value(number)),
+    };
+    match value {
+        Some(value) => finish(app, index, Value::Number(value), Some(index)),
+        None => {
+            app.say(Severity::Note, edge(variable, up));
+            Vec::new()
+        }
+    }
+}
+
+fn step_number(
+    app: &mut App,
+    index: usize,
+    number: &Number,
+    value: f64,
+    (up, size): (bool, Size),
+) -> Option<f64> {
+    let stride = match app.editor.stride {
+        Some((same, decade)) if same == index => decade,
+        _ => steps::decade(number, value),
+    };
+    app.editor.stride = Some((index, stride));
+    steps::stepped(number, value, up, size, stride)
+}
+
+fn edge(variable: &Variable, up: bool) -> String {
+    let way = if up { "more" } else { "less" };
+    format!(
+        "{} cannot be stepped to {way}: it must be {} (, and . step finer)",
+        variable.symbol,
+        variable.allowed()
+    )
+}
+
+fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) -> Vec<Effect> {
+    match set(app, index, value, stepping) {
+        Ok(effects) => effects,
+        Err(error) => {
+            app.say(Severity::Error, error);
+            Vec::new()
+        }
+    }
+}
+
+/// The neighbour of a choice or switch; `None` where there is only one value, or the variable is a number.
+fn cycled(app: &App, index: usize, up: bool) -> Option<Value> {
+    match &VARIABLES[index].kind {
+        Kind::Switch { get, .. } => Some(Value::Switch(!get(&app.scene))),
+        Kind::Choice(choice) if choice.words.len() > 1 => {
+            let next = wrap(
+                (choice.get)(&app.scene),
+                if up { 1 } else { -1 },
+                choice.words.len(),
+            );
+            Some(Value::Word(choice.words[next]))
+        }
+        Kind::Choice(_) | Kind::Number(_) => None,
+    }
+}

@@ -1,0 +1,114 @@
+//! The open field of a variable, and the filter of the list.
+
+use crossterm::event::{KeyCode, KeyEvent};
+use tui_input::Input;
+
+use crate::model::units::Bare;
+use crate::model::variables::{Kind, VARIABLES};
+use crate::tui::app::App;
+use crate::tui::app::editor::Field;
+use crate::tui::app::steps::Size;
+use crate::tui::message::{Action, Effect};
+
+use super::{act, edit, input};
+
+/// Open the selected variable's field with its old value selected; choices and switches go to their next value instead.
+pub(super) fn open(app: &mut App) -> Vec<Effect> {
+    let variable = app.editor.variable();
+    match variable.kind {
+        Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, true, Size::Plain),
+        Kind::Number(_) => {
+            app.editor.field = Some(Field {
+                variable: app.editor.selected,
+                input: Input::new(variable.show(&app.scene)),
+                fresh: true,
+                error: None,
+            });
+            Vec::new()
+        }
+    }
+}
+
+/// A key while the field is open.
+pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+    match key.code {
+        KeyCode::Esc => {
+            app.editor.field = None;
+            Vec::new()
+        }
+        KeyCode::Enter | KeyCode::Down => commit(app, |app| app.editor.move_by(1)),
+        KeyCode::Up => commit(app, |app| app.editor.move_by(-1)),
+        KeyCode::Tab => commit(app, |app| {
+            act::act(app, Action::FocusNext);
+        }),
+        KeyCode::BackTab => commit(app, |app| {
+            act::act(app, Action::FocusPrevious);
+        }),
+        _ => {
+            if let Some(field) = &mut app.editor.field
+                && input::press(&mut field.input, &mut field.fresh, key)
+            {
+                field.error = None;
+            }
+            Vec::new()
+        }
+    }
+}
+
+/// Take the text as the new value and go on; a text that is no value stays, with the reason, and nothing else changes.
+fn commit(app: &mut App, then: impl FnOnce(&mut App)) -> Vec<Effect> {
+    let Some(field) = app.editor.field.take() else {
+        return Vec::new();
+    };
+    let variable = &VARIABLES[field.variable];
+    let text = field.input.value();
+    let unchanged = field.fresh || text.trim() == variable.show(&app.scene);
+    let result = if unchanged {
+        Ok(Vec::new())
+    } else {
+        variable
+            .parse(&app.scene, text, Bare::Stored)
+            .map_err(|error| error.to_string())
+            .and_then(|value| edit::set(app, field.variable, value, None))
+    };
+    match result {
+        Ok(effects) => {
+            then(app);
+            effects
+        }
+        Err(error) => {
+            app.editor.field = Some(Field {
+                error: Some(error),
+                ..field
+            });
+            Vec::new()
+        }
+    }
+}
+
+/// Open the filter's field.
+pub(super) fn open_filter(app: &mut App) {
+    app.editor.filter_field = Some(Input::new(app.editor.filter.clone()));
+}
+
+/// A key while the filter's field is open: the list follows every character.
+pub(super) fn press_in_filter(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+    match key.code {
+        KeyCode::Esc => {
+            app.editor.filter_field = None;
+            app.editor.set_filter("");
+        }
+        KeyCode::Enter | KeyCode::Tab => app.editor.filter_field = None,
+        KeyCode::Up => app.editor.move_by(-1),
+        KeyCode::Down => app.editor.move_by(1),
+        _ => {
+            if let Some(field) = &mut app.editor.filter_field
+                && input::press(field, &mut false, key)
+            {
+                let text = field.value().to_owned();
+                app.editor.set_filter(&text);
+            }
+        }
+    }
+    Vec::new()
+}

@@ -1,0 +1,122 @@
+//! Pinning, unpinning, adopting, showing and hiding runs.
+
+use std::sync::Arc;
+
+use crate::model::scene::Scene;
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::runs::{LETTERS, Pin, name_of};
+use crate::tui::message::{Action, Effect};
+
+use super::{edit, jobs};
+
+/// One of the actions on runs.
+pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+    match action {
+        Action::Pin => {
+            let name = name_of(&app.scene, &app.base.name, &app.base.scene);
+            let scene = Arc::clone(&app.scene);
+            pin(app, name, scene)
+        }
+        Action::Unpin => unpin(app),
+        Action::Adopt => adopt(app),
+        _ => show_or_hide(app),
+    }
+}
+
+/// Freeze a scene under the next free letter; its result is the one on the screen, or is computed.
+pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect> {
+    if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *scene) {
+        let text = format!("this scene is pinned already, as {}", pin.letter);
+        app.say(Severity::Note, text);
+        return Vec::new();
+    }
+    let free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
+    let Some(letter) = LETTERS.into_iter().find(free) else {
+        app.say(
+            Severity::Error,
+            "all eight pins A to H are taken: x in the pane Runs unpins one",
+        );
+        return Vec::new();
+    };
+    let run = app
+        .shown
+        .as_ref()
+        .filter(|shown| *shown.run.scene == *scene)
+        .map(|shown| Arc::clone(&shown.run));
+    app.say(Severity::Note, format!("pinned as {letter}: {name}"));
+    app.pins.push(Pin {
+        letter,
+        name,
+        scene,
+        run,
+        visible: true,
+        job: None,
+    });
+    app.pins.sort_by_key(|pin| pin.letter);
+    let mut effects = jobs::submit_pins(app);
+    effects.push(Effect::SaveSession);
+    effects
+}
+
+/// The pin that is selected in the table of runs.
+fn selected(app: &mut App) -> Option<usize> {
+    let found = app
+        .selected_run
+        .checked_sub(1)
+        .filter(|at| *at < app.pins.len());
+    if found.is_none() {
+        app.say(
+            Severity::Note,
+            if app.pins.is_empty() {
+                "no run is pinned yet: Space pins the current one"
+            } else {
+                "select a pinned run first (j, k): the first row is the current run"
+            },
+        );
+    }
+    found
+}
+
+fn unpin(app: &mut App) -> Vec<Effect> {
+    let Some(at) = selected(app) else {
+        return Vec::new();
+    };
+    let pin = app.pins.remove(at);
+    app.selected_run = app.selected_run.min(app.pins.len());
+    if app.pins.is_empty() {
+        app.charts.difference = false;
+    }
+    app.say(
+        Severity::Note,
+        format!("unpinned {}: {}", pin.letter, pin.name),
+    );
+    vec![Effect::SaveSession]
+}
+
+fn adopt(app: &mut App) -> Vec<Effect> {
+    let Some(at) = selected(app) else {
+        return Vec::new();
+    };
+    let pin = &app.pins[at];
+    if *pin.scene == *app.scene {
+        app.say(Severity::Note, "the current scene is this one already");
+        return Vec::new();
+    }
+    let label = format!("adopt {}: {}", pin.letter, pin.name);
+    let scene = (*pin.scene).clone();
+    app.say(Severity::Note, format!("{label} (u undoes)"));
+    edit::commit_scene(app, scene, label, None)
+}
+
+fn show_or_hide(app: &mut App) -> Vec<Effect> {
+    match app.selected_run.checked_sub(1) {
+        None => app.current_visible = !app.current_visible,
+        Some(at) => {
+            if let Some(pin) = app.pins.get_mut(at) {
+                pin.visible = !pin.visible;
+            }
+        }
+    }
+    Vec::new()
+}

@@ -1,0 +1,204 @@
+//! The export dialog: file, kind, runs and columns, with the absolute path and the first lines as they would be.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use tui_input::Input;
+
+use super::Cursor;
+use super::popup::frame;
+use super::text::{first_row, put};
+use crate::tui::app::App;
+use crate::tui::app::dialog::{Export, ExportRow, What};
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::theme::Role;
+
+/// Column the values begin in.
+const VALUE: u16 = 9;
+/// Rows below the list: absolute path, note or question, preview.
+const FOOT: u16 = 8;
+
+/// Draw it.
+pub(super) fn render(
+    app: &App,
+    state: &Export,
+    screen: Rect,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let rows = state.rows();
+    let wanted = u16::try_from(rows.len())
+        .unwrap_or(u16::MAX)
+        .saturating_add(FOOT + 3);
+    let inner = frame(
+        app,
+        screen,
+        (100, wanted),
+        ("Export to CSV", "Enter writes"),
+        buffer,
+    );
+    let foot = FOOT.min(inner.height.saturating_sub(4));
+    let list = Rect {
+        height: inner.height.saturating_sub(foot),
+        ..inner
+    };
+    let selected = rows.iter().position(|row| *row == state.row).unwrap_or(0);
+    let first = first_row(selected, usize::from(list.height), rows.len());
+    for (at, row) in (0..list.height).zip(rows.iter().skip(first)) {
+        one(app, state, *row, (list, at), buffer, cursor);
+    }
+    let hidden = rows.len().saturating_sub(first + usize::from(list.height));
+    if hidden > 0 {
+        let more = format!("({hidden} more below)");
+        let column = list.width.saturating_sub(super::text::columns(&more));
+        put(
+            buffer,
+            list,
+            (column, list.height.saturating_sub(1)),
+            &more,
+            app.theme.style(Role::Dim),
+        );
+    }
+    let lower = Rect {
+        y: list.bottom(),
+        height: foot,
+        ..inner
+    };
+    below(app, state, lower, buffer);
+}
+
+fn one(
+    app: &App,
+    state: &Export,
+    row: ExportRow,
+    (list, at): (Rect, u16),
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let here = state.row == row;
+    let tick = |on: bool| if on { "[x]" } else { "[ ]" };
+    let (lead, text) = match row {
+        ExportRow::Path => ("  file", String::new()),
+        ExportRow::GridRows => ("  rows", String::new()),
+        ExportRow::What => ("  what", format!("< {} >", state.what.words())),
+        ExportRow::Run(index) => {
+            let (name, on) = &state.runs[index];
+            let lead = if index == 0 { "  runs" } else { "" };
+            (lead, format!("{} {}", tick(*on), run_name(app, name)))
+        }
+        ExportRow::Column(index) => {
+            let (name, on) = &state.columns[index];
+            let lead = if index == 0 { "  columns" } else { "" };
+            (lead, format!("{} {name}", tick(*on)))
+        }
+    };
+    put(buffer, list, (0, at), lead, app.theme.style(Role::Title));
+    if here {
+        put(buffer, list, (0, at), ">", app.theme.style(Role::Title));
+    }
+    let column = VALUE + 2;
+    let style = app
+        .theme
+        .style(if here { Role::Selection } else { Role::Text });
+    let input: Option<&Input> = match row {
+        ExportRow::Path => Some(&state.path),
+        ExportRow::GridRows => Some(&state.grid),
+        ExportRow::What | ExportRow::Run(_) | ExportRow::Column(_) => None,
+    };
+    let Some(input) = input else {
+        put(buffer, list, (column, at), &text, style);
+        return;
+    };
+    let room = usize::from(list.width.saturating_sub(column + 1));
+    let scroll = input.visual_scroll(room);
+    let shown: String = input.value().chars().skip(scroll).take(room).collect();
+    put(
+        buffer,
+        list,
+        (column, at),
+        &shown,
+        app.theme.style(Role::Text),
+    );
+    if here {
+        let place = u16::try_from(input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
+        *cursor = Some((list.x + column + place, list.y + at));
+    }
+}
+
+fn run_name(app: &App, name: &str) -> String {
+    let pin = app.pins.iter().find(|pin| pin.letter.to_string() == name);
+    pin.map_or_else(|| name.to_owned(), |pin| format!("{name} {}", pin.name))
+}
+
+/// The absolute path, then the question, error or completions, else the first lines.
+fn below(app: &App, state: &Export, area: Rect, buffer: &mut Buffer) {
+    let width = usize::from(area.width);
+    let path = app.directory.join(state.path.value().trim());
+    let dim = app.theme.style(Role::Dim);
+    let text = format!("to {}", path.display());
+    put(
+        buffer,
+        area,
+        (0, 1),
+        &clip(&text, width),
+        app.theme.style(Role::Text),
+    );
+    let note = "and beside it a .toml that runs it again to the same digits";
+    put(buffer, area, (0, 2), &clip(note, width), dim);
+    let lines: Vec<(String, Role)> = if state.question {
+        vec![(
+            "! this file exists: o overwrite, r rename to -2, Esc back".to_owned(),
+            Role::Warning,
+        )]
+    } else if let Some(error) = &state.error {
+        wrap(&format!("x {error}"), width)
+            .into_iter()
+            .map(|line| (line, Role::Error))
+            .collect()
+    } else if state.completions.is_empty() {
+        preview(app, state)
+            .into_iter()
+            .map(|line| (line, Role::Dim))
+            .collect()
+    } else {
+        wrap(&state.completions.join("  "), width)
+            .into_iter()
+            .map(|line| (line, Role::Note))
+            .collect()
+    };
+    for (row, (line, role)) in (4..area.height).zip(&lines) {
+        put(
+            buffer,
+            area,
+            (0, row),
+            &clip(line, width),
+            app.theme.style(*role),
+        );
+    }
+}
+
+/// The first three lines as they would be written.
+fn preview(app: &App, state: &Export) -> Vec<String> {
+    use crate::files::csv::{self, Rows};
+    let rows = match state.what {
+        What::Series => Rows::Series,
+        What::Grid => Rows::Grid(3),
+        What::Results => Rows::Results,
+        What::Events => Rows::Events,
+    };
+    let Some(shown) = &app.shown else {
+        return Vec::new();
+    };
+    // A few rows are enough: a copy of the run with the head of its series only.
+    let mut head = (*shown.run).clone();
+    if state.what == What::Series {
+        head.series.truncate(3);
+    }
+    let ticked = state.columns.iter().filter(|(_, on)| *on);
+    let wanted: Vec<String> = match state.what {
+        What::Series | What::Grid => ticked.map(|(name, _)| (*name).to_owned()).collect(),
+        What::Results | What::Events => Vec::new(),
+    };
+    let named = [("now".to_owned(), std::sync::Arc::new(head))];
+    let text = csv::text(rows, &named, &wanted).unwrap_or_default();
+    text.lines().take(3).map(str::to_owned).collect()
+}

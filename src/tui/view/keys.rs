@@ -1,0 +1,129 @@
+//! The keys row: what can be pressed here, from the key table; the most important is dropped last.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::text::{columns, put_line};
+use crate::tui::app::App;
+use crate::tui::app::dialog::Dialog;
+use crate::tui::message::{BINDINGS, Binding, Place};
+use crate::tui::theme::Role;
+
+type Keys = &'static [(&'static str, &'static str)];
+
+/// Draw it.
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let entries = match special(app) {
+        Some(list) => list
+            .iter()
+            .map(|(key, what)| ((*key).to_owned(), (*what).to_owned()))
+            .collect(),
+        None => from_table(app.place(), area.width),
+    };
+    let mut spans = vec![Span::raw(" ")];
+    let mut used = 1;
+    for (key, what) in entries {
+        let width = columns(&key) + columns(&what) + 3;
+        if used + width > area.width + 2 {
+            break;
+        }
+        used += width;
+        spans.push(Span::styled(key, app.theme.style(Role::Key)));
+        spans.push(Span::raw(format!(" {what}  ")));
+    }
+    put_line(buffer, area, 0, &Line::from(spans));
+}
+
+/// While something is open that takes characters, or a dialog.
+fn special(app: &App) -> Option<Keys> {
+    match &app.dialog {
+        Some(dialog) => Some(in_dialog(dialog)),
+        None if app.editor.field.is_some() => Some(&[
+            ("Enter", "ok"),
+            ("Esc", "old value"),
+            ("Up/Down", "ok and move"),
+            ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
+        ]),
+        None if app.editor.filter_field.is_some() => Some(&[
+            ("Enter", "keep"),
+            ("Esc", "all rows again"),
+            ("Up/Down", "move"),
+        ]),
+        None => None,
+    }
+}
+
+fn in_dialog(dialog: &Dialog) -> Keys {
+    match dialog {
+        Dialog::Help(picker) if picker.typing => {
+            &[("Enter", "do it"), ("Esc", "all keys"), ("Up/Down", "move")]
+        }
+        Dialog::Help(_) => &[
+            ("q", "close"),
+            ("j/k", "move"),
+            ("Enter", "do it"),
+            ("/", "search"),
+        ],
+        Dialog::Palette(_) => &[("Enter", "do it"), ("Esc", "close"), ("Up/Down", "move")],
+        Dialog::Presets(picker) if picker.typing => &[
+            ("Enter", "load"),
+            ("Esc", "all presets"),
+            ("Up/Down", "move"),
+        ],
+        Dialog::Presets(_) => &[
+            ("Enter", "load"),
+            ("Space", "pin only"),
+            ("j/k", "move"),
+            ("/", "search, or a file's path"),
+            ("q", "close"),
+        ],
+        Dialog::History(_) => &[
+            ("Enter", "go to this state"),
+            ("j/k", "move"),
+            ("q", "close"),
+        ],
+        Dialog::Save(save) if save.question => &[
+            ("y", "overwrite"),
+            ("n", "another name"),
+            ("Esc", "do not save"),
+        ],
+        Dialog::Save(_) => &[("Enter", "save"), ("Esc", "do not save")],
+        Dialog::Export(export) if export.question => {
+            &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]
+        }
+        Dialog::Export(_) => &[
+            ("Enter", "write"),
+            ("Up/Down", "move"),
+            ("Space", "tick"),
+            ("a", "all or none"),
+            ("Tab", "complete path"),
+            ("Esc", "close"),
+        ],
+    }
+}
+
+/// As many as fit by priority, then the pane's own first and `?` last.
+fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
+    let mut rows: Vec<&Binding> = BINDINGS
+        .iter()
+        .filter(|row| row.footer > 0 && (row.place == place || row.place == Place::Anywhere))
+        .collect();
+    rows.sort_by_key(|row| (row.footer, row.place == Place::Anywhere));
+    let cost = |row: &Binding| {
+        let key = row.keys.first().map_or(0, |key| columns(&key.words()));
+        key + columns(row.short) + 3
+    };
+    let mut used = 1;
+    rows.retain(|row| {
+        used += cost(row);
+        used <= width + 2
+    });
+    rows.sort_by_key(|row| (row.footer == 1, row.place == Place::Anywhere, row.footer));
+    rows.into_iter()
+        .map(|row| {
+            let key = row.keys.first().map_or_else(String::new, |key| key.words());
+            (key, row.short.to_owned())
+        })
+        .collect()
+}

@@ -1,0 +1,91 @@
+//! The dialog on top of the panes: its frame, and which one it is.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::widgets::{Clear, Widget};
+
+use super::text::put;
+use super::{Cursor, export, help, history, presets, save};
+use crate::tui::app::App;
+use crate::tui::app::dialog::{Dialog, Picker};
+use crate::tui::theme::{Pane, Role};
+
+/// Draw the dialog, if one is open.
+pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
+    match &app.dialog {
+        Some(Dialog::Help(picker)) => help::help(app, picker, screen, buffer, cursor),
+        Some(Dialog::Palette(picker)) => help::palette(app, picker, screen, buffer, cursor),
+        Some(Dialog::Presets(picker)) => presets::render(app, picker, screen, buffer, cursor),
+        Some(Dialog::History(picker)) => history::render(app, picker, screen, buffer),
+        Some(Dialog::Save(state)) => save::render(app, state, screen, buffer, cursor),
+        Some(Dialog::Export(state)) => export::render(app, state, screen, buffer, cursor),
+        None => {}
+    }
+}
+
+/// Clear the middle of the body and draw a frame there, at most this large; gives what is inside, a column of air at each side.
+pub(super) fn frame(
+    app: &App,
+    screen: Rect,
+    (width, height): (u16, u16),
+    (title, right): (&str, &str),
+    buffer: &mut Buffer,
+) -> Rect {
+    // Title row above, message, status and keys below stay in sight.
+    let body = Rect {
+        y: screen.y + screen.height.min(1),
+        height: screen.height.saturating_sub(4),
+        ..screen
+    };
+    let width = width.min(body.width);
+    let height = height.min(body.height);
+    let area = Rect {
+        x: body.x + (body.width - width) / 2,
+        y: body.y + (body.height - height) / 2,
+        width,
+        height,
+    };
+    Clear.render(area, buffer);
+    let inner = Pane::new(title)
+        .right(right)
+        .focused(true)
+        .render(area, buffer, app.theme);
+    Rect {
+        x: inner.x + inner.width.min(1),
+        width: inner.width.saturating_sub(2),
+        ..inner
+    }
+}
+
+/// The filter of a list in the first row of an area: `/gam_`, or how to search.
+pub(super) fn filter(
+    app: &App,
+    picker: &Picker,
+    area: Rect,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    if picker.typing {
+        let end = put(buffer, area, (0, 0), "> ", app.theme.style(Role::Key));
+        put(
+            buffer,
+            area,
+            (end, 0),
+            picker.filter.value(),
+            app.theme.style(Role::Text),
+        );
+        let at = u16::try_from(picker.filter.visual_cursor()).unwrap_or(0);
+        *cursor = Some((
+            area.x + (end + at).min(area.width.saturating_sub(1)),
+            area.y,
+        ));
+    } else {
+        put(
+            buffer,
+            area,
+            (0, 0),
+            "/ to search",
+            app.theme.style(Role::Dim),
+        );
+    }
+}

@@ -1,0 +1,129 @@
+//! The preset picker: names at the left, what a preset is and would change at the right.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Cursor;
+use super::popup::{filter, frame};
+use super::text::{first_row, paint_row, put};
+use crate::model::variables::VARIABLES;
+use crate::tui::app::App;
+use crate::tui::app::dialog::{Picker, preset_rows};
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::message::PresetEntry;
+use crate::tui::theme::Role;
+
+/// Columns of the list of names.
+const NAMES: u16 = 32;
+
+/// Draw it.
+pub(super) fn render(
+    app: &App,
+    picker: &Picker,
+    screen: Rect,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let inner = frame(
+        app,
+        screen,
+        (110, 40),
+        ("Presets", "Enter loads, Space pins only"),
+        buffer,
+    );
+    filter(app, picker, inner, buffer, cursor);
+    let body = Rect {
+        y: inner.y + inner.height.min(2),
+        height: inner.height.saturating_sub(2),
+        ..inner
+    };
+    let rows = preset_rows(&app.presets, picker.filter.value());
+    let left = Rect {
+        width: NAMES.min(body.width),
+        ..body
+    };
+    let right = Rect {
+        x: body.x + left.width + 2,
+        width: body.width.saturating_sub(left.width + 2),
+        ..body
+    };
+    if rows.is_empty() {
+        let text = "none; Enter opens a file by its path";
+        put(buffer, body, (0, 0), text, app.theme.style(Role::Dim));
+    }
+    let first = first_row(picker.selected, usize::from(left.height), rows.len());
+    for (row, (index, entry)) in (0..left.height).zip(rows.iter().enumerate().skip(first)) {
+        let room = usize::from(left.width.saturating_sub(9));
+        put(
+            buffer,
+            left,
+            (0, row),
+            &clip(&entry.name, room),
+            app.theme.style(Role::Text),
+        );
+        let at = left.width.saturating_sub(7);
+        put(
+            buffer,
+            left,
+            (at, row),
+            entry.origin,
+            app.theme.style(Role::Dim),
+        );
+        if index == picker.selected {
+            paint_row(buffer, left, row, app.theme.style(Role::Selection));
+        }
+    }
+    if let Some(entry) = rows.get(picker.selected) {
+        about(app, entry, right, buffer);
+    }
+}
+
+/// Title, changes, then comment and notes as far as there is room.
+fn about(app: &App, entry: &PresetEntry, area: Rect, buffer: &mut Buffer) {
+    let width = usize::from(area.width);
+    let mut lines: Vec<(String, Role)> = Vec::new();
+    let title = if entry.scene.title.is_empty() {
+        &entry.name
+    } else {
+        &entry.scene.title
+    };
+    lines.extend(
+        wrap(title, width)
+            .into_iter()
+            .map(|line| (line, Role::Title)),
+    );
+    lines.push((String::new(), Role::Text));
+    lines.extend(changes(app, entry, width));
+    for text in [&entry.comment, &entry.scene.notes] {
+        if !text.is_empty() {
+            lines.push((String::new(), Role::Text));
+        }
+        for paragraph in text.lines() {
+            lines.extend(
+                wrap(paragraph, width)
+                    .into_iter()
+                    .map(|line| (line, Role::Dim)),
+            );
+        }
+    }
+    for (row, (text, role)) in (0..area.height).zip(&lines) {
+        put(buffer, area, (0, row), text, app.theme.style(*role));
+    }
+}
+
+/// The variables it would change, old and new; a long list in as many columns as needed.
+fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> {
+    let differing = App::differing(&app.scene, &entry.scene);
+    if differing.is_empty() {
+        return vec![("changes nothing: the same scene".to_owned(), Role::Text)];
+    }
+    let mut lines = vec![("would change:".to_owned(), Role::Text)];
+    for index in differing {
+        let variable = &VARIABLES[index];
+        let (old, new) = (variable.show(&app.scene), variable.show(&entry.scene));
+        let unit = variable.unit().trim_matches('-');
+        let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
+        lines.push((clip(&text, width), Role::Text));
+    }
+    lines
+}

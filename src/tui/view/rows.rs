@@ -1,0 +1,101 @@
+//! The title row, the message row and the status row.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::text::{columns, put, put_line};
+use crate::tui::app::notice::Severity;
+use crate::tui::app::status::clip;
+use crate::tui::app::{App, Tab};
+use crate::tui::theme::Role;
+
+/// The role of a message.
+fn role(severity: Severity) -> Role {
+    match severity {
+        Severity::Note => Role::Text,
+        Severity::Warning => Role::Warning,
+        Severity::Error => Role::Error,
+    }
+}
+
+/// Tabs at the left; preset, whether it is modified, and auto-run at the right.
+pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
+    let style = |role| app.theme.style(role);
+    let mut column = put(buffer, area, (1, 0), "cmra", style(Role::Title)) + 2;
+    for tab in Tab::ALL {
+        let (text, role) = if tab == app.tab {
+            (format!("[{}]", tab.title()), Role::Selection)
+        } else {
+            (format!(" {} ", tab.title()), Role::Text)
+        };
+        column = put(buffer, area, (column, 0), &text, style(role)) + 1;
+    }
+    let wide = area.width >= 100;
+    let changed = match (app.is_modified(), wide) {
+        (false, _) => "",
+        (true, false) => " *",
+        (true, true) => " (modified)",
+    };
+    let auto = match (app.auto_run, wide) {
+        (true, false) => "",
+        (true, true) => "  auto-run on",
+        (false, _) => "  auto-run off",
+    };
+    let mouse = if app.mouse { "  mouse on" } else { "" };
+    let room = usize::from(area.width.saturating_sub(column + 2));
+    let fixed = columns(changed) + columns(auto) + columns(mouse) + 7;
+    let name = clip(
+        &app.base.name,
+        room.saturating_sub(usize::from(fixed)).max(6),
+    );
+    let text = format!("preset {name}{changed}{auto}{mouse}");
+    let start = area.width.saturating_sub(columns(&text) + 1).max(column);
+    put(buffer, area, (start, 0), &text, style(Role::Text));
+}
+
+/// The newest message with its mark, or what stands in its place.
+pub(super) fn message(app: &App, area: Rect, buffer: &mut Buffer) {
+    let lines = app.message_lines(usize::from(area.width));
+    for (row, (severity, text)) in (0..area.height).zip(&lines) {
+        let style = app.theme.style(role(*severity));
+        if row == 0 {
+            put(buffer, area, (1, row), severity.mark(), style);
+        }
+        let column = if *severity == Severity::Note { 1 } else { 3 };
+        put(buffer, area, (column, row), text, style);
+    }
+}
+
+/// What the run is and cost; the parts at the right go first when there is little room.
+pub(super) fn status(app: &App, area: Rect, buffer: &mut Buffer) {
+    let parts = app.status();
+    let room = usize::from(area.width.saturating_sub(2));
+    let total = |texts: &[&str]| {
+        texts
+            .iter()
+            .map(|text| text.chars().count() + 3)
+            .sum::<usize>()
+    };
+    let long: Vec<&str> = parts.iter().map(|part| part.1.as_str()).collect();
+    let short: Vec<&str> = parts.iter().map(|part| part.2.as_str()).collect();
+    let mut texts = if total(&long) <= room + 3 {
+        long
+    } else {
+        short
+    };
+    while texts.len() > 1 && total(&texts) > room + 3 {
+        texts.pop();
+    }
+    let mut spans = vec![Span::raw(" ")];
+    for (index, (text, part)) in texts.iter().zip(&parts).enumerate() {
+        if index > 0 {
+            spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
+        }
+        spans.push(Span::styled(
+            (*text).to_owned(),
+            app.theme.style(role(part.0)),
+        ));
+    }
+    put_line(buffer, area, 0, &Line::from(spans));
+}

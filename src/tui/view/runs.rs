@@ -1,0 +1,226 @@
+//! The table of runs: the current one and the pins, and what the scene differs from the first pin in.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::text::{columns, paint_row, put};
+use crate::model::run::Run;
+use crate::model::units;
+use crate::model::variables::VARIABLES;
+use crate::tui::app::App;
+use crate::tui::app::runs::{final_depth, millimetres, name_of};
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::chart::MARKERS;
+use crate::tui::theme::{Pane, Role};
+
+/// A column: heading, width, value; the ones at the right go first when there is little room.
+type Column = (&'static str, u16, fn(&Run) -> String);
+
+const COLUMNS: [Column; 6] = [
+    ("p_1st mm", 9, |run| {
+        millimetres(run.first_arrest.map(|arrest| arrest.penetration_m))
+    }),
+    ("p_end mm", 12, final_depth),
+    ("% rigid", 8, |run| {
+        run.percent_of_baseline()
+            .map_or_else(|| "-".to_owned(), |percent| format!("{percent:.1}"))
+    }),
+    ("x_max mm", 9, |run| {
+        millimetres(run.max_plate_displacement_m)
+    }),
+    ("F_max kN", 9, |run| {
+        units::fixed_significant(run.peak_contact_force_n / 1e3, 4)
+    }),
+    ("v_out m/s", 10, |run| {
+        run.residual_velocity_m_s.map_or_else(
+            || "-".to_owned(),
+            |speed| units::fixed_significant(speed, 4),
+        )
+    }),
+];
+
+/// Columns of marker, letter and a blank before the name.
+const LEAD: u16 = 5;
+const NAME_LEAST: u16 = 5;
+
+/// Draw the pane.
+pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) {
+    let right = match (app.pins.is_empty(), focused) {
+        (true, _) => "Space pins",
+        (false, true) => "= adopt  x unpin",
+        (false, false) => "",
+    };
+    let inner = Pane::new("Runs")
+        .right(right)
+        .focused(focused)
+        .render(area, buffer, app.theme);
+    let (shown, name_width) = fitting(inner.width);
+    header(app, inner, shown, name_width, buffer);
+    let mut row = 1;
+    let now = name_of(&app.scene, &app.base.name, &app.base.scene);
+    let run = app.shown.as_ref().map(|shown| &*shown.run);
+    let mut line = |index: usize, letter: &str, name: &str, run: Option<&Run>, visible: bool| {
+        let place = Place {
+            inner,
+            row,
+            shown,
+            name_width,
+        };
+        one(app, &place, (index, letter, name), (run, visible), buffer);
+        row += 1;
+    };
+    line(0, "now", &now, run, app.current_visible);
+    for (at, pin) in app.pins.iter().enumerate() {
+        line(
+            at + 1,
+            &pin.letter.to_string(),
+            &pin.name,
+            pin.run.as_deref(),
+            pin.visible,
+        );
+    }
+    if focused {
+        let selected = u16::try_from(app.selected_run).unwrap_or(0) + 1;
+        paint_row(buffer, inner, selected, app.theme.style(Role::Selection));
+    }
+    below(app, inner, row, buffer);
+}
+
+/// How many value columns fit beside a name of some width.
+fn fitting(width: u16) -> (usize, u16) {
+    let mut used = LEAD + NAME_LEAST;
+    let mut count = 0;
+    for (_, column, _) in COLUMNS {
+        if used + column > width {
+            break;
+        }
+        used += column;
+        count += 1;
+    }
+    let name = NAME_LEAST + width.saturating_sub(used);
+    (count, name.min(28))
+}
+
+fn header(app: &App, inner: Rect, shown: usize, name_width: u16, buffer: &mut Buffer) {
+    let style = app.theme.style(Role::Dim);
+    put(buffer, inner, (LEAD, 0), "name", style);
+    let mut end = LEAD + name_width;
+    for (title, width, _) in COLUMNS.iter().take(shown) {
+        end += width;
+        put(
+            buffer,
+            inner,
+            (end.saturating_sub(columns(title)), 0),
+            title,
+            style,
+        );
+    }
+}
+
+struct Place {
+    inner: Rect,
+    row: u16,
+    shown: usize,
+    name_width: u16,
+}
+
+fn one(
+    app: &App,
+    place: &Place,
+    (index, letter, name): (usize, &str, &str),
+    (run, visible): (Option<&Run>, bool),
+    buffer: &mut Buffer,
+) {
+    let (inner, row) = (place.inner, place.row);
+    let role = if visible {
+        Role::Curve(index)
+    } else {
+        Role::Dim
+    };
+    let marker = if visible {
+        MARKERS[index % MARKERS.len()]
+    } else {
+        ' '
+    };
+    put(
+        buffer,
+        inner,
+        (0, row),
+        &format!("{marker}{letter}"),
+        app.theme.style(role),
+    );
+    let style = app
+        .theme
+        .style(if visible { Role::Text } else { Role::Dim });
+    let name = clip(name, usize::from(place.name_width));
+    put(buffer, inner, (LEAD, row), &name, style);
+    let mut end = LEAD + place.name_width;
+    let Some(run) = run else {
+        put(
+            buffer,
+            inner,
+            (end + 2, row),
+            "running",
+            app.theme.style(Role::Dim),
+        );
+        return;
+    };
+    for (_, width, value) in COLUMNS.iter().take(place.shown) {
+        end += width;
+        let text = value(run);
+        let role = if text.ends_with('!') {
+            Role::Warning
+        } else {
+            Role::Text
+        };
+        let style = app.theme.style(if visible { role } else { Role::Dim });
+        put(
+            buffer,
+            inner,
+            (end.saturating_sub(columns(&text)), row),
+            &text,
+            style,
+        );
+    }
+}
+
+/// Below the rows: the difference to the selected pin (the first, where the current run is selected), or how to pin.
+fn below(app: &App, inner: Rect, row: u16, buffer: &mut Buffer) {
+    let dim = app.theme.style(Role::Dim);
+    let at = app.selected_run.saturating_sub(1);
+    let Some(pin) = app.pins.get(at) else {
+        let hint = "Space pins this run to compare with";
+        put(buffer, inner, (0, row + 1), hint, dim);
+        return;
+    };
+    let depth = |run: &Run| run.first_arrest.map(|arrest| arrest.penetration_m);
+    let pair = app.shown.as_ref().zip(pin.run.as_ref());
+    let difference = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));
+    let mut text = format!("now - {}: ", pin.letter);
+    match difference {
+        Some((now, then)) => {
+            let percent = 100.0 * (now - then) / then;
+            text += &format!("p_1st {:+.4} mm ({percent:+.1} %)", (now - then) * 1e3);
+        }
+        None => text += "no first arrest to compare",
+    }
+    put(buffer, inner, (0, row), &text, app.theme.style(Role::Title));
+    let changed = App::differing(&pin.scene, &app.scene);
+    let words: Vec<String> = changed
+        .into_iter()
+        .map(|index| {
+            let variable = &VARIABLES[index];
+            let (then, now) = (variable.show(&pin.scene), variable.show(&app.scene));
+            format!("{} {then} -> {now}", variable.symbol)
+        })
+        .collect();
+    let text = if words.is_empty() {
+        "same scene".to_owned()
+    } else {
+        words.join(", ")
+    };
+    let lines = wrap(&text, usize::from(inner.width));
+    for (row, line) in (row + 1..inner.height).zip(&lines) {
+        put(buffer, inner, (0, row), line, app.theme.style(Role::Text));
+    }
+}

@@ -1,0 +1,70 @@
+//! The dialog for saving the scene as a preset.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Cursor;
+use super::popup::frame;
+use super::text::put;
+use crate::tui::app::App;
+use crate::tui::app::dialog::Save;
+use crate::tui::app::status::wrap;
+use crate::tui::theme::Role;
+
+/// Draw it.
+pub(super) fn render(
+    app: &App,
+    state: &Save,
+    screen: Rect,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let inner = frame(
+        app,
+        screen,
+        (64, 9),
+        ("Save the scene as a preset", ""),
+        buffer,
+    );
+    let lead = put(
+        buffer,
+        inner,
+        (0, 1),
+        "name  ",
+        app.theme.style(Role::Title),
+    );
+    let room = usize::from(inner.width.saturating_sub(lead + 1));
+    let scroll = state.input.visual_scroll(room);
+    let shown: String = state
+        .input
+        .value()
+        .chars()
+        .skip(scroll)
+        .take(room)
+        .collect();
+    let style = app.theme.style(if state.fresh {
+        Role::Selection
+    } else {
+        Role::Text
+    });
+    put(buffer, inner, (lead, 1), &shown, style);
+    let at = u16::try_from(state.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
+    *cursor = Some((inner.x + lead + at, inner.y + 1));
+    let (text, role) = if state.question {
+        let name = state.input.value().trim();
+        (
+            format!("you have a preset `{name}` already: overwrite it? y / n (its comments stay)"),
+            Role::Warning,
+        )
+    } else if let Some(error) = &state.error {
+        (format!("x {error}"), Role::Error)
+    } else {
+        (
+            "It goes to your own presets; `cmra NAME` opens it, p lists it.".to_owned(),
+            Role::Dim,
+        )
+    };
+    for (row, line) in (3..inner.height).zip(wrap(&text, usize::from(inner.width))) {
+        put(buffer, inner, (0, row), &line, app.theme.style(role));
+    }
+}

@@ -1,0 +1,46 @@
+//! Beside the charts on a very wide screen: the events and the energy ledger of the current run.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::text::{paint_row, put};
+use crate::tui::app::App;
+use crate::tui::app::log::{energy_lines, event_lines};
+use crate::tui::theme::{Pane, Role};
+
+/// The events.
+pub(super) fn events(app: &App, area: Rect, buffer: &mut Buffer) {
+    let inner = Pane::new("Events")
+        .right("n N")
+        .render(area, buffer, app.theme);
+    let Some(shown) = &app.shown else {
+        return;
+    };
+    let lines = event_lines(&shown.run);
+    if lines.is_empty() {
+        put(buffer, inner, (1, 0), "none", app.theme.style(Role::Dim));
+    }
+    for (row, (line, event)) in (0..inner.height).zip(lines.iter().zip(&shown.run.events)) {
+        put(buffer, inner, (0, row), line, app.theme.style(Role::Text));
+        if app
+            .charts
+            .cursor_s
+            .is_some_and(|t_s| t_s.to_bits() == event.t_s.to_bits())
+        {
+            paint_row(buffer, inner, row, app.theme.style(Role::Selection));
+        }
+    }
+}
+
+/// The energy ledger.
+pub(super) fn ledger(app: &App, area: Rect, buffer: &mut Buffer) {
+    let inner = Pane::new("Energy")
+        .right("of the start")
+        .render(area, buffer, app.theme);
+    let Some(shown) = &app.shown else {
+        return;
+    };
+    for (row, line) in (0..inner.height).zip(energy_lines(&shown.run.ledger)) {
+        put(buffer, inner, (1, row), &line, app.theme.style(Role::Text));
+    }
+}

@@ -1,0 +1,271 @@
+//! The list of variables: symbol, value, unit, where the value stands in the thesis's range, and the open field.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Cursor;
+use super::text::{columns, paint_row, put};
+use crate::model::units;
+use crate::model::variables::{self, Kind, VARIABLES, Variable};
+use crate::tui::app::App;
+use crate::tui::app::editor::{Field, Row, shown_value};
+use crate::tui::app::status::clip;
+use crate::tui::theme::{Pane, Role};
+
+/// Columns within a row: cursor, `*`, symbol, value, flag, unit.
+const SYMBOL: u16 = 2;
+const VALUE: u16 = 12;
+const VALUE_WIDTH: u16 = 8;
+const FLAG: u16 = VALUE + VALUE_WIDTH;
+const UNIT: u16 = FLAG + 1;
+const BAR: u16 = UNIT + 9;
+
+/// Draw the pane.
+pub(super) fn render(
+    app: &App,
+    area: Rect,
+    focused: bool,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let rows = app.editor.rows();
+    let height = usize::from(area.height.saturating_sub(3));
+    let first = app.editor.first_row(height);
+    let pane = Pane::new(title(app))
+        .right(counter(&rows, first, height))
+        .focused(focused);
+    let inner = pane.render(area, buffer, app.theme);
+    if inner.height < 2 {
+        return;
+    }
+    let list = Rect {
+        height: inner.height - 1,
+        ..inner
+    };
+    for (at, row) in (0..list.height).zip(rows.iter().skip(first)) {
+        match row {
+            Row::Heading(group) => {
+                put(
+                    buffer,
+                    list,
+                    (0, at),
+                    group.title(),
+                    app.theme.style(Role::Title),
+                );
+            }
+            Row::Variable(index) => variable(app, *index, (list, at), buffer, cursor),
+        }
+    }
+    if rows.is_empty() {
+        put(
+            buffer,
+            list,
+            (1, 0),
+            "no variable matches",
+            app.theme.style(Role::Dim),
+        );
+    }
+    let foot = foot(app, usize::from(inner.width));
+    put(
+        buffer,
+        inner,
+        (0, inner.height - 1),
+        &foot,
+        app.theme.style(Role::Dim),
+    );
+    if let Some(field) = &app.editor.filter_field {
+        // After the corner, a line, a blank and "Variables /".
+        let column = area.x + 3 + columns("Variables /");
+        let shown = u16::try_from(field.visual_cursor()).unwrap_or(0);
+        *cursor = Some(((column + shown).min(area.right().saturating_sub(1)), area.y));
+    }
+}
+
+fn title(app: &App) -> String {
+    match &app.editor.filter_field {
+        Some(field) => format!("Variables /{}_", field.value()),
+        None if !app.editor.filter.is_empty() => format!("Variables /{}", app.editor.filter),
+        None => "Variables".to_owned(),
+    }
+}
+
+/// Which of the variables are in sight, where not all are.
+fn counter(rows: &[Row], first: usize, height: usize) -> String {
+    let number = |rows: &[Row]| {
+        rows.iter()
+            .filter(|row| matches!(row, Row::Variable(_)))
+            .count()
+    };
+    let end = (first + height).min(rows.len());
+    if rows.len() <= height && number(rows) == VARIABLES.len() {
+        return String::new();
+    }
+    let above = number(&rows[..first.min(rows.len())]);
+    let seen = number(&rows[first.min(rows.len())..end]);
+    if seen == 0 {
+        return format!("0/{}", VARIABLES.len());
+    }
+    format!("{}-{}/{}", above + 1, above + seen, number(rows))
+}
+
+fn variable(
+    app: &App,
+    index: usize,
+    (list, row): (Rect, u16),
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let variable = &VARIABLES[index];
+    let selected = app.editor.selected == index;
+    let used = variables::is_used(variable, &app.scene);
+    let warned = used && variable.range_warning(&app.scene).is_some();
+    let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
+    let style = app.theme.style(if used { Role::Text } else { Role::Dim });
+    let field = app
+        .editor
+        .field
+        .as_ref()
+        .filter(|field| field.variable == index);
+
+    if differs {
+        put(buffer, list, (1, row), "*", app.theme.style(Role::Note));
+    }
+    put(buffer, list, (SYMBOL, row), variable.symbol, style);
+    if let Some(field) = field {
+        open_field(app, variable, field, (list, row), buffer, cursor);
+    } else {
+        let text = shown_value(variable, &app.scene, usize::from(VALUE_WIDTH));
+        let start = FLAG.saturating_sub(columns(&text)).max(VALUE);
+        let end = put(buffer, list, (start, row), &text, style);
+        if matches!(variable.kind, Kind::Number(_)) && end <= FLAG {
+            put(
+                buffer,
+                list,
+                (UNIT, row),
+                variable.unit().trim_matches('-'),
+                app.theme.style(Role::Dim),
+            );
+        }
+        if list.width > BAR + 6 {
+            let bar = Rect {
+                x: list.x + BAR,
+                width: list.width - BAR,
+                ..list
+            };
+            if let Some(text) = range_bar(variable, app, usize::from(bar.width.min(16))) {
+                put(buffer, bar, (0, row), &text, app.theme.style(Role::Dim));
+            }
+        }
+    }
+    if warned {
+        put(
+            buffer,
+            list,
+            (FLAG, row),
+            "!",
+            app.theme.style(Role::Warning),
+        );
+    }
+    if selected {
+        put(buffer, list, (0, row), ">", app.theme.style(Role::Title));
+        if field.is_none() {
+            paint_row(buffer, list, row, app.theme.style(Role::Selection));
+        }
+    }
+}
+
+/// `[ 1.25_  ]`, wider where the text needs it.
+fn open_field(
+    app: &App,
+    variable: &Variable,
+    field: &Field,
+    (list, row): (Rect, u16),
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let text = field.input.value();
+    let long = columns(text) >= VALUE_WIDTH;
+    let room = if long {
+        list.width.saturating_sub(VALUE + 1)
+    } else {
+        VALUE_WIDTH
+    };
+    let scroll = field
+        .input
+        .visual_scroll(usize::from(room.saturating_sub(1)));
+    let shown: String = text.chars().skip(scroll).take(usize::from(room)).collect();
+    let style = app.theme.style(match (field.error.is_some(), field.fresh) {
+        (true, _) => Role::Error,
+        (false, true) => Role::Selection,
+        (false, false) => Role::Text,
+    });
+    put(
+        buffer,
+        list,
+        (VALUE - 1, row),
+        "[",
+        app.theme.style(Role::Focus),
+    );
+    put(buffer, list, (VALUE, row), &shown, style);
+    put(
+        buffer,
+        list,
+        (VALUE + room, row),
+        "]",
+        app.theme.style(Role::Focus),
+    );
+    if field.error.is_some() {
+        put(buffer, list, (0, row), "x", app.theme.style(Role::Error));
+    }
+    if !long {
+        put(
+            buffer,
+            list,
+            (UNIT + 1, row),
+            variable.unit().trim_matches('-'),
+            app.theme.style(Role::Dim),
+        );
+    }
+    let at = u16::try_from(field.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
+    *cursor = Some((list.x + VALUE + at.min(room), list.y + row));
+}
+
+/// `[--|----]`: where the value stands in the range the thesis searched; `<` and `>` outside it.
+fn range_bar(variable: &Variable, app: &App, width: usize) -> Option<String> {
+    let Kind::Number(number) = &variable.kind else {
+        return None;
+    };
+    let (low, high) = number.thesis_range?;
+    let value = (number.get)(&app.scene)?;
+    let cells = width.checked_sub(2).filter(|cells| *cells > 2)?;
+    let mut bar: Vec<char> = vec!['-'; cells];
+    if value < low {
+        bar[0] = '<';
+    } else if value > high {
+        bar[cells - 1] = '>';
+    } else {
+        // The place among the cells by comparison, not by conversion: few cells, no rounding to argue about.
+        let share = (value - low) / (high - low);
+        let at = (1..cells)
+            .filter(|cell| share * cells as f64 >= *cell as f64)
+            .count();
+        bar[at] = '|';
+    }
+    Some(format!("[{}]", bar.into_iter().collect::<String>()))
+}
+
+/// Below the list: the selected variable's range of Table 9.2 with its bar, or what it may be.
+fn foot(app: &App, width: usize) -> String {
+    let variable = app.editor.variable();
+    if let Kind::Number(number) = &variable.kind
+        && let Some((low, high)) = number.thesis_range
+    {
+        let (low, high) = (units::shortest(low), units::shortest(high));
+        let rest = low.len() + high.len() + 7;
+        let bar = range_bar(variable, app, width.saturating_sub(rest).min(40));
+        if let Some(bar) = bar {
+            return format!("{low} {bar} {high} T9.2");
+        }
+    }
+    clip(&variable.allowed(), width)
+}

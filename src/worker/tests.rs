@@ -1,0 +1,228 @@
+//! Tests of the worker. They wait on channels with deadlines, never by sleeping.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{self, Receiver};
+use std::time::{Duration, Instant};
+
+use super::{Job, Report, ReportBody, Slot, Worker};
+use crate::model::impact::{self, Settings};
+use crate::model::run::{EndReason, Run};
+use crate::model::scene::Scene;
+
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// Runs the real simulation of the scene, then pretends to need steps until cancelled when the title says so.
+fn slow(scene: &Arc<Scene>, observer: impact::Observer<'_>) -> Result<Run, String> {
+    let mut run = impact::simulate(scene, &Settings::default(), &mut |_| {
+        ControlFlow::Continue(())
+    })
+    .map_err(|error| error.to_string())?;
+    assert!(scene.title != "panics", "deliberate");
+    let mut t_s = 0.0;
+    while scene.title == "endless" {
+        t_s += 1e-9;
+        if observer(t_s).is_break() {
+            run.end = EndReason::Cancelled;
+            return Ok(run);
+        }
+    }
+    Ok(run)
+}
+
+fn job(id: u64, slot: Slot, title: &str) -> Job {
+    Job {
+        id,
+        slot,
+        scene: Arc::new(Scene {
+            title: title.to_owned(),
+            ..Scene::default()
+        }),
+    }
+}
+
+fn start() -> (Worker, Receiver<Report>) {
+    let (send, receive) = mpsc::channel();
+    let worker = Worker::spawn_with(
+        move |report| {
+            let _ = send.send(report);
+        },
+        slow,
+    )
+    .expect("a thread");
+    (worker, receive)
+}
+
+fn next(reports: &Receiver<Report>) -> Report {
+    reports.recv_timeout(PATIENCE).expect("a report in time")
+}
+
+/// The next report that ends a job.
+fn next_last(reports: &Receiver<Report>) -> Report {
+    loop {
+        let report = next(reports);
+        if report.body.is_last() {
+            return report;
+        }
+    }
+}
+
+/// Wait until the running job says that it has begun.
+fn await_started(reports: &Receiver<Report>, id: u64) {
+    let report = next(reports);
+    assert_eq!(report.id, id);
+    assert!(matches!(report.body, ReportBody::Started), "{report:?}");
+}
+
+#[test]
+fn a_short_job_reports_once() {
+    let (worker, reports) = start();
+    worker.submit(job(1, Slot::Current, "short"));
+    let report = next(&reports);
+    assert_eq!((report.id, report.slot), (1, Slot::Current));
+    let ReportBody::Done { run, took } = report.body else {
+        panic!("not done: {:?}", report.body);
+    };
+    assert_eq!(run.scene.title, "short");
+    assert!(took > Duration::ZERO);
+}
+
+#[test]
+fn a_running_job_is_cancelled_within_50_ms_and_keeps_its_part() {
+    let (worker, reports) = start();
+    worker.submit(job(1, Slot::Current, "endless"));
+    await_started(&reports, 1);
+    let asked = Instant::now();
+    worker.cancel();
+    let report = next_last(&reports);
+    let waited = asked.elapsed();
+    assert_eq!(report.id, 1);
+    assert!(
+        matches!(&report.body, ReportBody::Cancelled { partial: Some(run) } if run.end == EndReason::Cancelled),
+        "{report:?}"
+    );
+    assert!(waited < Duration::from_millis(50), "{waited:?}");
+}
+
+#[test]
+fn the_newest_job_of_a_slot_wins_over_running_and_waiting_ones() {
+    let (worker, reports) = start();
+    worker.submit(job(1, Slot::Current, "endless"));
+    await_started(&reports, 1);
+    worker.submit(job(2, Slot::Pin('A'), "pin"));
+    worker.submit(job(3, Slot::Pin('A'), "newer pin"));
+    let replaced = next_last(&reports);
+    assert_eq!(replaced.id, 2);
+    assert!(matches!(
+        replaced.body,
+        ReportBody::Cancelled { partial: None }
+    ));
+    worker.submit(job(4, Slot::Current, "newer"));
+    let ends: Vec<_> = (0..3)
+        .map(|_| {
+            let report = next_last(&reports);
+            (report.id, matches!(report.body, ReportBody::Done { .. }))
+        })
+        .collect();
+    // The screen's scene goes before the pinned one.
+    assert_eq!(ends, [(1, false), (4, true), (3, true)]);
+}
+
+#[test]
+fn a_job_of_another_slot_does_not_cancel() {
+    let (worker, reports) = start();
+    worker.submit(job(1, Slot::Pin('A'), "endless"));
+    await_started(&reports, 1);
+    worker.submit(job(2, Slot::Pin('B'), "short"));
+    // Still alive long enough to make progress.
+    let report = next(&reports);
+    assert_eq!(report.id, 1);
+    assert!(
+        matches!(report.body, ReportBody::Progress { t_s } if t_s > 0.0),
+        "{report:?}"
+    );
+    worker.cancel();
+    let mut ended = [next_last(&reports).id, next_last(&reports).id];
+    ended.sort_unstable();
+    assert_eq!(ended, [1, 2]);
+}
+
+#[test]
+fn progress_comes_at_most_twice_a_second() {
+    let (worker, reports) = start();
+    worker.submit(job(1, Slot::Current, "endless"));
+    await_started(&reports, 1);
+    next(&reports);
+    let first = Instant::now();
+    next(&reports);
+    // The sending side keeps 500 ms; the receiving side may be late for the first one.
+    assert!(
+        first.elapsed() > Duration::from_millis(300),
+        "{:?}",
+        first.elapsed()
+    );
+    worker.cancel();
+    next_last(&reports);
+}
+
+#[test]
+fn a_panic_is_reported_and_the_worker_lives_on() {
+    let (worker, reports) = start();
+    worker.submit(job(1, Slot::Current, "panics"));
+    let report = next(&reports);
+    let ReportBody::Failed(text) = report.body else {
+        panic!("not failed: {:?}", report.body);
+    };
+    assert!(text.starts_with("internal error: deliberate"), "{text}");
+    worker.submit(job(2, Slot::Current, "short"));
+    assert!(matches!(next(&reports).body, ReportBody::Done { .. }));
+}
+
+#[test]
+fn a_scene_without_sense_is_refused_with_the_reason() {
+    let (send, receive) = mpsc::channel();
+    let worker = Worker::spawn(move |report| {
+        let _ = send.send(report);
+    })
+    .expect("a thread");
+    let mut wrong = job(1, Slot::Current, "no mass");
+    Arc::make_mut(&mut wrong.scene).projectile.mass_kg = -1.0;
+    let expected = crate::model::variables::validate(&wrong.scene)
+        .expect_err("a negative mass is refused")
+        .to_string();
+    worker.submit(wrong);
+    let report = next(&receive);
+    assert!(
+        matches!(&report.body, ReportBody::Failed(text) if *text == expected),
+        "{report:?}"
+    );
+}
+
+#[test]
+fn an_unchanged_scene_is_not_computed_again() {
+    let count = Arc::new(AtomicUsize::new(0));
+    let counted = Arc::clone(&count);
+    let (send, receive) = mpsc::channel();
+    let worker = Worker::spawn_with(
+        move |report| {
+            let _ = send.send(report);
+        },
+        move |scene, observer| {
+            counted.fetch_add(1, Ordering::Relaxed);
+            slow(scene, observer)
+        },
+    )
+    .expect("a thread");
+    let mut seen = Vec::new();
+    for (id, title) in [(1, "one"), (2, "two"), (3, "one")] {
+        worker.submit(job(id, Slot::Current, title));
+        let ReportBody::Done { run, took } = next(&receive).body else {
+            panic!("not done");
+        };
+        seen.push((run, took));
+    }
+    assert_eq!(count.load(Ordering::Relaxed), 2);
+    assert!(Arc::ptr_eq(&seen[0].0, &seen[2].0));
+    assert_eq!(seen[0].1, seen[2].1);
+}
