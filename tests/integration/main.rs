@@ -5,6 +5,8 @@ mod cli;
 #[cfg(test)]
 mod files;
 #[cfg(test)]
+mod physics;
+#[cfg(test)]
 mod presets;
 #[cfg(test)]
 mod support;
