@@ -80,11 +80,10 @@ impl Theme {
         let bold = plain.add_modifier(Modifier::BOLD);
         match role {
             Role::Text => plain,
-            Role::Title | Role::Key => bold,
+            Role::Title | Role::Key | Role::Crosshair => bold,
             Role::Selection => plain.add_modifier(Modifier::REVERSED),
             Role::Dim | Role::Border | Role::Event => self.faint(),
             Role::Focus => self.coloured(bold, colours::FOCUS),
-            Role::Crosshair => self.coloured(bold, colours::CROSSHAIR),
             Role::Error if self.depth == ColourDepth::None => bold.add_modifier(Modifier::REVERSED),
             Role::Error => self.coloured(bold, colours::ERROR),
             Role::Warning if self.depth == ColourDepth::None => bold,
@@ -95,6 +94,17 @@ impl Theme {
             Role::Note => self.coloured(plain, colours::NOTE),
             Role::Curve(0) => self.coloured(bold, colours::curve(0)),
             Role::Curve(index) => self.coloured(plain, colours::curve(index)),
+        }
+    }
+
+    /// The style of a pane's title. Without colour the focused one is reversed: a bold border alone is easily missed.
+    pub fn title(self, focused: bool) -> Style {
+        match (focused, self.depth) {
+            (false, _) => self.style(Role::Title),
+            (true, ColourDepth::None) => self.style(Role::Focus).add_modifier(Modifier::REVERSED),
+            (true, ColourDepth::Sixteen | ColourDepth::Ansi256 | ColourDepth::Rgb) => {
+                self.style(Role::Focus)
+            }
         }
     }
 

@@ -1,6 +1,8 @@
 //! The one integration test binary. Tests beside the code see its inside; these see what a user or a reader of the source sees.
 
 #[cfg(test)]
+mod charts;
+#[cfg(test)]
 mod cli;
 #[cfg(test)]
 mod files;
@@ -8,6 +10,8 @@ mod files;
 mod physics;
 #[cfg(test)]
 mod presets;
+#[cfg(test)]
+mod screens;
 #[cfg(test)]
 mod support;
 #[cfg(test)]

@@ -14,7 +14,7 @@ const LEAST_PLOT_WIDTH: u16 = 8;
 const AXIS_FROM: u16 = 3;
 const LABELS_FROM: u16 = 4;
 const LEGEND_ROW_FROM: u16 = 9;
-/// Blank columns right of a plot without a right axis, for the second half of the last label.
+/// Least blank columns right of a plot without a right axis: for the second half of the last label, and a blank.
 const MARGIN: u16 = 2;
 
 /// Where the parts of a chart lie, and how its values map to cells.
@@ -75,7 +75,12 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let has_right = right.is_some() && inner.width >= left + right_width + LEAST_PLOT_WIDTH;
     let margin = match (has_right, has_left) {
         (true, _) => right_width,
-        (false, true) => MARGIN,
+        (false, true) => {
+            let width = inner.width.saturating_sub(left + MARGIN);
+            let label = axis_ticks(&chart.x, width, Along::Row).width();
+            // Labels must not eat the plot: a quarter of it at most.
+            (label.saturating_sub(1) / 2 + 1).clamp(MARGIN, MARGIN.max(width / 4))
+        }
         (false, false) => 0,
     };
     let plot = Rect {

@@ -2,6 +2,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::style::{Modifier, Style};
+use ratatui::text::Span;
 
 use super::canvas::Canvas;
 use super::layout::Layout;
@@ -141,11 +142,15 @@ impl Brush<'_> {
             for x in (plot.left()..plot.right()).step_by(step) {
                 self.put(x, y, dotted, style);
             }
-            let length = u16::try_from(level.tag.chars().count()).unwrap_or(u16::MAX);
+            if level.tag.is_empty() {
+                continue;
+            }
+            // A blank keeps the tag clear of the dots.
+            let tag = format!(" {}", level.tag);
+            let length = u16::try_from(Span::raw(&tag).width()).unwrap_or(u16::MAX);
             if length < plot.width {
-                let room = usize::from(length);
                 self.buffer
-                    .set_stringn(plot.right() - length, y, &level.tag, room, style);
+                    .set_string(plot.right() - length, y, &tag, style);
             }
         }
     }
@@ -171,7 +176,7 @@ impl Brush<'_> {
         for (index, (x, tag)) in tags.iter().enumerate() {
             // A blank before the next tag, unless the two are neighbours.
             let next = tags.get(index + 1);
-            let end = next.map_or(plot.right(), |(next, _)| next.saturating_sub(1));
+            let end = next.map_or_else(|| plot.right(), |(next, _)| next.saturating_sub(1));
             let room = usize::from((end - x).max(1));
             self.buffer.set_stringn(*x, plot.top(), tag, room, style);
         }

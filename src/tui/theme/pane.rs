@@ -70,12 +70,7 @@ impl<'a> Pane<'a> {
             Role::Border
         };
         self.draw_lines(area, buffer, theme, theme.style(role));
-        let title_style = if self.focused {
-            theme.style(Role::Focus)
-        } else {
-            theme.style(Role::Title)
-        };
-        self.draw_titles(area, buffer, title_style);
+        self.draw_titles(area, buffer, theme.title(self.focused));
         inner.intersection(area)
     }
 
@@ -134,6 +129,7 @@ fn width(line: &Line<'_>) -> u16 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::ColourDepth;
     use super::*;
 
     fn lines(pane: &Pane<'_>, width: u16, height: u16) -> Vec<String> {
@@ -143,7 +139,7 @@ mod tests {
         buffer
             .content
             .chunks(usize::from(width.max(1)))
-            .map(|row| row.iter().map(|cell| cell.symbol()).collect())
+            .map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect())
             .collect()
     }
 
@@ -166,6 +162,30 @@ mod tests {
         assert_eq!(lines(&pane, 12, 2), ["+- Runs ---+", "+----------+"]);
         assert_eq!(lines(&pane, 7, 1), ["+- Ru +"]);
         assert_eq!(lines(&pane, 3, 1), ["+-+"]);
+    }
+
+    #[test]
+    fn the_focused_pane_is_told_apart_at_every_depth() {
+        let area = Rect::new(0, 0, 20, 3);
+        for depth in [
+            ColourDepth::None,
+            ColourDepth::Sixteen,
+            ColourDepth::Ansi256,
+            ColourDepth::Rgb,
+        ] {
+            let theme = Theme {
+                depth,
+                ..Theme::PLAIN
+            };
+            let title = |focused| {
+                let mut buffer = Buffer::empty(area);
+                Pane::new("Runs")
+                    .focused(focused)
+                    .render(area, &mut buffer, theme);
+                buffer[(3, 0)].style()
+            };
+            assert_ne!(title(true), title(false), "{depth:?}");
+        }
     }
 
     #[test]
