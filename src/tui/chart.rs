@@ -212,10 +212,7 @@ impl<'a> Chart<'a> {
         let plan = self.plan(area, theme);
         self.draw_frame(&plan, area, buffer, theme);
         paint::paint(self, &plan.layout, buffer, theme);
-        Drawn {
-            layout: plan.layout,
-            left_out: plan.left_out,
-        }
+        Drawn { layout: plan.layout, left_out: plan.left_out }
     }
 
     /// The chart as lines of text, blanks at their ends removed: what `--plain` prints.
@@ -235,20 +232,14 @@ impl<'a> Chart<'a> {
             Frame::OpenBelow => Pane::default().open_below().inner(area),
             Frame::Bare => {
                 let top = area.height.min(1);
-                Rect {
-                    y: area.y + top,
-                    height: area.height - top,
-                    ..area
-                }
+                Rect { y: area.y + top, height: area.height - top, ..area }
             }
         }
     }
 
     fn draw_frame(&self, plan: &Plan<'_>, area: Rect, buffer: &mut Buffer, theme: Theme) {
         let title = Line::from(plan.title.as_str());
-        let pane = Pane::new(title.clone())
-            .right(plan.right.clone())
-            .focused(self.focused);
+        let pane = Pane::new(title.clone()).right(plan.right.clone()).focused(self.focused);
         match self.frame {
             Frame::Boxed => {
                 pane.render(area, buffer, theme);
@@ -275,10 +266,7 @@ impl<'a> Chart<'a> {
 
 /// Makes the plots of charts stacked on each other begin in one column: gives all the widest gutter.
 pub fn align_gutters(charts: &mut [Chart<'_>], areas: &[Rect]) {
-    let gutters = charts
-        .iter()
-        .zip(areas)
-        .map(|(chart, area)| chart.layout(*area).gutter);
+    let gutters = charts.iter().zip(areas).map(|(chart, area)| chart.layout(*area).gutter);
     let widest = gutters.max().unwrap_or(0);
     for chart in charts {
         chart.gutter = widest;

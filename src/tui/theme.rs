@@ -56,17 +56,11 @@ pub struct Theme {
 
 impl Theme {
     /// Pure ASCII without colour: what `--plain` prints.
-    pub const PLAIN: Self = Self {
-        glyphs: GlyphSet::Ascii,
-        depth: ColourDepth::None,
-    };
+    pub const PLAIN: Self = Self { glyphs: GlyphSet::Ascii, depth: ColourDepth::None };
 
     /// The theme the environment asks for; `env` looks up a variable of it.
     pub fn detect(glyphs: GlyphChoice, env: impl Fn(&str) -> Option<String>) -> Self {
-        Self {
-            glyphs: glyphs.resolve(&env),
-            depth: ColourDepth::detect(&env),
-        }
+        Self { glyphs: glyphs.resolve(&env), depth: ColourDepth::detect(&env) }
     }
 
     /// The lines and joints of the glyph set.
@@ -160,10 +154,7 @@ mod tests {
     #[test]
     fn the_background_is_always_the_terminals_own() {
         for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb] {
-            let theme = Theme {
-                glyphs: GlyphSet::Braille,
-                depth,
-            };
+            let theme = Theme { glyphs: GlyphSet::Braille, depth };
             for role in ROLES {
                 assert_eq!(theme.style(role).bg, None, "{role:?}");
             }
@@ -172,16 +163,10 @@ mod tests {
 
     #[test]
     fn errors_warnings_and_notes_differ_at_every_depth() {
-        for depth in [
-            ColourDepth::None,
-            ColourDepth::Sixteen,
-            ColourDepth::Ansi256,
-            ColourDepth::Rgb,
-        ] {
-            let theme = Theme {
-                glyphs: GlyphSet::Ascii,
-                depth,
-            };
+        for depth in
+            [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb]
+        {
+            let theme = Theme { glyphs: GlyphSet::Ascii, depth };
             let [error, warning, note, text] =
                 [Role::Error, Role::Warning, Role::Note, Role::Text].map(|role| theme.style(role));
             assert_ne!(error, warning);
@@ -200,10 +185,7 @@ mod tests {
         };
         assert_eq!(
             Theme::detect(GlyphChoice::Auto, env),
-            Theme {
-                glyphs: GlyphSet::Braille,
-                depth: ColourDepth::Ansi256
-            }
+            Theme { glyphs: GlyphSet::Braille, depth: ColourDepth::Ansi256 }
         );
     }
 }

@@ -97,14 +97,7 @@ impl<'a> Curve<'a> {
     }
 
     fn with(marker: char, label: Cow<'a, str>, points: Points<'a>) -> Self {
-        Self {
-            marker,
-            label,
-            points,
-            colour: 0,
-            emphasis: Emphasis::Normal,
-            side: Side::Left,
-        }
+        Self { marker, label, points, colour: 0, emphasis: Emphasis::Normal, side: Side::Left }
     }
 
     /// In this colour.
@@ -155,9 +148,7 @@ impl<'a> Curve<'a> {
     /// The range of its y values on a scale, of the part whose x lies in a view; `None` where nothing does.
     pub fn y_range(&self, scale: Scale, part: ViewRange) -> Option<ViewRange> {
         let drawn = self.points.iter().filter(|(x, _)| part.contains(*x));
-        let at_bounds = [part.lo(), part.hi()]
-            .into_iter()
-            .filter_map(|x| self.value_at(x));
+        let at_bounds = [part.lo(), part.hi()].into_iter().filter_map(|x| self.value_at(x));
         ViewRange::of(scale, drawn.map(|(_, y)| y).chain(at_bounds))
     }
 

@@ -56,17 +56,11 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let height = inner.height.saturating_sub(top + axis + labels);
 
     let y = map(&chart.y, chart.y.view, height);
-    let right = chart
-        .right
-        .as_ref()
-        .map(|axis| map(axis, axis.view, height));
+    let right = chart.right.as_ref().map(|axis| map(axis, axis.view, height));
     let along = Along::Column(half_rows_apart(height));
     let y_ticks = axis_ticks(&chart.y, height, along);
-    let right_ticks = chart
-        .right
-        .as_ref()
-        .map(|axis| axis_ticks(axis, height, along))
-        .unwrap_or_default();
+    let right_ticks =
+        chart.right.as_ref().map(|axis| axis_ticks(axis, height, along)).unwrap_or_default();
 
     let gutter = (y_ticks.width() + 1).max(LEAST_GUTTER).max(chart.gutter);
     let has_left = inner.width >= gutter.saturating_add(1 + LEAST_PLOT_WIDTH);

@@ -22,12 +22,7 @@ pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer, the
     if layout.plot.width == 0 || layout.plot.height == 0 {
         return;
     }
-    let mut brush = Brush {
-        chart,
-        layout,
-        buffer,
-        theme,
-    };
+    let mut brush = Brush { chart, layout, buffer, theme };
     brush.vertical_axis(layout.axis_left, &layout.y_ticks.ticks, true);
     brush.vertical_axis(layout.axis_right, &layout.right_ticks.ticks, false);
     brush.horizontal_axis();
@@ -64,11 +59,7 @@ impl Brush<'_> {
         for y in plot.top()..plot.bottom() {
             self.put(x, y, lines.vertical, style);
         }
-        let mark = if left {
-            lines.tick_left
-        } else {
-            lines.tick_right
-        };
+        let mark = if left { lines.tick_left } else { lines.tick_right };
         for tick in ticks {
             let y = self.row(tick.cell);
             self.put(x, y, mark, style);
@@ -129,11 +120,7 @@ impl Brush<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         let dotted = self.theme.lines().level;
-        let step = if self.theme.glyphs == GlyphSet::Braille {
-            1
-        } else {
-            2
-        };
+        let step = if self.theme.glyphs == GlyphSet::Braille { 1 } else { 2 };
         for level in &self.chart.levels {
             let Some(cell) = self.layout.y.cell(level.y) else {
                 continue;
@@ -149,8 +136,7 @@ impl Brush<'_> {
             let tag = format!(" {}", level.tag);
             let length = u16::try_from(Span::raw(&tag).width()).unwrap_or(u16::MAX);
             if length < plot.width {
-                self.buffer
-                    .set_string(plot.right() - length, y, &tag, style);
+                self.buffer.set_string(plot.right() - length, y, &tag, style);
             }
         }
     }
@@ -189,12 +175,7 @@ impl Brush<'_> {
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
             canvas.start_owner();
-            trace(
-                curve,
-                owner,
-                (self.layout.x, self.vertical(curve)),
-                &mut canvas,
-            );
+            trace(curve, owner, (self.layout.x, self.vertical(curve)), &mut canvas);
             if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
                 place_markers(&canvas, owner, usize::from(plot.width), &mut markers);
             }

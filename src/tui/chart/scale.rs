@@ -94,10 +94,7 @@ impl ViewRange {
         if greatest < NARROWEST_ABSOLUTE {
             return Self::default();
         }
-        Self {
-            lo: lo - greatest * 0.05,
-            hi: hi + greatest * 0.05,
-        }
+        Self { lo: lo - greatest * 0.05, hi: hi + greatest * 0.05 }
     }
 
     /// The range of all values that have a place on the scale; `None` when there is none.
@@ -137,11 +134,7 @@ impl ViewRange {
             Scale::Linear => self,
             Scale::Log10 if self.hi <= 1e-290 => Self { lo: 0.1, hi: 10.0 },
             Scale::Log10 => {
-                let lo = if self.lo > 1e-300 {
-                    self.lo
-                } else {
-                    self.hi * LOG_FLOOR
-                };
+                let lo = if self.lo > 1e-300 { self.lo } else { self.hi * LOG_FLOOR };
                 Self { lo, hi: self.hi }
             }
         }
@@ -150,20 +143,13 @@ impl ViewRange {
     /// The least range that holds both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
-        Self {
-            lo: self.lo.min(other.lo),
-            hi: self.hi.max(other.hi),
-        }
+        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
     /// Grown as far as needed to hold a value; one that is not finite changes nothing.
     #[must_use]
     pub fn including(self, value: f64) -> Self {
-        if value.is_finite() {
-            Self::new(self.lo.min(value), self.hi.max(value))
-        } else {
-            self
-        }
+        if value.is_finite() { Self::new(self.lo.min(value), self.hi.max(value)) } else { self }
     }
 
     /// Grown by a fraction of its span at both ends.
@@ -200,9 +186,7 @@ impl ViewRange {
         }
         let view = self.on(scale);
         let about = scale.forward(about.clamp(view.lo, view.hi));
-        self.mapped(scale, |lo, hi| {
-            (about - (about - lo) / factor, about + (hi - about) / factor)
-        })
+        self.mapped(scale, |lo, hi| (about - (about - lo) / factor, about + (hi - about) / factor))
     }
 
     /// Moved by a fraction of its span; positive moves to greater values.
@@ -266,13 +250,7 @@ impl Mapping {
     pub fn new(scale: Scale, view: ViewRange, cells: u16) -> Self {
         let view = view.on(scale);
         let from = scale.forward(view.lo);
-        Self {
-            scale,
-            view,
-            cells,
-            from,
-            span: scale.forward(view.hi) - from,
-        }
+        Self { scale, view, cells, from, span: scale.forward(view.hi) - from }
     }
 
     /// The range as shown.
@@ -325,11 +303,8 @@ impl Mapping {
     /// A value moved by so many cells, and held in the view: how the crosshair walks. From outside it starts at the nearer
     /// bound.
     pub fn stepped(self, value: f64, by: i32) -> f64 {
-        let inside = if value.is_nan() {
-            self.view.lo
-        } else {
-            value.clamp(self.view.lo, self.view.hi)
-        };
+        let inside =
+            if value.is_nan() { self.view.lo } else { value.clamp(self.view.lo, self.view.hi) };
         let cell = i32::from(self.cell(inside).unwrap_or(0));
         let last = i32::from(self.cells.saturating_sub(1));
         let target = cell.saturating_add(by).clamp(0, last);
@@ -357,14 +332,8 @@ mod tests {
     #[test]
     fn bounds_are_put_in_order_and_never_empty() {
         assert_eq!(ViewRange::new(3.0, 1.0), ViewRange::new(1.0, 3.0));
-        assert_eq!(
-            ViewRange::new(f64::NAN, f64::INFINITY),
-            ViewRange::default()
-        );
-        assert_eq!(
-            ViewRange::new(2.0, f64::NAN),
-            ViewRange { lo: 2.0, hi: 3.0 }
-        );
+        assert_eq!(ViewRange::new(f64::NAN, f64::INFINITY), ViewRange::default());
+        assert_eq!(ViewRange::new(2.0, f64::NAN), ViewRange { lo: 2.0, hi: 3.0 });
         assert_eq!(ViewRange::new(0.0, 0.0), ViewRange::default());
         assert_eq!(ViewRange::new(10.0, 10.0), ViewRange { lo: 9.5, hi: 10.5 });
     }
@@ -426,14 +395,8 @@ mod tests {
     fn within_moves_before_it_narrows() {
         let all = ViewRange::new(0.0, 100.0);
         let linear = Scale::Linear;
-        assert_eq!(
-            ViewRange::new(-10.0, 20.0).within(linear, all),
-            ViewRange::new(0.0, 30.0)
-        );
-        assert_eq!(
-            ViewRange::new(90.0, 130.0).within(linear, all),
-            ViewRange::new(60.0, 100.0)
-        );
+        assert_eq!(ViewRange::new(-10.0, 20.0).within(linear, all), ViewRange::new(0.0, 30.0));
+        assert_eq!(ViewRange::new(90.0, 130.0).within(linear, all), ViewRange::new(60.0, 100.0));
         assert_eq!(ViewRange::new(-90.0, 130.0).within(linear, all), all);
     }
 

@@ -31,18 +31,9 @@ impl Step {
     /// The next longer step.
     pub(super) fn next(self) -> Self {
         match self.mantissa {
-            1 => Self {
-                mantissa: 2,
-                ..self
-            },
-            2 => Self {
-                mantissa: 5,
-                ..self
-            },
-            _ => Self {
-                mantissa: 1,
-                exponent: self.exponent + 1,
-            },
+            1 => Self { mantissa: 2, ..self },
+            2 => Self { mantissa: 5, ..self },
+            _ => Self { mantissa: 1, exponent: self.exponent + 1 },
         }
     }
 }

@@ -14,10 +14,7 @@ use crate::tui::theme::{ColourDepth, Role};
 fn small(curves: Vec<Curve<'_>>) -> Chart<'_> {
     let x = Axis::new("t", ViewRange::new(0.0, 20.0)).unit(Unit::new("s"));
     let y = Axis::new("", ViewRange::new(0.0, 4.0)).unit(Unit::new("m"));
-    Chart {
-        legend: Legend::Hidden,
-        ..Chart::new("y", x, y, curves)
-    }
+    Chart { legend: Legend::Hidden, ..Chart::new("y", x, y, curves) }
 }
 
 fn picture(chart: &Chart<'_>) -> Vec<String> {
@@ -126,14 +123,8 @@ fn where_curves_cross_the_later_or_the_selected_one_is_on_top() {
             "|  0+***               ooo  |",
         ]
     );
-    assert_eq!(
-        crossing(Emphasis::Selected)[2],
-        "|  2+        *****          |"
-    );
-    assert_eq!(
-        crossing(Emphasis::Stale)[2],
-        "|  2+        ooooo          |"
-    );
+    assert_eq!(crossing(Emphasis::Selected)[2], "|  2+        *****          |");
+    assert_eq!(crossing(Emphasis::Stale)[2], "|  2+        ooooo          |");
 }
 
 #[test]
@@ -141,10 +132,7 @@ fn event_lines_lie_under_curves_and_the_crosshair_over_them() {
     let mut chart = small(vec![Curve::new('*', "now", &RISING)]);
     let event = |x, tag: &'static str| EventLine { x, tag: tag.into() };
     chart.events = vec![event(15.0, "b"), event(5.0, "a"), event(99.0, "c")];
-    chart.levels = vec![Level {
-        y: 3.0,
-        tag: "max".into(),
-    }];
+    chart.levels = vec![Level { y: 3.0, tag: "max".into() }];
     chart.crosshair = Some(10.2);
     assert_eq!(
         picture(&chart)[1..8],
@@ -162,22 +150,11 @@ fn event_lines_lie_under_curves_and_the_crosshair_over_them() {
 
 #[test]
 fn a_logarithmic_axis_has_decades_and_counts_what_it_cannot_show() {
-    let points = [
-        (-1.0, 5.0),
-        (0.0, 5.0),
-        (1.0, 1.0),
-        (1000.0, 1000.0),
-        (f64::NAN, 1.0),
-    ];
+    let points = [(-1.0, 5.0), (0.0, 5.0), (1.0, 1.0), (1000.0, 1000.0), (f64::NAN, 1.0)];
     let axis = |label| Axis::new(label, ViewRange::new(1.0, 1000.0)).scale(Scale::Log10);
     let chart = Chart {
         legend: Legend::Hidden,
-        ..Chart::new(
-            "e",
-            axis("n"),
-            axis(""),
-            vec![Curve::new('*', "now", &points)],
-        )
+        ..Chart::new("e", axis("n"), axis(""), vec![Curve::new('*', "now", &points)])
     };
     let area = Rect::new(0, 0, 41, 11);
     let drawn = chart.render(area, &mut Buffer::empty(area), Theme::PLAIN);
@@ -244,19 +221,13 @@ fn long_labels_stay_centred_and_clear_of_the_frame() {
 #[test]
 fn a_second_vertical_axis_has_its_own_ticks() {
     let right = [(0.0, 0.0), (20.0, 400.0)];
-    let mut chart = small(vec![
-        Curve::new('*', "p", &FALLING),
-        Curve::new('o', "x", &right).side(Side::Right),
-    ]);
+    let mut chart =
+        small(vec![Curve::new('*', "p", &FALLING), Curve::new('o', "x", &right).side(Side::Right)]);
     chart.legend = Legend::Shown;
     chart.right = Some(Axis::new("x", ViewRange::new(0.0, 400.0)).unit(Unit::new("mm")));
     // 3 columns more than the margin of 2 for axis, labels and a blank.
     let lines = chart.to_lines(32, 9, Theme::PLAIN);
-    assert!(
-        lines[0].starts_with("+- y [m], right: x [mm]"),
-        "{}",
-        lines[0]
-    );
+    assert!(lines[0].starts_with("+- y [m], right: x [mm]"), "{}", lines[0]);
     assert_eq!(
         lines[1..8],
         [
@@ -282,10 +253,7 @@ fn the_legend_stands_in_the_title_or_in_a_row_of_its_own() {
     let mut chart = small(curves());
     chart.legend = Legend::Shown;
     let wide = chart.to_lines(50, 12, Theme::PLAIN);
-    assert_eq!(
-        wide[0],
-        "+- y [m] -------- * now (old)  o A rigid   t [s] +"
-    );
+    assert_eq!(wide[0], "+- y [m] -------- * now (old)  o A rigid   t [s] +");
     let narrow = chart.to_lines(32, 12, Theme::PLAIN);
     assert_eq!(narrow[0], "+- y [m] --------------- t [s] +");
     assert_eq!(narrow[1], "| * now (old)  o A rigid       |");
@@ -341,17 +309,9 @@ fn each_point_is_asked_for_once() {
 #[test]
 fn where_curves_differ_by_colour_they_also_carry_their_markers() {
     let flat = [(0.0, 3.0), (20.0, 3.0)];
-    let curves = || {
-        vec![
-            Curve::new('*', "now", &flat),
-            Curve::new('o', "A", &FALLING).colour(1),
-        ]
-    };
+    let curves = || vec![Curve::new('*', "now", &flat), Curve::new('o', "A", &FALLING).colour(1)];
     for glyphs in [GlyphSet::Block, GlyphSet::Braille] {
-        let theme = Theme {
-            glyphs,
-            depth: ColourDepth::Sixteen,
-        };
+        let theme = Theme { glyphs, depth: ColourDepth::Sixteen };
         let text = small(curves()).to_lines(29, 9, theme).concat();
         assert!(text.contains('*') && text.contains('o'), "{text}");
         let alone = small(curves().split_off(1)).to_lines(29, 9, theme).concat();
@@ -361,10 +321,7 @@ fn where_curves_differ_by_colour_they_also_carry_their_markers() {
 
 #[test]
 fn styles_follow_roles_and_emphasis() {
-    let theme = Theme {
-        glyphs: GlyphSet::Ascii,
-        depth: ColourDepth::Sixteen,
-    };
+    let theme = Theme { glyphs: GlyphSet::Ascii, depth: ColourDepth::Sixteen };
     let area = Rect::new(0, 0, 29, 9);
     let style = |emphasis| {
         let mut buffer = Buffer::empty(area);
@@ -408,10 +365,7 @@ fn any_axis() -> impl Strategy<Value = Axis<'static>> {
 
 fn any_theme() -> impl Strategy<Value = Theme> {
     let glyphs = vec![GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];
-    prop::sample::select(glyphs).prop_map(|glyphs| Theme {
-        glyphs,
-        depth: ColourDepth::Ansi256,
-    })
+    prop::sample::select(glyphs).prop_map(|glyphs| Theme { glyphs, depth: ColourDepth::Ansi256 })
 }
 
 proptest! {

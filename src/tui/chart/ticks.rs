@@ -36,9 +36,7 @@ impl Ticks {
     /// Width of the widest label.
     pub(super) fn width(&self) -> u16 {
         let widest = self.ticks.iter().map(|tick| tick.label.len()).max();
-        widest
-            .and_then(|width| u16::try_from(width).ok())
-            .unwrap_or(0)
+        widest.and_then(|width| u16::try_from(width).ok()).unwrap_or(0)
     }
 }
 
@@ -91,15 +89,9 @@ fn linear(map: Mapping, along: Along) -> Ticks {
 
 /// The multiples of a step in view, with the common power of ten factored out where that makes their labels shorter.
 fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
-    let [factored, whole] = [exponent, 0].map(|exponent| Ticks {
-        ticks: multiples(map, step, exponent),
-        exponent,
-    });
-    if whole.width() <= factored.width() {
-        whole
-    } else {
-        factored
-    }
+    let [factored, whole] =
+        [exponent, 0].map(|exponent| Ticks { ticks: multiples(map, step, exponent), exponent });
+    if whole.width() <= factored.width() { whole } else { factored }
 }
 
 /// The multiples of a step in view. Counting whole steps keeps labels and places free of accumulated error.
@@ -112,10 +104,7 @@ fn multiples(map: Mapping, step: Step, exponent: i32) -> Vec<Tick> {
     while count <= last && found.len() < TICKS_LOOKED_AT {
         if let Some(cell) = map.cell(count * size) {
             let units = count * f64::from(step.mantissa);
-            found.push(Tick {
-                cell,
-                label: label(units, step.exponent - exponent),
-            });
+            found.push(Tick { cell, label: label(units, step.exponent - exponent) });
         }
         count += 1.0;
     }
@@ -129,11 +118,7 @@ fn label(units: f64, exponent: i32) -> String {
     }
     let decimals = usize::try_from(-exponent).unwrap_or(0);
     // Dividing by a power of ten that is exact rounds once; multiplying by its inverse rounds twice.
-    let value = if exponent < 0 {
-        units / power(-exponent)
-    } else {
-        units * power(exponent)
-    };
+    let value = if exponent < 0 { units / power(-exponent) } else { units * power(exponent) };
     format!("{value:.decimals$}")
 }
 
@@ -172,10 +157,7 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
         return None;
     }
     if fits(&dense, along, map) {
-        return Some(Ticks {
-            ticks: dense,
-            exponent: 0,
-        });
+        return Some(Ticks { ticks: dense, exponent: 0 });
     }
     let strides = [1, 2, 3, 5, 10, 20, 50, 100, 200];
     let found = strides.into_iter().map(|stride| list(&[1], stride));
@@ -216,9 +198,5 @@ fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
 
 /// The power of ten, a multiple of three, that keeps labels short: 0 from 0.001 to 99999.
 fn common_exponent(greatest: f64) -> i32 {
-    if (1e-3..1e5).contains(&greatest) {
-        0
-    } else {
-        decade(greatest).div_euclid(3) * 3
-    }
+    if (1e-3..1e5).contains(&greatest) { 0 } else { decade(greatest).div_euclid(3) * 3 }
 }

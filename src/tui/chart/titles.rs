@@ -35,13 +35,7 @@ impl Chart<'_> {
         let title = self.title_text(&layout, left_out);
         let both = join(legend.clone(), axis(&layout));
         if Span::raw(&title).width() + both.width() <= room {
-            return Plan {
-                layout,
-                title,
-                right: both,
-                legend: Line::default(),
-                left_out,
-            };
+            return Plan { layout, title, right: both, legend: Line::default(), left_out };
         }
         let layout = layout::layout(self, inner, legend.width() > 0);
         let title = self.title_text(&layout, left_out);
@@ -54,13 +48,7 @@ impl Chart<'_> {
         } else {
             (axis, legend)
         };
-        Plan {
-            layout,
-            title,
-            right,
-            legend,
-            left_out,
-        }
+        Plan { layout, title, right, legend, left_out }
     }
 
     /// Points that a logarithmic axis cannot show.
@@ -129,11 +117,7 @@ fn axis_text(axis: &Axis<'_>, exponent: i32) -> String {
 }
 
 fn spaced(a: &str, b: &str) -> String {
-    let gap = if a.is_empty() || b.is_empty() {
-        ""
-    } else {
-        " "
-    };
+    let gap = if a.is_empty() || b.is_empty() { "" } else { " " };
     format!("{a}{gap}{b}")
 }
 

@@ -95,10 +95,7 @@ impl Shade {
 }
 
 const fn shade(sixteen: Color, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
-    Shade {
-        sixteen: Some(sixteen),
-        fixed: Some(Fixed { ansi, rgb }),
-    }
+    Shade { sixteen: Some(sixteen), fixed: Some(Fixed { ansi, rgb }) }
 }
 
 /// Border and title of the focused pane.
@@ -116,10 +113,7 @@ const CURVES: [Shade; 6] = [
     shade(Color::Cyan, 32, (0x1F, 0x86, 0xD6)),
     shade(Color::Yellow, 166, (0xD5, 0x5E, 0x00)),
     shade(Color::Magenta, 169, (0xC8, 0x70, 0xA2)),
-    Shade {
-        sixteen: None,
-        fixed: None,
-    },
+    Shade { sixteen: None, fixed: None },
     shade(Color::LightYellow, 136, (0x98, 0x7E, 0x10)),
     shade(Color::LightMagenta, 30, (0x12, 0x8C, 0x8C)),
 ];
@@ -147,15 +141,9 @@ mod tests {
             (&[], D::None),
             (&[("TERM", "dumb"), ("COLORTERM", "truecolor")], D::None),
             (&[("TERM", "xterm-256color")], D::Ansi256),
-            (
-                &[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")],
-                D::Rgb,
-            ),
+            (&[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")], D::Rgb),
             (&[("TERM", "tmux-256color"), ("COLORTERM", "24bit")], D::Rgb),
-            (
-                &[("TERM", "screen-256color"), ("COLORTERM", "truecolor")],
-                D::Ansi256,
-            ),
+            (&[("TERM", "screen-256color"), ("COLORTERM", "truecolor")], D::Ansi256),
             (&[("TERM", "xterm"), ("COLORTERM", "yes")], D::Ansi256),
             (&[("TERM", "linux"), ("COLORTERM", "truecolor")], D::Sixteen),
             (&[("TERM", "vt220")], D::Sixteen),
@@ -180,11 +168,7 @@ mod tests {
     fn luminance((r, g, b): (u8, u8, u8)) -> f64 {
         let linear = |byte: u8| {
             let c = f64::from(byte) / 255.0;
-            if c <= 0.03928 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            }
+            if c <= 0.03928 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
         };
         0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b)
     }
@@ -207,10 +191,7 @@ mod tests {
             for rgb in [fixed.rgb, xterm(fixed.ansi)] {
                 let l = luminance(rgb);
                 let (on_white, on_black) = (1.05 / (l + 0.05), (l + 0.05) / 0.05);
-                assert!(
-                    on_white >= 3.0 && on_black >= 3.0,
-                    "{rgb:?} {on_white} {on_black}"
-                );
+                assert!(on_white >= 3.0 && on_black >= 3.0, "{rgb:?} {on_white} {on_black}");
             }
         }
     }

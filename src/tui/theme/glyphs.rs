@@ -181,12 +181,7 @@ const BLOCK_LINES: Lines = Lines {
     ellipsis: '~',
 };
 
-const BRAILLE_LINES: Lines = Lines {
-    event: '┊',
-    level: '┈',
-    ellipsis: '…',
-    ..BLOCK_LINES
-};
+const BRAILLE_LINES: Lines = Lines { event: '┊', level: '┈', ellipsis: '…', ..BLOCK_LINES };
 
 /// Replaces every character that is not ASCII by one that is, cell by cell; the last step of a frame in ASCII mode.
 pub fn ascii_pass(buffer: &mut Buffer) {
@@ -300,10 +295,7 @@ mod tests {
             assert_eq!(set.word().parse(), Ok(GlyphChoice::Fixed(set)));
         }
         let error = "dots".parse::<GlyphChoice>().unwrap_err().to_string();
-        assert_eq!(
-            error,
-            "glyphs 'dots' are not known: choose ascii, block, braille or auto"
-        );
+        assert_eq!(error, "glyphs 'dots' are not known: choose ascii, block, braille or auto");
     }
 
     #[test]
@@ -312,11 +304,7 @@ mod tests {
         let mut buffer = Buffer::empty(area);
         buffer.set_string(0, 0, "┌─ 5 µs → ·… ⣿⠁⡀│日", Style::new());
         ascii_pass(&mut buffer);
-        let text: String = buffer
-            .content
-            .iter()
-            .map(ratatui::buffer::Cell::symbol)
-            .collect();
+        let text: String = buffer.content.iter().map(ratatui::buffer::Cell::symbol).collect();
         assert_eq!(text, "+- 5 us > .. :'.|?  ");
     }
 

@@ -19,10 +19,7 @@ pub struct Pane<'a> {
 impl<'a> Pane<'a> {
     /// A frame with this title at its left.
     pub fn new(title: impl Into<Line<'a>>) -> Self {
-        Self {
-            title: title.into(),
-            ..Self::default()
-        }
+        Self { title: title.into(), ..Self::default() }
     }
 
     /// With this at the right of the top line; left out where there is no room.
@@ -64,11 +61,7 @@ impl<'a> Pane<'a> {
         if area.width < 2 || area.height < 1 {
             return inner.intersection(area);
         }
-        let role = if self.focused {
-            Role::Focus
-        } else {
-            Role::Border
-        };
+        let role = if self.focused { Role::Focus } else { Role::Border };
         self.draw_lines(area, buffer, theme, theme.style(role));
         self.draw_titles(area, buffer, theme.title(self.focused));
         inner.intersection(area)
@@ -122,9 +115,7 @@ impl<'a> Pane<'a> {
 }
 
 fn width(line: &Line<'_>) -> u16 {
-    u16::try_from(line.width())
-        .unwrap_or(u16::MAX / 2)
-        .min(u16::MAX / 2)
+    u16::try_from(line.width()).unwrap_or(u16::MAX / 2).min(u16::MAX / 2)
 }
 
 #[cfg(test)]
@@ -148,11 +139,7 @@ mod tests {
         let pane = Pane::new("Runs").right("t [us]");
         assert_eq!(
             lines(&pane, 24, 3),
-            [
-                "+- Runs ------- t [us] +",
-                "|                      |",
-                "+----------------------+",
-            ]
+            ["+- Runs ------- t [us] +", "|                      |", "+----------------------+",]
         );
     }
 
@@ -167,21 +154,13 @@ mod tests {
     #[test]
     fn the_focused_pane_is_told_apart_at_every_depth() {
         let area = Rect::new(0, 0, 20, 3);
-        for depth in [
-            ColourDepth::None,
-            ColourDepth::Sixteen,
-            ColourDepth::Ansi256,
-            ColourDepth::Rgb,
-        ] {
-            let theme = Theme {
-                depth,
-                ..Theme::PLAIN
-            };
+        for depth in
+            [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb]
+        {
+            let theme = Theme { depth, ..Theme::PLAIN };
             let title = |focused| {
                 let mut buffer = Buffer::empty(area);
-                Pane::new("Runs")
-                    .focused(focused)
-                    .render(area, &mut buffer, theme);
+                Pane::new("Runs").focused(focused).render(area, &mut buffer, theme);
                 buffer[(3, 0)].style()
             };
             assert_ne!(title(true), title(false), "{depth:?}");
@@ -195,9 +174,7 @@ mod tests {
                 let area = Rect::new(3, 2, width, height);
                 let mut buffer = Buffer::empty(Rect::new(0, 0, 20, 10));
                 let inner =
-                    Pane::new("A title")
-                        .right("right")
-                        .render(area, &mut buffer, Theme::PLAIN);
+                    Pane::new("A title").right("right").render(area, &mut buffer, Theme::PLAIN);
                 assert_eq!(inner.intersection(area), inner, "{area} {inner}");
             }
         }
