@@ -4,6 +4,89 @@
 //! change the state, does the effects, takes all else that waits, and draws once. Idle, it draws nothing and wakes four times a
 //! second to see whether the terminal is still there. What is drawn and what keys mean is not known here.
 
+pub mod app;
 pub mod chart;
 pub mod message;
 pub mod theme;
+pub mod update;
+pub mod view;
+
+mod complete;
+mod effects;
+mod input;
+mod log;
+mod pace;
+mod shell;
+mod signals;
+mod start;
+mod terminal;
+
+use std::io::{self, Write};
+use std::sync::mpsc;
+
+use thiserror::Error;
+
+use crate::files::paths::Paths;
+use crate::files::preset::Preset;
+use message::Message;
+use shell::{Ending, Shell};
+use signals::Signal;
+
+/// How the workbench is to start.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The scene to open; `None`: the last session, or the thesis baseline.
+    pub scene: Option<Preset>,
+    /// Leave the last session alone: start from the scene, or from the baseline.
+    pub fresh: bool,
+    /// Which characters to draw with.
+    pub glyphs: theme::GlyphChoice,
+}
+
+/// Why the workbench could not start or go on.
+#[derive(Debug, Error)]
+pub enum TuiError {
+    /// The terminal cannot be used.
+    #[error("the terminal cannot be used: {0}; `cmra run --plain` needs none")]
+    Terminal(#[from] io::Error),
+}
+
+/// What reaches the loop.
+enum Incoming {
+    /// Something for `update`.
+    Message(Message),
+    /// A signal of the system.
+    Signal(Signal),
+    /// Nothing can be read from the terminal any more.
+    InputLost,
+}
+
+/// Run the workbench on the terminal of standard output until the person leaves. Returns the exit status: 0, or 128 + the
+/// signal that ended it.
+///
+/// # Errors
+/// [`TuiError`] when the terminal cannot be used. It has been restored then.
+pub fn run(options: Options) -> Result<u8, TuiError> {
+    let paths = Paths::of_user().ok();
+    let (sender, inbox) = mpsc::channel();
+    let level = std::env::var("CMRA_LOG").ok();
+    log::install(
+        paths.as_ref().map(Paths::log_file),
+        level.as_deref(),
+        sender.clone(),
+    );
+    terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
+    let mut shell = Shell::start(options, paths, sender, inbox)?;
+    let ending = shell.run();
+    let summary = shell.leave(&ending);
+    if let Some(text) = summary {
+        // The reader of standard output may be gone; the workbench is over either way.
+        let _ = writeln!(io::stdout().lock(), "{}", text.trim_end());
+    }
+    match ending {
+        Ending::Quit { .. } => Ok(0),
+        Ending::Signal(status) => Ok(status),
+        Ending::HungUp => Ok(129),
+        Ending::Broken(error) => Err(error.into()),
+    }
+}

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use crate::files::error::FileError;
 use crate::model::variables::VariableError;
+use crate::tui::TuiError;
 
 /// Why a command could not be carried out.
 #[derive(Debug, Error)]
@@ -55,7 +56,7 @@ pub enum CliError {
     Stdout(io::Error),
     /// The workbench could not start or had to stop.
     #[error("the workbench had to stop: {0}")]
-    Workbench(io::Error),
+    Workbench(#[from] TuiError),
 }
 
 impl From<VariableError> for CliError {

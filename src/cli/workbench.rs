@@ -9,6 +9,8 @@ use crate::cli::run::{self, Charts, Wanted};
 use crate::cli::{CliError, Glyphs, output, scene};
 use crate::files::bundled;
 use crate::files::preset::Preset;
+use crate::tui;
+use crate::tui::theme::{GlyphChoice, GlyphSet};
 
 #[derive(Debug, Args)]
 pub(super) struct WorkbenchArguments {
@@ -25,7 +27,25 @@ pub(super) struct WorkbenchArguments {
 /// Open the workbench; without a terminal print what `cmra run --plain` prints.
 pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.as_deref().map(scene::named).transpose()?;
-    print_plain(preset, arguments.glyphs)
+    if !has_terminal() {
+        return print_plain(preset, arguments.glyphs);
+    }
+    let status = tui::run(tui::Options {
+        scene: preset,
+        fresh: arguments.fresh,
+        glyphs: choice(arguments.glyphs),
+    })?;
+    Ok(ExitCode::from(status))
+}
+
+/// The same choice in the workbench's words.
+fn choice(glyphs: Glyphs) -> GlyphChoice {
+    match glyphs {
+        Glyphs::Auto => GlyphChoice::Auto,
+        Glyphs::Ascii => GlyphChoice::Fixed(GlyphSet::Ascii),
+        Glyphs::Block => GlyphChoice::Fixed(GlyphSet::Block),
+        Glyphs::Braille => GlyphChoice::Fixed(GlyphSet::Braille),
+    }
 }
 
 fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliError> {
@@ -33,11 +53,9 @@ fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliEr
         Some(preset) => preset,
         None => scene::named(bundled::BASELINE)?,
     };
-    if !has_terminal() {
-        output::note(
-            "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
-        );
-    }
+    output::note(
+        "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
+    );
     let computed = run::compute(preset, Wanted::Series)?;
     run::print_readable(&computed, Charts::With(glyphs))?;
     Ok(ExitCode::SUCCESS)

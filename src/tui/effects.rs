@@ -12,16 +12,18 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::Incoming;
-use crate::files::csv::Rows;
 use crate::files::atomic::{self, Existing};
+use crate::files::csv::Rows;
 use crate::files::error::FileError;
-use crate::files::paths::Paths;
-use crate::files::session::{self, Session};
-use crate::files::preset::{self, Preset};
 use crate::files::export;
+use crate::files::paths::Paths;
+use crate::files::preset::{self, Preset};
+use crate::files::session::{self, Session};
 use crate::model::scene::Scene;
 use crate::tui::complete;
-use crate::tui::message::{EffectReport, ExportOutcome, ExportRequest, ExportRows, Message, PresetEntry};
+use crate::tui::message::{
+    EffectReport, ExportOutcome, ExportRequest, ExportRows, Message, PresetEntry,
+};
 
 /// How long a changed session may stay unsaved.
 const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -140,7 +142,7 @@ impl Desk {
         let mut session_due: Option<Instant> = None;
         loop {
             let next = match session_due {
-                None => tasks.recv().map_err(|_| RecvTimeoutError::Disconnected),
+                None => tasks.recv().map_err(RecvTimeoutError::from),
                 Some(due) => tasks.recv_timeout(due.saturating_duration_since(Instant::now())),
             };
             match next {
@@ -244,7 +246,9 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         log::warn!("{problem}");
     }
     // A recent file that is gone or broken is left out: loading it says why.
-    let recent = recent.iter().filter_map(|path| preset::from_file(path).ok());
+    let recent = recent
+        .iter()
+        .filter_map(|path| preset::from_file(path).ok());
     let entry = |found: Preset, origin| PresetEntry {
         origin,
         name: found.name,
@@ -347,7 +351,9 @@ mod tests {
         };
         assert_eq!((name.as_str(), &path), ("mine", &paths.preset_file("mine")));
         ask(false);
-        assert!(matches!(report(&inbox), EffectReport::Saved(Err(text)) if text.contains("exists")));
+        assert!(
+            matches!(report(&inbox), EffectReport::Saved(Err(text)) if text.contains("exists"))
+        );
         ask(true);
         assert!(matches!(report(&inbox), EffectReport::Saved(Ok(_))));
         clerk.ask(Task::ListPresets(Vec::new()));

@@ -81,7 +81,11 @@ impl Pace {
     }
 
     fn interval(&self) -> Duration {
-        if self.busy { FRAME_WHILE_RUNNING } else { FRAME }
+        if self.busy {
+            FRAME_WHILE_RUNNING
+        } else {
+            FRAME
+        }
     }
 }
 

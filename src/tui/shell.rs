@@ -15,7 +15,7 @@ use super::terminal::{self, Guard};
 use super::{Incoming, Options, input, start};
 use crate::files::paths::Paths;
 use crate::tui::app::App;
-use crate::tui::message::{EffectReport, Effect, Message};
+use crate::tui::message::{Effect, EffectReport, Message};
 use crate::tui::{update, view};
 use crate::worker::{Report, Slot, Worker};
 
@@ -129,7 +129,8 @@ impl Shell {
             match self.turn() {
                 Ok(None) => {}
                 Ok(Some(ending)) => return ending,
-                Err(error) if is_loss(&error) => return Ending::HungUp,
+                // A terminal that is gone answers with several different errors.
+                Err(_) if terminal::is_hung_up() => return Ending::HungUp,
                 Err(error) => return Ending::Broken(error),
             }
         }
@@ -141,7 +142,8 @@ impl Shell {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
             Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
         };
-        self.clerk.session_changed(start::session(&self.app, &self.recent));
+        self.clerk
+            .session_changed(start::session(&self.app, &self.recent));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
         self.clerk.finish(patience);
@@ -165,7 +167,10 @@ impl Shell {
             }
             taken += 1;
             if taken < MESSAGES_PER_TURN {
-                next = self.put_off.pop_front().or_else(|| self.inbox.try_recv().ok());
+                next = self
+                    .put_off
+                    .pop_front()
+                    .or_else(|| self.inbox.try_recv().ok());
             }
         }
         if let Some(ending) = self.fire_timers()? {
@@ -286,7 +291,9 @@ impl Shell {
                 overwrite,
             }),
             Effect::Export(request) => self.clerk.ask(Task::Export(request)),
-            Effect::SaveSession => self.clerk.session_changed(start::session(&self.app, &self.recent)),
+            Effect::SaveSession => self
+                .clerk
+                .session_changed(start::session(&self.app, &self.recent)),
             Effect::ListPresets => self.clerk.ask(Task::ListPresets(self.recent.clone())),
             Effect::Load(path) => self.clerk.ask(Task::Load(path)),
             Effect::Complete(text) => self.clerk.ask(Task::Complete(text)),
@@ -340,15 +347,4 @@ impl Shell {
         self.pace.change();
         Ok(stopped)
     }
-}
-
-/// Whether a failed write means that the terminal is gone.
-fn is_loss(error: &io::Error) -> bool {
-    /// EIO: what a terminal whose other end is gone answers.
-    const IO_ERROR: i32 = 5;
-    error.raw_os_error() == Some(IO_ERROR)
-        || matches!(
-            error.kind(),
-            io::ErrorKind::BrokenPipe | io::ErrorKind::UnexpectedEof
-        )
 }

@@ -12,7 +12,7 @@ use crate::tui::app::charts::Window;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::{LETTERS, Pin, name_of};
 use crate::tui::app::{App, Base, Origin};
-use crate::tui::theme::{ColourDepth, GlyphChoice, GlyphSet, Theme};
+use crate::tui::theme::{ColourDepth, GlyphChoice, Theme};
 
 /// The words of the session's view table.
 const GLYPHS: &str = "glyphs";
@@ -193,6 +193,7 @@ fn greeting(app: &App) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tui::theme::GlyphSet;
 
     fn state() -> App {
         let base = baseline();

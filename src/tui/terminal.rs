@@ -8,7 +8,7 @@
 mod encode;
 pub(super) mod hook;
 
-use std::io::{self, Write};
+use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crossterm::cursor::{Hide, MoveTo, Show};

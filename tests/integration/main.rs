@@ -11,8 +11,12 @@ mod physics;
 #[cfg(test)]
 mod presets;
 #[cfg(test)]
+mod pty;
+#[cfg(test)]
 mod screens;
 #[cfg(test)]
 mod support;
+#[cfg(test)]
+mod terminal;
 #[cfg(test)]
 mod tidy;

@@ -68,3 +68,103 @@ fn tell(report: &str, directory: Option<&Path>) {
     // Nobody is left to tell when standard error is gone.
     let _ = std::io::stderr().write_all(text.as_bytes());
 }
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read;
+
+    use portable_pty::{CommandBuilder, PtySize, native_pty_system};
+
+    use super::*;
+    use crate::tui::terminal::Guard;
+
+    const PLACE: &str = "CMRA_TEST_PLACE";
+
+    /// Run one of the ignored tests below in a terminal of its own; gives what the terminal shows in the end, what it showed
+    /// last on the alternate screen, and whether its modes are the old ones.
+    fn in_a_terminal(test: &str, place: &Path) -> (vt100::Parser, String, bool) {
+        let pair = native_pty_system().openpty(PtySize::default()).unwrap();
+        let mut command = CommandBuilder::new(std::env::current_exe().unwrap());
+        let name = format!("{}::{test}", module_path!().split_once("::").unwrap().1);
+        command.args(["--ignored", "--exact", &name, "--nocapture"]);
+        command.env(PLACE, place);
+        command.env("TERM", "xterm-256color");
+        let before = format!("{:?}", pair.master.get_termios());
+        let mut child = pair.slave.spawn_command(command).unwrap();
+        drop(pair.slave);
+        let mut reader = pair.master.try_clone_reader().unwrap();
+        let mut parser = vt100::Parser::default();
+        let mut on_alternate = String::new();
+        let mut buffer = [0; 4096];
+        // The system ends reading when the program, the last to have the terminal open, has ended.
+        while let Ok(count) = reader.read(&mut buffer) {
+            if count == 0 {
+                break;
+            }
+            // In small pieces, so as not to miss what is overwritten at once.
+            for piece in buffer[..count].chunks(8) {
+                parser.process(piece);
+                if parser.screen().alternate_screen() {
+                    on_alternate = parser.screen().contents();
+                }
+            }
+        }
+        child.wait().unwrap();
+        let same_modes = format!("{:?}", pair.master.get_termios()) == before;
+        (parser, on_alternate, same_modes)
+    }
+
+    #[test]
+    fn a_panic_of_the_drawing_thread_restores_first_and_leaves_a_report() {
+        let place = tempfile::tempdir().unwrap();
+        let (parser, _, same_modes) = in_a_terminal("the_drawing_thread_panics", place.path());
+        let screen = parser.screen();
+        assert!(!screen.alternate_screen() && !screen.hide_cursor() && same_modes);
+        let text = screen.contents();
+        assert!(text.contains("internal error"), "{text}");
+        assert!(text.contains("deliberate"), "{text}");
+        let report = fs::read_dir(place.path())
+            .unwrap()
+            .next()
+            .unwrap()
+            .unwrap()
+            .path();
+        let name = report.file_name().unwrap().to_str().unwrap();
+        assert!(text.replace('\n', "").contains(name), "{text}");
+        let report = fs::read_to_string(report).unwrap();
+        assert!(report.contains("deliberate") && report.contains("the_drawing_thread_panics"));
+    }
+
+    #[test]
+    fn a_panic_of_another_thread_leaves_the_terminal_alone() {
+        let place = tempfile::tempdir().unwrap();
+        let (parser, on_alternate, same_modes) =
+            in_a_terminal("another_thread_panics", place.path());
+        assert_eq!(on_alternate.trim(), "still here");
+        assert!(!parser.screen().alternate_screen() && same_modes);
+        let text = parser.screen().contents();
+        assert!(!text.contains("deliberate"), "{text}");
+        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 0);
+    }
+
+    fn take_over() -> Guard {
+        install(std::env::var_os(PLACE).map(PathBuf::from));
+        Guard::enter().expect("a terminal")
+    }
+
+    #[test]
+    #[ignore = "run by a test above, in a terminal of its own"]
+    fn the_drawing_thread_panics() {
+        let _guard = take_over();
+        panic!("deliberate");
+    }
+
+    #[test]
+    #[ignore = "run by a test above, in a terminal of its own"]
+    fn another_thread_panics() {
+        let mut guard = take_over();
+        assert!(thread::spawn(|| panic!("deliberate")).join().is_err());
+        let drawn = guard.draw(|frame| frame.render_widget("still here", frame.area()));
+        assert!(drawn.is_ok_and(|changed| changed));
+    }
+}

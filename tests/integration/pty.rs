@@ -1,0 +1,356 @@
+//! A terminal without a person: the program runs in a pseudo-terminal, an emulator reads what it draws.
+//!
+//! Every wait is on a channel and has a deadline; nothing sleeps.
+
+use std::io::{Read, Write};
+use std::num::NonZeroU16;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use portable_pty::{CommandBuilder, ExitStatus, MasterPty, PtySize, native_pty_system};
+use rustix::process::{Pid, Signal, kill_process};
+
+/// How long anything may take before a test gives up: generous, for busy machines.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
+
+/// The size most screens are judged at.
+const SIZE: (u16, u16) = (80, 24);
+
+/// How the program is to be started.
+pub(crate) struct Start<'a> {
+    /// The command; `None`: the workbench itself.
+    pub(crate) shell: Option<&'a str>,
+    /// Arguments of the workbench.
+    pub(crate) arguments: &'a [&'a str],
+    /// Further variables of the environment.
+    pub(crate) environment: &'a [(&'a str, &'a str)],
+    /// Whether the terminal is the controlling one: without it, a hang-up sends no signal.
+    pub(crate) controlling: bool,
+    /// The home directory of an earlier start.
+    pub(crate) home: Option<tempfile::TempDir>,
+}
+
+impl Default for Start<'_> {
+    fn default() -> Self {
+        Self {
+            shell: None,
+            arguments: &[],
+            environment: &[],
+            controlling: true,
+            home: None,
+        }
+    }
+}
+
+/// The program in its terminal.
+pub(crate) struct Terminal {
+    master: Option<Box<dyn MasterPty + Send>>,
+    writer: Option<Box<dyn Write + Send>>,
+    bytes: Receiver<Vec<u8>>,
+    stop_reading: Arc<AtomicBool>,
+    hold: Arc<AtomicBool>,
+    /// Dropped with the rest, which ends a reader on hold.
+    _released: mpsc::Sender<()>,
+    exit: Receiver<ExitStatus>,
+    parser: vt100::Parser,
+    process: Pid,
+    /// Bytes drawn so far.
+    pub(crate) drawn: usize,
+    /// The modes of the terminal before the program.
+    modes_before: String,
+    /// Home, and where the program was started.
+    pub(crate) home: Option<tempfile::TempDir>,
+}
+
+impl Terminal {
+    /// Start the workbench afresh.
+    pub(crate) fn start() -> Self {
+        Self::start_with(Start::default())
+    }
+
+    /// Start as told.
+    pub(crate) fn start_with(mut start: Start<'_>) -> Self {
+        let size = PtySize {
+            cols: SIZE.0,
+            rows: SIZE.1,
+            pixel_width: 0,
+            pixel_height: 0,
+        };
+        let pair = native_pty_system()
+            .openpty(size)
+            .expect("a pseudo-terminal");
+        let home = start
+            .home
+            .take()
+            .unwrap_or_else(|| tempfile::tempdir().expect("a directory"));
+        let command = command(&start, home.path());
+        let modes_before = modes(pair.master.as_ref());
+        let mut child = pair.slave.spawn_command(command).expect("it starts");
+        drop(pair.slave);
+        let process = child
+            .process_id()
+            .and_then(|id| Pid::from_raw(id.try_into().ok()?))
+            .expect("a process");
+        let (send, exit) = mpsc::channel();
+        thread::spawn(move || child.wait().map(|status| send.send(status)));
+        let reader = pair.master.try_clone_reader().expect("a reader");
+        let stop_reading = Arc::new(AtomicBool::new(false));
+        let hold = Arc::new(AtomicBool::new(false));
+        let (released, release) = mpsc::channel();
+        let bytes = read_in_background(
+            reader,
+            Arc::clone(&stop_reading),
+            Arc::clone(&hold),
+            release,
+        );
+        Self {
+            writer: Some(pair.master.take_writer().expect("a writer")),
+            bytes,
+            hold,
+            _released: released,
+            stop_reading,
+            master: Some(pair.master),
+            exit,
+            parser: vt100::Parser::new(rows(SIZE.1), rows(SIZE.0), 0),
+            process,
+            drawn: 0,
+            modes_before,
+            home: Some(home),
+        }
+    }
+
+    /// Type.
+    pub(crate) fn send(&mut self, keys: &str) {
+        let writer = self.writer.as_mut().expect("the terminal is there");
+        writer.write_all(keys.as_bytes()).expect("it takes keys");
+        writer.flush().expect("it takes keys");
+    }
+
+    /// Wait until the screen is as wanted, and give its text.
+    pub(crate) fn wait_until(
+        &mut self,
+        what: &str,
+        wanted: impl Fn(&vt100::Screen) -> bool,
+    ) -> String {
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            if wanted(self.parser.screen()) {
+                return self.parser.screen().contents();
+            }
+            let left = deadline.saturating_duration_since(Instant::now());
+            match self.bytes.recv_timeout(left) {
+                Ok(bytes) => self.take(&bytes),
+                Err(error) => panic!(
+                    "{what}: {error}; the screen is\n{}",
+                    self.parser.screen().contents()
+                ),
+            }
+        }
+    }
+
+    /// Wait until a text is on the screen, and give all of it.
+    pub(crate) fn wait_for(&mut self, text: &str) -> String {
+        self.wait_until(text, |screen| screen.contents().contains(text))
+    }
+
+    /// Take what is drawn until nothing has come for a while; gives the number of bytes.
+    pub(crate) fn settle(&mut self, quiet: Duration) -> usize {
+        let before = self.drawn;
+        while let Ok(bytes) = self.bytes.recv_timeout(quiet) {
+            self.take(&bytes);
+        }
+        self.drawn - before
+    }
+
+    fn take(&mut self, bytes: &[u8]) {
+        self.drawn += bytes.len();
+        self.parser.process(bytes);
+    }
+
+    /// The screen as it is.
+    pub(crate) fn screen(&self) -> &vt100::Screen {
+        self.parser.screen()
+    }
+
+    /// Give the terminal another size.
+    pub(crate) fn resize(&mut self, columns: u16, lines: u16) {
+        self.parser
+            .screen_mut()
+            .set_size(rows(lines), rows(columns));
+        let size = PtySize {
+            cols: columns,
+            rows: lines,
+            pixel_width: 0,
+            pixel_height: 0,
+        };
+        let master = self.master.as_ref().expect("the terminal is there");
+        master.resize(size).expect("it can be resized");
+    }
+
+    /// Send the program a signal.
+    pub(crate) fn signal(&self, signal: Signal) {
+        kill_process(self.process, signal).expect("it is there");
+    }
+
+    /// The program's process.
+    pub(crate) fn process(&self) -> String {
+        self.process.as_raw_nonzero().to_string()
+    }
+
+    /// Take no more bytes than those under way, as a terminal whose connection is stuck.
+    pub(crate) fn stop_taking(&self) {
+        self.hold.store(true, Ordering::SeqCst);
+    }
+
+    /// Close the terminal, as a dropped connection does.
+    pub(crate) fn hang_up(&mut self) {
+        // The reading thread holds a handle of its own: a redraw wakes it up, and it lets go.
+        self.stop_reading.store(true, Ordering::SeqCst);
+        self.send("\x0c");
+        let deadline = Instant::now() + PATIENCE;
+        loop {
+            let left = deadline.saturating_duration_since(Instant::now());
+            match self.bytes.recv_timeout(left) {
+                Ok(bytes) => self.take(&bytes),
+                Err(error) => {
+                    assert_eq!(error, mpsc::RecvTimeoutError::Disconnected);
+                    break;
+                }
+            }
+        }
+        self.writer = None;
+        self.master = None;
+    }
+
+    /// Wait for the end of the program and take all it has drawn.
+    pub(crate) fn wait_exit(&mut self, patience: Duration) -> ExitStatus {
+        let status = self.exit.recv_timeout(patience).expect("it ends in time");
+        // Its last bytes are in the terminal by now; the reader ends when nobody has it open any more.
+        while let Ok(bytes) = self.bytes.recv_timeout(Duration::from_millis(200)) {
+            self.take(&bytes);
+        }
+        status
+    }
+
+    /// The terminal is as it was: main screen, cursor, no paste or mouse reports, the old modes.
+    pub(crate) fn assert_restored(&self) {
+        let screen = self.screen();
+        assert!(!screen.alternate_screen(), "still on the alternate screen");
+        assert!(!screen.hide_cursor(), "the cursor is hidden");
+        assert!(!screen.bracketed_paste(), "bracketed paste is on");
+        assert_eq!(screen.mouse_protocol_mode(), vt100::MouseProtocolMode::None);
+        if let Some(master) = &self.master {
+            assert_eq!(modes(master.as_ref()), self.modes_before);
+        }
+    }
+
+    /// A file below the home directory.
+    pub(crate) fn file(&self, name: &str) -> PathBuf {
+        self.home.as_ref().expect("kept").path().join(name)
+    }
+
+    /// Where the session is kept.
+    pub(crate) fn session_file(&self) -> PathBuf {
+        self.file("state/cmra/session.toml")
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        // A test that failed leaves no process behind.
+        if matches!(self.exit.try_recv(), Err(mpsc::TryRecvError::Empty)) {
+            let _ = kill_process(self.process, Signal::KILL);
+        }
+    }
+}
+
+/// Wait until the system gives a process this state: T is stopped.
+pub(crate) fn wait_for_state(process: &str, wanted: char) {
+    let deadline = Instant::now() + PATIENCE;
+    loop {
+        let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).expect("it is there");
+        let state = stat
+            .rsplit(')')
+            .next()
+            .and_then(|rest| rest.trim().chars().next());
+        if state == Some(wanted) {
+            return;
+        }
+        assert!(
+            Instant::now() < deadline,
+            "{process} is {state:?}, not {wanted}"
+        );
+        thread::yield_now();
+    }
+}
+
+/// The command, in an environment of its own.
+fn command(start: &Start<'_>, home: &Path) -> CommandBuilder {
+    let program = env!("CARGO_BIN_EXE_cmra");
+    let mut command = match start.shell {
+        None => CommandBuilder::new(program),
+        Some(shell) => CommandBuilder::new(shell),
+    };
+    command.args(start.arguments);
+    command.env_clear();
+    command.cwd(home);
+    command.set_controlling_tty(start.controlling);
+    let path = std::env::var("PATH").unwrap_or_default();
+    let below = |name: &str| home.join(name).display().to_string();
+    for (name, value) in [
+        ("HOME", below("")),
+        ("XDG_DATA_HOME", below("data")),
+        ("XDG_STATE_HOME", below("state")),
+        ("XDG_CONFIG_HOME", below("config")),
+        ("PATH", path),
+        ("TERM", "xterm-256color".to_owned()),
+        ("LANG", "C.UTF-8".to_owned()),
+        ("CMRA", program.to_owned()),
+    ] {
+        command.env(name, value);
+    }
+    for (name, value) in start.environment {
+        command.env(name, value);
+    }
+    command
+}
+
+/// The modes of a terminal, in whatever words.
+fn modes(master: &dyn MasterPty) -> String {
+    format!("{:?}", master.get_termios())
+}
+
+fn rows(count: u16) -> NonZeroU16 {
+    NonZeroU16::new(count).expect("a terminal has a size")
+}
+
+/// Bytes as they come, until the other end is gone or nobody wants them; on hold, none are taken until the release.
+fn read_in_background(
+    mut reader: Box<dyn Read + Send>,
+    stop: Arc<AtomicBool>,
+    hold: Arc<AtomicBool>,
+    release: Receiver<()>,
+) -> Receiver<Vec<u8>> {
+    let (send, receive) = mpsc::channel();
+    thread::spawn(move || {
+        let mut buffer = [0; 16 * 1024];
+        while let Ok(count) = reader.read(&mut buffer) {
+            if count == 0 || stop.load(Ordering::SeqCst) {
+                return;
+            }
+            if send.send(buffer[..count].to_vec()).is_err() {
+                return;
+            }
+            if hold.load(Ordering::SeqCst) {
+                // Nothing is ever sent: this ends when the test does.
+                let _ = release.recv();
+                return;
+            }
+        }
+    });
+    receive
+}
