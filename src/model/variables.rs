@@ -9,8 +9,10 @@ use thiserror::Error;
 use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
 use crate::model::units::{self, Bare, Quantity, QuantityError};
 
+mod names;
 mod table;
 
+pub use names::{edit_distance, find, nearest};
 pub use table::VARIABLES;
 
 /// One row of the table.
