@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::run::{self, Charts, Wanted};
+use crate::cli::run::{self, Charts};
 use crate::cli::{CliError, Glyphs, output, scene};
 use crate::files::bundled;
 use crate::files::preset::Preset;
@@ -56,7 +56,7 @@ fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliEr
     output::note(
         "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
     );
-    let computed = run::compute(preset, Wanted::Series)?;
+    let computed = run::compute(preset)?;
     run::print_readable(&computed, Charts::With(glyphs))?;
     Ok(ExitCode::SUCCESS)
 }

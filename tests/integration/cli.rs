@@ -265,8 +265,8 @@ fn csv_reads_back_the_same_floats() {
 #[test]
 fn the_sidecar_runs_again_to_the_same_digits() {
     let place = Place::new();
-    let first = place.json("run overdamped --set gamma=1.7 --set h=1/30 --json");
-    let done = place.cmra("run overdamped --set gamma=1.7 --set h=1/30 --csv out.csv");
+    let first = place.json("run cocked --set gamma=1.7 --set h=1/30 --json");
+    let done = place.cmra("run cocked --set gamma=1.7 --set h=1/30 --csv out.csv");
     assert_eq!(done.code, 0, "{}", done.err);
     let sidecar = place.read("out.toml");
     let version = env!("CARGO_PKG_VERSION");

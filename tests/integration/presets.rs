@@ -126,10 +126,8 @@ fn valid_every_preset_gives_what_its_case_expects() {
         assert!(text.starts_with("# Source: "), "{name}");
         let case: Case = toml::from_str(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         let scene = Arc::new(preset.scene.clone());
-        let run = simulate(&scene, &Settings::default(), &mut |_| {
-            ControlFlow::Continue(())
-        })
-        .unwrap();
+        let run =
+            simulate(&scene, &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap();
         assert!(run.end.is_complete(), "{name}: {}", run.end.words());
         assert_eq!(run.outcome.word(), case.outcome, "{name}");
         assert!(run.ledger.residual().abs() < 1e-9, "{name}: energy");
