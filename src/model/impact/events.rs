@@ -53,7 +53,7 @@ impl Track<'_> {
         match trigger {
             Trigger::PieceEnd => self.piece_end(),
             Trigger::PieceStart => self.piece_start(),
-            Trigger::HoleBottom => self.mode = Mode::Penetrating,
+            Trigger::HoleBottom => self.deepen(),
             Trigger::SlipZero => self.common_velocity(),
             Trigger::Recontact => {
                 self.record.event(self.t_s, EventKind::Recontact);
@@ -206,12 +206,17 @@ impl Track<'_> {
     /// The interface gives way forwards.
     fn resume(&mut self) {
         if self.state.travel_m >= self.deepest_m {
-            self.mode = Mode::Penetrating;
-            self.record.resumed_s.get_or_insert(self.t_s);
-            self.record.event(self.t_s, EventKind::Resumption);
+            self.deepen();
         } else {
             self.mode = Mode::Closing;
         }
+    }
+
+    /// The bottom of the hole is reached with speed to spare.
+    fn deepen(&mut self) {
+        self.mode = Mode::Penetrating;
+        self.record.resumed_s.get_or_insert(self.t_s);
+        self.record.event(self.t_s, EventKind::Resumption);
     }
 
     fn pull_out(&mut self) {
