@@ -181,6 +181,7 @@ fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
         ("run .", &["cannot read `.`"]),
         ("presets show cockd", &["did you mean `cocked`"]),
         ("man swep", &["`swep` is not a subcommand", "run"]),
+        ("preset", &["did you mean the subcommand `presets`?"]),
         ("thesis-basline", &["did you mean `thesis-baseline`?"]),
         ("run --csv a.toml", &["`a.toml` cannot be the target", "name a CSV file"]),
     ] {
