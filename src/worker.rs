@@ -144,10 +144,7 @@ impl Worker {
         let thread = thread::Builder::new()
             .name("worker".to_owned())
             .spawn(move || for_thread.serve(&compute))?;
-        Ok(Self {
-            shared,
-            thread: Some(thread),
-        })
+        Ok(Self { shared, thread: Some(thread) })
     }
 
     /// Queue a job. The scene on the screen goes before pinned ones; an older job of the same slot is cancelled.
@@ -210,11 +207,7 @@ impl Shared {
     }
 
     fn report(&self, job: &Job, body: ReportBody) {
-        (self.sink)(Report {
-            id: job.id,
-            slot: job.slot,
-            body,
-        });
+        (self.sink)(Report { id: job.id, slot: job.slot, body });
     }
 
     fn cancelled_unstarted(&self, job: &Job) {
@@ -246,10 +239,7 @@ impl Shared {
                 queue.running = Some((job.slot, Arc::clone(&cancel)));
                 return Some((job, cancel));
             }
-            queue = self
-                .changed
-                .wait(queue)
-                .unwrap_or_else(PoisonError::into_inner);
+            queue = self.changed.wait(queue).unwrap_or_else(PoisonError::into_inner);
         }
     }
 

@@ -55,10 +55,7 @@ pub(super) fn text(computed: &Computed) -> String {
         ("method", Value::from(run.cost.method)),
         ("method_reason", Value::from(run.cost.reason)),
         ("run_time_s", finite(computed.took.as_secs_f64())),
-        (
-            "omitted",
-            run.omitted.iter().map(|omitted| omitted.words()).collect(),
-        ),
+        ("omitted", run.omitted.iter().map(|omitted| omitted.words()).collect()),
         ("warnings", Value::from(warnings(run))),
         ("energy_j", energy(&run.ledger)),
         (

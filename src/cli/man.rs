@@ -19,24 +19,16 @@ pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
     if let Some(name) = &arguments.subcommand {
         let found = command.find_subcommand(name).cloned();
         let known = || {
-            let names: Vec<&str> = command
-                .get_subcommands()
-                .map(clap::Command::get_name)
-                .collect();
+            let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
             names.join(", ")
         };
-        let page = found.ok_or_else(|| CliError::Subcommand {
-            name: name.clone(),
-            known: known(),
-        })?;
+        let page =
+            found.ok_or_else(|| CliError::Subcommand { name: name.clone(), known: known() })?;
         command = page;
     }
     let mut page = Vec::new();
     let title = command.get_display_name().unwrap_or("cmra").to_owned();
-    clap_mangen::Man::new(command)
-        .title(title)
-        .render(&mut page)
-        .map_err(CliError::Stdout)?;
+    clap_mangen::Man::new(command).title(title).render(&mut page).map_err(CliError::Stdout)?;
     output::print(&String::from_utf8_lossy(&page))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -8,9 +8,7 @@ use crate::cli::CliError;
 /// Write a result to standard output.
 pub(super) fn print(text: &str) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())
-        .and_then(|()| out.flush())
-        .map_err(CliError::Stdout)
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
 }
 
 /// Say something beside the result, on standard error. If nobody can hear it, it is lost: there is nowhere else to say it.

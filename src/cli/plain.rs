@@ -20,21 +20,12 @@ struct Quantity {
     get: fn(&Sample) -> f64,
 }
 
-const DEPTH: Quantity = Quantity {
-    title: "penetration p",
-    unit: "m",
-    get: |row| row.penetration_m,
-};
-const PLATE: Quantity = Quantity {
-    title: "plate displacement x",
-    unit: "m",
-    get: |row| row.plate_displacement_m,
-};
-const FORCE: Quantity = Quantity {
-    title: "contact force F",
-    unit: "N",
-    get: |row| row.contact_force_n,
-};
+const DEPTH: Quantity =
+    Quantity { title: "penetration p", unit: "m", get: |row| row.penetration_m };
+const PLATE: Quantity =
+    Quantity { title: "plate displacement x", unit: "m", get: |row| row.plate_displacement_m };
+const FORCE: Quantity =
+    Quantity { title: "contact force F", unit: "N", get: |row| row.contact_force_n };
 
 impl Glyphs {
     /// The set to print with; where nothing is said, the one that works everywhere.
@@ -52,10 +43,7 @@ pub(super) fn charts(run: &Run, glyphs: Glyphs) -> String {
     let Some(end_s) = run.series.last().map(|row| row.t_s) else {
         return String::new();
     };
-    let theme = Theme {
-        glyphs: glyphs.for_print(),
-        depth: ColourDepth::None,
-    };
+    let theme = Theme { glyphs: glyphs.for_print(), depth: ColourDepth::None };
     let contact_s = run.contact_end_s();
     // A little beyond its end, so that the end itself is seen.
     let window_s = (1.1 * contact_s).min(end_s);
@@ -82,9 +70,7 @@ fn push(text: &mut String, run: &Run, quantity: Quantity, window: &str, end_s: f
     let view = values.including(0.0).padded(Scale::Linear, 0.05);
     let x = Axis::new("t", time).unit(Unit::with_prefix(time, "s"));
     let y = Axis::new("", view).unit(Unit::with_prefix(values, quantity.unit));
-    let curve = Curve::of('*', "", &run.series, move |row: &Sample| {
-        (row.t_s, (quantity.get)(row))
-    });
+    let curve = Curve::of('*', "", &run.series, move |row: &Sample| (row.t_s, (quantity.get)(row)));
     let events = run
         .events
         .iter()

@@ -38,14 +38,9 @@ pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
 fn list() -> Result<(), CliError> {
     let paths = Paths::of_user().ok();
     let (presets, problems) = preset::list(paths.as_ref());
-    let (bundled, own): (Vec<&Preset>, Vec<&Preset>) = presets
-        .iter()
-        .partition(|preset| preset.origin == Origin::Bundled);
-    let width = presets
-        .iter()
-        .map(|preset| preset.name.chars().count())
-        .max()
-        .unwrap_or(0);
+    let (bundled, own): (Vec<&Preset>, Vec<&Preset>) =
+        presets.iter().partition(|preset| preset.origin == Origin::Bundled);
+    let width = presets.iter().map(|preset| preset.name.chars().count()).max().unwrap_or(0);
     let mut text = String::new();
     rows(&mut text, &bundled, width);
     if let (Some(paths), false) = (&paths, own.is_empty()) {

@@ -70,27 +70,17 @@ pub(super) enum Charts {
 /// Compute a scene, and measure the time of the computation alone.
 pub(super) fn compute(preset: Preset, wanted: Wanted) -> Result<Computed, VariableError> {
     let scene = Arc::new(preset.scene.clone());
-    let settings = Settings {
-        series: wanted == Wanted::Series,
-        estimate: true,
-    };
+    let settings = Settings { series: wanted == Wanted::Series, estimate: true };
     let start = Instant::now();
     let run = impact::simulate(&scene, &settings, &mut |_t_s| ControlFlow::Continue(()))?;
     let took = start.elapsed();
-    Ok(Computed {
-        preset,
-        run: Arc::new(run),
-        took,
-    })
+    Ok(Computed { preset, run: Arc::new(run), took })
 }
 
 /// Run one scene.
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
-    let wanted = if arguments.plain || arguments.csv.is_some() {
-        Wanted::Series
-    } else {
-        Wanted::Results
-    };
+    let wanted =
+        if arguments.plain || arguments.csv.is_some() { Wanted::Series } else { Wanted::Results };
     let computed = compute(arguments.scene.load()?, wanted)?;
     let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
     match &arguments.csv {
@@ -104,11 +94,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if arguments.json && !to_stdout {
         output::print(&json::text(&computed))?;
     } else if !to_stdout {
-        let charts = if arguments.plain {
-            Charts::With(arguments.glyphs)
-        } else {
-            Charts::Without
-        };
+        let charts = if arguments.plain { Charts::With(arguments.glyphs) } else { Charts::Without };
         print_readable(&computed, charts)?;
     }
     Ok(exit_code(&computed.run))
@@ -146,9 +132,7 @@ fn write_csv(computed: &Computed, path: &Path, force: bool) -> Result<(), CliErr
         columns: Vec::new(),
     };
     let written = export::write(&request).map_err(|error| match error {
-        FileError::Exists(path) => CliError::Exists {
-            path: path.display().to_string(),
-        },
+        FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
         other => CliError::File(other),
     })?;
     for path in written {

@@ -35,17 +35,11 @@ impl SceneArguments {
             name => named(name.unwrap_or(bundled::BASELINE))?,
         };
         for argument in &self.set {
-            let (name, value) =
-                argument
-                    .split_once('=')
-                    .ok_or_else(|| CliError::NotAnAssignment {
-                        argument: argument.clone(),
-                    })?;
+            let (name, value) = argument
+                .split_once('=')
+                .ok_or_else(|| CliError::NotAnAssignment { argument: argument.clone() })?;
             variables::set_by_name(&mut preset.scene, name, value, Bare::Si).map_err(|source| {
-                CliError::Set {
-                    argument: argument.clone(),
-                    source: Box::new(source),
-                }
+                CliError::Set { argument: argument.clone(), source: Box::new(source) }
             })?;
         }
         Ok(preset)
@@ -59,12 +53,6 @@ pub(super) fn named(name: &str) -> Result<Preset, CliError> {
 
 fn from_stdin() -> Result<Preset, CliError> {
     let mut text = String::new();
-    io::stdin()
-        .read_to_string(&mut text)
-        .map_err(CliError::Stdin)?;
-    Ok(preset::from_text(
-        "standard input".to_owned(),
-        Origin::Text,
-        text,
-    )?)
+    io::stdin().read_to_string(&mut text).map_err(CliError::Stdin)?;
+    Ok(preset::from_text("standard input".to_owned(), Origin::Text, text)?)
 }

@@ -44,28 +44,16 @@ pub(super) fn text(computed: &Computed) -> String {
 /// What a careful reader should know: about the run, then about values outside the range the thesis searched.
 pub(super) fn warnings(run: &Run) -> Vec<String> {
     let about_run = run.warnings.iter().map(ToString::to_string);
-    let about_range = variables::range_warnings(&run.scene)
-        .into_iter()
-        .map(|warning| warning.text);
+    let about_range = variables::range_warnings(&run.scene).into_iter().map(|warning| warning.text);
     about_run.chain(about_range).collect()
 }
 
 fn show(value: f64, unit: &'static str) -> String {
-    Engineering {
-        value,
-        unit,
-        digits: 7,
-    }
-    .to_string()
+    Engineering { value, unit, digits: 7 }.to_string()
 }
 
 fn short(value: f64, unit: &'static str) -> String {
-    Engineering {
-        value,
-        unit,
-        digits: 4,
-    }
-    .to_string()
+    Engineering { value, unit, digits: 4 }.to_string()
 }
 
 /// The outcome in one sentence.
@@ -93,12 +81,11 @@ fn sentence(run: &Run) -> String {
             format!("perforated: the projectile passes through the plate{left}")
         }
         Outcome::Separated => {
-            let left = run.separation.map_or_else(String::new, |(_, speed)| {
-                format!(" at {}", short(speed, "m/s"))
-            });
-            let depth = depth.map_or_else(String::new, |depth| {
-                format!(", leaving a hole {depth} deep")
-            });
+            let left = run
+                .separation
+                .map_or_else(String::new, |(_, speed)| format!(" at {}", short(speed, "m/s")));
+            let depth =
+                depth.map_or_else(String::new, |depth| format!(", leaving a hole {depth} deep"));
             format!("separated: the projectile leaves through the entry face{left}{depth}")
         }
         Outcome::Moving => format!("still moving: {}", run.end.words()),
@@ -121,18 +108,8 @@ fn numbers(page: &mut String, run: &Run) {
     if let Some(arrest) = run.first_arrest {
         line(page, "first arrest, depth", Some(arrest.penetration_m), "m");
         line(page, "  time", Some(arrest.t_s), "s");
-        line(
-            page,
-            "  plate displacement",
-            Some(arrest.plate_displacement_m),
-            "m",
-        );
-        line(
-            page,
-            "  common velocity",
-            Some(arrest.plate_velocity_m_s),
-            "m/s",
-        );
+        line(page, "  plate displacement", Some(arrest.plate_displacement_m), "m");
+        line(page, "  common velocity", Some(arrest.plate_velocity_m_s), "m/s");
     }
     line(page, "final depth", run.final_penetration_m, "m");
     line(page, "  on a rigid mount", run.baseline_penetration_m, "m");
@@ -147,25 +124,10 @@ fn numbers(page: &mut String, run: &Run) {
     line(page, "exit time", run.exit_time_s, "s");
     line(page, "residual velocity", run.residual_velocity_m_s, "m/s");
     line(page, "separation, time", run.separation.map(|it| it.0), "s");
-    line(
-        page,
-        "  projectile velocity",
-        run.separation.map(|it| it.1),
-        "m/s",
-    );
-    line(
-        page,
-        "peak contact force",
-        Some(run.peak_contact_force_n),
-        "N",
-    );
+    line(page, "  projectile velocity", run.separation.map(|it| it.1), "m/s");
+    line(page, "peak contact force", Some(run.peak_contact_force_n), "N");
     match run.max_plate_displacement_m {
-        Some(_) => line(
-            page,
-            "greatest displacement",
-            run.max_plate_displacement_m,
-            "m",
-        ),
+        Some(_) => line(page, "greatest displacement", run.max_plate_displacement_m, "m"),
         None => {
             let _ = writeln!(
                 page,
@@ -192,11 +154,7 @@ fn no_greatest_displacement(scene: &Scene) -> &'static str {
     let nothing_stops_it = mechanism.spring.coefficient == 0.0
         && mechanism.damper.coefficient == 0.0
         && mechanism.stop.position_m.is_none();
-    if nothing_stops_it {
-        "none: nothing stops the plate"
-    } else {
-        "not reached within the run"
-    }
+    if nothing_stops_it { "none: nothing stops the plate" } else { "not reached within the run" }
 }
 
 fn energy(page: &mut String, run: &Run) {
@@ -223,21 +181,12 @@ fn energy(page: &mut String, run: &Run) {
     row(page, "spring", ledger.spring_j);
     row(page, "damper", ledger.damper_j);
     row(page, "stop", ledger.stop_j);
-    let _ = writeln!(
-        page,
-        "  {:<22}{:>12.1e} of the start",
-        "residual",
-        ledger.residual()
-    );
+    let _ = writeln!(page, "  {:<22}{:>12.1e} of the start", "residual", ledger.residual());
 }
 
 /// Joule with as many places for every size, so that the points stand in one column.
 fn fixed(energy_j: f64) -> String {
-    if energy_j.abs() < 1e7 {
-        format!("{energy_j:.4}")
-    } else {
-        format!("{energy_j:.6e}")
-    }
+    if energy_j.abs() < 1e7 { format!("{energy_j:.4}") } else { format!("{energy_j:.6e}") }
 }
 
 /// The letter of an event: `a` for the first, and again from `a` after `z`.
@@ -279,11 +228,7 @@ fn cost(page: &mut String, computed: &Computed) {
             EstimateBasis::ClosedForm => "closed form, rounding only",
             EstimateBasis::SecondComputation => "from a second, tighter computation",
         };
-        let _ = writeln!(
-            page,
-            "error estimate {:.1e} of the depth ({basis})",
-            estimate.relative
-        );
+        let _ = writeln!(page, "error estimate {:.1e} of the depth ({basis})", estimate.relative);
     }
     if !run.omitted.is_empty() {
         let words: Vec<&str> = run.omitted.iter().map(|omitted| omitted.words()).collect();

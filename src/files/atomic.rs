@@ -76,10 +76,7 @@ fn prepare<'c>(path: &Path, content: &'c [u8], existing: Existing) -> Result<Rea
         return Err(failed(io::Error::from(io::ErrorKind::IsADirectory)));
     }
     if found.as_ref().is_some_and(|found| !found.is_file()) {
-        return Ok(Ready {
-            target,
-            place: Place::Direct(content),
-        });
+        return Ok(Ready { target, place: Place::Direct(content) });
     }
     if existing == Existing::Keep && fs::symlink_metadata(&target).is_ok() {
         return Err(FileError::Exists(path.to_owned()));
@@ -96,10 +93,7 @@ fn prepare<'c>(path: &Path, content: &'c [u8], existing: Existing) -> Result<Rea
     let mut file = builder.tempfile_in(directory).map_err(failed)?;
     file.write_all(content).map_err(failed)?;
     file.as_file().sync_all().map_err(failed)?;
-    Ok(Ready {
-        target,
-        place: Place::Beside(file),
-    })
+    Ok(Ready { target, place: Place::Beside(file) })
 }
 
 impl Ready<'_> {
@@ -205,9 +199,6 @@ mod tests {
         write(&link, b"new", Existing::Replace).unwrap();
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read(&real).unwrap(), b"new");
-        assert_eq!(
-            fs::metadata(&real).unwrap().permissions().mode() & 0o777,
-            0o640
-        );
+        assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
     }
 }

@@ -32,9 +32,7 @@ type Column = (&'static str, fn(&Sample) -> f64);
 const NUMBERS: [Column; 10] = [
     ("time_s", |row| row.t_s),
     ("penetration_m", |row| row.penetration_m),
-    ("projectile_displacement_m", |row| {
-        row.projectile_displacement_m
-    }),
+    ("projectile_displacement_m", |row| row.projectile_displacement_m),
     ("projectile_velocity_m_s", |row| row.projectile_velocity_m_s),
     ("plate_displacement_m", |row| row.plate_displacement_m),
     ("plate_velocity_m_s", |row| row.plate_velocity_m_s),
@@ -84,9 +82,7 @@ pub fn text(rows: Rows, runs: &[NamedRun], wanted: &[String]) -> Result<String, 
     for row in &table.rows {
         writer.write_record(chosen.iter().map(|at| row[*at].as_str()))?;
     }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| csv::Error::from(error.into_error()))?;
+    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
@@ -98,20 +94,14 @@ fn choose(header: &[&'static str], wanted: &[String]) -> Result<Vec<usize>, File
         header
             .iter()
             .position(|have| have == name)
-            .ok_or_else(|| FileError::Column {
-                name: name.clone(),
-                columns: header.join(", "),
-            })
+            .ok_or_else(|| FileError::Column { name: name.clone(), columns: header.join(", ") })
     };
     wanted.iter().map(place).collect()
 }
 
 fn table(rows: Rows, runs: &[NamedRun]) -> Table {
     let several = runs.len() > 1;
-    let mut table = Table {
-        header: columns(rows, several),
-        rows: Vec::new(),
-    };
+    let mut table = Table { header: columns(rows, several), rows: Vec::new() };
     for (name, run) in runs {
         let before = table.rows.len();
         match rows {
@@ -162,11 +152,7 @@ fn result_row(run: &Run) -> Vec<String> {
         run.end.words().to_owned(),
         run.cost.method.to_owned(),
     ];
-    row.extend(
-        RESULTS
-            .iter()
-            .map(|column| column.value(run).map(number).unwrap_or_default()),
-    );
+    row.extend(RESULTS.iter().map(|column| column.value(run).map(number).unwrap_or_default()));
     row
 }
 
@@ -190,9 +176,7 @@ fn grid(series: &[Sample], count: usize) -> Vec<Sample> {
                 after += 1;
             }
             let low = &series[after.saturating_sub(1)];
-            series
-                .get(after)
-                .map_or(*low, |high| between(low, high, t_s))
+            series.get(after).map_or(*low, |high| between(low, high, t_s))
         })
         .collect()
 }
@@ -268,13 +252,7 @@ mod tests {
         .map(|(t_s, kind)| Event { t_s, kind });
         let mut rows = Vec::new();
         series_rows(&jump(), &events, &mut rows);
-        let words: Vec<&str> = rows
-            .iter()
-            .map(|row| row.last().unwrap().as_str())
-            .collect();
-        assert_eq!(
-            words,
-            ["", "first arrest; nose buried", "", "greatest displacement"]
-        );
+        let words: Vec<&str> = rows.iter().map(|row| row.last().unwrap().as_str()).collect();
+        assert_eq!(words, ["", "first arrest; nose buried", "", "greatest displacement"]);
     }
 }

@@ -94,18 +94,12 @@ pub enum FileError {
 impl FileError {
     /// A reading error of this file.
     pub fn read(path: &Path, source: io::Error) -> Self {
-        Self::Read {
-            path: path.to_owned(),
-            source,
-        }
+        Self::Read { path: path.to_owned(), source }
     }
 
     /// A writing error of this file.
     pub fn write(path: &Path, source: io::Error) -> Self {
-        Self::Write {
-            path: path.to_owned(),
-            source,
-        }
+        Self::Write { path: path.to_owned(), source }
     }
 }
 
@@ -168,10 +162,7 @@ pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
         .filter(|(distance, _)| *distance <= limit)
         .collect();
     ranked.sort_unstable();
-    let close: Vec<String> = ranked
-        .iter()
-        .take(SHOWN_MAX)
-        .map(|(_, candidate)| format!("`{candidate}`"))
-        .collect();
+    let close: Vec<String> =
+        ranked.iter().take(SHOWN_MAX).map(|(_, candidate)| format!("`{candidate}`")).collect();
     (!close.is_empty()).then(|| format!("did you mean {}?", close.join(" or ")))
 }

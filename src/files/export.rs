@@ -39,11 +39,7 @@ pub struct ExportRequest {
 /// # Errors
 /// [`FileError`]; no file is new or changed then.
 pub fn write(request: &ExportRequest) -> Result<Vec<PathBuf>, FileError> {
-    let existing = if request.overwrite {
-        Existing::Replace
-    } else {
-        Existing::Keep
-    };
+    let existing = if request.overwrite { Existing::Replace } else { Existing::Keep };
     let table = csv::text(request.rows, &request.runs, &request.columns)?;
     let mut files = vec![(request.path.clone(), table)];
     // A device or a pipe has no place beside it.
@@ -55,24 +51,16 @@ pub fn write(request: &ExportRequest) -> Result<Vec<PathBuf>, FileError> {
             files.push((path, sidecar(&request.path, run)));
         }
     }
-    let contents: Vec<(PathBuf, &[u8])> = files
-        .iter()
-        .map(|(path, text)| (path.clone(), text.as_bytes()))
-        .collect();
+    let contents: Vec<(PathBuf, &[u8])> =
+        files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
     atomic::write_all(&contents, existing)?;
     Ok(files.into_iter().map(|(path, _)| path).collect())
 }
 
 /// The sidecar of a CSV file: `NAME.csv` has `NAME.toml`, and `NAME-A.toml` for a further run called `A`.
 pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
-    let is_csv = csv
-        .extension()
-        .is_some_and(|end| end.eq_ignore_ascii_case("csv"));
-    let stem = if is_csv {
-        csv.file_stem()
-    } else {
-        csv.file_name()
-    };
+    let is_csv = csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"));
+    let stem = if is_csv { csv.file_stem() } else { csv.file_name() };
     let mut name = stem.unwrap_or_else(|| OsStr::new("export")).to_owned();
     if let Some(run) = run {
         name.push("-");
@@ -85,15 +73,9 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
 /// A sidecar may replace an older sidecar, never a scene that someone wrote.
 fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     let refuse = |problem: &str| {
-        Err(FileError::Target {
-            path: csv.to_owned(),
-            problem: problem.to_owned(),
-        })
+        Err(FileError::Target { path: csv.to_owned(), problem: problem.to_owned() })
     };
-    if csv
-        .extension()
-        .is_some_and(|end| end.eq_ignore_ascii_case("toml"))
-    {
+    if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
         return refuse("it ends like a scene file; name a CSV file, for example run.csv");
     }
     let Ok(text) = fs::read(sidecar) else {
@@ -115,17 +97,11 @@ fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
 pub fn sidecar(csv: &Path, run: &Run) -> String {
     let name = |path: &Path| {
         let name = path.file_name().unwrap_or(path.as_os_str());
-        name.to_string_lossy()
-            .replace(|c: char| c.is_control(), "?")
+        name.to_string_lossy().replace(|c: char| c.is_control(), "?")
     };
     let version = env!("CARGO_PKG_VERSION");
     let mut text = format!("{MARK} {version} with {}\n", name(csv));
-    let _ = writeln!(
-        text,
-        "# outcome: {} ({})",
-        run.outcome.word(),
-        run.end.words()
-    );
+    let _ = writeln!(text, "# outcome: {} ({})", run.outcome.word(), run.end.words());
     for column in RESULTS {
         if let Some(value) = column.value(run) {
             let _ = writeln!(text, "# {} = {}", column.name, units::shortest(value));

@@ -25,19 +25,13 @@ impl Paths {
         Ok(Self {
             presets: dirs.data_dir().join("presets"),
             // Only some platforms have a state directory of their own.
-            state: dirs
-                .state_dir()
-                .unwrap_or_else(|| dirs.data_local_dir())
-                .to_owned(),
+            state: dirs.state_dir().unwrap_or_else(|| dirs.data_local_dir()).to_owned(),
         })
     }
 
     /// Paths below one directory, for tests.
     pub fn below(directory: &Path) -> Self {
-        Self {
-            presets: directory.join("data/presets"),
-            state: directory.join("state"),
-        }
+        Self { presets: directory.join("data/presets"), state: directory.join("state") }
     }
 
     /// The file of the last session.

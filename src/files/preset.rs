@@ -93,10 +93,7 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
     if fs::metadata(path).is_ok() {
         return from_file(path);
     }
-    Err(FileError::UnknownScene {
-        name: name.to_owned(),
-        hint: hint(name, paths),
-    })
+    Err(FileError::UnknownScene { name: name.to_owned(), hint: hint(name, paths) })
 }
 
 /// A scene in a file.
@@ -104,11 +101,7 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
 /// # Errors
 /// [`FileError`] when it cannot be read.
 pub fn from_file(path: &Path) -> Result<Preset, FileError> {
-    from_text(
-        path.display().to_string(),
-        Origin::File(path.to_owned()),
-        read::text_file(path)?,
-    )
+    from_text(path.display().to_string(), Origin::File(path.to_owned()), read::text_file(path)?)
 }
 
 /// A scene in a text; `name` is used in errors.
@@ -160,18 +153,12 @@ pub fn save(
 /// # Errors
 /// [`FileError`]; an existing file is unchanged then.
 pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), FileError> {
-    variables::validate(scene).map_err(|error| FileError::Target {
-        path: path.to_owned(),
-        problem: error.to_string(),
-    })?;
+    variables::validate(scene)
+        .map_err(|error| FileError::Target { path: path.to_owned(), problem: error.to_string() })?;
     let text = match read::text_file(path) {
         Ok(_) if existing == Existing::Keep => return Err(FileError::Exists(path.to_owned())),
-        Ok(old) => write::updated(&old, &path.display().to_string(), scene).map_err(|problem| {
-            FileError::Unmendable {
-                path: path.to_owned(),
-                problem,
-            }
-        })?,
+        Ok(old) => write::updated(&old, &path.display().to_string(), scene)
+            .map_err(|problem| FileError::Unmendable { path: path.to_owned(), problem })?,
         Err(FileError::Read { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
             write::fresh(scene)
         }
@@ -189,12 +176,7 @@ pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), F
 /// [`FileError::Name`] with what is allowed.
 pub fn check_name(name: &str) -> Result<(), FileError> {
     const LENGTH_MAX: usize = 64;
-    let refuse = |problem: String| {
-        Err(FileError::Name {
-            name: name.to_owned(),
-            problem,
-        })
-    };
+    let refuse = |problem: String| Err(FileError::Name { name: name.to_owned(), problem });
     if bundled::find(name).is_some() {
         return refuse("a bundled preset has it; choose another".to_owned());
     }
@@ -214,11 +196,7 @@ pub fn check_name(name: &str) -> Result<(), FileError> {
 }
 
 fn from_bundled(preset: Bundled) -> Result<Preset, FileError> {
-    from_text(
-        preset.name.to_owned(),
-        Origin::Bundled,
-        preset.text.to_owned(),
-    )
+    from_text(preset.name.to_owned(), Origin::Bundled, preset.text.to_owned())
 }
 
 fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
@@ -278,10 +256,7 @@ mod tests {
     fn own_presets_are_saved_listed_and_found() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let scene = Scene {
-            title: "mine".to_owned(),
-            ..Scene::default()
-        };
+        let scene = Scene { title: "mine".to_owned(), ..Scene::default() };
         let path = save(&paths, "my scene", &scene, Existing::Keep).unwrap();
         let (presets, problems) = list(Some(&paths));
         assert!(problems.is_empty(), "{problems:?}");
@@ -316,11 +291,7 @@ mod tests {
         let path = paths.preset_file("hurt");
         fs::write(&path, "format = 1\n[plate]\nmass_ration = 2\n").unwrap();
         let (_, problems) = list(Some(&paths));
-        assert!(
-            problems[0].to_string().contains("hurt.toml:3:1"),
-            "{}",
-            problems[0]
-        );
+        assert!(problems[0].to_string().contains("hurt.toml:3:1"), "{}", problems[0]);
         let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
         assert!(error.to_string().contains("left alone"), "{error}");
         assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));

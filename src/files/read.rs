@@ -36,15 +36,9 @@ pub fn scene_file(path: &Path) -> Result<Scene, FileError> {
 /// # Errors
 /// [`FileError`] when it cannot be read, is too large, or is not UTF-8.
 pub fn text_file(path: &Path) -> Result<String, FileError> {
-    let bytes = fs::metadata(path)
-        .map_err(|source| FileError::read(path, source))?
-        .len();
+    let bytes = fs::metadata(path).map_err(|source| FileError::read(path, source))?.len();
     if bytes > BYTES_MAX {
-        return Err(FileError::TooLarge {
-            path: path.to_owned(),
-            bytes,
-            limit: BYTES_MAX,
-        });
+        return Err(FileError::TooLarge { path: path.to_owned(), bytes, limit: BYTES_MAX });
     }
     fs::read_to_string(path).map_err(|source| FileError::read(path, source))
 }
@@ -54,10 +48,7 @@ pub fn text_file(path: &Path) -> Result<String, FileError> {
 /// # Errors
 /// [`SceneErrors`] with every problem found.
 pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
-    let mut reader = Reader {
-        text,
-        problems: Vec::new(),
-    };
+    let mut reader = Reader { text, problems: Vec::new() };
     let mut scene = Scene::default();
     match DeTable::parse(text) {
         Ok(document) => reader.document(&mut scene, document.get_ref()),
@@ -67,10 +58,7 @@ pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
         Ok(scene)
     } else {
         reader.problems.sort();
-        Err(SceneErrors {
-            file: file.to_owned(),
-            problems: reader.problems,
-        })
+        Err(SceneErrors { file: file.to_owned(), problems: reader.problems })
     }
 }
 
@@ -137,9 +125,7 @@ impl Reader<'_> {
         value: &Spanned<DeValue<'_>>,
     ) {
         let prefix = format!("{path}.");
-        let is_table = VARIABLES
-            .iter()
-            .any(|variable| variable.key.starts_with(&prefix));
+        let is_table = VARIABLES.iter().any(|variable| variable.key.starts_with(&prefix));
         let variable = VARIABLES.iter().find(|variable| variable.key == path);
         match (value.get_ref(), variable) {
             (DeValue::Table(table), _) if is_table => {
@@ -267,9 +253,9 @@ pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
-        DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-            .ok()
-            .map(|whole| whole as f64),
+        DeValue::Integer(integer) => {
+            i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|whole| whole as f64)
+        }
         DeValue::String(_)
         | DeValue::Boolean(_)
         | DeValue::Datetime(_)
@@ -303,10 +289,7 @@ fn find(document: &DeTable<'_>, key: &str) -> Option<Range<usize>> {
 
 /// What to say about a key that is not in the table.
 fn unknown(path: &str, is_table: bool) -> String {
-    let path: String = path
-        .chars()
-        .map(|c| if c.is_control() { '?' } else { c })
-        .collect();
+    let path: String = path.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
     let what = if is_table { "table" } else { "key" };
     let last = path.rsplit('.').next().unwrap_or(&path);
     let hint = if let Ok(variable) = variables::find(last) {
@@ -326,10 +309,8 @@ fn unknown(path: &str, is_table: bool) -> String {
 }
 
 fn nearest_table(path: &str) -> String {
-    let mut tables: Vec<&str> = VARIABLES
-        .iter()
-        .filter_map(|variable| Some(variable.key.rsplit_once('.')?.0))
-        .collect();
+    let mut tables: Vec<&str> =
+        VARIABLES.iter().filter_map(|variable| Some(variable.key.rsplit_once('.')?.0)).collect();
     tables.push("sweep");
     tables.dedup();
     let mut unique: Vec<&str> = Vec::new();
@@ -344,16 +325,9 @@ fn nearest_table(path: &str) -> String {
 
 /// The keys and tables directly below a table (`""`: the top level).
 fn keys_below(table: &str) -> String {
-    let prefix = if table.is_empty() {
-        String::new()
-    } else {
-        format!("{table}.")
-    };
-    let mut names: Vec<&str> = if table.is_empty() {
-        vec!["format", "title", "notes", "sweep"]
-    } else {
-        Vec::new()
-    };
+    let prefix = if table.is_empty() { String::new() } else { format!("{table}.") };
+    let mut names: Vec<&str> =
+        if table.is_empty() { vec!["format", "title", "notes", "sweep"] } else { Vec::new() };
     for variable in VARIABLES {
         let Some(rest) = variable.key.strip_prefix(&prefix) else {
             continue;

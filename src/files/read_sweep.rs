@@ -69,14 +69,9 @@ fn axes(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<SweepAxis>
             continue;
         };
         let key_of = |name: &str| variables::find(name).map(|variable| variable.key).ok();
-        if axes
-            .iter()
-            .any(|other| key_of(&other.name) == key_of(&axis.name))
-        {
-            let text = format!(
-                "sweep.axes: `{}` is swept twice; give each variable one axis",
-                axis.name
-            );
+        if axes.iter().any(|other| key_of(&other.name) == key_of(&axis.name)) {
+            let text =
+                format!("sweep.axes: `{}` is swept twice; give each variable one axis", axis.name);
             reader.problem(row.span(), text);
         }
         axes.push(axis);
@@ -110,13 +105,7 @@ fn axis(reader: &mut Reader<'_>, row: &Spanned<DeValue<'_>>) -> Option<SweepAxis
     let to = bound(reader, row, table, "to", &name, variable);
     let count = count(reader, row, table, &name);
     let log = log(reader, table, &name);
-    let axis = SweepAxis {
-        name,
-        from: from?,
-        to: to?,
-        count: count?,
-        log: log?,
-    };
+    let axis = SweepAxis { name, from: from?, to: to?, count: count?, log: log? };
     check_ends(reader, row, &axis);
     Some(axis)
 }

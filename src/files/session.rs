@@ -76,27 +76,17 @@ struct PinRow {
 /// # Errors
 /// [`FileError::Write`].
 pub fn save(path: &Path, session: &Session) -> Result<(), FileError> {
-    let failed = |text: String| FileError::Target {
-        path: path.to_owned(),
-        problem: text,
-    };
+    let failed = |text: String| FileError::Target { path: path.to_owned(), problem: text };
     let file = SessionFile {
         format: read::FORMAT,
         preset: session.preset.clone(),
-        recent: session
-            .recent
-            .iter()
-            .filter_map(|path| path.to_str().map(str::to_owned))
-            .collect(),
+        recent: session.recent.iter().filter_map(|path| path.to_str().map(str::to_owned)).collect(),
         scene: write::fresh(&session.scene),
         view: session.view.clone(),
         pin: session
             .pins
             .iter()
-            .map(|(name, scene)| PinRow {
-                name: name.clone(),
-                scene: write::fresh(scene),
-            })
+            .map(|(name, scene)| PinRow { name: name.clone(), scene: write::fresh(scene) })
             .collect(),
     };
     let body = toml::to_string_pretty(&file).map_err(|error| failed(error.to_string()))?;

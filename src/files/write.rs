@@ -163,11 +163,7 @@ fn comment(variable: &Variable) -> String {
 /// A float as TOML: shortest digits, and never without a point or an exponent.
 pub fn float(value: f64) -> String {
     let text = units::shortest(value);
-    if text.contains(['.', 'e']) {
-        text
-    } else {
-        text + ".0"
-    }
+    if text.contains(['.', 'e']) { text } else { text + ".0" }
 }
 
 fn quoted(text: &str) -> String {

@@ -53,13 +53,9 @@ impl Passage<'_> {
 
     /// Where it ends.
     pub fn ending(&self) -> Ending {
-        let stop = self
-            .stopping_volume_m3()
-            .and_then(|v| self.geometry.travel_at_volume_m(v));
+        let stop = self.stopping_volume_m3().and_then(|v| self.geometry.travel_at_volume_m(v));
         stop.map_or_else(
-            || Ending::Exit {
-                velocity_m_s: self.slip_squared(self.geometry.exit_m).sqrt(),
-            },
+            || Ending::Exit { velocity_m_s: self.slip_squared(self.geometry.exit_m).sqrt() },
             |travel_m| Ending::Arrest { travel_m },
         )
     }
@@ -88,23 +84,10 @@ impl Passage<'_> {
     /// u² at the distance `ahead_m` before the arrest at `end_m`, without cancellation near it.
     fn slip_squared_before(&self, ahead_m: f64, end_m: f64) -> f64 {
         let mut volume = 0.0;
-        for piece in self
-            .geometry
-            .pieces()
-            .iter()
-            .filter(|piece| piece.from_m < end_m)
-        {
+        for piece in self.geometry.pieces().iter().filter(|piece| piece.from_m < end_m) {
             // Distances of the piece's ends from the arrest, the nearer one first.
-            let near = if piece.to_m < end_m {
-                end_m - piece.to_m
-            } else {
-                0.0
-            };
-            let far = if end_m - piece.from_m < ahead_m {
-                end_m - piece.from_m
-            } else {
-                ahead_m
-            };
+            let near = if piece.to_m < end_m { end_m - piece.to_m } else { 0.0 };
+            let far = if end_m - piece.from_m < ahead_m { end_m - piece.from_m } else { ahead_m };
             if far > near {
                 volume += piece.swept_before_m3(&self.geometry.nose, end_m - near, far - near);
             }
@@ -129,23 +112,14 @@ impl Passage<'_> {
     fn history_to_arrest(&self, end_m: f64, per_piece: usize) -> Vec<Moment> {
         let slip = |s: f64| self.slip_squared_before(end_m * s * s, end_m).sqrt();
         let mut bounds = vec![1.0];
-        for piece in self
-            .geometry
-            .pieces()
-            .iter()
-            .filter(|piece| piece.to_m < end_m)
-        {
+        for piece in self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m) {
             bounds.push(((end_m - piece.to_m) / end_m).sqrt());
         }
         // Graded towards the arrest, where the area may be small (a shot just below the limit).
         let last = bounds[bounds.len() - 1];
         bounds.extend((1..=5).map(|halving| last * 0.5f64.powi(halving)));
         bounds.push(0.0);
-        let mut moments = vec![Moment {
-            t_s: 0.0,
-            travel_m: 0.0,
-            slip_m_s: self.velocity_m_s,
-        }];
+        let mut moments = vec![Moment { t_s: 0.0, travel_m: 0.0, slip_m_s: self.velocity_m_s }];
         let mut t_s = 0.0;
         for pair in bounds.windows(2) {
             for point in 0..per_piece {
@@ -153,11 +127,7 @@ impl Passage<'_> {
                 let (a, b) = (at(point), at(point + 1));
                 t_s += gauss(b, a, 1, |s| 2.0 * end_m * s / slip(s));
                 let travel_m = end_m * (1.0 - b) * (1.0 + b);
-                moments.push(Moment {
-                    t_s,
-                    travel_m,
-                    slip_m_s: slip(b),
-                });
+                moments.push(Moment { t_s, travel_m, slip_m_s: slip(b) });
             }
         }
         moments
@@ -165,11 +135,7 @@ impl Passage<'_> {
 
     fn history_to_exit(&self, per_piece: usize) -> Vec<Moment> {
         let slip = |q: f64| self.slip_squared(q).sqrt();
-        let mut moments = vec![Moment {
-            t_s: 0.0,
-            travel_m: 0.0,
-            slip_m_s: self.velocity_m_s,
-        }];
+        let mut moments = vec![Moment { t_s: 0.0, travel_m: 0.0, slip_m_s: self.velocity_m_s }];
         let mut t_s = 0.0;
         for piece in self.geometry.pieces() {
             let width = (piece.to_m - piece.from_m) / per_piece as f64;
@@ -179,11 +145,7 @@ impl Passage<'_> {
                     piece.from_m + width * (point + 1) as f64,
                 );
                 t_s += gauss(a, b, 1, |q| 1.0 / slip(q));
-                moments.push(Moment {
-                    t_s,
-                    travel_m: b,
-                    slip_m_s: slip(b),
-                });
+                moments.push(Moment { t_s, travel_m: b, slip_m_s: slip(b) });
             }
         }
         moments
@@ -210,11 +172,7 @@ mod tests {
         let mass = 0.0295;
         Passage {
             geometry,
-            mass_kg: if gamma.is_finite() {
-                mass * gamma / (1.0 + gamma)
-            } else {
-                mass
-            },
+            mass_kg: if gamma.is_finite() { mass * gamma / (1.0 + gamma) } else { mass },
             strength_pa: 1.52e8,
             drag_kg_m3: 0.5 * 0.5 * 2710.0,
             velocity_m_s: 100.0,
@@ -236,30 +194,18 @@ mod tests {
         let free = passage(&geometry, 1.0);
         assert!((depth(&free) / 4.568_088_344_391_969_9e-3 - 1.0).abs() < 1e-13);
         let end = *free.history(free.ending(), 4).last().unwrap();
-        assert!(
-            (end.t_s / 113.407_312_427_867_64e-6 - 1.0).abs() < 1e-12,
-            "{}",
-            end.t_s
-        );
+        assert!((end.t_s / 113.407_312_427_867_64e-6 - 1.0).abs() < 1e-12, "{}", end.t_s);
         assert_eq!(end.slip_m_s, 0.0);
         // The same closed form in 30-digit arithmetic.
         let end = *rigid.history(rigid.ending(), 4).last().unwrap();
-        assert!(
-            (end.t_s / 185.011_646_060_482_18e-6 - 1.0).abs() < 1e-14,
-            "{}",
-            end.t_s
-        );
+        assert!((end.t_s / 185.011_646_060_482_18e-6 - 1.0).abs() < 1e-14, "{}", end.t_s);
         assert!((depth(&rigid) / 7.113_054_853_423_409e-3 - 1.0).abs() < 1e-14);
     }
 
     #[test]
     fn valid_limit_velocities_of_the_model_page() {
         let geometry = Geometry::of(&Scene::default());
-        let limits = [
-            (f64::INFINITY, 232.295_378),
-            (1.0, 347.708_052),
-            (7.0, 250.327_205),
-        ];
+        let limits = [(f64::INFINITY, 232.295_378), (1.0, 347.708_052), (7.0, 250.327_205)];
         for (gamma, limit) in limits {
             let found = passage(&geometry, gamma).limit_velocity_m_s();
             assert!((found - limit).abs() < 5e-7, "{gamma}: {found}");
@@ -275,9 +221,7 @@ mod tests {
         let volume = geometry.swept_m3(geometry.exit_m);
         let shrink = (-2.0 * shot.drag_kg_m3 * volume / shot.mass_kg).exp();
         let exact = ((400.0f64.powi(2) - limit * limit) * shrink).sqrt();
-        let Ending::Exit { velocity_m_s } = shot.ending() else {
-            panic!("arrested")
-        };
+        let Ending::Exit { velocity_m_s } = shot.ending() else { panic!("arrested") };
         assert!((velocity_m_s / exact - 1.0).abs() < 1e-12);
     }
 

@@ -100,11 +100,7 @@ impl Nose {
     /// The nose of a scene's projectile.
     pub fn of(scene: &Scene) -> Self {
         let (sin, cos) = scene.projectile.obliquity_deg.to_radians().sin_cos();
-        Self {
-            radius_m: scene.projectile.tip_radius_m,
-            sin,
-            cos,
-        }
+        Self { radius_m: scene.projectile.tip_radius_m, sin, cos }
     }
 
     /// Depth at which a face begins to cross the cylinder, R (1/cos - tan), m.
@@ -171,11 +167,7 @@ impl Geometry {
     pub fn of(scene: &Scene) -> Self {
         let nose = Nose::of(scene);
         let thickness_m = scene.effective_thickness_m();
-        let lag_m = if scene.target.dishing {
-            2.0 * nose.radius_m
-        } else {
-            0.0
-        };
+        let lag_m = if scene.target.dishing { 2.0 * nose.radius_m } else { 0.0 };
         let bend_m = thickness_m + lag_m;
         let slope = thickness_m / bend_m;
         let exit_depth = thickness_m + nose.full_from_m();
@@ -194,20 +186,12 @@ impl Geometry {
 
     /// Depth at travel `q_m`, m. Negative travel (the nose is off the entry face) gives negative depth.
     pub fn depth_m(&self, q_m: f64) -> f64 {
-        if q_m <= self.bend_m {
-            q_m * self.slope
-        } else {
-            q_m - self.lag_m
-        }
+        if q_m <= self.bend_m { q_m * self.slope } else { q_m - self.lag_m }
     }
 
     /// Travel at depth `p_m`, m.
     pub fn travel_m(&self, p_m: f64) -> f64 {
-        if p_m <= self.thickness_m {
-            p_m / self.slope
-        } else {
-            p_m + self.lag_m
-        }
+        if p_m <= self.thickness_m { p_m / self.slope } else { p_m + self.lag_m }
     }
 
     /// Engaged area at travel `q_m`, m².
@@ -223,11 +207,7 @@ impl Geometry {
     /// The piece that holds at travel `q_m`, the later one at a joint; free space before and after.
     pub fn piece(&self, q_m: f64) -> Piece {
         if q_m < 0.0 {
-            return Piece {
-                from_m: f64::NEG_INFINITY,
-                to_m: 0.0,
-                law: AreaLaw::None,
-            };
+            return Piece { from_m: f64::NEG_INFINITY, to_m: 0.0, law: AreaLaw::None };
         }
         let found = self.pieces.iter().find(|piece| q_m < piece.to_m);
         found.copied().unwrap_or(Piece {
@@ -283,26 +263,15 @@ impl Geometry {
         travels
             .windows(2)
             .filter(|pair| pair[1] > pair[0])
-            .map(|pair| Piece {
-                from_m: pair[0],
-                to_m: pair[1],
-                law: self.law(pair[0], pair[1]),
-            })
+            .map(|pair| Piece { from_m: pair[0], to_m: pair[1], law: self.law(pair[0], pair[1]) })
             .collect()
     }
 
     fn law(&self, from_m: f64, to_m: f64) -> AreaLaw {
         let middle = self.depth_m(0.5 * (from_m + to_m));
         let nose = &self.nose;
-        let (entry, exit) = (
-            nose.section(middle),
-            nose.section(middle - self.thickness_m),
-        );
-        let rate = if 0.5 * (from_m + to_m) <= self.bend_m {
-            self.slope
-        } else {
-            1.0
-        };
+        let (entry, exit) = (nose.section(middle), nose.section(middle - self.thickness_m));
+        let rate = if 0.5 * (from_m + to_m) <= self.bend_m { self.slope } else { 1.0 };
         if entry == Section::Partial || exit == Section::Partial {
             return AreaLaw::Partial {
                 origin_m: from_m,
@@ -313,11 +282,8 @@ impl Geometry {
         }
         // Centred on the end towards which the area vanishes, so that small areas keep their digits.
         let leaving = exit == Section::Cap && entry == Section::Full;
-        let origin_m = if leaving {
-            self.travel_m(self.thickness_m + nose.cap_end_m())
-        } else {
-            from_m
-        };
+        let origin_m =
+            if leaving { self.travel_m(self.thickness_m + nose.cap_end_m()) } else { from_m };
         let depth = self.depth_m(origin_m);
         let shape = |section: Section, p: f64| match section {
             Section::None | Section::Partial => [0.0; 3],
@@ -333,11 +299,7 @@ impl Geometry {
             }
         };
         let (inside, outside) = (shape(entry, depth), shape(exit, depth - self.thickness_m));
-        let mut a = [
-            inside[0] - outside[0],
-            inside[1] - outside[1],
-            inside[2] - outside[2],
-        ];
+        let mut a = [inside[0] - outside[0], inside[1] - outside[1], inside[2] - outside[2]];
         if leaving && nose.is_normal() {
             (a[0], a[1]) = (0.0, 0.0);
         }
@@ -378,12 +340,7 @@ impl AreaLaw {
                 let s = q_m - origin_m;
                 a[0] + s * (a[1] + s * a[2])
             }
-            Self::Partial {
-                origin_m,
-                p0,
-                p1,
-                exit_depth_m,
-            } => {
+            Self::Partial { origin_m, p0, p1, exit_depth_m } => {
                 let p = p0 + p1 * (q_m - origin_m);
                 nose.area_m2(p) - nose.area_m2(p - exit_depth_m)
             }
@@ -397,11 +354,7 @@ mod tests {
 
     fn nose(degrees: f64) -> Nose {
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
-        Nose {
-            radius_m: 0.00635,
-            sin,
-            cos,
-        }
+        Nose { radius_m: 0.00635, sin, cos }
     }
 
     /// Projected area by counting points of the disk whose surface point lies behind the face.
@@ -436,10 +389,7 @@ mod tests {
                 let p = part * nose.cap_end_m();
                 let (area, counted) = (nose.area_m2(p), brute_force(&nose, p));
                 let full = PI * nose.radius_m * nose.radius_m;
-                assert!(
-                    (area - counted).abs() < 2e-4 * full,
-                    "{degrees} {part}: {area} {counted}"
-                );
+                assert!((area - counted).abs() < 2e-4 * full, "{degrees} {part}: {area} {counted}");
             }
         }
     }
@@ -454,10 +404,7 @@ mod tests {
                 for shift in [2.0 * JOINT, 1e-9] {
                     let (a, b) = (joint - shift * width, joint + shift * width);
                     let jump = (nose.area_m2(b) - nose.area_m2(a)).abs();
-                    assert!(
-                        jump < 10.0 * shift * full + 1e-11 * full,
-                        "{degrees}: {jump}"
-                    );
+                    assert!(jump < 10.0 * shift * full + 1e-11 * full, "{degrees}: {jump}");
                 }
             }
             assert!((nose.area_m2(nose.full_from_m()) - full).abs() < 1e-11 * full);
@@ -473,10 +420,7 @@ mod tests {
                 let near = nose(degrees).area_m2(p);
                 let full = PI * normal.radius_m.powi(2);
                 let allowed = f64::to_radians(degrees) * full;
-                assert!(
-                    (near - normal.area_m2(p)).abs() <= allowed,
-                    "{part} {degrees}"
-                );
+                assert!((near - normal.area_m2(p)).abs() <= allowed, "{part} {degrees}");
             }
         }
     }
@@ -492,10 +436,7 @@ mod tests {
             let geometry = Geometry::of(&scene);
             let swept = geometry.swept_m3(geometry.exit_m);
             let exact = PI * 0.00635f64.powi(2) * geometry.thickness_m;
-            assert!(
-                (swept / exact - 1.0).abs() < 1e-11,
-                "{degrees} {thickness}: {swept} {exact}"
-            );
+            assert!((swept / exact - 1.0).abs() < 1e-11, "{degrees} {thickness}: {swept} {exact}");
         }
     }
 
@@ -536,10 +477,7 @@ mod tests {
                 let faces =
                     geometry.nose.area_m2(p) - geometry.nose.area_m2(p - geometry.thickness_m);
                 let difference = (geometry.area_m2(q) - faces).abs();
-                assert!(
-                    difference < 1e-15,
-                    "{degrees} {thickness} {q}: {difference}"
-                );
+                assert!(difference < 1e-15, "{degrees} {thickness} {q}: {difference}");
             }
         }
     }

@@ -166,10 +166,7 @@ mod tests {
     #[test]
     fn force_is_the_derivative_of_the_integral_and_tangent_that_of_force() {
         for exponent in [0.3, 0.5, 1.0, 1.4, 2.0, 3.0] {
-            let law = PowerLaw {
-                coefficient: 7.0,
-                exponent,
-            };
+            let law = PowerLaw { coefficient: 7.0, exponent };
             for z in [-0.8, -0.1, 0.2, 1.7] {
                 let h = 1e-6;
                 let force = (law.integral(z + h) - law.integral(z - h)) / (2.0 * h);
@@ -185,23 +182,10 @@ mod tests {
 
     #[test]
     fn kinds_follow_the_exponent() {
-        let kind = |exponent| {
-            PowerLaw {
-                coefficient: 1.0,
-                exponent,
-            }
-            .kind()
-        };
+        let kind = |exponent| PowerLaw { coefficient: 1.0, exponent }.kind();
         assert_eq!(kind(1.0), PowerKind::Linear);
         assert_eq!(kind(3.0), PowerKind::Whole(3));
         assert_eq!(kind(0.5), PowerKind::General);
-        assert_eq!(
-            PowerLaw {
-                coefficient: 0.0,
-                exponent: 0.5
-            }
-            .kind(),
-            PowerKind::Absent
-        );
+        assert_eq!(PowerLaw { coefficient: 0.0, exponent: 0.5 }.kind(), PowerKind::Absent);
     }
 }

@@ -13,6 +13,7 @@
 
 use crate::model::contact::{AreaLaw, Nose};
 use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::numerics::series::evaluate;
 
 mod area;
 mod force;
@@ -92,6 +93,18 @@ pub struct Expansion<const N: usize> {
     pub damper: [f64; N],
 }
 
+impl<const N: usize> Expansion<N> {
+    /// The state at s.
+    pub fn state(&self, s: f64) -> State {
+        State {
+            travel_m: evaluate(&self.travel, s),
+            slip_m_s: evaluate(&self.slip, s),
+            plate_m: evaluate(&self.plate, s),
+            plate_m_s: evaluate(&self.plate_speed, s),
+        }
+    }
+}
+
 impl StopForce {
     /// The force on the plate, N, positive backwards.
     pub fn force(&self, state: &State) -> f64 {
@@ -133,12 +146,7 @@ impl Motion {
             AreaLaw::Quadratic { origin_m, a } => {
                 self.with_area(state, h, Quadratic::new(origin_m, a))
             }
-            AreaLaw::Partial {
-                origin_m,
-                p0,
-                p1,
-                exit_depth_m,
-            } => {
+            AreaLaw::Partial { origin_m, p0, p1, exit_depth_m } => {
                 let depth = p0 + p1 * (state.travel_m - origin_m);
                 self.with_area(state, h, Partial::new(self.nose, depth, p1, exit_depth_m))
             }
@@ -152,11 +160,7 @@ impl Motion {
         area: impl AreaTerm<N>,
     ) -> Expansion<N> {
         let law = self.spring;
-        match if self.plate_mobility == 0.0 {
-            PowerKind::Absent
-        } else {
-            law.kind()
-        } {
+        match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
             PowerKind::Absent => self.with_spring(state, h, area, NoForce),
             PowerKind::Linear => self.with_spring(state, h, area, law.coefficient),
             PowerKind::Whole(n) => {
@@ -174,20 +178,12 @@ impl Motion {
         spring: impl ForceTerm<N>,
     ) -> Expansion<N> {
         let law = self.damper;
-        match if self.plate_mobility == 0.0 {
-            PowerKind::Absent
-        } else {
-            law.kind()
-        } {
+        match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
             PowerKind::Absent => self.recur(state, h, area, spring, NoForce),
             PowerKind::Linear => self.recur(state, h, area, spring, law.coefficient),
-            PowerKind::Whole(n) => self.recur(
-                state,
-                h,
-                area,
-                spring,
-                Whole::new(law.coefficient, n, self.side_w),
-            ),
+            PowerKind::Whole(n) => {
+                self.recur(state, h, area, spring, Whole::new(law.coefficient, n, self.side_w))
+            }
             PowerKind::General => self.recur(state, h, area, spring, General::new(law)),
         }
     }
@@ -215,11 +211,7 @@ impl Motion {
         e.slip[0] = state.slip_m_s;
         e.plate[0] = state.plate_m;
         e.plate_speed[0] = state.plate_m_s;
-        let StopForce {
-            stiffness_n_m,
-            damping_n_s_m,
-            position_m,
-        } = self.stop;
+        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
         for j in 0..N {
             let f = area.force(&e.travel, &e.slip, self.strength_pa, self.drag_kg_m3, j);
             let d = damper.coefficient(&e.plate_speed, j);
@@ -248,15 +240,10 @@ mod tests {
     use super::*;
     use crate::model::contact::Geometry;
     use crate::model::scene::Scene;
-    use crate::numerics::series::evaluate;
 
     fn motion(scene: &Scene, q: f64) -> Motion {
         let geometry = Geometry::of(scene);
-        let (m1, m2, cos) = (
-            scene.projectile.mass_kg,
-            scene.plate_mass_kg(),
-            geometry.nose.cos,
-        );
+        let (m1, m2, cos) = (scene.projectile.mass_kg, scene.plate_mass_kg(), geometry.nose.cos);
         let mechanism = &scene.mechanism;
         Motion {
             nose: geometry.nose,
@@ -274,11 +261,7 @@ mod tests {
                 coefficient: mechanism.damper.coefficient,
                 exponent: mechanism.damper.exponent,
             },
-            stop: StopForce {
-                stiffness_n_m: 1e5,
-                damping_n_s_m: 10.0,
-                position_m: 0.001,
-            },
+            stop: StopForce { stiffness_n_m: 1e5, damping_n_s_m: 10.0, position_m: 0.001 },
             side_x: 1.0,
             side_w: 1.0,
         }
@@ -288,14 +271,7 @@ mod tests {
     #[test]
     fn the_expansion_solves_the_equations() {
         for degrees in [0.0, 30.0] {
-            for (n, m) in [
-                (1.0, 1.0),
-                (2.0, 1.0),
-                (3.0, 2.0),
-                (0.5, 0.5),
-                (1.4, 0.7),
-                (6.0, 3.0),
-            ] {
+            for (n, m) in [(1.0, 1.0), (2.0, 1.0), (3.0, 2.0), (0.5, 0.5), (1.4, 0.7), (6.0, 3.0)] {
                 for depth in [0.3, 0.9, 1.3, 2.5] {
                     let mut scene = Scene::default();
                     scene.projectile.obliquity_deg = degrees;
@@ -305,12 +281,8 @@ mod tests {
                     scene.mechanism.damper.coefficient = 50.0 * 20f64.powf(1.0 - m);
                     let q = Geometry::of(&scene).travel_m(depth * 0.00635);
                     let motion = motion(&scene, q);
-                    let state = State {
-                        travel_m: q,
-                        slip_m_s: 60.0,
-                        plate_m: 0.002,
-                        plate_m_s: 20.0,
-                    };
+                    let state =
+                        State { travel_m: q, slip_m_s: 60.0, plate_m: 0.002, plate_m_s: 20.0 };
                     let h = 1e-6;
                     let e: Expansion<17> = motion.expand(&state, h);
                     for s in [0.0, 0.2, 0.4] {
@@ -325,15 +297,9 @@ mod tests {
                             |c: &[f64; 17]| crate::numerics::series::evaluate_slope(c, s) / h;
                         let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
                         assert!(close(slope(&e.slip), du), "{degrees} {n} {m} {depth} {s}");
-                        assert!(
-                            close(slope(&e.plate_speed), dw),
-                            "{degrees} {n} {m} {depth} {s}"
-                        );
+                        assert!(close(slope(&e.plate_speed), dw), "{degrees} {n} {m} {depth} {s}");
                         assert!(close(evaluate(&e.contact, s), motion.contact_force(&at)));
-                        assert!(close(
-                            evaluate(&e.mechanism, s),
-                            motion.mechanism_force(&at)
-                        ));
+                        assert!(close(evaluate(&e.mechanism, s), motion.mechanism_force(&at)));
                     }
                 }
             }

@@ -482,8 +482,6 @@ impl Run {
     /// The end of the contact window: first arrest, perforation, or the end of the run, s.
     pub fn contact_end_s(&self) -> f64 {
         let arrest = self.first_arrest.map(|arrest| arrest.t_s);
-        arrest
-            .or(self.exit_time_s)
-            .unwrap_or_else(|| self.series.last().map_or(0.0, |row| row.t_s))
+        arrest.or(self.exit_time_s).unwrap_or_else(|| self.series.last().map_or(0.0, |row| row.t_s))
     }
 }

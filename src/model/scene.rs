@@ -205,12 +205,7 @@ pub struct SweepAxis {
 
 impl Default for Projectile {
     fn default() -> Self {
-        Self {
-            mass_kg: 0.0295,
-            tip_radius_m: 0.00635,
-            velocity_m_s: 100.0,
-            obliquity_deg: 0.0,
-        }
+        Self { mass_kg: 0.0295, tip_radius_m: 0.00635, velocity_m_s: 100.0, obliquity_deg: 0.0 }
     }
 }
 
@@ -228,30 +223,19 @@ impl Default for Target {
 
 impl Default for Plate {
     fn default() -> Self {
-        Self {
-            mass_ratio: 1.0,
-            mount: Mount::Sprung,
-            cocking_m: 0.0,
-        }
+        Self { mass_ratio: 1.0, mount: Mount::Sprung, cocking_m: 0.0 }
     }
 }
 
 impl Default for Damper {
     fn default() -> Self {
-        Self {
-            coefficient: 0.0,
-            exponent: 1.0,
-        }
+        Self { coefficient: 0.0, exponent: 1.0 }
     }
 }
 
 impl Default for Spring {
     fn default() -> Self {
-        Self {
-            kind: SpringKind::PowerLaw,
-            coefficient: 1e5,
-            exponent: 1.0,
-        }
+        Self { kind: SpringKind::PowerLaw, coefficient: 1e5, exponent: 1.0 }
     }
 }
 
@@ -269,19 +253,13 @@ impl Default for Stop {
 
 impl Default for Interface {
     fn default() -> Self {
-        Self {
-            law: InterfaceLaw::Fused,
-            grip: 0.1,
-        }
+        Self { law: InterfaceLaw::Fused, grip: 0.1 }
     }
 }
 
 impl Default for RunSettings {
     fn default() -> Self {
-        Self {
-            tolerance: 1e-9,
-            horizon_s: None,
-        }
+        Self { tolerance: 1e-9, horizon_s: None }
     }
 }
 

@@ -48,14 +48,8 @@ type Unit = (&'static str, f64);
 
 const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
 
-const STIFFNESS_UNITS: &[Unit] = &[
-    ("N/m", 1.0),
-    ("kN/m", 1e3),
-    ("MN/m", 1e6),
-    ("GN/m", 1e9),
-    ("N/mm", 1e3),
-    ("kN/mm", 1e6),
-];
+const STIFFNESS_UNITS: &[Unit] =
+    &[("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6), ("GN/m", 1e9), ("N/mm", 1e3), ("kN/mm", 1e6)];
 const DAMPING_UNITS: &[Unit] = &[
     ("N s/m", 1.0),
     ("Ns/m", 1.0),
@@ -80,31 +74,11 @@ impl Quantity {
                 ("km", 1e3),
                 ("in", 0.0254),
             ],
-            Self::Velocity => &[
-                ("m/s", 1.0),
-                ("mm/s", 1e-3),
-                ("km/s", 1e3),
-                ("ft/s", 0.3048),
-            ],
-            Self::Angle => &[
-                ("deg", 1.0),
-                ("rad", DEG_PER_RAD),
-                ("mrad", DEG_PER_RAD * 1e-3),
-            ],
-            Self::Density => &[
-                ("kg/m3", 1.0),
-                ("kg/m^3", 1.0),
-                ("g/cm3", 1e3),
-                ("g/cm^3", 1e3),
-            ],
+            Self::Velocity => &[("m/s", 1.0), ("mm/s", 1e-3), ("km/s", 1e3), ("ft/s", 0.3048)],
+            Self::Angle => &[("deg", 1.0), ("rad", DEG_PER_RAD), ("mrad", DEG_PER_RAD * 1e-3)],
+            Self::Density => &[("kg/m3", 1.0), ("kg/m^3", 1.0), ("g/cm3", 1e3), ("g/cm^3", 1e3)],
             Self::Pressure => &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)],
-            Self::Time => &[
-                ("s", 1.0),
-                ("ms", 1e-3),
-                ("us", 1e-6),
-                ("ns", 1e-9),
-                ("min", 60.0),
-            ],
+            Self::Time => &[("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("min", 60.0)],
             Self::Force => &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
             Self::Energy => &[("J", 1.0), ("mJ", 1e-3), ("kJ", 1e3), ("MJ", 1e6)],
             Self::Stiffness | Self::SpringCoefficient => STIFFNESS_UNITS,
@@ -241,10 +215,7 @@ pub fn parse(text: &str, quantity: Quantity, bare: Bare) -> Result<f64, Quantity
     if scaled.is_finite() {
         Ok(scaled)
     } else {
-        Err(QuantityError::NotFinite {
-            text: trimmed.to_owned(),
-            example,
-        })
+        Err(QuantityError::NotFinite { text: trimmed.to_owned(), example })
     }
 }
 
@@ -274,10 +245,7 @@ pub fn parse_relative(
     if new.is_finite() {
         Ok(new)
     } else {
-        Err(QuantityError::NotFinite {
-            text: trimmed.to_owned(),
-            example: example_of(quantity),
-        })
+        Err(QuantityError::NotFinite { text: trimmed.to_owned(), example: example_of(quantity) })
     }
 }
 
@@ -310,16 +278,8 @@ fn unit_factor(unit: &str, quantity: Quantity) -> Option<f64> {
     if quantity == Quantity::Density && squeezed == "kg/m³" {
         return Some(1.0);
     }
-    let same = |name: &str| {
-        name.chars()
-            .filter(|c| !c.is_whitespace())
-            .eq(squeezed.chars())
-    };
-    quantity
-        .units()
-        .iter()
-        .find(|(name, _)| !name.is_empty() && same(name))
-        .map(|unit| unit.1)
+    let same = |name: &str| name.chars().filter(|c| !c.is_whitespace()).eq(squeezed.chars());
+    quantity.units().iter().find(|(name, _)| !name.is_empty() && same(name)).map(|unit| unit.1)
 }
 
 /// `number [(*|/) number]`, where a number may be `pi`; gives the value and what follows.
@@ -333,11 +293,7 @@ fn expression(text: &str) -> Option<(f64, &str)> {
             _ => return Some((value, rest)),
         };
         let (operand, after) = number(tail.trim_start())?;
-        value = if divide {
-            value / operand
-        } else {
-            value * operand
-        };
+        value = if divide { value / operand } else { value * operand };
         rest = after;
     }
 }
@@ -421,9 +377,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return shortest(value);
     }
-    let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1))
-        .parse()
-        .unwrap_or(value);
+    let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);
     shortest(rounded)
 }
 
@@ -512,10 +466,7 @@ mod tests {
         ];
         for (text, quantity, expected) in cases {
             let value = parse(text, quantity, Bare::Stored).unwrap();
-            assert!(
-                (value - expected).abs() <= f64::EPSILON * expected,
-                "{text}: {value}"
-            );
+            assert!((value - expected).abs() <= f64::EPSILON * expected, "{text}: {value}");
         }
     }
 
@@ -530,13 +481,7 @@ mod tests {
     fn relative_edits_use_the_old_value() {
         let edit = |text| parse_relative(text, 8.0, Quantity::Length, Bare::Stored).unwrap();
         assert_eq!(
-            [
-                edit("*2"),
-                edit("/4"),
-                edit("+50%"),
-                edit("-3"),
-                edit("1mm")
-            ],
+            [edit("*2"), edit("/4"), edit("+50%"), edit("-3"), edit("1mm")],
             [16.0, 2.0, 12.0, -3.0, 0.001]
         );
     }
@@ -546,10 +491,7 @@ mod tests {
         let cases = [
             ("", "empty"),
             ("abc", "column 1"),
-            (
-                "12 kg",
-                "`kg` is not a unit of this quantity (column 4): use m, mm",
-            ),
+            ("12 kg", "`kg` is not a unit of this quantity (column 4): use m, mm"),
             ("NaN", "not a number"),
             ("inf", "not a number"),
             ("1e999", "not a finite number"),
@@ -557,9 +499,7 @@ mod tests {
             ("1..2", "not a unit"),
         ];
         for (text, fragment) in cases {
-            let error = parse(text, Quantity::Length, Bare::Stored)
-                .unwrap_err()
-                .to_string();
+            let error = parse(text, Quantity::Length, Bare::Stored).unwrap_err().to_string();
             assert!(error.contains(fragment), "{text}: {error}");
         }
     }
@@ -577,14 +517,7 @@ mod tests {
 
     #[test]
     fn engineering_picks_the_prefix() {
-        let show = |value, unit| {
-            Engineering {
-                value,
-                unit,
-                digits: 4,
-            }
-            .to_string()
-        };
+        let show = |value, unit| Engineering { value, unit, digits: 4 }.to_string();
         assert_eq!(show(0.007_113_055, "m"), "7.113 mm");
         assert_eq!(show(19_257.0, "N"), "19.26 kN");
         assert_eq!(show(113.407e-6, "s"), "113.4 us");

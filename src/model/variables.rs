@@ -300,11 +300,7 @@ impl Variable {
                 let old = (number.get)(scene).unwrap_or(0.0);
                 let value =
                     units::parse_relative(text, old, number.quantity, bare).map_err(|problem| {
-                        VariableError::Unreadable {
-                            symbol: self.symbol,
-                            key: self.key,
-                            problem,
-                        }
+                        VariableError::Unreadable { symbol: self.symbol, key: self.key, problem }
                     })?;
                 if number.allowed.contains(value) {
                     Ok(Value::Number(value))
@@ -314,9 +310,7 @@ impl Variable {
             }
             Kind::Choice(choice) => {
                 let found = choice.words.iter().find(|candidate| **candidate == word);
-                found
-                    .map(|word| Value::Word(word))
-                    .ok_or_else(|| self.not_a_choice(word))
+                found.map(|word| Value::Word(word)).ok_or_else(|| self.not_a_choice(word))
             }
             Kind::Switch { .. } => match word {
                 "true" | "on" | "yes" | "1" => Ok(Value::Switch(true)),
@@ -350,9 +344,7 @@ impl Variable {
         match &self.kind {
             Kind::Number(number) => {
                 let rule = number.allowed.describe(number.quantity);
-                number
-                    .absent
-                    .map_or_else(|| rule.clone(), |word| format!("{rule}, or `{word}`"))
+                number.absent.map_or_else(|| rule.clone(), |word| format!("{rule}, or `{word}`"))
             }
             Kind::Choice(choice) => choice.words.join(" or "),
             Kind::Switch { .. } => "true or false".to_owned(),
@@ -407,9 +399,7 @@ impl Variable {
         VariableError::Impossible {
             symbol: self.symbol,
             key: self.key,
-            value: format!("{} {unit}", units::shortest(value))
-                .trim_end_matches(" -")
-                .to_owned(),
+            value: format!("{} {unit}", units::shortest(value)).trim_end_matches(" -").to_owned(),
             meaning: self.meaning,
             allowed: number.allowed.describe(number.quantity),
             cure,

@@ -20,8 +20,16 @@ pub trait ImplicitSystem<const N: usize> {
     fn rate(&self, y: &[f64; N]) -> [f64; N];
     /// df/dy; `jacobian[i][j]` is the derivative of component i by y[j].
     fn jacobian(&self, y: &[f64; N]) -> [[f64; N]; N];
-    /// Scale of each component of g against which errors are measured, > 0.
+    /// Scale of each component of g against which Newton's corrections are measured, > 0.
     fn scale(&self) -> [f64; N];
+    /// The size of an error in g, relative to what matters; by default the greatest component over its scale.
+    fn size(&self, error: &[f64; N]) -> f64 {
+        let mut size = 0.0;
+        for (error, scale) in error.iter().zip(self.scale()) {
+            size = crate::numerics::larger((error / scale).abs(), size);
+        }
+        size
+    }
 }
 
 /// A step that Newton's method has solved.
@@ -38,31 +46,17 @@ pub struct Step<const N: usize> {
 /// The collocation points, as fractions of the step.
 pub const NODES: [f64; STAGES] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
 /// Weights of the end value (they equal the last row of the matrix).
-pub const WEIGHTS: [f64; STAGES] = [
-    0.376_403_062_700_467_3,
-    0.512_485_826_188_421_6,
-    0.111_111_111_111_111_1,
-];
+pub const WEIGHTS: [f64; STAGES] =
+    [0.376_403_062_700_467_3, 0.512_485_826_188_421_6, 0.111_111_111_111_111_1];
 const MATRIX: [[f64; STAGES]; STAGES] = [
-    [
-        0.196_815_477_223_660_4,
-        -0.065_535_425_850_198_39,
-        0.023_770_974_348_220_15,
-    ],
-    [
-        0.394_424_314_739_087_3,
-        0.292_073_411_665_228_5,
-        -0.041_548_752_125_997_93,
-    ],
+    [0.196_815_477_223_660_4, -0.065_535_425_850_198_39, 0.023_770_974_348_220_15],
+    [0.394_424_314_739_087_3, 0.292_073_411_665_228_5, -0.041_548_752_125_997_93],
     WEIGHTS,
 ];
 /// Real eigenvalue of the inverse matrix (the reciprocal of (6 + 81^(1/3) - 9^(1/3))/30).
 const GAMMA_0: f64 = 3.637_834_252_744_495_7;
-const ERROR_WEIGHTS: [f64; STAGES] = [
-    -10.048_809_399_827_416,
-    1.382_142_733_160_748_7,
-    -0.333_333_333_333_333_3,
-];
+const ERROR_WEIGHTS: [f64; STAGES] =
+    [-10.048_809_399_827_416, 1.382_142_733_160_748_7, -0.333_333_333_333_333_3];
 const NEWTON_MAX: usize = 25;
 
 /// Solve one step of length `h` from `y`; `None` when Newton's method does not converge.
@@ -113,11 +107,7 @@ pub fn step<const N: usize, const M: usize>(
         last_change = change;
     }
     let error = estimate(system, y, &start, &stages, h)?;
-    Some(Step {
-        stages,
-        error,
-        iterations,
-    })
+    Some(Step { stages, error, iterations })
 }
 
 fn newton_system<const N: usize, const M: usize>(
@@ -183,11 +173,7 @@ fn estimate<const N: usize>(
     let mut error = 0.0;
     for k in 0..N {
         let relative = (slope[k] * right[k]).abs() / scale[k];
-        error = if relative > error || relative.is_nan() {
-            relative
-        } else {
-            error
-        };
+        error = if relative > error || relative.is_nan() { relative } else { error };
     }
     error.is_finite().then_some(error)
 }
@@ -265,9 +251,8 @@ mod tests {
     fn tableau_satisfies_the_order_conditions() {
         for i in 0..STAGES {
             for q in 1..=STAGES {
-                let sum: f64 = (0..STAGES)
-                    .map(|j| MATRIX[i][j] * NODES[j].powi(q as i32 - 1))
-                    .sum();
+                let sum: f64 =
+                    (0..STAGES).map(|j| MATRIX[i][j] * NODES[j].powi(q as i32 - 1)).sum();
                 assert!((sum - NODES[i].powi(q as i32) / q as f64).abs() < 1e-15);
             }
         }
@@ -314,11 +299,7 @@ mod tests {
     #[test]
     fn interpolation_reproduces_cubics() {
         let f = |s: f64| 1.0 + s - 2.0 * s * s + 3.0 * s * s * s;
-        let step = Step {
-            stages: NODES.map(|s| [f(s)]),
-            error: 0.0,
-            iterations: 0,
-        };
+        let step = Step { stages: NODES.map(|s| [f(s)]), error: 0.0, iterations: 0 };
         let value = interpolate(&[f(0.0)], &step, 0.37)[0];
         assert!((value - f(0.37)).abs() < 1e-14);
     }

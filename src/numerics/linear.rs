@@ -5,9 +5,7 @@
 /// Returns `false`, with both arguments spoilt, when the matrix is singular to working precision or not finite.
 pub fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64; N]) -> bool {
     for row in 0..N {
-        let scale = matrix[row]
-            .iter()
-            .fold(0.0f64, |a, b| if b.abs() > a { b.abs() } else { a });
+        let scale = matrix[row].iter().fold(0.0f64, |a, b| if b.abs() > a { b.abs() } else { a });
         if scale == 0.0 || !scale.is_finite() {
             return false;
         }

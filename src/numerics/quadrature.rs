@@ -45,10 +45,7 @@ mod tests {
         for degree in 0..20 {
             let integral = gauss(0.0, 2.0, 1, |x| x.powi(degree));
             let exact = 2f64.powi(degree + 1) / f64::from(degree + 1);
-            assert!(
-                (integral / exact - 1.0).abs() < 2e-15,
-                "degree {degree}: {integral}"
-            );
+            assert!((integral / exact - 1.0).abs() < 2e-15, "degree {degree}: {integral}");
         }
     }
 

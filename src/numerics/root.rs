@@ -24,20 +24,13 @@ pub fn first_fall(c: &[f64], end: f64) -> Option<f64> {
     }
     let (mut left, mut at_left) = (0.0, c[0]);
     // At the boundary, up to rounding, the direction of travel says on which side it is.
-    let mut armed = if c[0].abs() <= NOISE * bound {
-        first_nonzero(&c[1..]) > 0.0
-    } else {
-        c[0] > 0.0
-    };
+    let mut armed =
+        if c[0].abs() <= NOISE * bound { first_nonzero(&c[1..]) > 0.0 } else { c[0] > 0.0 };
     for piece in 1..=PIECES {
         let right = end * piece as f64 / PIECES as f64;
         let at_right = evaluate(c, right);
         if armed && at_right <= 0.0 {
-            let from = if at_left > 0.0 {
-                left
-            } else {
-                positive_side(c, left, right)?
-            };
+            let from = if at_left > 0.0 { left } else { positive_side(c, left, right)? };
             return Some(bracketed(c, from, right));
         }
         let (slope_left, slope_right) = (evaluate_slope(c, left), evaluate_slope(c, right));
@@ -82,11 +75,7 @@ fn extremum(c: &[f64], mut a: f64, mut b: f64) -> f64 {
     let falling = evaluate_slope(c, a) < 0.0;
     for _ in 0..50 {
         let mid = 0.5 * (a + b);
-        if (evaluate_slope(c, mid) < 0.0) == falling {
-            a = mid
-        } else {
-            b = mid
-        }
+        if (evaluate_slope(c, mid) < 0.0) == falling { a = mid } else { b = mid }
     }
     0.5 * (a + b)
 }
@@ -103,11 +92,7 @@ fn bracketed(c: &[f64], mut a: f64, mut b: f64) -> f64 {
         }
         let slope = evaluate_slope(c, s);
         let newton = s - value / slope;
-        let next = if newton > a && newton < b {
-            newton
-        } else {
-            0.5 * (a + b)
-        };
+        let next = if newton > a && newton < b { newton } else { 0.5 * (a + b) };
         if (next - s).abs() <= 2.0 * f64::EPSILON * s.abs() || a >= b {
             return next;
         }
@@ -132,11 +117,7 @@ pub fn in_bracket(a: f64, b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     for round in 0..200 {
         let secant = (a * fb - b * fa) / (fb - fa);
         let inside = (secant - a) * (secant - b) < 0.0;
-        let x = if inside && round % 3 != 2 {
-            secant
-        } else {
-            0.5 * (a + b)
-        };
+        let x = if inside && round % 3 != 2 { secant } else { 0.5 * (a + b) };
         let fx = f(x);
         if fx == 0.0 || (b - a).abs() <= 2.0 * f64::EPSILON * x.abs() {
             return x;

@@ -17,16 +17,8 @@ pub fn product<const N: usize>(a: &[f64; N], b: &[f64; N], j: usize) -> f64 {
 pub fn square<const N: usize>(a: &[f64; N], j: usize) -> f64 {
     let half = j.div_ceil(2);
     let (front, back) = (&a[..half], &a[j + 1 - half..=j]);
-    let twice: f64 = front
-        .iter()
-        .zip(back.iter().rev())
-        .map(|(a, b)| a * b)
-        .sum();
-    if j % 2 == 0 {
-        2.0 * twice + a[j / 2] * a[j / 2]
-    } else {
-        2.0 * twice
-    }
+    let twice: f64 = front.iter().zip(back.iter().rev()).map(|(a, b)| a * b).sum();
+    if j % 2 == 0 { 2.0 * twice + a[j / 2] * a[j / 2] } else { 2.0 * twice }
 }
 
 /// Coefficient j >= 1 of y = x^alpha, given y's coefficients below j; x[0] must not be zero.
@@ -108,10 +100,7 @@ mod tests {
 
     fn assert_close(a: &[f64; N], b: &[f64; N]) {
         for (j, (a, b)) in a.iter().zip(b).enumerate() {
-            assert!(
-                (a - b).abs() <= 1e-13 * (1.0 + b.abs()),
-                "coefficient {j}: {a} against {b}"
-            );
+            assert!((a - b).abs() <= 1e-13 * (1.0 + b.abs()), "coefficient {j}: {a} against {b}");
         }
     }
 

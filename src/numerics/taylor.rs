@@ -24,11 +24,7 @@ pub fn trusted_step<const N: usize>(components: &[(&[f64; N], f64)], tolerance: 
         before = if b > before { b } else { before };
     }
     let reach = |term: f64, order: usize| {
-        if term == 0.0 {
-            GROWTH_MAX
-        } else {
-            ((tolerance / term).ln() / order as f64).exp()
-        }
+        if term == 0.0 { GROWTH_MAX } else { ((tolerance / term).ln() / order as f64).exp() }
     };
     let (a, b) = (reach(last, N - 1), reach(before, N - 2));
     let step = if a < b { a } else { b };
@@ -67,10 +63,7 @@ mod tests {
     fn the_error_follows_the_tolerance() {
         for tolerance in [1e-6, 1e-9, 1e-12] {
             let (error, steps) = integrate::<17>(tolerance);
-            assert!(
-                error < 10.0 * tolerance,
-                "{tolerance}: {error} in {steps} steps"
-            );
+            assert!(error < 10.0 * tolerance, "{tolerance}: {error} in {steps} steps");
         }
     }
 

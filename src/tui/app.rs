@@ -191,9 +191,7 @@ impl App {
 
     /// Whether the result on the screen belongs to an older scene.
     pub fn is_stale(&self) -> bool {
-        self.shown
-            .as_ref()
-            .is_some_and(|shown| *shown.run.scene != *self.scene)
+        self.shown.as_ref().is_some_and(|shown| *shown.run.scene != *self.scene)
     }
 
     /// Whether to say so: not in the first moments after an edit, in which most runs land.
@@ -203,10 +201,7 @@ impl App {
 
     /// Show a message and keep it for the Log tab.
     pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
-        let notice = Notice {
-            severity,
-            text: text.into(),
-        };
+        let notice = Notice { severity, text: text.into() };
         self.log.push(notice.clone());
         self.notice = Some(notice);
     }
@@ -255,10 +250,5 @@ impl App {
 
 /// How long the computation took, in a few characters: `0.21 ms`.
 pub fn show_duration(took: Duration) -> String {
-    crate::model::units::Engineering {
-        value: took.as_secs_f64(),
-        unit: "s",
-        digits: 2,
-    }
-    .to_string()
+    crate::model::units::Engineering { value: took.as_secs_f64(), unit: "s", digits: 2 }.to_string()
 }

@@ -2,15 +2,15 @@
 //! missing, spikes kept whatever the width, event lines, a crosshair, a second vertical axis.
 //!
 //! ```text
-//! +- Penetration p [mm] ------ * now  o A rigid  t [us] +    title; legend; the horizontal axis
-//! |  8+              a                         b        |    events with their tags
-//! |   |              :               ooooooooooooooo    |    curves over event lines
-//! |  4+        ooooo****************************        |
-//! |   | *******      :                         :        |
-//! |  0+*             :                         :        |
-//! |   ++--------------+--------------+--------------+   |
-//! |    0             50             100            150  |    labels centred on their ticks
-//! +-----------------------------------------------------+
+//! +- Penetration p [mm] ---------- * now  o A rigid   t [us] +    title; legend; horizontal axis
+//! |   |                    a                    b            |    tags of events
+//! |  5+                    :         oooooooooooooooooooooo  |    curves over event lines,
+//! |   |              ooooo*********************************  |    the selected one on top
+//! |   |    o************** :                    :            |
+//! |  0+*****               :                    :            |
+//! |   ++------+------+-----+------+------+------+------+---  |
+//! |    0     20     40    60     80     100    120    140    |    labels centred on their ticks
+//! +----------------------------------------------------------+
 //! ```
 //!
 //! Everything shown comes in as plain data: names and units are texts. Knows ratatui and the theme; must not know plates,
@@ -22,7 +22,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::tui::theme::{Pane, Role, Theme, ascii_pass};
+use crate::tui::theme::{GlyphSet, Pane, Theme, ascii_pass};
 
 mod canvas;
 pub mod curve;
@@ -30,13 +30,16 @@ pub mod layout;
 mod paint;
 pub mod prefix;
 pub mod scale;
+mod steps;
 mod ticks;
+mod titles;
 mod trace;
 
 pub use curve::{Curve, Emphasis, MARKERS, Points, Side};
 pub use layout::Layout;
 pub use prefix::Unit;
 pub use scale::{Mapping, Scale, ViewRange};
+use titles::Plan;
 
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -209,10 +212,7 @@ impl<'a> Chart<'a> {
         let plan = self.plan(area, theme);
         self.draw_frame(&plan, area, buffer, theme);
         paint::paint(self, &plan.layout, buffer, theme);
-        Drawn {
-            layout: plan.layout,
-            left_out: plan.left_out,
-        }
+        Drawn { layout: plan.layout, left_out: plan.left_out }
     }
 
     /// The chart as lines of text, blanks at their ends removed: what `--plain` prints.
@@ -220,49 +220,10 @@ impl<'a> Chart<'a> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
         self.render(area, &mut buffer, theme);
-        if theme.glyphs == crate::tui::theme::GlyphSet::Ascii {
+        if theme.glyphs == GlyphSet::Ascii {
             ascii_pass(&mut buffer);
         }
         buffer_lines(&buffer)
-    }
-
-    fn plan(&self, area: Rect, theme: Theme) -> Plan<'_> {
-        let left_out = self.left_out();
-        let inner = self.inner(area);
-        let room = usize::from(area.width.saturating_sub(8));
-        let legend = self.legend_line(theme);
-        let axis = |layout: &Layout| axis_text(&self.x, layout.x_ticks.exponent);
-
-        let layout = layout::layout(self, inner, false);
-        let title = self.title_text(&layout, left_out);
-        let both = join(legend.clone(), axis(&layout));
-        if Span::raw(&title).width() + both.width() <= room {
-            return Plan {
-                layout,
-                title,
-                right: both,
-                legend: Line::default(),
-                left_out,
-            };
-        }
-        let layout = layout::layout(self, inner, legend.width() > 0);
-        let title = self.title_text(&layout, left_out);
-        let axis = Line::from(axis(&layout));
-        let room = room.saturating_sub(Span::raw(&title).width());
-        let (right, legend) = if layout.legend.is_some() {
-            (axis, legend)
-        } else if legend.width() > 0 {
-            (shortened(legend, room), Line::default())
-        } else {
-            (axis, legend)
-        };
-        Plan {
-            layout,
-            title,
-            right,
-            legend,
-            left_out,
-        }
     }
 
     fn inner(&self, area: Rect) -> Rect {
@@ -271,20 +232,14 @@ impl<'a> Chart<'a> {
             Frame::OpenBelow => Pane::default().open_below().inner(area),
             Frame::Bare => {
                 let top = area.height.min(1);
-                Rect {
-                    y: area.y + top,
-                    height: area.height - top,
-                    ..area
-                }
+                Rect { y: area.y + top, height: area.height - top, ..area }
             }
         }
     }
 
     fn draw_frame(&self, plan: &Plan<'_>, area: Rect, buffer: &mut Buffer, theme: Theme) {
         let title = Line::from(plan.title.as_str());
-        let pane = Pane::new(title.clone())
-            .right(plan.right.clone())
-            .focused(self.focused);
+        let pane = Pane::new(title.clone()).right(plan.right.clone()).focused(self.focused);
         match self.frame {
             Frame::Boxed => {
                 pane.render(area, buffer, theme);
@@ -293,11 +248,7 @@ impl<'a> Chart<'a> {
                 pane.open_below().render(area, buffer, theme);
             }
             Frame::Bare if area.height > 0 => {
-                let style = theme.style(if self.focused {
-                    Role::Focus
-                } else {
-                    Role::Title
-                });
+                let style = theme.title(self.focused);
                 let right = u16::try_from(plan.right.width()).unwrap_or(u16::MAX);
                 buffer.set_line(area.x, area.y, &title.patch_style(style), area.width);
                 let used = u16::try_from(Span::raw(&plan.title).width()).unwrap_or(u16::MAX);
@@ -311,73 +262,11 @@ impl<'a> Chart<'a> {
             buffer.set_line(row.x + 1, row.y, &plan.legend, row.width.saturating_sub(1));
         }
     }
-
-    /// Points that a logarithmic axis cannot show.
-    fn left_out(&self) -> usize {
-        let count = |curve: &Curve<'_>| {
-            let vertical = match (curve.side, &self.right) {
-                (Side::Right, Some(axis)) => axis.scale,
-                (Side::Right, None) | (Side::Left, _) => self.y.scale,
-            };
-            trace::left_out(curve, self.x.scale, vertical)
-        };
-        self.curves.iter().map(count).sum()
-    }
-
-    fn title_text(&self, layout: &Layout, left_out: usize) -> String {
-        let unit = unit_text(&self.y, layout.y_ticks.exponent);
-        let mut text = spaced(&self.title, &unit);
-        if let Some(axis) = &self.right {
-            text += ", right: ";
-            text += &axis_text(axis, layout.right_ticks.exponent);
-        }
-        match left_out {
-            0 => text,
-            1 => text + " (1 point <= 0 left out)",
-            count => text + &format!(" ({count} points <= 0 left out)"),
-        }
-    }
-
-    fn legend_line(&self, theme: Theme) -> Line<'_> {
-        let mut spans = Vec::new();
-        if self.legend == Legend::Hidden {
-            return Line::default();
-        }
-        for curve in &self.curves {
-            if !spans.is_empty() {
-                spans.push(Span::raw("  "));
-            }
-            let style = theme.style(curve.role());
-            spans.push(Span::styled(curve.cell_marker().to_string(), style));
-            let old = match curve.emphasis {
-                Emphasis::Stale => " (old)",
-                Emphasis::Normal | Emphasis::Selected => "",
-            };
-            let side = match curve.side {
-                Side::Left => "",
-                Side::Right => " (right)",
-            };
-            spans.push(Span::raw(format!(" {}{old}{side}", curve.label)));
-        }
-        Line::from(spans)
-    }
-}
-
-/// What goes where in the title line.
-struct Plan<'a> {
-    layout: Layout,
-    title: String,
-    right: Line<'a>,
-    legend: Line<'a>,
-    left_out: usize,
 }
 
 /// Makes the plots of charts stacked on each other begin in one column: gives all the widest gutter.
 pub fn align_gutters(charts: &mut [Chart<'_>], areas: &[Rect]) {
-    let gutters = charts
-        .iter()
-        .zip(areas)
-        .map(|(chart, area)| chart.layout(*area).gutter);
+    let gutters = charts.iter().zip(areas).map(|(chart, area)| chart.layout(*area).gutter);
     let widest = gutters.max().unwrap_or(0);
     for chart in charts {
         chart.gutter = widest;
@@ -405,51 +294,5 @@ pub fn buffer_lines(buffer: &Buffer) -> Vec<String> {
     buffer.content.chunks(width).map(line).collect()
 }
 
-fn unit_text(axis: &Axis<'_>, exponent: i32) -> String {
-    let unit = &axis.unit.name;
-    match (exponent, unit.is_empty()) {
-        (0, true) => String::new(),
-        (0, false) => format!("[{unit}]"),
-        (_, true) => format!("[1e{exponent}]"),
-        (_, false) => format!("[1e{exponent} {unit}]"),
-    }
-}
-
-fn axis_text(axis: &Axis<'_>, exponent: i32) -> String {
-    spaced(&axis.label, &unit_text(axis, exponent))
-}
-
-fn spaced(a: &str, b: &str) -> String {
-    let gap = if a.is_empty() || b.is_empty() {
-        ""
-    } else {
-        " "
-    };
-    format!("{a}{gap}{b}")
-}
-
-fn join<'a>(mut legend: Line<'a>, axis: String) -> Line<'a> {
-    if !axis.is_empty() {
-        if legend.width() > 0 {
-            legend.spans.push(Span::raw("   "));
-        }
-        legend.spans.push(Span::raw(axis));
-    }
-    legend
-}
-
-/// As many whole entries of a legend as fit; markers alone when no more than that fits.
-fn shortened(legend: Line<'_>, room: usize) -> Line<'_> {
-    if legend.width() <= room {
-        return legend;
-    }
-    let markers = legend.spans.iter().filter(|span| span.width() == 1);
-    let mut short: Vec<Span<'_>> = Vec::new();
-    for marker in markers {
-        if short.len() + 2 > room {
-            break;
-        }
-        short.push(marker.clone());
-    }
-    Line::from(short)
-}
+#[cfg(test)]
+mod tests;

@@ -164,10 +164,7 @@ pub enum Place {
 
 /// Everything the workbench can do by a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[expect(
-    missing_docs,
-    reason = "each action is described once, in BINDINGS, for people"
-)]
+#[expect(missing_docs, reason = "each action is described once, in BINDINGS, for people")]
 pub enum Action {
     TabRun,
     TabLog,
@@ -326,14 +323,7 @@ const fn bind(
     help: &'static str,
     footer: u8,
 ) -> Binding {
-    Binding {
-        place,
-        keys,
-        action,
-        short,
-        help,
-        footer,
-    }
+    Binding { place, keys, action, short, help, footer }
 }
 
 use Action as A;

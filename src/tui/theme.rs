@@ -56,17 +56,11 @@ pub struct Theme {
 
 impl Theme {
     /// Pure ASCII without colour: what `--plain` prints.
-    pub const PLAIN: Self = Self {
-        glyphs: GlyphSet::Ascii,
-        depth: ColourDepth::None,
-    };
+    pub const PLAIN: Self = Self { glyphs: GlyphSet::Ascii, depth: ColourDepth::None };
 
     /// The theme the environment asks for; `env` looks up a variable of it.
     pub fn detect(glyphs: GlyphChoice, env: impl Fn(&str) -> Option<String>) -> Self {
-        Self {
-            glyphs: glyphs.resolve(&env),
-            depth: ColourDepth::detect(&env),
-        }
+        Self { glyphs: glyphs.resolve(&env), depth: ColourDepth::detect(&env) }
     }
 
     /// The lines and joints of the glyph set.
@@ -80,11 +74,10 @@ impl Theme {
         let bold = plain.add_modifier(Modifier::BOLD);
         match role {
             Role::Text => plain,
-            Role::Title | Role::Key => bold,
+            Role::Title | Role::Key | Role::Crosshair => bold,
             Role::Selection => plain.add_modifier(Modifier::REVERSED),
             Role::Dim | Role::Border | Role::Event => self.faint(),
             Role::Focus => self.coloured(bold, colours::FOCUS),
-            Role::Crosshair => self.coloured(bold, colours::CROSSHAIR),
             Role::Error if self.depth == ColourDepth::None => bold.add_modifier(Modifier::REVERSED),
             Role::Error => self.coloured(bold, colours::ERROR),
             Role::Warning if self.depth == ColourDepth::None => bold,
@@ -95,6 +88,17 @@ impl Theme {
             Role::Note => self.coloured(plain, colours::NOTE),
             Role::Curve(0) => self.coloured(bold, colours::curve(0)),
             Role::Curve(index) => self.coloured(plain, colours::curve(index)),
+        }
+    }
+
+    /// The style of a pane's title. Without colour the focused one is reversed: a bold border alone is easily missed.
+    pub fn title(self, focused: bool) -> Style {
+        match (focused, self.depth) {
+            (false, _) => self.style(Role::Title),
+            (true, ColourDepth::None) => self.style(Role::Focus).add_modifier(Modifier::REVERSED),
+            (true, ColourDepth::Sixteen | ColourDepth::Ansi256 | ColourDepth::Rgb) => {
+                self.style(Role::Focus)
+            }
         }
     }
 
@@ -150,10 +154,7 @@ mod tests {
     #[test]
     fn the_background_is_always_the_terminals_own() {
         for depth in [ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb] {
-            let theme = Theme {
-                glyphs: GlyphSet::Braille,
-                depth,
-            };
+            let theme = Theme { glyphs: GlyphSet::Braille, depth };
             for role in ROLES {
                 assert_eq!(theme.style(role).bg, None, "{role:?}");
             }
@@ -162,16 +163,10 @@ mod tests {
 
     #[test]
     fn errors_warnings_and_notes_differ_at_every_depth() {
-        for depth in [
-            ColourDepth::None,
-            ColourDepth::Sixteen,
-            ColourDepth::Ansi256,
-            ColourDepth::Rgb,
-        ] {
-            let theme = Theme {
-                glyphs: GlyphSet::Ascii,
-                depth,
-            };
+        for depth in
+            [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb]
+        {
+            let theme = Theme { glyphs: GlyphSet::Ascii, depth };
             let [error, warning, note, text] =
                 [Role::Error, Role::Warning, Role::Note, Role::Text].map(|role| theme.style(role));
             assert_ne!(error, warning);
@@ -190,10 +185,7 @@ mod tests {
         };
         assert_eq!(
             Theme::detect(GlyphChoice::Auto, env),
-            Theme {
-                glyphs: GlyphSet::Braille,
-                depth: ColourDepth::Ansi256
-            }
+            Theme { glyphs: GlyphSet::Braille, depth: ColourDepth::Ansi256 }
         );
     }
 }

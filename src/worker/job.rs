@@ -26,12 +26,7 @@ impl Pulse {
     /// The job starts now.
     pub(super) fn start() -> Self {
         let now = Instant::now();
-        Self {
-            steps: 0,
-            started: now,
-            said_started: false,
-            last_progress: now,
-        }
+        Self { steps: 0, started: now, said_started: false, last_progress: now }
     }
 
     /// After a step that reached `t_s`: what to report, if anything.

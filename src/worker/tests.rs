@@ -15,10 +15,8 @@ const PATIENCE: Duration = Duration::from_secs(20);
 
 /// Runs the real simulation of the scene, then pretends to need steps until cancelled when the title says so.
 fn slow(scene: &Arc<Scene>, observer: impact::Observer<'_>) -> Result<Run, String> {
-    let mut run = impact::simulate(scene, &Settings::default(), &mut |_| {
-        ControlFlow::Continue(())
-    })
-    .map_err(|error| error.to_string())?;
+    let mut run = impact::simulate(scene, &Settings::default(), &mut |_| ControlFlow::Continue(()))
+        .map_err(|error| error.to_string())?;
     assert!(scene.title != "panics", "deliberate");
     let mut t_s = 0.0;
     while scene.title == "endless" {
@@ -32,14 +30,7 @@ fn slow(scene: &Arc<Scene>, observer: impact::Observer<'_>) -> Result<Run, Strin
 }
 
 fn job(id: u64, slot: Slot, title: &str) -> Job {
-    Job {
-        id,
-        slot,
-        scene: Arc::new(Scene {
-            title: title.to_owned(),
-            ..Scene::default()
-        }),
-    }
+    Job { id, slot, scene: Arc::new(Scene { title: title.to_owned(), ..Scene::default() }) }
 }
 
 fn start() -> (Worker, Receiver<Report>) {
@@ -114,10 +105,7 @@ fn the_newest_job_of_a_slot_wins_over_running_and_waiting_ones() {
     worker.submit(job(3, Slot::Pin('A'), "newer pin"));
     let replaced = next_last(&reports);
     assert_eq!(replaced.id, 2);
-    assert!(matches!(
-        replaced.body,
-        ReportBody::Cancelled { partial: None }
-    ));
+    assert!(matches!(replaced.body, ReportBody::Cancelled { partial: None }));
     worker.submit(job(4, Slot::Current, "newer"));
     let ends: Vec<_> = (0..3)
         .map(|_| {
@@ -138,10 +126,7 @@ fn a_job_of_another_slot_does_not_cancel() {
     // Still alive long enough to make progress.
     let report = next(&reports);
     assert_eq!(report.id, 1);
-    assert!(
-        matches!(report.body, ReportBody::Progress { t_s } if t_s > 0.0),
-        "{report:?}"
-    );
+    assert!(matches!(report.body, ReportBody::Progress { t_s } if t_s > 0.0), "{report:?}");
     worker.cancel();
     let mut ended = [next_last(&reports).id, next_last(&reports).id];
     ended.sort_unstable();
@@ -157,11 +142,7 @@ fn progress_comes_at_most_twice_a_second() {
     let first = Instant::now();
     next(&reports);
     // The sending side keeps 500 ms; the receiving side may be late for the first one.
-    assert!(
-        first.elapsed() > Duration::from_millis(300),
-        "{:?}",
-        first.elapsed()
-    );
+    assert!(first.elapsed() > Duration::from_millis(300), "{:?}", first.elapsed());
     worker.cancel();
     next_last(&reports);
 }
@@ -193,10 +174,7 @@ fn a_scene_without_sense_is_refused_with_the_reason() {
         .to_string();
     worker.submit(wrong);
     let report = next(&receive);
-    assert!(
-        matches!(&report.body, ReportBody::Failed(text) if *text == expected),
-        "{report:?}"
-    );
+    assert!(matches!(&report.body, ReportBody::Failed(text) if *text == expected), "{report:?}");
 }
 
 #[test]

@@ -50,9 +50,7 @@ impl Place {
 
     /// Run `cmra` with arguments split at spaces; `~` stands for a space within one.
     fn cmra(&self, arguments: &str) -> Outcome {
-        let split = arguments
-            .split_whitespace()
-            .map(|argument| argument.replace('~', " "));
+        let split = arguments.split_whitespace().map(|argument| argument.replace('~', " "));
         outcome(self.command().args(split))
     }
 
@@ -123,17 +121,8 @@ fn run_prints_a_summary_of_the_baseline() {
     assert_eq!((done.code, done.err.as_str()), (0, ""));
     let mut lines = done.out.lines();
     assert_eq!(lines.next(), Some("thesis-baseline: Baseline of chapter 9"));
-    assert!(
-        lines.next().unwrap().starts_with("arrested: "),
-        "{}",
-        done.out
-    );
-    for label in [
-        "first arrest",
-        "peak contact force",
-        "residual",
-        "computed by",
-    ] {
+    assert!(lines.next().unwrap().starts_with("arrested: "), "{}", done.out);
+    for label in ["first arrest", "peak contact force", "residual", "computed by"] {
         assert!(done.out.contains(label), "{label}\n{}", done.out);
     }
     assert!(!done.out.contains('\u{1b}'), "no colour codes in a pipe");
@@ -174,40 +163,18 @@ fn set_changes_variables_in_order() {
 fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
     let place = Place::new();
     for (arguments, fragments) in [
-        (
-            "run --set gama=2",
-            &["`gama` is not a variable", "`gamma`"][..],
-        ),
+        ("run --set gama=2", &["`gama` is not a variable", "`gamma`"][..]),
         ("run --set gamma", &["NAME=VALUE"]),
-        (
-            "run --set gamma=heavy",
-            &["gamma (plate.mass_ratio)", "`heavy` is not a number"],
-        ),
+        ("run --set gamma=heavy", &["gamma (plate.mass_ratio)", "`heavy` is not a number"]),
         (
             "run --set gamma=-1",
-            &[
-                "gamma (plate.mass_ratio) = -1",
-                "greater than 0",
-                "did you mean 1?",
-            ],
+            &["gamma (plate.mass_ratio) = -1", "greater than 0", "did you mean 1?"],
         ),
         ("run --set m_p=nan", &["m_p (projectile.mass_kg)", "nan"]),
-        (
-            "run --set m_p=1e999",
-            &["m_p (projectile.mass_kg)", "not a finite number"],
-        ),
-        (
-            "run --set h=3kg",
-            &["h (target.thickness_m)", "`kg` is not a unit", "mm"],
-        ),
-        (
-            "run --set interface=glue",
-            &["interface (interface.law) = `glue`", "fused or plastic"],
-        ),
-        (
-            "run --set stop=-1",
-            &["x_stop (mechanism.stop.position_m) = -1 m", "reduce d"],
-        ),
+        ("run --set m_p=1e999", &["m_p (projectile.mass_kg)", "not a finite number"]),
+        ("run --set h=3kg", &["h (target.thickness_m)", "`kg` is not a unit", "mm"]),
+        ("run --set interface=glue", &["interface (interface.law) = `glue`", "fused or plastic"]),
+        ("run --set stop=-1", &["x_stop (mechanism.stop.position_m) = -1 m", "reduce d"]),
         ("run basline", &["`basline` is neither a preset nor a file"]),
         ("run thesis-basline", &["did you mean `thesis-baseline`?"]),
         ("run no/such.toml", &["no such file"]),
@@ -215,18 +182,10 @@ fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
         ("presets show cockd", &["did you mean `cocked`"]),
         ("man swep", &["`swep` is not a subcommand", "run"]),
         ("thesis-basline", &["did you mean `thesis-baseline`?"]),
-        (
-            "run --csv a.toml",
-            &["`a.toml` cannot be the target", "name a CSV file"],
-        ),
+        ("run --csv a.toml", &["`a.toml` cannot be the target", "name a CSV file"]),
     ] {
         let done = place.cmra(arguments);
-        assert_eq!(
-            (done.code, done.out.as_str()),
-            (2, ""),
-            "{arguments}: {}",
-            done.err
-        );
+        assert_eq!((done.code, done.out.as_str()), (2, ""), "{arguments}: {}", done.err);
         assert!(done.err.starts_with("error: "), "{arguments}: {}", done.err);
         assert_eq!(done.err.lines().count(), 1, "{arguments}: {}", done.err);
         for fragment in fragments {
@@ -238,12 +197,7 @@ fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
 #[test]
 fn contradictory_options_are_refused() {
     let place = Place::new();
-    for arguments in [
-        "run --json --plain",
-        "run --force",
-        "run --nonsense",
-        "cocked --fresh",
-    ] {
+    for arguments in ["run --json --plain", "run --force", "run --nonsense", "cocked --fresh"] {
         let done = place.cmra(arguments);
         assert_eq!((done.code, done.out.as_str()), (2, ""), "{arguments}");
         assert!(done.err.contains("Usage"), "{arguments}: {}", done.err);
@@ -253,23 +207,11 @@ fn contradictory_options_are_refused() {
 #[test]
 fn a_broken_scene_file_is_told_with_its_lines() {
     let place = Place::new();
-    place.write(
-        "bad.toml",
-        "format = 1\n[plate]\nmass_ration = 2\ncocking_m = -1\n",
-    );
+    place.write("bad.toml", "format = 1\n[plate]\nmass_ration = 2\ncocking_m = -1\n");
     let done = place.cmra("run bad.toml");
     assert_eq!(done.code, 2);
-    assert!(
-        done.err.contains("bad.toml:3:1: `plate.mass_ration`"),
-        "{}",
-        done.err
-    );
-    assert!(
-        done.err
-            .contains("bad.toml:4:13: d (plate.cocking_m) = -1 m"),
-        "{}",
-        done.err
-    );
+    assert!(done.err.contains("bad.toml:3:1: `plate.mass_ration`"), "{}", done.err);
+    assert!(done.err.contains("bad.toml:4:13: d (plate.cocking_m) = -1 m"), "{}", done.err);
 }
 
 #[test]
@@ -291,17 +233,9 @@ fn csv_reads_back_the_same_floats() {
     let place = Place::new();
     let done = place.cmra("run free-plate --csv out.csv");
     assert_eq!(done.code, 0, "{}", done.err);
-    assert!(
-        done.err.contains("wrote out.csv\nwrote out.toml"),
-        "{}",
-        done.err
-    );
+    assert!(done.err.contains("wrote out.csv\nwrote out.toml"), "{}", done.err);
     let text = place.read("out.csv");
-    assert!(
-        text.starts_with(CONTRACT_COLUMNS),
-        "{}",
-        text.lines().next().unwrap()
-    );
+    assert!(text.starts_with(CONTRACT_COLUMNS), "{}", text.lines().next().unwrap());
     assert!(text.contains("first arrest"), "events stand in the rows");
 
     // The same run inside this process, for floats to compare with.
@@ -351,21 +285,13 @@ fn nothing_is_overwritten_unasked() {
     place.write("out.csv", "mine");
     let done = place.cmra("run --csv out.csv");
     assert_eq!((done.code, done.out.as_str()), (2, ""));
-    assert!(
-        done.err.contains("`out.csv` exists") && done.err.contains("--force"),
-        "{}",
-        done.err
-    );
+    assert!(done.err.contains("`out.csv` exists") && done.err.contains("--force"), "{}", done.err);
     assert_eq!(place.read("out.csv"), "mine");
     assert!(!place.path("out.toml").exists());
 
     assert_eq!(place.cmra("run --csv out.csv --force").code, 0);
     assert!(place.read("out.csv").starts_with("time_s"));
-    assert_eq!(
-        place.cmra("run --csv out.csv --force").code,
-        0,
-        "an own sidecar may go"
-    );
+    assert_eq!(place.cmra("run --csv out.csv --force").code, 0, "an own sidecar may go");
 
     // A sidecar alone in the way keeps the CSV from being written, too.
     fs::remove_file(place.path("out.csv")).unwrap();
@@ -382,11 +308,7 @@ fn a_scene_someone_wrote_is_never_taken_for_a_sidecar() {
     place.write("plate.toml", mine);
     let done = place.cmra("run plate.toml --csv plate.csv --force");
     assert_eq!(done.code, 2);
-    assert!(
-        done.err.contains("was not written by an export"),
-        "{}",
-        done.err
-    );
+    assert!(done.err.contains("was not written by an export"), "{}", done.err);
     assert_eq!(place.read("plate.toml"), mine);
     assert!(!place.path("plate.csv").exists());
 }
@@ -406,11 +328,7 @@ fn a_file_that_cannot_be_written_is_a_failure_and_leaves_nothing() {
     let place = Place::new();
     let done = place.cmra("run --csv no/such/out.csv");
     assert_eq!((done.code, done.out.as_str()), (1, ""));
-    assert!(
-        done.err.contains("cannot write `no/such/out.csv`"),
-        "{}",
-        done.err
-    );
+    assert!(done.err.contains("cannot write `no/such/out.csv`"), "{}", done.err);
     assert_eq!(fs::read_dir(place.0.path()).unwrap().count(), 0);
 }
 
@@ -420,10 +338,7 @@ fn presets_are_listed_and_shown() {
     let list = place.cmra("presets");
     assert_eq!((list.code, list.err.as_str()), (0, ""));
     for preset in cmra::files::bundled::BUNDLED {
-        let row = list
-            .out
-            .lines()
-            .find(|line| line.split_whitespace().next() == Some(preset.name));
+        let row = list.out.lines().find(|line| line.split_whitespace().next() == Some(preset.name));
         assert!(row.is_some(), "{}", preset.name);
         let shown = place.cmra(&format!("presets show {}", preset.name));
         assert_eq!((shown.code, shown.out.as_str()), (0, preset.text));
@@ -439,26 +354,13 @@ fn own_presets_are_found_by_name() {
     );
     place.write("data/cmra/presets/hurt.toml", "format = 1\nplate = 6\n");
     // A file of a bundled name is not what that name means.
-    place.write(
-        "data/cmra/presets/cocked.toml",
-        "format = 1\nplate.mass_ratio = 6\n",
-    );
+    place.write("data/cmra/presets/cocked.toml", "format = 1\nplate.mass_ratio = 6\n");
     let list = place.cmra("presets");
     assert_eq!(list.code, 0);
-    assert!(
-        list.out.contains("\nheavy ") && list.out.contains("Heavy"),
-        "{}",
-        list.out
-    );
+    assert!(list.out.contains("\nheavy ") && list.out.contains("Heavy"), "{}", list.out);
     assert!(list.err.contains("hurt.toml:2:9"), "{}", list.err);
-    assert_eq!(
-        place.json("run heavy --json")["variables"]["plate.mass_ratio"],
-        6.0
-    );
-    assert_eq!(
-        place.json("run cocked --json")["variables"]["plate.mass_ratio"],
-        1.0
-    );
+    assert_eq!(place.json("run heavy --json")["variables"]["plate.mass_ratio"], 6.0);
+    assert_eq!(place.json("run cocked --json")["variables"]["plate.mass_ratio"], 1.0);
 }
 
 #[test]
@@ -466,11 +368,7 @@ fn paths_follow_the_environment() {
     let place = Place::new();
     let done = place.cmra("paths");
     assert_eq!(done.code, 0);
-    for path in [
-        "data/cmra/presets",
-        "state/cmra/session.toml",
-        "state/cmra/cmra.log",
-    ] {
+    for path in ["data/cmra/presets", "state/cmra/session.toml", "state/cmra/cmra.log"] {
         let path = place.path(path);
         assert!(done.out.contains(path.to_str().unwrap()), "{}", done.out);
     }
@@ -507,11 +405,7 @@ fn plain_charts_are_ascii_and_narrow() {
     let done = place.cmra("run --plain");
     assert_eq!((done.code, done.err.as_str()), (0, ""));
     assert!(done.out.is_ascii());
-    for title in [
-        "penetration p, contact",
-        "plate displacement x",
-        "contact force F",
-    ] {
+    for title in ["penetration p, contact", "plate displacement x", "contact force F"] {
         assert!(done.out.contains(title), "{title}");
     }
     let charts = done.out.lines().filter(|line| line.starts_with(['|', '+']));
@@ -534,10 +428,7 @@ fn without_a_terminal_the_workbench_prints_the_plain_run() {
     }
     let done = place.cmra("");
     assert!(done.out.starts_with("thesis-baseline"), "{}", done.out);
-    assert!(
-        !Path::new(&place.path("state")).exists(),
-        "no session is written"
-    );
+    assert!(!Path::new(&place.path("state")).exists(), "no session is written");
 }
 
 #[cfg(unix)]
@@ -553,12 +444,7 @@ fn a_reader_that_leaves_early_is_no_error() {
         .unwrap();
     drop(child.stdout.take());
     let mut said = String::new();
-    child
-        .stderr
-        .take()
-        .unwrap()
-        .read_to_string(&mut said)
-        .unwrap();
+    child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(0));
     assert_eq!(said, "");
 }

@@ -18,19 +18,13 @@ fn invalid_scenes_are_refused_with_place_and_cure() {
     for path in cases {
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         let text = fs::read_to_string(&path).unwrap();
-        let expected: Vec<&str> = text
-            .lines()
-            .filter_map(|line| line.strip_prefix("# expect: "))
-            .collect();
+        let expected: Vec<&str> =
+            text.lines().filter_map(|line| line.strip_prefix("# expect: ")).collect();
         assert!(!expected.is_empty(), "{name} expects nothing");
-        let message = read::scene_file(&path)
-            .expect_err(&format!("{name} is accepted"))
-            .to_string();
+        let message =
+            read::scene_file(&path).expect_err(&format!("{name} is accepted")).to_string();
         for fragment in expected {
-            assert!(
-                message.contains(fragment),
-                "{name}\n  expected: {fragment}\n  got: {message}"
-            );
+            assert!(message.contains(fragment), "{name}\n  expected: {fragment}\n  got: {message}");
         }
         for line in message.lines() {
             assert!(line.contains(&name), "{name}: no file name in: {line}");
@@ -99,10 +93,7 @@ law = \"plastic\"
 #[test]
 fn comments_order_and_formatting_survive_saving() {
     let mut scene = read::scene(COMMENTED, "mine").unwrap();
-    assert_eq!(
-        write::updated(COMMENTED, "mine", &scene).unwrap(),
-        COMMENTED
-    );
+    assert_eq!(write::updated(COMMENTED, "mine", &scene).unwrap(), COMMENTED);
     scene.title = "Three plates".to_owned();
     scene.plate.cocking_m = 0.06;
     scene.interface.law = cmra::model::scene::InterfaceLaw::Plastic;
@@ -147,11 +138,7 @@ fn a_fresh_file_names_symbols_beside_values() {
 fn value_of(kind: &Kind, size: f64, share: f64) -> Value {
     match kind {
         Kind::Choice(choice) => {
-            let index = if share < 0.5 {
-                0
-            } else {
-                choice.words.len() - 1
-            };
+            let index = if share < 0.5 { 0 } else { choice.words.len() - 1 };
             Value::Word(choice.words[index])
         }
         Kind::Switch { .. } => Value::Switch(share < 0.5),
@@ -165,11 +152,7 @@ fn value_of(kind: &Kind, size: f64, share: f64) -> Value {
                 Allowed::Positive | Allowed::NonNegative => size.abs(),
                 Allowed::Any => size,
             };
-            if number.allowed.contains(wanted) {
-                Value::Number(wanted)
-            } else {
-                Value::Number(0.5)
-            }
+            if number.allowed.contains(wanted) { Value::Number(wanted) } else { Value::Number(0.5) }
         }
     }
 }
@@ -184,11 +167,7 @@ fn sweeps() -> impl Strategy<Value = Option<Sweep>> {
     });
     let sweep = (axis, any::<bool>()).prop_map(|(axis, named)| Sweep {
         axes: vec![axis],
-        outputs: if named {
-            vec!["stroke_m".to_owned()]
-        } else {
-            Vec::new()
-        },
+        outputs: if named { vec!["stroke_m".to_owned()] } else { Vec::new() },
     });
     proptest::option::of(sweep)
 }

@@ -1,9 +1,13 @@
 //! The one integration test binary. Tests beside the code see its inside; these see what a user or a reader of the source sees.
 
 #[cfg(test)]
+mod charts;
+#[cfg(test)]
 mod cli;
 #[cfg(test)]
 mod files;
+#[cfg(test)]
+mod physics;
 #[cfg(test)]
 mod presets;
 #[cfg(test)]

@@ -47,10 +47,7 @@ fn every_preset_is_written_and_read_without_loss() {
         let fresh = write::fresh(&preset.scene);
         assert_eq!(read::scene(&fresh, name).unwrap(), preset.scene, "{name}");
         let same = write::updated(&preset.text, name, &preset.scene).unwrap();
-        assert_eq!(
-            same, preset.text,
-            "{name}: saving unchanged changes the text"
-        );
+        assert_eq!(same, preset.text, "{name}: saving unchanged changes the text");
     }
 }
 
@@ -59,12 +56,7 @@ fn the_baseline_is_the_default_scene() {
     let baseline = preset::baseline().unwrap().scene;
     let defaults = Scene::default();
     for variable in VARIABLES {
-        assert_eq!(
-            variable.value(&baseline),
-            variable.value(&defaults),
-            "{}",
-            variable.key
-        );
+        assert_eq!(variable.value(&baseline), variable.value(&defaults), "{}", variable.key);
     }
     assert_eq!(baseline.sweep, None);
 }
@@ -81,15 +73,8 @@ fn every_figure_has_its_sweep_over_the_range_searched() {
         let number: usize = number.parse().unwrap();
         let sweep = preset.scene.sweep.expect("a figure has a sweep");
         // Figures 9.2 to 9.6 are curves, 9.7 to 9.12 surfaces.
-        assert_eq!(
-            sweep.axes.len(),
-            if number <= 6 { 1 } else { 2 },
-            "{number}"
-        );
-        assert_eq!(
-            sweep.outputs,
-            ["percent_of_baseline", "max_plate_displacement_m"]
-        );
+        assert_eq!(sweep.axes.len(), if number <= 6 { 1 } else { 2 }, "{number}");
+        assert_eq!(sweep.outputs, ["percent_of_baseline", "max_plate_displacement_m"]);
         for axis in sweep.axes {
             // Table 9.2 of the thesis.
             let range = match axis.name.as_str() {

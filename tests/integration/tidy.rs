@@ -7,53 +7,20 @@ use std::path::{Path, PathBuf};
 use crate::support::in_repository;
 
 /// The layers from the lowest to the highest: a file may name its own and those before it.
-const LAYERS: [&str; 7] = [
-    "numerics", "model", "study", "files", "worker", "tui", "cli",
-];
+const LAYERS: [&str; 7] = ["numerics", "model", "study", "files", "worker", "tui", "cli"];
 
 /// What a part of the house must not know: words that must not appear in its code.
 const MUST_NOT_KNOW: &[(&str, &[&str])] = &[
     (
         "numerics",
-        &[
-            "std::fs",
-            "std::time",
-            "std::thread",
-            "plate",
-            "projectile",
-            "ratatui",
-            "serde",
-        ],
+        &["std::fs", "std::time", "std::thread", "plate", "projectile", "ratatui", "serde"],
     ),
-    (
-        "model",
-        &[
-            "std::fs",
-            "std::time",
-            "std::thread",
-            "std::io",
-            "ratatui",
-            "serde",
-            "toml::",
-        ],
-    ),
-    (
-        "files",
-        &[
-            "std::thread",
-            "ratatui",
-            "crossterm",
-            "stdout()",
-            "stderr()",
-        ],
-    ),
+    ("model", &["std::fs", "std::time", "std::thread", "std::io", "ratatui", "serde", "toml::"]),
+    ("files", &["std::thread", "ratatui", "crossterm", "stdout()", "stderr()"]),
     ("worker", &["ratatui", "crossterm"]),
     ("tui/app", &["ratatui", "std::fs", "Instant::now"]),
     ("tui/update", &["ratatui", "std::fs", "Instant::now"]),
-    (
-        "tui/chart",
-        &["crate::model", "crate::files", "crate::worker"],
-    ),
+    ("tui/chart", &["crate::model", "crate::files", "crate::worker"]),
 ];
 
 const LINES_MAX: usize = 500;
@@ -103,17 +70,11 @@ fn sources() -> Vec<Source> {
     found.sort();
     let name = |path: &Path| {
         let parts = path.strip_prefix(&root).unwrap().iter();
-        parts
-            .map(|part| part.to_str().unwrap())
-            .collect::<Vec<_>>()
-            .join("/")
+        parts.map(|part| part.to_str().unwrap()).collect::<Vec<_>>().join("/")
     };
     found
         .iter()
-        .map(|path| Source {
-            name: name(path),
-            text: fs::read_to_string(path).unwrap(),
-        })
+        .map(|path| Source { name: name(path), text: fs::read_to_string(path).unwrap() })
         .collect()
 }
 
@@ -125,14 +86,10 @@ fn assert_none(complaints: &[String]) {
 fn named_modules(line: &str) -> Vec<&str> {
     let mut names = Vec::new();
     for after in line.split("crate::").skip(1) {
-        let group = after
-            .strip_prefix('{')
-            .map(|rest| rest.split('}').next().unwrap_or(rest));
+        let group = after.strip_prefix('{').map(|rest| rest.split('}').next().unwrap_or(rest));
         let list = group.unwrap_or(after);
         for item in list.split(',') {
-            let end = item
-                .trim_start()
-                .find(|c: char| !(c.is_alphanumeric() || c == '_'));
+            let end = item.trim_start().find(|c: char| !(c.is_alphanumeric() || c == '_'));
             let item = item.trim_start();
             names.push(&item[..end.unwrap_or(item.len())]);
             if group.is_none() {
@@ -151,10 +108,7 @@ fn arrows_point_one_way() {
         for (number, line) in source.lines() {
             for name in named_modules(line) {
                 let Some(other) = LAYERS.iter().position(|layer| *layer == name) else {
-                    complaints.push(format!(
-                        "{}:{number}: crate::{name} is no layer",
-                        source.name
-                    ));
+                    complaints.push(format!("{}:{number}: crate::{name} is no layer", source.name));
                     continue;
                 };
                 if other > own {

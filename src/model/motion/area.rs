@@ -45,13 +45,7 @@ pub(super) struct Quadratic<const N: usize> {
 
 impl<const N: usize> Quadratic<N> {
     pub(super) fn new(origin_m: f64, a: [f64; 3]) -> Self {
-        Self {
-            origin_m,
-            a,
-            offset: [0.0; N],
-            area: [0.0; N],
-            pressure: [0.0; N],
-        }
+        Self { origin_m, a, offset: [0.0; N], area: [0.0; N], pressure: [0.0; N] }
     }
 }
 
@@ -65,11 +59,7 @@ impl<const N: usize> AreaTerm<N> for Quadratic<N> {
         drag_kg_m3: f64,
         j: usize,
     ) -> f64 {
-        self.offset[j] = if j == 0 {
-            travel[0] - self.origin_m
-        } else {
-            travel[j]
-        };
+        self.offset[j] = if j == 0 { travel[0] - self.origin_m } else { travel[j] };
         let constant = if j == 0 { self.a[0] } else { 0.0 };
         self.area[j] = constant + self.a[1] * self.offset[j] + self.a[2] * square(&self.offset, j);
         self.pressure[j] = pressure(slip, strength_pa, drag_kg_m3, j);
@@ -158,11 +148,7 @@ impl<const N: usize> Face<N> {
 
     /// Coefficient j of the area; `step_m` is coefficient j >= 1 of the depth.
     fn area(&mut self, step_m: f64, j: usize) -> f64 {
-        let Nose {
-            radius_m: r,
-            sin,
-            cos,
-        } = self.nose;
+        let Nose { radius_m: r, sin, cos } = self.nose;
         let full = 2.0 * r * r;
         match self.section {
             Section::None => 0.0,
@@ -170,11 +156,8 @@ impl<const N: usize> Face<N> {
             Section::Full => 0.0,
             Section::Cap => {
                 // pi R² cos (1 - kappa²)
-                self.kappa[j] = if j == 0 {
-                    1.0 - self.start_m * cos / r
-                } else {
-                    -step_m * cos / r
-                };
+                self.kappa[j] =
+                    if j == 0 { 1.0 - self.start_m * cos / r } else { -step_m * cos / r };
                 let squared = square(&self.kappa, j);
                 let rest = if j == 0 { 1.0 - squared } else { -squared };
                 std::f64::consts::PI * r * r * cos * rest

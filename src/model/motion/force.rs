@@ -38,16 +38,8 @@ pub(super) struct Whole<const N: usize> {
 impl<const N: usize> Whole<N> {
     /// `side` is the side of zero, which an even power needs to be odd.
     pub(super) fn new(coefficient: f64, exponent: usize, side: f64) -> Self {
-        let signed = if exponent % 2 == 0 {
-            coefficient * side
-        } else {
-            coefficient
-        };
-        Self {
-            coefficient: signed,
-            exponent,
-            powers: [[0.0; N]; WHOLE_MAX - 1],
-        }
+        let signed = if exponent % 2 == 0 { coefficient * side } else { coefficient };
+        Self { coefficient: signed, exponent, powers: [[0.0; N]; WHOLE_MAX - 1] }
     }
 }
 
@@ -70,10 +62,7 @@ pub(super) struct General<const N: usize> {
 
 impl<const N: usize> General<N> {
     pub(super) fn new(law: PowerLaw) -> Self {
-        Self {
-            law,
-            series: [0.0; N],
-        }
+        Self { law, series: [0.0; N] }
     }
 }
 

@@ -55,13 +55,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Projectile,
         meaning: "radius of the hemispherical tip and of the body behind it",
         source: TABLE_9_1,
-        kind: number!(
-            Length,
-            Allowed::Positive,
-            None,
-            Linear,
-            projectile.tip_radius_m
-        ),
+        kind: number!(Length, Allowed::Positive, None, Linear, projectile.tip_radius_m),
     },
     Variable {
         key: "projectile.velocity_m_s",
@@ -70,13 +64,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Projectile,
         meaning: "impact velocity",
         source: TABLE_9_1,
-        kind: number!(
-            Velocity,
-            Allowed::Positive,
-            None,
-            Linear,
-            projectile.velocity_m_s
-        ),
+        kind: number!(Velocity, Allowed::Positive, None, Linear, projectile.velocity_m_s),
     },
     Variable {
         key: "projectile.obliquity_deg",
@@ -85,13 +73,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Projectile,
         meaning: "obliquity, between the projectile's axis and the plate's normal",
         source: "thesis Appendix A.1; 0 throughout chapter 9",
-        kind: number!(
-            Angle,
-            Allowed::Below(0.0, 90.0),
-            None,
-            Linear,
-            projectile.obliquity_deg
-        ),
+        kind: number!(Angle, Allowed::Below(0.0, 90.0), None, Linear, projectile.obliquity_deg),
     },
     Variable {
         key: "target.thickness_m",
@@ -109,13 +91,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Target,
         meaning: "plate density",
         source: "thesis Table 9.1 (the Appendix has 2780)",
-        kind: number!(
-            Density,
-            Allowed::Positive,
-            None,
-            Linear,
-            target.density_kg_m3
-        ),
+        kind: number!(Density, Allowed::Positive, None, Linear, target.density_kg_m3),
     },
     Variable {
         key: "target.flow_strength_pa",
@@ -124,13 +100,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Target,
         meaning: "dynamic flow strength of the plate",
         source: "thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6",
-        kind: number!(
-            Pressure,
-            Allowed::NonNegative,
-            None,
-            Linear,
-            target.flow_strength_pa
-        ),
+        kind: number!(Pressure, Allowed::NonNegative, None, Linear, target.flow_strength_pa),
     },
     Variable {
         key: "target.drag_coefficient",
@@ -139,13 +109,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Target,
         meaning: "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
         source: TABLE_9_1,
-        kind: number!(
-            Number,
-            Allowed::NonNegative,
-            None,
-            Linear,
-            target.drag_coefficient
-        ),
+        kind: number!(Number, Allowed::NonNegative, None, Linear, target.drag_coefficient),
     },
     Variable {
         key: "target.dishing",
@@ -170,11 +134,7 @@ pub static VARIABLES: &[Variable] = &[
             words: &["sprung", "rigid"],
             get: |scene| usize::from(scene.plate.mount == Mount::Rigid),
             set: |scene, index| {
-                scene.plate.mount = if index == 0 {
-                    Mount::Sprung
-                } else {
-                    Mount::Rigid
-                };
+                scene.plate.mount = if index == 0 { Mount::Sprung } else { Mount::Rigid };
             },
         }),
     },
@@ -185,13 +145,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Plate,
         meaning: "mass ratio, plate mass over projectile mass",
         source: TABLE_9_2,
-        kind: number!(
-            Number,
-            Allowed::Positive,
-            Some((0.8, 7.0)),
-            Linear,
-            plate.mass_ratio
-        ),
+        kind: number!(Number, Allowed::Positive, Some((0.8, 7.0)), Linear, plate.mass_ratio),
     },
     Variable {
         key: "plate.cocking_m",
@@ -200,13 +154,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Plate,
         meaning: "cocking distance: the plate starts at x = -d, at rest",
         source: TABLE_9_2,
-        kind: number!(
-            Length,
-            Allowed::NonNegative,
-            Some((0.0, 0.5)),
-            Linear,
-            plate.cocking_m
-        ),
+        kind: number!(Length, Allowed::NonNegative, Some((0.0, 0.5)), Linear, plate.cocking_m),
     },
     Variable {
         key: "mechanism.damper.coefficient",
@@ -230,13 +178,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Mechanism,
         meaning: "damper exponent",
         source: "thesis section 9.2.2: 1",
-        kind: number!(
-            Number,
-            Allowed::Positive,
-            None,
-            Log,
-            mechanism.damper.exponent
-        ),
+        kind: number!(Number, Allowed::Positive, None, Log, mechanism.damper.exponent),
     },
     Variable {
         key: "mechanism.spring.kind",
@@ -275,13 +217,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Mechanism,
         meaning: "spring exponent",
         source: TABLE_9_2,
-        kind: number!(
-            Number,
-            Allowed::Positive,
-            Some((0.1, 3.0)),
-            Log,
-            mechanism.spring.exponent
-        ),
+        kind: number!(Number, Allowed::Positive, Some((0.1, 3.0)), Log, mechanism.spring.exponent),
     },
     Variable {
         key: "mechanism.stop.position_m",
@@ -303,11 +239,8 @@ pub static VARIABLES: &[Variable] = &[
             words: &["rigid", "elastic"],
             get: |scene| usize::from(scene.mechanism.stop.kind == StopKind::Elastic),
             set: |scene, index| {
-                scene.mechanism.stop.kind = if index == 0 {
-                    StopKind::Rigid
-                } else {
-                    StopKind::Elastic
-                };
+                scene.mechanism.stop.kind =
+                    if index == 0 { StopKind::Rigid } else { StopKind::Elastic };
             },
         }),
     },
@@ -318,13 +251,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Stop,
         meaning: "restitution of a rigid stop: w becomes -e w",
         source: "assumption",
-        kind: number!(
-            Number,
-            Allowed::Between(0.0, 1.0),
-            None,
-            Linear,
-            mechanism.stop.restitution
-        ),
+        kind: number!(Number, Allowed::Between(0.0, 1.0), None, Linear, mechanism.stop.restitution),
     },
     Variable {
         key: "mechanism.stop.stiffness_n_m",
@@ -333,13 +260,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Stop,
         meaning: "stiffness of an elastic stop",
         source: "assumption",
-        kind: number!(
-            Stiffness,
-            Allowed::Positive,
-            None,
-            Log,
-            mechanism.stop.stiffness_n_m
-        ),
+        kind: number!(Stiffness, Allowed::Positive, None, Log, mechanism.stop.stiffness_n_m),
     },
     Variable {
         key: "mechanism.stop.damping_n_s_m",
@@ -348,13 +269,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Stop,
         meaning: "damping of an elastic stop (it only pushes)",
         source: "assumption",
-        kind: number!(
-            Damping,
-            Allowed::NonNegative,
-            None,
-            Log,
-            mechanism.stop.damping_n_s_m
-        ),
+        kind: number!(Damping, Allowed::NonNegative, None, Log, mechanism.stop.damping_n_s_m),
     },
     Variable {
         key: "contact.model",
@@ -382,11 +297,8 @@ pub static VARIABLES: &[Variable] = &[
             words: &["fused", "plastic"],
             get: |scene| usize::from(scene.interface.law == InterfaceLaw::Plastic),
             set: |scene, index| {
-                scene.interface.law = if index == 0 {
-                    InterfaceLaw::Fused
-                } else {
-                    InterfaceLaw::Plastic
-                };
+                scene.interface.law =
+                    if index == 0 { InterfaceLaw::Fused } else { InterfaceLaw::Plastic };
             },
         }),
     },
@@ -406,13 +318,7 @@ pub static VARIABLES: &[Variable] = &[
         group: Group::Run,
         meaning: "relative accuracy asked of depth and time",
         source: "default of this program",
-        kind: number!(
-            Number,
-            Allowed::Between(1e-14, 1e-2),
-            None,
-            Log,
-            run.tolerance
-        ),
+        kind: number!(Number, Allowed::Between(1e-14, 1e-2), None, Log, run.tolerance),
     },
     Variable {
         key: "run.horizon_s",
@@ -435,10 +341,7 @@ mod tests {
     fn names_are_unique() {
         let mut seen = HashSet::new();
         for variable in VARIABLES {
-            for name in [variable.symbol, variable.key]
-                .iter()
-                .chain(variable.aliases)
-            {
+            for name in [variable.symbol, variable.key].iter().chain(variable.aliases) {
                 assert!(seen.insert(*name), "{name} twice");
             }
         }

@@ -35,18 +35,12 @@ pub struct Picker {
 impl Picker {
     /// A list whose filter takes characters at once.
     pub fn typing() -> Self {
-        Self {
-            typing: true,
-            ..Self::default()
-        }
+        Self { typing: true, ..Self::default() }
     }
 
     /// A list with a row selected.
     pub fn at(selected: usize) -> Self {
-        Self {
-            selected,
-            ..Self::default()
-        }
+        Self { selected, ..Self::default() }
     }
 }
 
@@ -175,10 +169,7 @@ pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
         .filter(|row| {
             row.help.to_lowercase().contains(&wanted)
                 || row.short.to_lowercase().contains(&wanted)
-                || row
-                    .keys
-                    .iter()
-                    .any(|key| key.words().to_lowercase() == wanted)
+                || row.keys.iter().any(|key| key.words().to_lowercase() == wanted)
         })
         .collect()
 }
@@ -216,11 +207,7 @@ pub fn preset_rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a Prese
 
 /// Whether the characters of `typed` occur in `text` in order, and how far apart (smaller is better).
 pub fn fuzzy(typed: &str, text: &str) -> Option<usize> {
-    let wanted: Vec<char> = typed
-        .to_lowercase()
-        .chars()
-        .filter(|c| !c.is_whitespace())
-        .collect();
+    let wanted: Vec<char> = typed.to_lowercase().chars().filter(|c| !c.is_whitespace()).collect();
     let text: Vec<char> = text.to_lowercase().chars().collect();
     let Some(first) = wanted.first() else {
         return Some(0);

@@ -45,11 +45,8 @@ impl App {
         let mut lines = Vec::new();
         match &self.shown {
             Some(shown) => {
-                let which = if self.is_stale() {
-                    " (old: the scene has changed since)"
-                } else {
-                    ""
-                };
+                let which =
+                    if self.is_stale() { " (old: the scene has changed since)" } else { "" };
                 warnings(&mut lines, &shown.run, which);
                 events(&mut lines, &shown.run);
                 energy(&mut lines, &shown.run.ledger);
@@ -70,11 +67,7 @@ impl App {
                 Severity::Warning => LineKind::Warning,
                 Severity::Error => LineKind::Error,
             };
-            push(
-                &mut lines,
-                kind,
-                format!("{:<8} {}", notice.severity.word(), notice.text),
-            );
+            push(&mut lines, kind, format!("{:<8} {}", notice.severity.word(), notice.text));
         }
         lines
     }
@@ -115,21 +108,12 @@ fn events(lines: &mut Vec<LogLine>, run: &Run) {
 pub fn event_lines(run: &Run) -> Vec<String> {
     run.events
         .iter()
-        .map(|event| {
-            format!(
-                "{:>10}  {}",
-                engineering(event.t_s, "s"),
-                event.kind.words()
-            )
-        })
+        .map(|event| format!("{:>10}  {}", engineering(event.t_s, "s"), event.kind.words()))
         .collect()
 }
 
 fn energy(lines: &mut Vec<LogLine>, ledger: &EnergyLedger) {
-    heading(
-        lines,
-        "Energy: where it was at the start, and where it went",
-    );
+    heading(lines, "Energy: where it was at the start, and where it went");
     for line in energy_lines(ledger) {
         push(lines, LineKind::Text, line);
     }
@@ -139,15 +123,8 @@ fn energy(lines: &mut Vec<LogLine>, ledger: &EnergyLedger) {
 pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
     let start = ledger.initial_j();
     let term = |name: &str, value: f64| {
-        let percent = if start == 0.0 {
-            0.0
-        } else {
-            100.0 * value / start
-        };
-        format!(
-            "{name:<13}{:>10}  {percent:>5.1} %",
-            engineering(value, "J")
-        )
+        let percent = if start == 0.0 { 0.0 } else { 100.0 * value / start };
+        format!("{name:<13}{:>10}  {percent:>5.1} %", engineering(value, "J"))
     };
     let mut lines = vec![term("at the start", start)];
     if ledger.initial_spring_j != 0.0 {
@@ -173,23 +150,15 @@ fn cost(lines: &mut Vec<LogLine>, run: &Run) {
         || "not estimated".to_owned(),
         |estimate| match estimate.basis {
             EstimateBasis::ClosedForm => {
-                format!(
-                    "{:.1e} (closed form: only rounding is left)",
-                    estimate.relative
-                )
+                format!("{:.1e} (closed form: only rounding is left)", estimate.relative)
             }
-            EstimateBasis::SecondComputation => format!(
-                "{:.1e} (difference to a second, tighter computation)",
-                estimate.relative
-            ),
+            EstimateBasis::SecondComputation => {
+                format!("{:.1e} (difference to a second, tighter computation)", estimate.relative)
+            }
         },
     );
     let omitted: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();
-    let omitted = if omitted.is_empty() {
-        "nothing".to_owned()
-    } else {
-        omitted.join(", ")
-    };
+    let omitted = if omitted.is_empty() { "nothing".to_owned() } else { omitted.join(", ") };
     let cost = &run.cost;
     for (name, text) in [
         ("method", format!("{}: {}", cost.method, cost.reason)),

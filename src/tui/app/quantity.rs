@@ -96,11 +96,7 @@ impl Quantity {
         };
         let (low, high) = (self.of(before), self.of(next));
         let width = next.t_s - before.t_s;
-        let share = if width > 0.0 {
-            (t_s - before.t_s) / width
-        } else {
-            0.0
-        };
+        let share = if width > 0.0 { (t_s - before.t_s) / width } else { 0.0 };
         Some(low + share * (high - low))
     }
 

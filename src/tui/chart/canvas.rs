@@ -33,10 +33,7 @@ impl Canvas {
     /// Dots across and upward.
     pub(super) fn size(&self) -> (usize, usize) {
         let (across, down) = self.glyphs.dots();
-        (
-            self.cells.0 * usize::from(across),
-            self.cells.1 * usize::from(down),
-        )
+        (self.cells.0 * usize::from(across), self.cells.1 * usize::from(down))
     }
 
     /// A position in cells from the middle of the first one, in dots.
@@ -99,10 +96,7 @@ impl Canvas {
         if low >= height as f64 || high < 0.0 {
             return;
         }
-        let ends = (
-            whole_below(low.max(0.0), height),
-            whole_below(high.min(top), height),
-        );
+        let ends = (whole_below(low.max(0.0), height), whole_below(high.min(top), height));
         if let (Some(low), Some(high)) = ends {
             for y in low..=high {
                 self.dot(x, y, owner);
@@ -153,12 +147,7 @@ fn braille(dots: u8) -> u8 {
 fn clip(from: (f64, f64), to: (f64, f64), size: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    let edges = [
-        (-dx, from.0),
-        (dx, size.0 - from.0),
-        (-dy, from.1),
-        (dy, size.1 - from.1),
-    ];
+    let edges = [(-dx, from.0), (dx, size.0 - from.0), (-dy, from.1), (dy, size.1 - from.1)];
     for (toward, distance) in edges {
         if toward == 0.0 {
             if distance < 0.0 {

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 
 use ratatui::text::Span;
 
+use super::scale::{Scale, ViewRange};
 use crate::tui::theme::Role;
 
 /// Characters that tell curves apart, the current run's first; none is used by axes, event lines or the crosshair alone.
@@ -96,14 +97,7 @@ impl<'a> Curve<'a> {
     }
 
     fn with(marker: char, label: Cow<'a, str>, points: Points<'a>) -> Self {
-        Self {
-            marker,
-            label,
-            points,
-            colour: 0,
-            emphasis: Emphasis::Normal,
-            side: Side::Left,
-        }
+        Self { marker, label, points, colour: 0, emphasis: Emphasis::Normal, side: Side::Left }
     }
 
     /// In this colour.
@@ -145,6 +139,19 @@ impl<'a> Curve<'a> {
         found
     }
 
+    /// The range of its x values on a scale; `None` without any.
+    pub fn x_range(&self, scale: Scale) -> Option<ViewRange> {
+        let drawn = self.points.iter().filter(|(_, y)| y.is_finite());
+        ViewRange::of(scale, drawn.map(|(x, _)| x))
+    }
+
+    /// The range of its y values on a scale, of the part whose x lies in a view; `None` where nothing does.
+    pub fn y_range(&self, scale: Scale, part: ViewRange) -> Option<ViewRange> {
+        let drawn = self.points.iter().filter(|(x, _)| part.contains(*x));
+        let at_bounds = [part.lo(), part.hi()].into_iter().filter_map(|x| self.value_at(x));
+        ViewRange::of(scale, drawn.map(|(_, y)| y).chain(at_bounds))
+    }
+
     /// The role that colours it.
     pub(super) fn role(&self) -> Role {
         match self.emphasis {
@@ -173,7 +180,8 @@ fn between(a: (f64, f64), b: (f64, f64), x: f64) -> Option<f64> {
     }
     let fraction = (x - a.0) / (b.0 - a.0);
     if fraction.is_finite() && fraction < 1.0 {
-        Some(a.1 + (b.1 - a.1) * fraction)
+        // Weighted, not added: the difference of two huge values may overflow.
+        Some(a.1 * (1.0 - fraction) + b.1 * fraction)
     } else {
         Some(b.1)
     }
@@ -213,6 +221,18 @@ mod tests {
         assert_eq!(curve.value_at(1.0), Some(20.0));
         assert_eq!(curve.value_at(0.5), Some(5.0));
         assert_eq!(curve.value_at(1.5), Some(25.0));
+    }
+
+    #[test]
+    fn the_vertical_range_is_that_of_what_is_in_view() {
+        let points = [(0.0, 0.0), (1.0, 10.0), (2.0, GAP), (3.0, 99.0)];
+        let curve = Curve::new('*', "now", &points);
+        let range = |lo, hi| curve.y_range(Scale::Linear, ViewRange::new(lo, hi));
+        assert_eq!(range(0.0, 3.0), Some(ViewRange::new(0.0, 99.0)));
+        assert_eq!(range(0.25, 0.75), Some(ViewRange::new(2.5, 7.5)));
+        assert_eq!(range(1.5, 2.5), None);
+        assert_eq!(curve.x_range(Scale::Linear), Some(ViewRange::new(0.0, 3.0)));
+        assert_eq!(curve.x_range(Scale::Log10), Some(ViewRange::new(1.0, 3.0)));
     }
 
     #[test]

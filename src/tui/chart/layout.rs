@@ -14,7 +14,7 @@ const LEAST_PLOT_WIDTH: u16 = 8;
 const AXIS_FROM: u16 = 3;
 const LABELS_FROM: u16 = 4;
 const LEGEND_ROW_FROM: u16 = 9;
-/// Blank columns right of a plot without a right axis, for the second half of the last label.
+/// Least blank columns right of a plot without a right axis: for the second half of the last label, and a blank.
 const MARGIN: u16 = 2;
 
 /// Where the parts of a chart lie, and how its values map to cells.
@@ -56,17 +56,11 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let height = inner.height.saturating_sub(top + axis + labels);
 
     let y = map(&chart.y, chart.y.view, height);
-    let right = chart
-        .right
-        .as_ref()
-        .map(|axis| map(axis, axis.view, height));
+    let right = chart.right.as_ref().map(|axis| map(axis, axis.view, height));
     let along = Along::Column(half_rows_apart(height));
     let y_ticks = axis_ticks(&chart.y, height, along);
-    let right_ticks = chart
-        .right
-        .as_ref()
-        .map(|axis| axis_ticks(axis, height, along))
-        .unwrap_or_default();
+    let right_ticks =
+        chart.right.as_ref().map(|axis| axis_ticks(axis, height, along)).unwrap_or_default();
 
     let gutter = (y_ticks.width() + 1).max(LEAST_GUTTER).max(chart.gutter);
     let has_left = inner.width >= gutter.saturating_add(1 + LEAST_PLOT_WIDTH);
@@ -75,7 +69,12 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let has_right = right.is_some() && inner.width >= left + right_width + LEAST_PLOT_WIDTH;
     let margin = match (has_right, has_left) {
         (true, _) => right_width,
-        (false, true) => MARGIN,
+        (false, true) => {
+            let width = inner.width.saturating_sub(left + MARGIN);
+            let label = axis_ticks(&chart.x, width, Along::Row).width();
+            // Labels must not eat the plot: a quarter of it at most.
+            (label.saturating_sub(1) / 2 + 1).clamp(MARGIN, MARGIN.max(width / 4))
+        }
         (false, false) => 0,
     };
     let plot = Rect {

@@ -2,6 +2,7 @@
 
 use ratatui::buffer::Buffer;
 use ratatui::style::{Modifier, Style};
+use ratatui::text::Span;
 
 use super::canvas::Canvas;
 use super::layout::Layout;
@@ -21,12 +22,7 @@ pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer, the
     if layout.plot.width == 0 || layout.plot.height == 0 {
         return;
     }
-    let mut brush = Brush {
-        chart,
-        layout,
-        buffer,
-        theme,
-    };
+    let mut brush = Brush { chart, layout, buffer, theme };
     brush.vertical_axis(layout.axis_left, &layout.y_ticks.ticks, true);
     brush.vertical_axis(layout.axis_right, &layout.right_ticks.ticks, false);
     brush.horizontal_axis();
@@ -63,11 +59,7 @@ impl Brush<'_> {
         for y in plot.top()..plot.bottom() {
             self.put(x, y, lines.vertical, style);
         }
-        let mark = if left {
-            lines.tick_left
-        } else {
-            lines.tick_right
-        };
+        let mark = if left { lines.tick_left } else { lines.tick_right };
         for tick in ticks {
             let y = self.row(tick.cell);
             self.put(x, y, mark, style);
@@ -128,11 +120,7 @@ impl Brush<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         let dotted = self.theme.lines().level;
-        let step = if self.theme.glyphs == GlyphSet::Braille {
-            1
-        } else {
-            2
-        };
+        let step = if self.theme.glyphs == GlyphSet::Braille { 1 } else { 2 };
         for level in &self.chart.levels {
             let Some(cell) = self.layout.y.cell(level.y) else {
                 continue;
@@ -141,11 +129,14 @@ impl Brush<'_> {
             for x in (plot.left()..plot.right()).step_by(step) {
                 self.put(x, y, dotted, style);
             }
-            let length = u16::try_from(level.tag.chars().count()).unwrap_or(u16::MAX);
+            if level.tag.is_empty() {
+                continue;
+            }
+            // A blank keeps the tag clear of the dots.
+            let tag = format!(" {}", level.tag);
+            let length = u16::try_from(Span::raw(&tag).width()).unwrap_or(u16::MAX);
             if length < plot.width {
-                let room = usize::from(length);
-                self.buffer
-                    .set_stringn(plot.right() - length, y, &level.tag, room, style);
+                self.buffer.set_string(plot.right() - length, y, &tag, style);
             }
         }
     }
@@ -171,7 +162,7 @@ impl Brush<'_> {
         for (index, (x, tag)) in tags.iter().enumerate() {
             // A blank before the next tag, unless the two are neighbours.
             let next = tags.get(index + 1);
-            let end = next.map_or(plot.right(), |(next, _)| next.saturating_sub(1));
+            let end = next.map_or_else(|| plot.right(), |(next, _)| next.saturating_sub(1));
             let room = usize::from((end - x).max(1));
             self.buffer.set_stringn(*x, plot.top(), tag, room, style);
         }
@@ -184,12 +175,7 @@ impl Brush<'_> {
         for owner in drawing_order(&self.chart.curves) {
             let curve = &self.chart.curves[owner];
             canvas.start_owner();
-            trace(
-                curve,
-                owner,
-                (self.layout.x, self.vertical(curve)),
-                &mut canvas,
-            );
+            trace(curve, owner, (self.layout.x, self.vertical(curve)), &mut canvas);
             if self.theme.glyphs != GlyphSet::Ascii && self.chart.curves.len() > 1 {
                 place_markers(&canvas, owner, usize::from(plot.width), &mut markers);
             }

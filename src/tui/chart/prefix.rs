@@ -15,19 +15,13 @@ pub struct Unit<'a> {
 impl<'a> Unit<'a> {
     /// A unit as it is.
     pub fn new(name: impl Into<Cow<'a, str>>) -> Self {
-        Self {
-            factor: 1.0,
-            name: name.into(),
-        }
+        Self { factor: 1.0, name: name.into() }
     }
 
     /// A unit and the factor that leads to it.
     pub fn scaled(factor: f64, name: impl Into<Cow<'a, str>>) -> Self {
         let usable = factor.is_finite() && factor > 0.0;
-        Self {
-            factor: if usable { factor } else { 1.0 },
-            name: name.into(),
-        }
+        Self { factor: if usable { factor } else { 1.0 }, name: name.into() }
     }
 
     /// The prefix under which the greatest number of a range is from 1 to below 1000: 0 to 0.0071 m gives mm. Units that take
@@ -38,14 +32,11 @@ impl<'a> Unit<'a> {
             return Self::new(unit);
         }
         // A hair below the limit, so that 1 mm computed as 0.00099999999 m is still 1 mm.
-        let found = PREFIXES
-            .iter()
-            .find(|(size, _, _)| greatest >= size * (1.0 - 1e-9));
+        let found = PREFIXES.iter().find(|(size, _, _)| greatest >= size * (1.0 - 1e-9));
         match found {
-            Some((_, factor, prefix)) => Self {
-                factor: *factor,
-                name: format!("{prefix}{unit}").into(),
-            },
+            Some((_, factor, prefix)) => {
+                Self { factor: *factor, name: format!("{prefix}{unit}").into() }
+            }
             None => Self::new(unit),
         }
     }
@@ -66,9 +57,7 @@ const PREFIXES: [(f64, f64, &str); 9] = [
 
 fn takes_prefix(unit: &str) -> bool {
     let leading = unit.split(['/', ' ', '*', '·']).next().unwrap_or("");
-    let plain = leading
-        .chars()
-        .all(|c| c.is_alphabetic() && c != '²' && c != '³');
+    let plain = leading.chars().all(|c| c.is_alphabetic() && c != '²' && c != '³');
     plain && !matches!(leading, "" | "kg" | "deg" | "rad")
 }
 

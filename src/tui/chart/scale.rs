@@ -4,6 +4,8 @@
 //! The first value of a range lies in the middle of the first cell, the last one in the middle of the last, whatever the glyph
 //! set: a tick, a curve and the crosshair at the same value are always in the same column.
 
+use super::steps::{Step, decade, power};
+
 /// Positions are kept within this many cells of the view: far enough that the direction of a line is right, near enough that
 /// clipping it loses nothing.
 const FAR_CELLS: f64 = 1e9;
@@ -74,8 +76,8 @@ impl Default for ViewRange {
 }
 
 impl ViewRange {
-    /// The range between two values, in either order. Where it would be empty it is widened; a value that is not finite is
-    /// replaced: both, by 0 to 1; one, by a range of width 1 at the other.
+    /// The range between two values, in either order. Where it would be empty it is widened, by a twentieth at both ends
+    /// or, at zero, to 0 to 1. A value that is not finite is replaced: both, by 0 to 1; one, by a range of width 1 at the other.
     pub fn new(a: f64, b: f64) -> Self {
         let (a, b) = match (a.is_finite(), b.is_finite()) {
             (true, true) => (a, b),
@@ -89,15 +91,10 @@ impl ViewRange {
         if hi - lo >= (greatest * NARROWEST).max(NARROWEST_ABSOLUTE) {
             return Self { lo, hi };
         }
-        let half = if greatest < NARROWEST_ABSOLUTE {
-            0.5
-        } else {
-            greatest * 0.05
-        };
-        Self {
-            lo: lo - half,
-            hi: hi + half,
+        if greatest < NARROWEST_ABSOLUTE {
+            return Self::default();
         }
+        Self { lo: lo - greatest * 0.05, hi: hi + greatest * 0.05 }
     }
 
     /// The range of all values that have a place on the scale; `None` when there is none.
@@ -137,11 +134,7 @@ impl ViewRange {
             Scale::Linear => self,
             Scale::Log10 if self.hi <= 1e-290 => Self { lo: 0.1, hi: 10.0 },
             Scale::Log10 => {
-                let lo = if self.lo > 1e-300 {
-                    self.lo
-                } else {
-                    self.hi * LOG_FLOOR
-                };
+                let lo = if self.lo > 1e-300 { self.lo } else { self.hi * LOG_FLOOR };
                 Self { lo, hi: self.hi }
             }
         }
@@ -150,20 +143,13 @@ impl ViewRange {
     /// The least range that holds both.
     #[must_use]
     pub fn union(self, other: Self) -> Self {
-        Self {
-            lo: self.lo.min(other.lo),
-            hi: self.hi.max(other.hi),
-        }
+        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
     /// Grown as far as needed to hold a value; one that is not finite changes nothing.
     #[must_use]
     pub fn including(self, value: f64) -> Self {
-        if value.is_finite() {
-            Self::new(self.lo.min(value), self.hi.max(value))
-        } else {
-            self
-        }
+        if value.is_finite() { Self::new(self.lo.min(value), self.hi.max(value)) } else { self }
     }
 
     /// Grown by a fraction of its span at both ends.
@@ -175,6 +161,22 @@ impl ViewRange {
         })
     }
 
+    /// Grown to round bounds, so that small changes of the data do not move the axis: multiples of a 1-2-5 step about a fifth
+    /// of the span; on a logarithmic axis of more than a decade, whole decades.
+    #[must_use]
+    pub fn rounded(self, scale: Scale) -> Self {
+        let view = self.on(scale);
+        if scale == Scale::Log10 && view.hi / view.lo > 10.0 {
+            let top = decade(view.hi);
+            let above = if power(top) < view.hi { top + 1 } else { top };
+            return Self::new(power(decade(view.lo)), power(above));
+        }
+        let step = Step::at_least(view.span() / 5.0).size();
+        let lo = (view.lo / step + 1e-9).floor() * step;
+        let hi = (view.hi / step - 1e-9).ceil() * step;
+        Self::new(lo.min(view.lo), hi.max(view.hi)).on(scale)
+    }
+
     /// Zoomed about a value, which keeps its place: `factor` 2 shows half the span, 0.5 twice. A value outside the range is
     /// replaced by the nearer bound; a factor that is not positive and finite changes nothing.
     #[must_use]
@@ -184,9 +186,7 @@ impl ViewRange {
         }
         let view = self.on(scale);
         let about = scale.forward(about.clamp(view.lo, view.hi));
-        self.mapped(scale, |lo, hi| {
-            (about - (about - lo) / factor, about + (hi - about) / factor)
-        })
+        self.mapped(scale, |lo, hi| (about - (about - lo) / factor, about + (hi - about) / factor))
     }
 
     /// Moved by a fraction of its span; positive moves to greater values.
@@ -240,16 +240,17 @@ pub struct Mapping {
     scale: Scale,
     view: ViewRange,
     cells: u16,
+    /// The view's lower bound and span in the space of the scale.
+    from: f64,
+    span: f64,
 }
 
 impl Mapping {
     /// A range spread over so many cells.
     pub fn new(scale: Scale, view: ViewRange, cells: u16) -> Self {
-        Self {
-            scale,
-            view: view.on(scale),
-            cells,
-        }
+        let view = view.on(scale);
+        let from = scale.forward(view.lo);
+        Self { scale, view, cells, from, span: scale.forward(view.hi) - from }
     }
 
     /// The range as shown.
@@ -273,9 +274,7 @@ impl Mapping {
         if !self.scale.shows(value) {
             return None;
         }
-        let lo = self.scale.forward(self.view.lo);
-        let hi = self.scale.forward(self.view.hi);
-        let fraction = (self.scale.forward(value) - lo) / (hi - lo);
+        let fraction = (self.scale.forward(value) - self.from) / self.span;
         let last = f64::from(self.cells.saturating_sub(1));
         Some((fraction * last).clamp(-FAR_CELLS, FAR_CELLS))
     }
@@ -296,20 +295,16 @@ impl Mapping {
         if cell >= last {
             return self.view.hi;
         }
-        let lo = self.scale.forward(self.view.lo);
-        let hi = self.scale.forward(self.view.hi);
-        let fraction = f64::from(cell) / f64::from(last);
-        self.scale.back(lo + (hi - lo) * fraction)
+        // Multiplied before divided: the value at a tick comes out as it is written there.
+        let from_start = self.span * f64::from(cell) / f64::from(last);
+        self.scale.back(self.from + from_start)
     }
 
     /// A value moved by so many cells, and held in the view: how the crosshair walks. From outside it starts at the nearer
     /// bound.
     pub fn stepped(self, value: f64, by: i32) -> f64 {
-        let inside = if value.is_nan() {
-            self.view.lo
-        } else {
-            value.clamp(self.view.lo, self.view.hi)
-        };
+        let inside =
+            if value.is_nan() { self.view.lo } else { value.clamp(self.view.lo, self.view.hi) };
         let cell = i32::from(self.cell(inside).unwrap_or(0));
         let last = i32::from(self.cells.saturating_sub(1));
         let target = cell.saturating_add(by).clamp(0, last);
@@ -337,22 +332,16 @@ mod tests {
     #[test]
     fn bounds_are_put_in_order_and_never_empty() {
         assert_eq!(ViewRange::new(3.0, 1.0), ViewRange::new(1.0, 3.0));
-        assert_eq!(
-            ViewRange::new(f64::NAN, f64::INFINITY),
-            ViewRange::default()
-        );
-        assert_eq!(
-            ViewRange::new(2.0, f64::NAN),
-            ViewRange { lo: 2.0, hi: 3.0 }
-        );
-        assert_eq!(ViewRange::new(0.0, 0.0), ViewRange { lo: -0.5, hi: 0.5 });
+        assert_eq!(ViewRange::new(f64::NAN, f64::INFINITY), ViewRange::default());
+        assert_eq!(ViewRange::new(2.0, f64::NAN), ViewRange { lo: 2.0, hi: 3.0 });
+        assert_eq!(ViewRange::new(0.0, 0.0), ViewRange::default());
         assert_eq!(ViewRange::new(10.0, 10.0), ViewRange { lo: 9.5, hi: 10.5 });
     }
 
     #[test]
     fn a_logarithmic_view_is_positive() {
         let view = ViewRange::new(0.0, 200.0).on(Scale::Log10);
-        assert!(view.lo() > 0.0 && view.hi() == 200.0);
+        assert!(view.lo() > 0.0 && view.contains(200.0) && !view.contains(200.1));
         assert!(ViewRange::new(-5.0, -1.0).on(Scale::Log10).lo() > 0.0);
     }
 
@@ -370,12 +359,28 @@ mod tests {
     #[test]
     fn the_crosshair_walks_by_cells_and_stops_at_the_bounds() {
         let map = Mapping::new(Scale::Linear, ViewRange::new(0.0, 200.0), 41);
-        assert_eq!(map.stepped(50.0, 1), 55.0);
-        assert_eq!(map.stepped(50.0, -10), 0.0);
-        assert_eq!(map.stepped(50.0, -11), 0.0);
-        assert_eq!(map.stepped(50.0, i32::MAX), 200.0);
-        assert_eq!(map.stepped(1e9, -1), 195.0);
-        assert_eq!(map.stepped(f64::NAN, 0), 0.0);
+        let steps = [
+            (50.0, 1, 55.0),
+            (50.0, -10, 0.0),
+            (50.0, -11, 0.0),
+            (50.0, i32::MAX, 200.0),
+            (1e9, -1, 195.0),
+            (f64::NAN, 0, 0.0),
+        ];
+        for (from, by, to) in steps {
+            assert!((map.stepped(from, by) - to).abs() < 1e-12, "{from} {by}");
+        }
+    }
+
+    #[test]
+    fn rounded_bounds_hold_the_range_and_are_easily_read() {
+        let linear = |lo, hi| ViewRange::new(lo, hi).rounded(Scale::Linear);
+        assert_eq!(linear(0.0, 7.1), ViewRange::new(0.0, 8.0));
+        assert_eq!(linear(0.0, 8.0), ViewRange::new(0.0, 8.0));
+        assert_eq!(linear(-3.0, 41.0), ViewRange::new(-10.0, 50.0));
+        let log = |lo, hi| ViewRange::new(lo, hi).rounded(Scale::Log10);
+        assert_eq!(log(3e-7, 0.2), ViewRange::new(1e-7, 1.0));
+        assert_eq!(log(1.0, 1000.0), ViewRange::new(1.0, 1000.0));
     }
 
     #[test]
@@ -390,14 +395,8 @@ mod tests {
     fn within_moves_before_it_narrows() {
         let all = ViewRange::new(0.0, 100.0);
         let linear = Scale::Linear;
-        assert_eq!(
-            ViewRange::new(-10.0, 20.0).within(linear, all),
-            ViewRange::new(0.0, 30.0)
-        );
-        assert_eq!(
-            ViewRange::new(90.0, 130.0).within(linear, all),
-            ViewRange::new(60.0, 100.0)
-        );
+        assert_eq!(ViewRange::new(-10.0, 20.0).within(linear, all), ViewRange::new(0.0, 30.0));
+        assert_eq!(ViewRange::new(90.0, 130.0).within(linear, all), ViewRange::new(60.0, 100.0));
         assert_eq!(ViewRange::new(-90.0, 130.0).within(linear, all), all);
     }
 
@@ -429,7 +428,7 @@ mod tests {
             let zoomed = view.zoomed(scale, c, d);
             let all = [
                 view, zoomed, view.on(scale), view.panned(scale, c), view.padded(scale, 0.1),
-                zoomed.within(scale, view), view.including(d), view.union(ViewRange::new(c, d)),
+                zoomed.within(scale, view), view.including(d), view.union(ViewRange::new(c, d)), view.rounded(scale),
             ];
             for range in all {
                 prop_assert!(sane(range), "{:?}", range);

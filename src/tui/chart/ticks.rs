@@ -4,6 +4,7 @@
 //! all labels (a power of ten) is factored out.
 
 use super::scale::{Mapping, Scale};
+use super::steps::{Step, decade, power};
 
 /// Blank cells between two labels side by side: a twelfth of the axis, but at least and at most this many. Room is used for
 /// calm before it is used for numbers.
@@ -35,9 +36,7 @@ impl Ticks {
     /// Width of the widest label.
     pub(super) fn width(&self) -> u16 {
         let widest = self.ticks.iter().map(|tick| tick.label.len()).max();
-        widest
-            .and_then(|width| u16::try_from(width).ok())
-            .unwrap_or(0)
+        widest.and_then(|width| u16::try_from(width).ok()).unwrap_or(0)
     }
 }
 
@@ -74,10 +73,7 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     let mut step = Step::at_least(view.span() / most);
     let mut best = Ticks::default();
     for _ in 0..STEPS_TRIED {
-        let found = Ticks {
-            ticks: multiples(map, step, exponent),
-            exponent,
-        };
+        let found = shorter(map, step, exponent);
         if found.ticks.is_empty() {
             break;
         }
@@ -91,58 +87,24 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     best
 }
 
-/// A step of 1, 2 or 5 times a power of ten.
-#[derive(Clone, Copy)]
-struct Step {
-    mantissa: u8,
-    exponent: i32,
-}
-
-impl Step {
-    fn at_least(width: f64) -> Self {
-        let exponent = decade(width);
-        let fraction = width / power(exponent);
-        let (mantissa, exponent) = match fraction {
-            f if f <= 1.0 => (1, exponent),
-            f if f <= 2.0 => (2, exponent),
-            f if f <= 5.0 => (5, exponent),
-            _ => (1, exponent + 1),
-        };
-        Self { mantissa, exponent }
-    }
-
-    fn next(self) -> Self {
-        match self.mantissa {
-            1 => Self {
-                mantissa: 2,
-                ..self
-            },
-            2 => Self {
-                mantissa: 5,
-                ..self
-            },
-            _ => Self {
-                mantissa: 1,
-                exponent: self.exponent + 1,
-            },
-        }
-    }
+/// The multiples of a step in view, with the common power of ten factored out where that makes their labels shorter.
+fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
+    let [factored, whole] =
+        [exponent, 0].map(|exponent| Ticks { ticks: multiples(map, step, exponent), exponent });
+    if whole.width() <= factored.width() { whole } else { factored }
 }
 
 /// The multiples of a step in view. Counting whole steps keeps labels and places free of accumulated error.
 fn multiples(map: Mapping, step: Step, exponent: i32) -> Vec<Tick> {
     let view = map.view();
-    let size = f64::from(step.mantissa) * power(step.exponent);
+    let size = step.size();
     let mut count = (view.lo() / size - 1e-9).ceil();
     let last = (view.hi() / size + 1e-9).floor();
     let mut found = Vec::new();
     while count <= last && found.len() < TICKS_LOOKED_AT {
         if let Some(cell) = map.cell(count * size) {
             let units = count * f64::from(step.mantissa);
-            found.push(Tick {
-                cell,
-                label: label(units, step.exponent - exponent),
-            });
+            found.push(Tick { cell, label: label(units, step.exponent - exponent) });
         }
         count += 1.0;
     }
@@ -156,11 +118,7 @@ fn label(units: f64, exponent: i32) -> String {
     }
     let decimals = usize::try_from(-exponent).unwrap_or(0);
     // Dividing by a power of ten that is exact rounds once; multiplying by its inverse rounds twice.
-    let value = if exponent < 0 {
-        units / power(-exponent)
-    } else {
-        units * power(exponent)
-    };
+    let value = if exponent < 0 { units / power(-exponent) } else { units * power(exponent) };
     format!("{value:.decimals$}")
 }
 
@@ -199,10 +157,7 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
         return None;
     }
     if fits(&dense, along, map) {
-        return Some(Ticks {
-            ticks: dense,
-            exponent: 0,
-        });
+        return Some(Ticks { ticks: dense, exponent: 0 });
     }
     let strides = [1, 2, 3, 5, 10, 20, 50, 100, 200];
     let found = strides.into_iter().map(|stride| list(&[1], stride));
@@ -243,21 +198,5 @@ fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
 
 /// The power of ten, a multiple of three, that keeps labels short: 0 from 0.001 to 99999.
 fn common_exponent(greatest: f64) -> i32 {
-    if (1e-3..1e5).contains(&greatest) {
-        0
-    } else {
-        decade(greatest).div_euclid(3) * 3
-    }
-}
-
-/// The decimal exponent of a positive number, as its scientific notation has it: exact, where a logarithm might round.
-pub(super) fn decade(value: f64) -> i32 {
-    let text = format!("{value:e}");
-    let exponent = text.rsplit('e').next().and_then(|part| part.parse().ok());
-    exponent.unwrap_or(0)
-}
-
-/// A power of ten; `powi` is inexact from 10^23 on, the parser is right to the last bit.
-fn power(exponent: i32) -> f64 {
-    format!("1e{exponent}").parse().unwrap_or(1.0)
+    if (1e-3..1e5).contains(&greatest) { 0 } else { decade(greatest).div_euclid(3) * 3 }
 }

@@ -19,13 +19,7 @@ struct Column {
 
 impl Column {
     fn new(index: usize, point: (f64, f64)) -> Self {
-        Self {
-            index,
-            first: point,
-            last: point,
-            lowest: point.1,
-            highest: point.1,
-        }
+        Self { index, first: point, last: point, lowest: point.1, highest: point.1 }
     }
 
     fn add(&mut self, point: (f64, f64)) {
@@ -58,12 +52,7 @@ pub(super) fn trace(
     maps: (Mapping, Mapping),
     canvas: &mut Canvas,
 ) {
-    let mut pen = Pen {
-        canvas,
-        owner,
-        previous: None,
-        column: None,
-    };
+    let mut pen = Pen { canvas, owner, previous: None, column: None };
     let width = pen.canvas.size().0;
     for (x, y) in curve.points.iter() {
         if let (Some(x), Some(y)) = (maps.0.position(x), maps.1.position(y)) {
@@ -81,13 +70,8 @@ pub(super) fn left_out(curve: &Curve<'_>, x_scale: Scale, y_scale: Scale) -> usi
     if x_scale == Scale::Linear && y_scale == Scale::Linear {
         return 0;
     }
-    let finite = curve
-        .points
-        .iter()
-        .filter(|(x, y)| x.is_finite() && y.is_finite());
-    finite
-        .filter(|(x, y)| !(x_scale.shows(*x) && y_scale.shows(*y)))
-        .count()
+    let finite = curve.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+    finite.filter(|(x, y)| !(x_scale.shows(*x) && y_scale.shows(*y))).count()
 }
 
 struct Pen<'a> {
@@ -124,11 +108,8 @@ impl Pen<'_> {
         if let Some(column) = self.column.take() {
             let (enter, leave) = column.ends();
             self.line_to(enter);
-            let (low, high) = if enter == leave {
-                (enter.1, enter.1)
-            } else {
-                (column.lowest, column.highest)
-            };
+            let (low, high) =
+                if enter == leave { (enter.1, enter.1) } else { (column.lowest, column.highest) };
             self.canvas.span(column.index, low, high, self.owner);
             self.previous = Some(leave);
         }

@@ -69,6 +69,12 @@ impl ColourDepth {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shade {
     sixteen: Option<Color>,
+    fixed: Option<Fixed>,
+}
+
+/// A colour that does not depend on the terminal's palette: of xterm's 256, and as red, green, blue.
+#[derive(Clone, Copy, Debug)]
+struct Fixed {
     ansi: u8,
     rgb: (u8, u8, u8),
 }
@@ -76,39 +82,40 @@ pub(super) struct Shade {
 impl Shade {
     /// The colour to use at a depth, or `None` for the terminal's own foreground.
     pub(super) fn at(self, depth: ColourDepth) -> Option<Color> {
-        let (r, g, b) = self.rgb;
         match depth {
             ColourDepth::None => None,
             ColourDepth::Sixteen => self.sixteen,
-            ColourDepth::Ansi256 => Some(Color::Indexed(self.ansi)),
-            ColourDepth::Rgb => Some(Color::Rgb(r, g, b)),
+            ColourDepth::Ansi256 => self.fixed.map(|fixed| Color::Indexed(fixed.ansi)),
+            ColourDepth::Rgb => self.fixed.map(|fixed| {
+                let (r, g, b) = fixed.rgb;
+                Color::Rgb(r, g, b)
+            }),
         }
     }
 }
 
-const fn shade(sixteen: Option<Color>, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
-    Shade { sixteen, ansi, rgb }
+const fn shade(sixteen: Color, ansi: u8, rgb: (u8, u8, u8)) -> Shade {
+    Shade { sixteen: Some(sixteen), fixed: Some(Fixed { ansi, rgb }) }
 }
 
 /// Border and title of the focused pane.
-pub(super) const FOCUS: Shade = shade(Some(Color::Cyan), 32, (0x1F, 0x86, 0xD6));
-/// The crosshair: the foreground itself where that is possible, else a grey that both backgrounds carry.
-pub(super) const CROSSHAIR: Shade = shade(None, 243, (0x77, 0x77, 0x77));
+pub(super) const FOCUS: Shade = shade(Color::Cyan, 32, (0x1F, 0x86, 0xD6));
 /// Errors.
-pub(super) const ERROR: Shade = shade(Some(Color::Red), 160, (0xD4, 0x2A, 0x2A));
+pub(super) const ERROR: Shade = shade(Color::Red, 160, (0xD4, 0x2A, 0x2A));
 /// Warnings.
-pub(super) const WARNING: Shade = shade(Some(Color::Yellow), 130, (0xB8, 0x70, 0x00));
+pub(super) const WARNING: Shade = shade(Color::Yellow, 130, (0xB8, 0x70, 0x00));
 /// Notes.
-pub(super) const NOTE: Shade = shade(Some(Color::Cyan), 31, (0x1A, 0x85, 0x9C));
+pub(super) const NOTE: Shade = shade(Color::Cyan, 31, (0x1A, 0x85, 0x9C));
 
-/// Blue, orange, purple, grey, ochre, teal: neighbours differ in lightness or along blue to yellow.
+/// Blue, orange, reddish purple, foreground, ochre, teal: after Okabe and Ito (2008, "Color universal design"), darkened or
+/// lightened where white or black would swallow them.
 const CURVES: [Shade; 6] = [
-    shade(Some(Color::Cyan), 32, (0x1F, 0x86, 0xD6)),
-    shade(Some(Color::Yellow), 166, (0xCE, 0x6F, 0x00)),
-    shade(Some(Color::Magenta), 133, (0xB0, 0x5C, 0xC0)),
-    shade(None, 244, (0x80, 0x80, 0x80)),
-    shade(Some(Color::LightYellow), 136, (0x98, 0x7E, 0x10)),
-    shade(Some(Color::LightMagenta), 30, (0x12, 0x8C, 0x8C)),
+    shade(Color::Cyan, 32, (0x1F, 0x86, 0xD6)),
+    shade(Color::Yellow, 166, (0xD5, 0x5E, 0x00)),
+    shade(Color::Magenta, 169, (0xC8, 0x70, 0xA2)),
+    Shade { sixteen: None, fixed: None },
+    shade(Color::LightYellow, 136, (0x98, 0x7E, 0x10)),
+    shade(Color::LightMagenta, 30, (0x12, 0x8C, 0x8C)),
 ];
 
 /// The colour of a curve; repeats after six, the marker characters later.
@@ -134,15 +141,9 @@ mod tests {
             (&[], D::None),
             (&[("TERM", "dumb"), ("COLORTERM", "truecolor")], D::None),
             (&[("TERM", "xterm-256color")], D::Ansi256),
-            (
-                &[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")],
-                D::Rgb,
-            ),
+            (&[("TERM", "xterm-256color"), ("COLORTERM", "truecolor")], D::Rgb),
             (&[("TERM", "tmux-256color"), ("COLORTERM", "24bit")], D::Rgb),
-            (
-                &[("TERM", "screen-256color"), ("COLORTERM", "truecolor")],
-                D::Ansi256,
-            ),
+            (&[("TERM", "screen-256color"), ("COLORTERM", "truecolor")], D::Ansi256),
             (&[("TERM", "xterm"), ("COLORTERM", "yes")], D::Ansi256),
             (&[("TERM", "linux"), ("COLORTERM", "truecolor")], D::Sixteen),
             (&[("TERM", "vt220")], D::Sixteen),
@@ -167,11 +168,7 @@ mod tests {
     fn luminance((r, g, b): (u8, u8, u8)) -> f64 {
         let linear = |byte: u8| {
             let c = f64::from(byte) / 255.0;
-            if c <= 0.03928 {
-                c / 12.92
-            } else {
-                ((c + 0.055) / 1.055).powf(2.4)
-            }
+            if c <= 0.03928 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
         };
         0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b)
     }
@@ -189,15 +186,12 @@ mod tests {
 
     #[test]
     fn fixed_shades_are_readable_on_white_and_on_black() {
-        let all = [FOCUS, CROSSHAIR, ERROR, WARNING, NOTE];
-        for shade in all.iter().chain(&CURVES) {
-            for rgb in [shade.rgb, xterm(shade.ansi)] {
+        let all = [FOCUS, ERROR, WARNING, NOTE];
+        for fixed in all.iter().chain(&CURVES).filter_map(|shade| shade.fixed) {
+            for rgb in [fixed.rgb, xterm(fixed.ansi)] {
                 let l = luminance(rgb);
                 let (on_white, on_black) = (1.05 / (l + 0.05), (l + 0.05) / 0.05);
-                assert!(
-                    on_white >= 3.0 && on_black >= 3.0,
-                    "{rgb:?} {on_white} {on_black}"
-                );
+                assert!(on_white >= 3.0 && on_black >= 3.0, "{rgb:?} {on_white} {on_black}");
             }
         }
     }

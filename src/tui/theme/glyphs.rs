@@ -181,12 +181,7 @@ const BLOCK_LINES: Lines = Lines {
     ellipsis: '~',
 };
 
-const BRAILLE_LINES: Lines = Lines {
-    event: '┊',
-    level: '┈',
-    ellipsis: '…',
-    ..BLOCK_LINES
-};
+const BRAILLE_LINES: Lines = Lines { event: '┊', level: '┈', ellipsis: '…', ..BLOCK_LINES };
 
 /// Replaces every character that is not ASCII by one that is, cell by cell; the last step of a frame in ASCII mode.
 pub fn ascii_pass(buffer: &mut Buffer) {
@@ -214,16 +209,16 @@ pub fn ascii(character: char) -> char {
         '│' | '┃' | '║' | '╎' | '╏' | '▏' | '▕' | '▌' | '▐' => '|',
         '┆' | '┇' | '┊' | '┋' | '∶' => ':',
         '\u{250c}'..='\u{254b}' | '\u{2552}'..='\u{2570}' | '±' => '+',
-        '█' | '▓' | '■' | '▇' | '▉' | '▊' => '#',
+        '█' | '▓' | '■' | '▇' | '▉' | '▊' | '≠' => '#',
         '▒' | '▆' | '▅' | '▋' => '%',
         '░' | '·' | '…' | '⋅' | '∙' => '.',
-        '▀' => '"',
+        '▀' | '“' | '”' => '"',
         '▄' | '▁' | '▂' | '▃' => '_',
         '\u{2800}'..='\u{28ff}' => braille(character),
         '←' | '◀' | '◂' | '◄' | '≤' | '‹' | '«' => '<',
         '→' | '▶' | '▸' | '►' | '≥' | '›' | '»' => '>',
         '↑' | '▲' | '▴' | '⇑' => '^',
-        '↓' | '▼' | '▾' | '⇓' => 'v',
+        '↓' | '▼' | '▾' | '⇓' | '✓' | '✔' | '√' => 'v',
         'µ' | 'μ' => 'u',
         'γ' => 'g',
         'δ' | 'Δ' => 'd',
@@ -237,14 +232,11 @@ pub fn ascii(character: char) -> char {
         'η' => 'n',
         '∞' | '×' | '✗' | '✘' | '╳' => 'x',
         '≈' | '∼' => '~',
-        '≠' => '#',
         '²' => '2',
         '³' => '3',
         '°' | '○' | '◦' | '●' | '◉' => 'o',
         '•' | '★' | '✱' => '*',
-        '✓' | '✔' | '√' => 'v',
         '‘' | '’' => '\'',
-        '“' | '”' => '"',
         _ => '?',
     }
 }
@@ -303,10 +295,7 @@ mod tests {
             assert_eq!(set.word().parse(), Ok(GlyphChoice::Fixed(set)));
         }
         let error = "dots".parse::<GlyphChoice>().unwrap_err().to_string();
-        assert_eq!(
-            error,
-            "glyphs 'dots' are not known: choose ascii, block, braille or auto"
-        );
+        assert_eq!(error, "glyphs 'dots' are not known: choose ascii, block, braille or auto");
     }
 
     #[test]
@@ -315,7 +304,7 @@ mod tests {
         let mut buffer = Buffer::empty(area);
         buffer.set_string(0, 0, "┌─ 5 µs → ·… ⣿⠁⡀│日", Style::new());
         ascii_pass(&mut buffer);
-        let text: String = buffer.content.iter().map(|cell| cell.symbol()).collect();
+        let text: String = buffer.content.iter().map(ratatui::buffer::Cell::symbol).collect();
         assert_eq!(text, "+- 5 us > .. :'.|?  ");
     }
 

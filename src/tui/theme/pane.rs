@@ -19,10 +19,7 @@ pub struct Pane<'a> {
 impl<'a> Pane<'a> {
     /// A frame with this title at its left.
     pub fn new(title: impl Into<Line<'a>>) -> Self {
-        Self {
-            title: title.into(),
-            ..Self::default()
-        }
+        Self { title: title.into(), ..Self::default() }
     }
 
     /// With this at the right of the top line; left out where there is no room.
@@ -64,18 +61,9 @@ impl<'a> Pane<'a> {
         if area.width < 2 || area.height < 1 {
             return inner.intersection(area);
         }
-        let role = if self.focused {
-            Role::Focus
-        } else {
-            Role::Border
-        };
+        let role = if self.focused { Role::Focus } else { Role::Border };
         self.draw_lines(area, buffer, theme, theme.style(role));
-        let title_style = if self.focused {
-            theme.style(Role::Focus)
-        } else {
-            theme.style(Role::Title)
-        };
-        self.draw_titles(area, buffer, title_style);
+        self.draw_titles(area, buffer, theme.title(self.focused));
         inner.intersection(area)
     }
 
@@ -127,13 +115,12 @@ impl<'a> Pane<'a> {
 }
 
 fn width(line: &Line<'_>) -> u16 {
-    u16::try_from(line.width())
-        .unwrap_or(u16::MAX / 2)
-        .min(u16::MAX / 2)
+    u16::try_from(line.width()).unwrap_or(u16::MAX / 2).min(u16::MAX / 2)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::ColourDepth;
     use super::*;
 
     fn lines(pane: &Pane<'_>, width: u16, height: u16) -> Vec<String> {
@@ -143,7 +130,7 @@ mod tests {
         buffer
             .content
             .chunks(usize::from(width.max(1)))
-            .map(|row| row.iter().map(|cell| cell.symbol()).collect())
+            .map(|row| row.iter().map(ratatui::buffer::Cell::symbol).collect())
             .collect()
     }
 
@@ -152,11 +139,7 @@ mod tests {
         let pane = Pane::new("Runs").right("t [us]");
         assert_eq!(
             lines(&pane, 24, 3),
-            [
-                "+- Runs ------- t [us] +",
-                "|                      |",
-                "+----------------------+",
-            ]
+            ["+- Runs ------- t [us] +", "|                      |", "+----------------------+",]
         );
     }
 
@@ -169,15 +152,29 @@ mod tests {
     }
 
     #[test]
+    fn the_focused_pane_is_told_apart_at_every_depth() {
+        let area = Rect::new(0, 0, 20, 3);
+        for depth in
+            [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb]
+        {
+            let theme = Theme { depth, ..Theme::PLAIN };
+            let title = |focused| {
+                let mut buffer = Buffer::empty(area);
+                Pane::new("Runs").focused(focused).render(area, &mut buffer, theme);
+                buffer[(3, 0)].style()
+            };
+            assert_ne!(title(true), title(false), "{depth:?}");
+        }
+    }
+
+    #[test]
     fn the_inside_of_any_size_stays_inside() {
         for width in 0..12 {
             for height in 0..6 {
                 let area = Rect::new(3, 2, width, height);
                 let mut buffer = Buffer::empty(Rect::new(0, 0, 20, 10));
                 let inner =
-                    Pane::new("A title")
-                        .right("right")
-                        .render(area, &mut buffer, Theme::PLAIN);
+                    Pane::new("A title").right("right").render(area, &mut buffer, Theme::PLAIN);
                 assert_eq!(inner.intersection(area), inner, "{area} {inner}");
             }
         }

@@ -119,13 +119,11 @@ fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
     match kind {
         Kind::Help => {
             let rows = dialog::help_rows(app.place(), typed);
-            rows.get(picker.selected)
-                .map_or_else(Vec::new, |row| execute(app, row))
+            rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
         }
         Kind::Palette => {
             let rows = dialog::palette_rows(typed);
-            rows.get(picker.selected)
-                .map_or_else(Vec::new, |row| execute(app, row))
+            rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
         }
         Kind::Presets => match selected_preset(app, picker) {
             Some(entry) => edit::load(app, base_of(entry)),
@@ -168,11 +166,7 @@ fn base_of(entry: PresetEntry) -> Base {
         "mine" => Origin::Mine,
         _ => Origin::Other,
     };
-    Base {
-        name: entry.name,
-        origin,
-        scene: entry.scene.into(),
-    }
+    Base { name: entry.name, origin, scene: entry.scene.into() }
 }
 
 fn pin_preset(app: &mut App, picker: &Picker) -> Vec<Effect> {

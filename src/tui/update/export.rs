@@ -44,10 +44,7 @@ pub(super) fn open(app: &mut App) {
 
 /// The runs that can be exported: the current one and the pins, those with a result.
 fn available(app: &App) -> Vec<(String, Arc<Run>)> {
-    let now = app
-        .shown
-        .iter()
-        .map(|shown| ("now".to_owned(), Arc::clone(&shown.run)));
+    let now = app.shown.iter().map(|shown| ("now".to_owned(), Arc::clone(&shown.run)));
     let pins = app.pins.iter().filter_map(|pin| {
         let run = pin.run.as_ref()?;
         Some((pin.letter.to_string(), Arc::clone(run)))
@@ -205,9 +202,5 @@ fn grid_rows(text: &str) -> Result<usize, String> {
         )
     };
     let rows: usize = text.trim().parse().map_err(|_ignored| refused())?;
-    if (2..=GRID_ROWS.1).contains(&rows) {
-        Ok(rows)
-    } else {
-        Err(refused())
-    }
+    if (2..=GRID_ROWS.1).contains(&rows) { Ok(rows) } else { Err(refused()) }
 }

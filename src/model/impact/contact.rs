@@ -1,0 +1,195 @@
+//! The contact in closed form, where nothing but the plate's inertia (or its rigid mount) answers the projectile.
+
+use crate::model::closed_form::{Ending, Moment, Passage};
+use crate::model::impact::problem::Problem;
+use crate::model::impact::record::Setting;
+use crate::model::impact::track::Track;
+use crate::model::motion::State;
+use crate::model::run::Mode;
+use crate::numerics::root::in_bracket;
+use crate::numerics::{larger, smaller};
+
+/// A mechanism that lets the plate move less than this part of the travel within the contact is as good as rigid.
+const IMMOBILE: f64 = 1e-13;
+/// Shots that leave more slowly than this part of their velocity are integrated: the quadrature loses accuracy there.
+const LIMIT_MARGIN: f64 = 0.05;
+/// Points on each stretch of the closed form, with and without a series to draw.
+const POINTS: (usize, usize) = (8, 2);
+
+/// How the plate answers during the contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Answer {
+    /// It does not move.
+    Rigid,
+    /// The mechanism cannot move it noticeably.
+    Immobile,
+    /// Only its inertia answers.
+    Free,
+    /// The mechanism matters: integrate.
+    Mechanism,
+}
+
+impl Problem {
+    /// How the plate answers during the contact.
+    pub(super) fn answer(&self) -> Answer {
+        if self.rigid {
+            Answer::Rigid
+        } else if self.mechanism.is_absent() && self.mechanism.stop.is_none() {
+            Answer::Free
+        } else if self.mechanism_is_immobile() {
+            Answer::Immobile
+        } else {
+            Answer::Mechanism
+        }
+    }
+
+    /// A bound on the plate's motion within the contact. The contact force never exceeds pi R² (S + c v²); against it the
+    /// spring yields at most to where its energy equals the work, k x^(n+1)/(n+1) = F x, and the damper at most at
+    /// the speed (F/b)^(1/m).
+    fn mechanism_is_immobile(&self) -> bool {
+        if self.start_m != 0.0 || self.mechanism.stop_at_m <= 0.0 {
+            return false;
+        }
+        let passage = self.passage(false);
+        let Ending::Arrest { travel_m } = passage.ending() else {
+            return false;
+        };
+        let v = self.velocity_m_s;
+        let radius = self.geometry.nose.radius_m;
+        let force = std::f64::consts::PI
+            * radius
+            * radius
+            * (self.strength_pa + self.drag_kg_m3 * v * v)
+            * self.cos;
+        let spring = self.mechanism.spring;
+        let yields = spring.at_force((spring.exponent + 1.0) * force);
+        let last = passage.history(passage.ending(), 1).last().map_or(f64::INFINITY, |m| m.t_s);
+        let creeps = self.mechanism.damper.at_force(force) * last;
+        smaller(yields, creeps) <= IMMOBILE * travel_m
+    }
+}
+
+impl Track<'_> {
+    /// Begin: with the whole contact in closed form if there is one, else with the first moments.
+    pub(super) fn begin(&mut self) {
+        let answer = self.problem.answer();
+        let done = match answer {
+            Answer::Rigid | Answer::Immobile | Answer::Free => self.contact_in_closed_form(answer),
+            Answer::Mechanism => false,
+        };
+        if !done {
+            self.first_point();
+            self.start();
+        }
+    }
+
+    fn first_point(&mut self) {
+        let motion = self.motion();
+        let mut record = std::mem::take(&mut self.record);
+        record.point(&self.setting(&motion), 0.0, &self.state, true);
+        self.record = record;
+    }
+
+    /// The whole contact at once; `false`, with nothing changed, where the closed form does not serve.
+    fn contact_in_closed_form(&mut self, answer: Answer) -> bool {
+        let problem = self.problem;
+        let free = answer == Answer::Free;
+        let passage = problem.passage(free);
+        let ending = passage.ending();
+        if let Ending::Exit { velocity_m_s } = ending
+            && !(velocity_m_s > LIMIT_MARGIN * problem.velocity_m_s)
+        {
+            return false;
+        }
+        let points = if self.record.keep_series { POINTS.0 } else { POINTS.1 };
+        let moments = passage.history(ending, points);
+        let Some(last) = moments.last().copied() else {
+            return false;
+        };
+        if !(last.t_s <= problem.horizon_s) {
+            return false;
+        }
+        let share =
+            if free { problem.projectile_kg * problem.cos / problem.joined_kg } else { 0.0 };
+        for moment in &moments {
+            self.pass(moment, share);
+        }
+        let slip_energy =
+            problem.velocity_m_s * problem.velocity_m_s - last.slip_m_s * last.slip_m_s;
+        self.record.work.penetration_j = 0.5 * passage.mass_kg * slip_energy;
+        self.record.peak_contact_n = peak_n(&passage, &moments);
+        if matches!(ending, Ending::Arrest { .. }) {
+            if answer == Answer::Immobile {
+                self.immobile = true;
+                let force = self.interface_n() * problem.cos;
+                self.state.plate_m = smaller(problem.mechanism.spring.at_force(force), IMMOBILE);
+            }
+            self.handle(crate::model::impact::guard::Trigger::SlipZero);
+        }
+        true
+    }
+
+    /// One moment of the closed form: the plate has what momentum the projectile lost.
+    fn pass(&mut self, moment: &Moment, share: f64) {
+        let problem = self.problem;
+        let gone = problem.velocity_m_s * moment.t_s - moment.travel_m;
+        self.t_s = moment.t_s;
+        self.state = State {
+            travel_m: moment.travel_m,
+            slip_m_s: moment.slip_m_s,
+            plate_m: problem.start_m + share * gone,
+            plate_m_s: share * (problem.velocity_m_s - moment.slip_m_s),
+        };
+        self.deepest_m = larger(moment.travel_m, self.deepest_m);
+        self.speed_scale_m_s = larger(self.state.plate_m_s.abs(), self.speed_scale_m_s);
+        self.plate_scale_m = larger(self.state.plate_m.abs(), self.plate_scale_m);
+        let motion = self.motion();
+        let setting = Setting {
+            problem,
+            motion: &motion,
+            mode: Mode::Penetrating,
+            still: share == 0.0,
+            held: false,
+            interface_n: 0.0,
+        };
+        self.record.reach(moment.t_s, self.state.plate_m);
+        self.record.point(&setting, moment.t_s, &self.state, false);
+        let at_joint =
+            problem.geometry.pieces().iter().any(|piece| {
+                (piece.to_m - moment.travel_m).abs() <= 4.0 * f64::EPSILON * piece.to_m
+            });
+        if at_joint {
+            let end = problem.geometry.pieces().iter().map(|piece| piece.to_m);
+            let nearest = end
+                .into_iter()
+                .min_by(|a, b| (a - moment.travel_m).abs().total_cmp(&(b - moment.travel_m).abs()));
+            self.state.travel_m = nearest.unwrap_or(moment.travel_m);
+            self.handle(crate::model::impact::guard::Trigger::PieceEnd);
+        }
+    }
+}
+
+/// The greatest contact force: at a joint of the area law, at the end, or where A' = 2 c A²/mu.
+fn peak_n(passage: &Passage<'_>, moments: &[Moment]) -> f64 {
+    let geometry = passage.geometry;
+    let end = moments.last().map_or(0.0, |moment| moment.travel_m);
+    let force = |q: f64| {
+        geometry.area_m2(q)
+            * (passage.strength_pa + passage.drag_kg_m3 * larger(passage.slip_squared(q), 0.0))
+    };
+    let mut peak = 0.0;
+    for piece in geometry.pieces().iter().filter(|piece| piece.from_m < end) {
+        let to = smaller(piece.to_m, end);
+        let area = |q: f64| piece.law.area_m2(&geometry.nose, q);
+        let h = 1e-6 * (to - piece.from_m);
+        let turning = |q: f64| {
+            let slope = (area(q + h) - area(q - h)) / (2.0 * h);
+            slope - 2.0 * passage.drag_kg_m3 * area(q) * area(q) / passage.mass_kg
+        };
+        let inside = in_bracket(piece.from_m + h, to - h, turning);
+        for q in [piece.from_m, inside, to] {
+            peak = larger(peak, force(smaller(q, end)));
+        }
+    }
+    peak
+}

@@ -1,0 +1,301 @@
+//! What follows an event: the interface law and the stop.
+//!
+//! One rule serves every mode (model page, section 3). u > 0 at the bottom of the hole: the hole deepens. u > 0 above it:
+//! the gap closes against friction g A S. u < 0: the projectile is pulled out against g A S. u = 0: together, as long as
+//! the force the interface must carry stays within its limits.
+
+use crate::model::impact::guard::Trigger;
+use crate::model::impact::track::{Track, side};
+use crate::model::mechanism::sign;
+use crate::model::motion::State;
+use crate::model::run::{Arrest, EventKind, Mode};
+
+/// A rebound slower than this part of the impact velocity counts as coming to rest on the stop.
+const REBOUND_MIN: f64 = 1e-9;
+
+impl Track<'_> {
+    /// Put the state exactly on the event that ended the step.
+    pub(super) fn snap(&mut self, trigger: Trigger, before: &State) {
+        let geometry = &self.problem.geometry;
+        match trigger {
+            Trigger::PieceEnd => self.state.travel_m = geometry.piece(before.travel_m).to_m,
+            Trigger::PieceStart => {
+                let behind = geometry.pieces().iter().rev();
+                let piece = behind.into_iter().find(|piece| piece.from_m < before.travel_m);
+                self.state.travel_m = piece.map_or(0.0, |piece| piece.from_m);
+            }
+            Trigger::HoleBottom => self.state.travel_m = self.deepest_m,
+            Trigger::SlipZero => self.state.slip_m_s = 0.0,
+            Trigger::Recontact => self.state.travel_m = 0.0,
+            Trigger::PlateZero if self.problem.mechanism.spring.exponent.fract() == 0.0 => {
+                self.state.plate_m = 0.0;
+            }
+            Trigger::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
+            Trigger::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
+            Trigger::PlateZero
+            | Trigger::PlateSpeedZero
+            | Trigger::PlateClear
+            | Trigger::PlateSpeedClear
+            | Trigger::StopCleared
+            | Trigger::StopRelease
+            | Trigger::PushLimit
+            | Trigger::PullLimit => {}
+        }
+    }
+
+    fn damper_is_singular(&self) -> bool {
+        use crate::model::mechanism::PowerKind;
+        self.problem.mechanism.damper.kind() == PowerKind::General
+    }
+
+    /// Decide what follows an event.
+    pub(super) fn handle(&mut self, trigger: Trigger) {
+        match trigger {
+            Trigger::PieceEnd => self.piece_end(),
+            Trigger::PieceStart => self.piece_start(),
+            Trigger::HoleBottom => self.mode = Mode::Penetrating,
+            Trigger::SlipZero => self.common_velocity(),
+            Trigger::Recontact => {
+                self.record.event(self.t_s, EventKind::Recontact);
+                self.mode = if self.deepest_m > 0.0 { Mode::Closing } else { Mode::Penetrating };
+            }
+            Trigger::PlateZero => self.plate_zero(),
+            Trigger::PlateSpeedZero => self.plate_speed_zero(),
+            Trigger::PlateClear => {
+                self.spring_omitted = false;
+                self.side_x = side(self.state.plate_m, self.side_x);
+            }
+            Trigger::PlateSpeedClear => {
+                self.damper_omitted = false;
+                self.side_w = side(self.state.plate_m_s, self.side_w);
+            }
+            Trigger::StopReached => self.hit_stop(),
+            Trigger::StopCleared => self.stop_touches = false,
+            Trigger::StopRelease => self.release(),
+            Trigger::PushLimit => self.push_limit(),
+            Trigger::PullLimit => self.pull_limit(),
+        }
+        if self.held && self.net_push_on_stop() < 0.0 {
+            self.release();
+        }
+    }
+
+    fn piece_end(&mut self) {
+        let geometry = &self.problem.geometry;
+        let q = self.state.travel_m;
+        if q >= geometry.exit_m {
+            let velocity = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
+            self.record.exit = Some((self.t_s, velocity));
+            self.record.event(self.t_s, EventKind::Perforation);
+            self.mode = Mode::Perforated;
+        } else if self.mode == Mode::Penetrating {
+            let depth = geometry.depth_m(q);
+            let close = |other: f64| (depth - other).abs() < 1e-9 * depth;
+            if close(geometry.thickness_m) {
+                self.record.event(self.t_s, EventKind::RearFace);
+            } else if depth > 0.99 * geometry.nose.full_from_m()
+                && depth < 1.01 * geometry.nose.full_from_m()
+            {
+                self.record.event(self.t_s, EventKind::NoseBuried);
+            }
+        }
+    }
+
+    fn piece_start(&mut self) {
+        if self.state.travel_m <= 0.0 {
+            self.state.travel_m = 0.0;
+            self.mode = Mode::FreeFlight;
+            let velocity = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
+            self.record.separation = Some((self.t_s, velocity));
+            self.record.event(self.t_s, EventKind::Separation);
+        }
+    }
+
+    fn common_velocity(&mut self) {
+        let first = self.record.first_arrest.is_none();
+        if first {
+            self.record.first_arrest = Some(Arrest {
+                t_s: self.t_s,
+                penetration_m: self.problem.geometry.depth_m(self.state.travel_m),
+                plate_displacement_m: self.state.plate_m,
+                plate_velocity_m_s: self.state.plate_m_s,
+            });
+        }
+        self.record.event(self.t_s, if first { EventKind::FirstArrest } else { EventKind::Arrest });
+        self.settle();
+    }
+
+    /// Common velocity: together, or on to what the interface law says.
+    fn settle(&mut self) {
+        self.state.slip_m_s = 0.0;
+        self.mode = Mode::Fused;
+        let motion = self.motion();
+        let carried = if self.is_still() {
+            0.0
+        } else {
+            self.problem.share * motion.mechanism_force(&self.state)
+        };
+        let (push, pull) = self.interface_limits_n();
+        if self.problem.plastic && carried > push {
+            self.resume();
+        } else if self.problem.plastic && carried < -pull {
+            self.pull_out();
+        } else {
+            self.note_excess(carried, push, pull);
+        }
+    }
+
+    /// What the interface can push and pull at the present travel, N.
+    pub(super) fn interface_limits_n(&self) -> (f64, f64) {
+        let strength = self.interface_n();
+        let pull = self.problem.grip * strength;
+        let at_bottom = self.state.travel_m >= self.deepest_m;
+        (if at_bottom { strength } else { pull }, pull)
+    }
+
+    /// Fused law: note when the limits are passed already on arrival.
+    fn note_excess(&mut self, carried_n: f64, push_n: f64, pull_n: f64) {
+        if self.problem.plastic || push_n == 0.0 {
+            return;
+        }
+        if carried_n > push_n {
+            self.note_push();
+        }
+        if carried_n < -pull_n {
+            self.note_pull();
+        }
+    }
+
+    fn note_push(&mut self) {
+        if self.record.push_exceeded_s.is_none() {
+            self.record.push_exceeded_s = Some(self.t_s);
+            self.record.event(self.t_s, EventKind::InterfaceExceeded);
+        }
+    }
+
+    fn note_pull(&mut self) {
+        if self.record.pull_exceeded_s.is_none() {
+            self.record.pull_exceeded_s = Some(self.t_s);
+            self.record.event(self.t_s, EventKind::InterfaceExceeded);
+        }
+    }
+
+    fn push_limit(&mut self) {
+        if self.problem.plastic { self.resume() } else { self.note_push() }
+    }
+
+    fn pull_limit(&mut self) {
+        if self.problem.plastic { self.pull_out() } else { self.note_pull() }
+    }
+
+    /// The interface gives way forwards.
+    fn resume(&mut self) {
+        if self.state.travel_m >= self.deepest_m {
+            self.mode = Mode::Penetrating;
+            self.record.resumed_s.get_or_insert(self.t_s);
+            self.record.event(self.t_s, EventKind::Resumption);
+        } else {
+            self.mode = Mode::Closing;
+        }
+    }
+
+    fn pull_out(&mut self) {
+        self.mode = Mode::Withdrawing;
+        self.record.event(self.t_s, EventKind::PullOut);
+    }
+
+    fn plate_zero(&mut self) {
+        if self.problem.mechanism.spring.exponent.fract() == 0.0 {
+            self.side_x = -self.side_x;
+        } else {
+            self.spring_omitted = true;
+        }
+    }
+
+    fn plate_speed_zero(&mut self) {
+        if self.side_w > 0.0 && self.state.plate_m >= self.record.farthest_m {
+            self.record.event(self.t_s, EventKind::GreatestDisplacement);
+        }
+        if self.damper_is_singular() && !self.stiff {
+            self.damper_omitted = true;
+        } else {
+            self.side_w = -self.side_w;
+        }
+    }
+
+    /// The plate meets its stop.
+    fn hit_stop(&mut self) {
+        self.record.reach(self.t_s, self.state.plate_m);
+        let Some(stop) = self.problem.mechanism.rigid_stop() else {
+            self.record.event(self.t_s, EventKind::StopHit);
+            self.stop_touches = true;
+            return;
+        };
+        let joined = self.mode == Mode::Fused && !self.problem.plastic;
+        let mass = if joined { self.problem.joined_kg } else { self.problem.plate_kg };
+        let before = self.state.plate_m_s;
+        let mut after = -stop.restitution * before;
+        if after.abs() <= REBOUND_MIN * (self.problem.velocity_m_s + self.speed_scale_m_s) {
+            after = 0.0;
+        }
+        if before > REBOUND_MIN * self.problem.velocity_m_s {
+            self.record.event(self.t_s, EventKind::StopHit);
+        }
+        self.record.work.stop_j += 0.5 * mass * (before - after) * (before + after);
+        self.state.plate_m_s = after;
+        self.side_w = -1.0;
+        if !joined && self.mode != Mode::Perforated {
+            self.state.slip_m_s += (before - after) * self.problem.cos;
+            self.slip_has_jumped();
+        }
+        if after == 0.0 {
+            self.held = true;
+            if self.mode == Mode::Fused {
+                self.settle();
+            }
+            if self.net_push_on_stop() >= 0.0 {
+                self.record.event(self.t_s, EventKind::StopHold);
+            }
+        }
+    }
+
+    /// The stop has changed the plate's velocity, not the projectile's.
+    fn slip_has_jumped(&mut self) {
+        match self.mode {
+            Mode::Fused if self.state.slip_m_s > 0.0 => self.resume(),
+            Mode::Withdrawing if self.state.slip_m_s > 0.0 => self.mode = Mode::Closing,
+            Mode::Withdrawing if self.state.slip_m_s == 0.0 => self.settle(),
+            Mode::Fused
+            | Mode::Withdrawing
+            | Mode::Penetrating
+            | Mode::Closing
+            | Mode::FreeFlight
+            | Mode::Perforated => {}
+        }
+    }
+
+    /// What presses a plate at rest on its stop, N.
+    pub(super) fn net_push_on_stop(&self) -> f64 {
+        let motion = self.motion();
+        let contact = motion.contact_force(&self.state) * self.problem.cos;
+        contact - self.problem.mechanism.spring.force(self.state.plate_m)
+    }
+
+    fn release(&mut self) {
+        self.held = false;
+        self.side_w = -1.0;
+        self.side_x = side(self.state.plate_m, -1.0);
+        self.record.event(self.t_s, EventKind::StopRelease);
+        if self.mode == Mode::Fused {
+            self.settle();
+        }
+    }
+
+    /// Whether nothing will ever move again: joined, at rest, and no force.
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.mode == Mode::Fused
+            && (self.is_still()
+                || (self.state.plate_m_s == 0.0
+                    && sign(self.motion().mechanism_force(&self.state)) == 0.0))
+    }
+}

@@ -1,0 +1,115 @@
+//! Guards: what may end a stretch of smooth motion. Each is a linear form in the state and the forces that falls
+//! through zero when its event happens, so that the Taylor and the implicit method watch the same guards.
+
+use crate::model::motion::{Expansion, Motion, State};
+
+/// What ends a stretch of smooth motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Trigger {
+    /// The area law changes, going deeper.
+    PieceEnd,
+    /// The area law changes, coming out.
+    PieceStart,
+    /// The bottom of the hole is reached again.
+    HoleBottom,
+    /// Common velocity.
+    SlipZero,
+    /// A projectile that had left touches again.
+    Recontact,
+    /// The plate's displacement changes sign (or comes so close to zero that its power law is left out for a moment).
+    PlateZero,
+    /// The plate's velocity changes sign (or comes close to zero, as above).
+    PlateSpeedZero,
+    /// The displacement has left the neighbourhood of zero.
+    PlateClear,
+    /// The velocity has left the neighbourhood of zero.
+    PlateSpeedClear,
+    /// The plate reaches its stop.
+    StopReached,
+    /// The elastic stop lets go.
+    StopCleared,
+    /// Nothing presses the plate on its stop any more.
+    StopRelease,
+    /// The interface is pushed beyond its strength.
+    PushLimit,
+    /// The interface is pulled beyond its grip.
+    PullLimit,
+}
+
+/// offset + travel·q + slip·u + plate·x + plate_speed·w + contact·F + mechanism·G.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub(super) struct Form {
+    pub(super) offset: f64,
+    pub(super) travel: f64,
+    pub(super) slip: f64,
+    pub(super) plate: f64,
+    pub(super) plate_speed: f64,
+    pub(super) contact: f64,
+    pub(super) mechanism: f64,
+}
+
+/// The most guards that are ever watched at once.
+const GUARDS_MAX: usize = 12;
+
+/// The guards of one stretch.
+#[derive(Clone, Debug)]
+pub(super) struct Guards {
+    list: [(Trigger, Form); GUARDS_MAX],
+    len: usize,
+}
+
+impl Guards {
+    pub(super) fn none() -> Self {
+        Self { list: [(Trigger::SlipZero, Form::default()); GUARDS_MAX], len: 0 }
+    }
+
+    pub(super) fn watch(&mut self, trigger: Trigger, form: Form) {
+        debug_assert!(self.len < GUARDS_MAX, "raise GUARDS_MAX");
+        self.list[self.len] = (trigger, form);
+        self.len += 1;
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = &(Trigger, Form)> {
+        self.list[..self.len].iter()
+    }
+}
+
+impl Form {
+    /// The form along an expansion, as a series.
+    pub(super) fn along<const N: usize>(&self, e: &Expansion<N>) -> [f64; N] {
+        let mut sum = [0.0; N];
+        let terms = [
+            (self.travel, &e.travel),
+            (self.slip, &e.slip),
+            (self.plate, &e.plate),
+            (self.plate_speed, &e.plate_speed),
+            (self.contact, &e.contact),
+            (self.mechanism, &e.mechanism),
+        ];
+        for (factor, series) in terms {
+            if factor != 0.0 {
+                for (sum, c) in sum.iter_mut().zip(series) {
+                    *sum += factor * c;
+                }
+            }
+        }
+        sum[0] += self.offset;
+        sum
+    }
+
+    /// The form at a state.
+    pub(super) fn at(&self, motion: &Motion, state: &State) -> f64 {
+        let mut sum = self.offset
+            + self.travel * state.travel_m
+            + self.slip * state.slip_m_s
+            + self.plate * state.plate_m
+            + self.plate_speed * state.plate_m_s;
+        if self.contact != 0.0 {
+            sum += self.contact * motion.contact_force(state);
+        }
+        if self.mechanism != 0.0 {
+            sum += self.mechanism * motion.mechanism_force(state);
+        }
+        sum
+    }
+}

@@ -1,0 +1,124 @@
+//! The constants of one impact, derived once from its scene.
+
+use std::sync::Arc;
+
+use crate::model::closed_form::Passage;
+use crate::model::contact::Geometry;
+use crate::model::mechanism::Mechanism;
+use crate::model::scene::{InterfaceLaw, Mount, Scene};
+
+/// Everything the run needs to know about its scene.
+#[derive(Clone, Debug)]
+pub(super) struct Problem {
+    pub(super) scene: Arc<Scene>,
+    pub(super) geometry: Geometry,
+    pub(super) mechanism: Mechanism,
+    /// m_p, kg.
+    pub(super) projectile_kg: f64,
+    /// m_2, kg.
+    pub(super) plate_kg: f64,
+    /// m_2 + m_p cos², the mass that moves with the plate when both move together, kg.
+    pub(super) joined_kg: f64,
+    /// Part of the mechanism's force that the interface carries while fused: m_p cos / joined mass.
+    pub(super) share: f64,
+    /// cos(theta).
+    pub(super) cos: f64,
+    /// S_y, Pa.
+    pub(super) strength_pa: f64,
+    /// c, kg/m³.
+    pub(super) drag_kg_m3: f64,
+    /// g.
+    pub(super) grip: f64,
+    /// v_i, m/s.
+    pub(super) velocity_m_s: f64,
+    /// The plate cannot move.
+    pub(super) rigid: bool,
+    /// The plastic interface law.
+    pub(super) plastic: bool,
+    /// Where the plate starts, m.
+    pub(super) start_m: f64,
+    /// When the run ends at the latest, s.
+    pub(super) horizon_s: f64,
+    /// The horizon was asked for: the run goes on to it.
+    pub(super) horizon_is_asked: bool,
+}
+
+impl Problem {
+    pub(super) fn of(scene: &Arc<Scene>) -> Self {
+        let geometry = Geometry::of(scene);
+        let mechanism = Mechanism::of(scene);
+        let rigid = scene.plate.mount == Mount::Rigid;
+        let cos = geometry.nose.cos;
+        let (projectile_kg, plate_kg) = (scene.projectile.mass_kg, scene.plate_mass_kg());
+        let joined_kg = plate_kg + projectile_kg * cos * cos;
+        let mut problem = Self {
+            scene: Arc::clone(scene),
+            geometry,
+            mechanism,
+            projectile_kg,
+            plate_kg,
+            joined_kg,
+            share: projectile_kg * cos / joined_kg,
+            cos,
+            strength_pa: scene.target.flow_strength_pa,
+            drag_kg_m3: scene.drag_kg_m3(),
+            grip: scene.interface.grip,
+            velocity_m_s: scene.projectile.velocity_m_s,
+            rigid,
+            plastic: scene.interface.law == InterfaceLaw::Plastic,
+            start_m: if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m },
+            horizon_s: 0.0,
+            horizon_is_asked: scene.run.horizon_s.is_some(),
+        };
+        problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
+        problem
+    }
+
+    /// 1/mu: how strongly the contact force slows the slip, 1/kg.
+    pub(super) fn slip_mobility(&self, plate_moves: bool) -> f64 {
+        let projectile = 1.0 / self.projectile_kg;
+        if plate_moves { projectile + self.cos * self.cos / self.plate_kg } else { projectile }
+    }
+
+    /// The relative motion alone, for a plate that is rigid or free.
+    pub(super) fn passage(&self, plate_moves: bool) -> Passage<'_> {
+        Passage {
+            geometry: &self.geometry,
+            mass_kg: 1.0 / self.slip_mobility(plate_moves),
+            strength_pa: self.strength_pa,
+            drag_kg_m3: self.drag_kg_m3,
+            velocity_m_s: self.velocity_m_s,
+        }
+    }
+
+    /// The time in which the projectile would travel its own radius, s.
+    pub(super) fn contact_scale_s(&self) -> f64 {
+        self.geometry.nose.radius_m / self.velocity_m_s
+    }
+
+    /// Long enough for the contact, twenty swings of the spring with all energy in it, and a damper to die down.
+    fn horizon_of_scene(&self) -> f64 {
+        let contact = 1000.0 * self.geometry.exit_m / self.velocity_m_s;
+        if self.rigid {
+            return contact;
+        }
+        let (spring, damper) = (self.mechanism.spring, self.mechanism.damper);
+        let energy = 0.5 * self.projectile_kg * self.velocity_m_s * self.velocity_m_s
+            + spring.integral(self.start_m);
+        let speed = (2.0 * energy / self.plate_kg).sqrt();
+        let swing = spring.at_integral(energy) / speed * 8.0;
+        // The time in which the damper alone takes most of the speed, or, against a spring, lets it creep back.
+        let fading = if damper.coefficient > 0.0 {
+            20.0 * self.joined_kg * speed / damper.force(speed)
+        } else {
+            0.0
+        };
+        let mut horizon = contact;
+        for part in [20.0 * swing, fading] {
+            if part.is_finite() {
+                horizon += part;
+            }
+        }
+        horizon
+    }
+}

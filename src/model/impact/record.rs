@@ -1,0 +1,193 @@
+//! What is written down along the way: series, events, extremes and work.
+
+use crate::model::impact::problem::Problem;
+use crate::model::motion::{Expansion, Motion, State};
+use crate::model::run::{Arrest, Event, EventKind, Mode, Sample};
+use crate::numerics::root::first_fall;
+use crate::numerics::series::{evaluate, product, slope};
+
+/// Points drawn within each step of the solver, its end included.
+const POINTS_PER_STEP: usize = 8;
+
+/// Energies that have to be integrated along the way, J.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub(super) struct Work {
+    pub(super) penetration_j: f64,
+    pub(super) damper_j: f64,
+    pub(super) stop_j: f64,
+}
+
+/// Everything that was noticed.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Record {
+    pub(super) keep_series: bool,
+    pub(super) series: Vec<Sample>,
+    pub(super) events: Vec<Event>,
+    pub(super) work: Work,
+    pub(super) first_arrest: Option<Arrest>,
+    pub(super) exit: Option<(f64, f64)>,
+    pub(super) separation: Option<(f64, f64)>,
+    pub(super) resumed_s: Option<f64>,
+    pub(super) peak_contact_n: f64,
+    /// Greatest plate displacement so far, m.
+    pub(super) farthest_m: f64,
+    pub(super) farthest_s: f64,
+    /// Greatest push and pull through the interface while fused, over A S_y, and when the limits were first passed, s.
+    pub(super) push_ratio: Option<f64>,
+    pub(super) pull_ratio: f64,
+    pub(super) push_exceeded_s: Option<f64>,
+    pub(super) pull_exceeded_s: Option<f64>,
+    pub(super) no_strength: bool,
+}
+
+/// What a sample needs besides the state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Setting<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) motion: &'a Motion,
+    pub(super) mode: Mode,
+    /// The plate cannot move.
+    pub(super) still: bool,
+    /// The plate rests on its stop.
+    pub(super) held: bool,
+    /// What the interface can push at the present travel, A S_y, N.
+    pub(super) interface_n: f64,
+}
+
+impl Setting<'_> {
+    /// The sample at a state.
+    pub(super) fn sample(&self, t_s: f64, state: &State, is_step: bool) -> Sample {
+        let (problem, motion) = (self.problem, self.motion);
+        let mechanism = problem.mechanism;
+        let (spring, damper) =
+            (mechanism.spring.force(state.plate_m), mechanism.damper.force(state.plate_m_s));
+        let contact = match self.mode {
+            Mode::Fused if self.still => 0.0,
+            Mode::Fused => problem.share * (spring + damper + motion.stop.force(state)),
+            Mode::Penetrating
+            | Mode::Closing
+            | Mode::Withdrawing
+            | Mode::FreeFlight
+            | Mode::Perforated => motion.contact_force(state),
+        };
+        let stop =
+            if self.held { contact * problem.cos - spring } else { motion.stop.force(state) };
+        Sample {
+            t_s,
+            mode: self.mode,
+            penetration_m: problem.geometry.depth_m(state.travel_m),
+            projectile_displacement_m: state.travel_m
+                + (state.plate_m - problem.start_m) * problem.cos,
+            projectile_velocity_m_s: state.slip_m_s + state.plate_m_s * problem.cos,
+            plate_displacement_m: state.plate_m,
+            plate_velocity_m_s: state.plate_m_s,
+            contact_force_n: contact,
+            spring_force_n: spring,
+            damper_force_n: damper,
+            stop_force_n: stop,
+            is_step,
+        }
+    }
+}
+
+impl Record {
+    pub(super) fn event(&mut self, t_s: f64, kind: EventKind) {
+        self.events.push(Event { t_s, kind });
+    }
+
+    pub(super) fn point(&mut self, setting: &Setting<'_>, t_s: f64, state: &State, is_step: bool) {
+        if self.keep_series {
+            self.series.push(setting.sample(t_s, state, is_step));
+        }
+    }
+
+    /// Note a displacement that may be the greatest so far.
+    pub(super) fn reach(&mut self, t_s: f64, plate_m: f64) {
+        if plate_m > self.farthest_m {
+            (self.farthest_m, self.farthest_s) = (plate_m, t_s);
+        }
+    }
+
+    /// Write down a step of an expansion: points to draw, work done, extremes of the forces. `span` is the part
+    /// of the time unit `h` that was used.
+    pub(super) fn step<const N: usize>(
+        &mut self,
+        setting: &Setting<'_>,
+        e: &Expansion<N>,
+        (t_s, h, span): (f64, f64, f64),
+    ) {
+        self.work.penetration_j += integral(&e.contact, &e.slip, span) * h;
+        self.work.damper_j += integral(&e.damper, &e.plate_speed, span) * h;
+        let stop = setting.motion.stop;
+        if stop.stiffness_n_m > 0.0 {
+            let mut force = [0.0; N];
+            for (j, force) in force.iter_mut().enumerate() {
+                *force = stop.stiffness_n_m * e.plate[j] + stop.damping_n_s_m * e.plate_speed[j];
+            }
+            force[0] -= stop.stiffness_n_m * stop.position_m;
+            self.work.stop_j += integral(&force, &e.plate_speed, span) * h;
+        }
+        match setting.mode {
+            Mode::Penetrating => {
+                let peak = greatest(&e.contact, span);
+                self.peak_contact_n =
+                    if peak > self.peak_contact_n { peak } else { self.peak_contact_n };
+            }
+            Mode::Fused => self.demand(setting, &e.mechanism, span),
+            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
+        }
+        if self.keep_series {
+            for point in 1..POINTS_PER_STEP {
+                let s = span * point as f64 / POINTS_PER_STEP as f64;
+                let state = e.state(s);
+                self.series.push(setting.sample(t_s + s * h, &state, false));
+            }
+        }
+    }
+
+    /// What the interface carries, or would have to carry, while fused.
+    fn demand<const N: usize>(&mut self, setting: &Setting<'_>, force: &[f64; N], span: f64) {
+        let mut pull = *force;
+        for c in &mut pull {
+            *c = -*c;
+        }
+        self.carried(setting, greatest(force, span), greatest(&pull, span));
+    }
+
+    /// Note the greatest forces of the mechanism, forwards and backwards, N, that the interface has to share while fused.
+    pub(super) fn carried(&mut self, setting: &Setting<'_>, push_n: f64, pull_n: f64) {
+        if setting.still {
+            return;
+        }
+        if setting.interface_n > 0.0 {
+            let part = setting.problem.share / setting.interface_n;
+            let (push, pull) = (part * push_n, part * pull_n);
+            let known = self.push_ratio.unwrap_or(0.0);
+            self.push_ratio = Some(if push > known { push } else { known });
+            self.pull_ratio = if pull > self.pull_ratio { pull } else { self.pull_ratio };
+        } else {
+            self.no_strength = true;
+        }
+    }
+}
+
+/// The integral of f·g over the first `span` of the time unit.
+fn integral<const N: usize>(f: &[f64; N], g: &[f64; N], span: f64) -> f64 {
+    let mut sum = 0.0;
+    for j in (0..N).rev() {
+        sum = sum * span + product(f, g, j) / (j + 1) as f64;
+    }
+    sum * span
+}
+
+/// The greatest value of a series on [0, span]: at an end, or where its slope falls through zero.
+fn greatest<const N: usize>(c: &[f64; N], span: f64) -> f64 {
+    let mut best = c[0];
+    let end = evaluate(c, span);
+    best = if end > best { end } else { best };
+    if let Some(s) = first_fall(&slope(c), span) {
+        let top = evaluate(c, s);
+        best = if top > best { top } else { best };
+    }
+    best
+}

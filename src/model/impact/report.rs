@@ -1,0 +1,173 @@
+//! The [`Run`] from a finished track.
+
+use std::sync::Arc;
+
+use crate::model::closed_form::Ending;
+use crate::model::impact::contact::Answer;
+use crate::model::impact::problem::Problem;
+use crate::model::impact::track::Track;
+use crate::model::impact::verdict::Farthest;
+use crate::model::mechanism::PowerKind;
+use crate::model::run::{
+    Cost, EndReason, EnergyLedger, EventKind, Omission, Outcome, Run, Warning,
+};
+use crate::numerics::larger;
+
+/// An energy residual above this earns a warning.
+const DRIFT: f64 = 1e-8;
+
+/// Gather what a track has found.
+pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) -> Run {
+    let outcome = track.outcome();
+    let ledger = ledger(problem, &track);
+    let warnings = warnings(problem, &track, end, &ledger);
+    let geometry = &problem.geometry;
+    let final_penetration_m = match outcome {
+        Outcome::Arrested | Outcome::Separated => Some(geometry.depth_m(track.deepest_m)),
+        Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
+        Outcome::Moving => None,
+    };
+    let farthest = match track.farthest {
+        Farthest::Known(x) => Some(larger(x, track.record.farthest_m)),
+        Farthest::Unbounded | Farthest::Pending => None,
+    };
+    let cost = cost(problem, &track);
+    let omitted = omitted(problem, &track);
+    tidy_events(&mut track);
+    let record = track.record;
+    Run {
+        scene: Arc::clone(&problem.scene),
+        outcome,
+        end,
+        first_arrest: record.first_arrest,
+        final_penetration_m,
+        baseline_penetration_m: baseline_m(problem),
+        peak_contact_force_n: record.peak_contact_n,
+        max_plate_displacement_m: farthest,
+        residual_velocity_m_s: record.exit.map(|exit| exit.1),
+        exit_time_s: record.exit.map(|exit| exit.0),
+        separation: record.separation.filter(|_| outcome == Outcome::Separated),
+        interface_demand_ratio: record.push_ratio,
+        error_estimate: None,
+        series: record.series,
+        events: record.events,
+        ledger,
+        cost,
+        omitted,
+        warnings,
+    }
+}
+
+/// Penetration on a rigid mount, m.
+fn baseline_m(problem: &Problem) -> Option<f64> {
+    match problem.passage(false).ending() {
+        Ending::Arrest { travel_m } => Some(problem.geometry.depth_m(travel_m)),
+        Ending::Exit { .. } => None,
+    }
+}
+
+fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
+    let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
+    let state = &track.state;
+    let work = &track.record.work;
+    let speed = state.slip_m_s + state.plate_m_s * problem.cos;
+    let spring = problem.mechanism.spring;
+    EnergyLedger {
+        initial_kinetic_j: kinetic(problem.projectile_kg, problem.velocity_m_s),
+        initial_spring_j: spring.integral(problem.start_m),
+        projectile_j: kinetic(problem.projectile_kg, speed),
+        plate_j: kinetic(problem.plate_kg, state.plate_m_s),
+        spring_j: spring.integral(state.plate_m),
+        damper_j: work.damper_j,
+        penetration_j: work.penetration_j,
+        stop_j: work.stop_j,
+    }
+}
+
+fn warnings(
+    problem: &Problem,
+    track: &Track<'_>,
+    end: EndReason,
+    ledger: &EnergyLedger,
+) -> Vec<Warning> {
+    let record = &track.record;
+    let mut list = Vec::new();
+    if !end.is_complete() {
+        list.push(Warning::EndedEarly(end));
+    }
+    if let (Some(t_s), Some(ratio)) = (record.push_exceeded_s, record.push_ratio) {
+        list.push(Warning::InterfacePush { ratio, t_s });
+    }
+    if let Some(t_s) = record.pull_exceeded_s {
+        let ratio =
+            if problem.grip > 0.0 { record.pull_ratio / problem.grip } else { f64::INFINITY };
+        list.push(Warning::InterfacePull { ratio, t_s });
+    }
+    if record.no_strength && !problem.plastic {
+        list.push(Warning::InterfaceWithoutStrength);
+    }
+    if let Some(t_s) = record.resumed_s {
+        list.push(Warning::PenetrationResumed { t_s });
+    }
+    let residual = ledger.residual();
+    if !(residual.abs() < DRIFT) {
+        list.push(Warning::EnergyDrift { residual });
+    }
+    if baseline_m(problem).is_none() {
+        list.push(Warning::NoBaseline);
+    }
+    list
+}
+
+fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
+    let closed = matches!(problem.answer(), Answer::Rigid | Answer::Immobile | Answer::Free);
+    let (method, reason) = match (closed, track.steps, track.stiff_steps) {
+        (true, 0, _) => ("closed form", "nothing but inertia answers the projectile"),
+        (true, _, 0) => ("closed form + Taylor 16", "contact in closed form, the rest integrated"),
+        (_, _, 0) => ("Taylor 16", "smooth between events"),
+        (_, steps, stiff) if steps == stiff => ("Radau IIA 5", "stiff"),
+        (_, _, _) => ("Taylor 16 + Radau IIA 5", "partly stiff"),
+    };
+    Cost {
+        steps: track.steps,
+        rejected: track.rejected,
+        rhs_evaluations: track.evaluations,
+        method,
+        reason,
+    }
+}
+
+fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
+    let (spring, damper) = (problem.mechanism.spring, problem.mechanism.damper);
+    let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
+    let answer = problem.answer();
+    let rows = [
+        (problem.rigid, Omission::PlateMotion),
+        (spring.kind() == PowerKind::Absent, Omission::Spring),
+        (damper.kind() == PowerKind::Absent, Omission::Damper),
+        (problem.mechanism.stop.is_none(), Omission::Stop),
+        (whole(spring.kind()), Omission::SpringPower),
+        (whole(damper.kind()), Omission::DamperPower),
+        (problem.cos == 1.0, Omission::Obliquity),
+        (track.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),
+        (track.steps == 0, Omission::Integration),
+        (answer == Answer::Immobile, Omission::MechanismWithinContact),
+        (!problem.plastic, Omission::InterfaceLaw),
+        (problem.drag_kg_m3 == 0.0, Omission::Drag),
+    ];
+    rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
+}
+
+/// Of the displacement's maxima on the way only the greatest is an event for people.
+fn tidy_events(track: &mut Track<'_>) {
+    let greatest = track.record.farthest_s;
+    let last =
+        track.record.events.iter().rposition(|event| event.kind == EventKind::GreatestDisplacement);
+    let mut index = 0;
+    track.record.events.retain(|event| {
+        let keep = event.kind != EventKind::GreatestDisplacement
+            || (Some(index) == last && event.t_s >= greatest);
+        index += 1;
+        keep
+    });
+}

@@ -1,0 +1,110 @@
+//! The first moments of a run whose spring or damper is singular at zero, where every uncocked run begins.
+//!
+//! With F = f t the plate first moves like t³/6 by inertia, unless the spring is so steep at zero (n < 1/3, or very stiff)
+//! that the plate rides on it: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
+//! the start is placed so early that the momentum in question is below the tolerance.
+
+use crate::model::impact::track::Track;
+use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::motion::{Expansion, Motion};
+use crate::model::run::Mode;
+use crate::numerics::{larger, smaller};
+
+/// Radians (or time constants) of the mechanism within the starting time from which on it is stiff.
+const STIFF_FROM: f64 = 300.0;
+/// Earliest start, in units of the contact's time scale.
+const EARLIEST: f64 = 1e-9;
+/// No start is earlier than this, s.
+const EARLIEST_OF_ALL: f64 = 1e-40;
+/// Momentum left out at the start, relative to the projectile's, per tolerance.
+const LEFT_OUT: f64 = 1e-4;
+
+impl Track<'_> {
+    /// Step over the singular start, if there is one.
+    pub(super) fn start(&mut self) {
+        let problem = self.problem;
+        let mechanism = &problem.mechanism;
+        let spring_singular =
+            mechanism.spring.kind() == PowerKind::General && self.state.plate_m == 0.0;
+        let damper_singular = mechanism.damper.kind() == PowerKind::General;
+        if self.held || problem.rigid || !(spring_singular || damper_singular) {
+            return;
+        }
+        self.spring_omitted = spring_singular;
+        self.damper_omitted = damper_singular;
+        let motion = self.motion();
+        self.spring_omitted = false;
+        self.damper_omitted = false;
+        let allowed = LEFT_OUT * self.tolerance * problem.velocity_m_s;
+        let mut t_s = EARLIEST * problem.contact_scale_s();
+        loop {
+            let next = 4.0 * t_s;
+            let e: Expansion<17> = motion.expand(&self.state, next);
+            let state = e.state(1.0);
+            let drive = drive_n(&motion, &e);
+            let spring = if spring_singular { mechanism.spring.force(state.plate_m) } else { 0.0 };
+            let damper =
+                if damper_singular { mechanism.damper.force(state.plate_m_s) } else { 0.0 };
+            let left_out = smaller(spring.abs() + damper.abs(), drive) * next / problem.plate_kg;
+            if left_out > allowed || next > 1e-2 * problem.contact_scale_s() {
+                break;
+            }
+            t_s = next;
+        }
+        self.place(&motion, t_s, (spring_singular, damper_singular));
+    }
+
+    /// Put the state at the early time `t_s`.
+    fn place(
+        &mut self,
+        motion: &Motion,
+        t_s: f64,
+        (spring_singular, damper_singular): (bool, bool),
+    ) {
+        let mechanism = &self.problem.mechanism;
+        let e: Expansion<17> = motion.expand(&self.state, t_s);
+        let mut state = e.state(1.0);
+        let drive = drive_n(motion, &e);
+        if damper_singular && mechanism.damper.force(state.plate_m_s).abs() > drive {
+            let (w, m) = (mechanism.damper.at_force(drive), mechanism.damper.exponent);
+            state.plate_m += (w / (1.0 + 1.0 / m) - 0.25 * state.plate_m_s) * t_s;
+            state.plate_m_s = w;
+        }
+        if spring_singular && mechanism.spring.force(state.plate_m).abs() > drive {
+            let (x, n) = (mechanism.spring.at_force(drive), mechanism.spring.exponent);
+            state.plate_m = x;
+            state.plate_m_s = smaller(x / (n * t_s), state.plate_m_s);
+        }
+        let rate = stiffness_per_s(mechanism.spring, state.plate_m, self.problem.plate_kg).sqrt();
+        let decay = stiffness_per_s(mechanism.damper, state.plate_m_s, self.problem.plate_kg);
+        let radians = larger(rate, decay) * t_s;
+        // NaN (an infinite tangent at zero) is stiff, too.
+        self.stiff = !(radians < STIFF_FROM) || state.plate_m == 0.0;
+        let mut record = std::mem::take(&mut self.record);
+        let setting = self.setting(motion);
+        if !self.stiff {
+            record.step(&setting, &e, (0.0, t_s, 1.0));
+        }
+        self.record = record;
+        if self.stiff {
+            // The implicit method starts from the very beginning: it has no trouble with zero.
+            self.unit_s = t_s;
+            return;
+        }
+        debug_assert!(self.mode == Mode::Penetrating, "a run starts by penetrating");
+        self.unit_s = t_s;
+        self.arrive(t_s, state, motion, None);
+        self.steps += 1;
+    }
+}
+
+/// The force that drives the plate at the end of an expansion, N.
+fn drive_n<const N: usize>(motion: &Motion, e: &Expansion<N>) -> f64 {
+    let state = e.state(1.0);
+    (motion.contact_force(&state) * motion.coupling - motion.mechanism_force(&state)).abs()
+}
+
+/// Tangent per mass: the square of a frequency for a spring, a rate for a damper.
+fn stiffness_per_s(law: PowerLaw, z: f64, mass_kg: f64) -> f64 {
+    if law.kind() == PowerKind::General { law.tangent(z) / mass_kg } else { 0.0 }
+}

@@ -1,0 +1,293 @@
+//! Stretches too stiff for Taylor steps, by the implicit method.
+//!
+//! Where the spring's exponent is below one the unknown is the spring's force instead of the displacement, and the same for
+//! the damper: x = (force/k)^(1/n) is smooth and flat at zero where force = k x^n is infinitely steep. So Newton's method
+//! cannot mistake the plate for stuck, as implicit codes do that solve for x.
+
+use std::ops::ControlFlow;
+
+use crate::model::contact::AreaLaw;
+use crate::model::impact::guard::{Form, Trigger};
+use crate::model::impact::track::{Track, is_finite};
+use crate::model::mechanism::{PowerLaw, sign};
+use crate::model::motion::{Motion, State};
+use crate::model::run::{EndReason, Mode};
+use crate::numerics::implicit::{ImplicitSystem, Step, WEIGHTS, interpolate, step, step_factor};
+use crate::numerics::root::in_bracket;
+use crate::numerics::{larger, smaller};
+
+/// Points drawn within a step.
+const POINTS_PER_STEP: usize = 3;
+/// Implicit steps after which a run ends early.
+const STIFF_STEPS_MAX: usize = 30_000;
+/// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
+/// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
+const LOCAL: f64 = 5e-3;
+
+/// The present motion in the implicit method's unknowns.
+struct Unknowns<'a> {
+    motion: &'a Motion,
+    spring: Carrier,
+    damper: Carrier,
+    scale: [f64; 4],
+}
+
+/// Whether a law's unknown is its argument or its force.
+#[derive(Clone, Copy)]
+enum Carrier {
+    /// x itself; the force follows.
+    Argument(PowerLaw),
+    /// The force; x = sgn (|force|/k)^(1/n) follows.
+    Force(PowerLaw),
+}
+
+impl Carrier {
+    fn of(law: PowerLaw) -> Self {
+        if law.coefficient > 0.0 && law.exponent < 1.0 {
+            Self::Force(law)
+        } else {
+            Self::Argument(law)
+        }
+    }
+
+    fn unknown(self, z: f64) -> f64 {
+        match self {
+            Self::Argument(_) => z,
+            Self::Force(law) => law.force(z),
+        }
+    }
+
+    /// (argument, its derivative, force, its derivative) by the unknown.
+    fn unfold(self, y: f64) -> (f64, f64, f64, f64) {
+        match self {
+            Self::Argument(law) => {
+                let tangent = law.tangent(y);
+                (y, 1.0, law.force(y), tangent)
+            }
+            Self::Force(law) => {
+                let z = law.at_force(y) * sign(y);
+                let slope = if y == 0.0 { 0.0 } else { z / (law.exponent * y) };
+                (z, slope, y, 1.0)
+            }
+        }
+    }
+}
+
+impl Unknowns<'_> {
+    fn state(&self, y: &[f64; 4]) -> State {
+        State {
+            travel_m: y[0],
+            slip_m_s: y[1],
+            plate_m: self.spring.unfold(y[2]).0,
+            plate_m_s: self.damper.unfold(y[3]).0,
+        }
+    }
+
+    fn fold(&self, state: &State) -> [f64; 4] {
+        [
+            state.travel_m,
+            state.slip_m_s,
+            self.spring.unknown(state.plate_m),
+            self.damper.unknown(state.plate_m_s),
+        ]
+    }
+
+    /// dA/dq, by a central difference within the piece.
+    fn area_slope(&self, q: f64) -> f64 {
+        match self.motion.area {
+            AreaLaw::None => 0.0,
+            AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q - origin_m),
+            AreaLaw::Partial { .. } => {
+                let h = 1e-6 * self.motion.nose.radius_m;
+                let area = |q: f64| self.motion.area.area_m2(&self.motion.nose, q);
+                (area(q + h) - area(q - h)) / (2.0 * h)
+            }
+        }
+    }
+}
+
+impl ImplicitSystem<4> for Unknowns<'_> {
+    fn carried(&self, y: &[f64; 4]) -> [f64; 4] {
+        [y[0], y[1], self.spring.unfold(y[2]).0, self.damper.unfold(y[3]).0]
+    }
+
+    fn carried_slope(&self, y: &[f64; 4]) -> [f64; 4] {
+        [1.0, 1.0, self.spring.unfold(y[2]).1, self.damper.unfold(y[3]).1]
+    }
+
+    fn rate(&self, y: &[f64; 4]) -> [f64; 4] {
+        let (motion, state) = (self.motion, self.state(y));
+        let f = motion.contact_force(&state);
+        let g = self.spring.unfold(y[2]).2 + self.damper.unfold(y[3]).2 + motion.stop.force(&state);
+        let plate = g * motion.plate_mobility;
+        [
+            state.slip_m_s,
+            motion.coupling * plate - f * motion.slip_mobility,
+            state.plate_m_s,
+            motion.coupling * f * motion.plate_mobility - plate,
+        ]
+    }
+
+    fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
+        let (motion, u) = (self.motion, y[1]);
+        let pressure = motion.strength_pa + motion.drag_kg_m3 * u * u;
+        let f_q = self.area_slope(y[0]) * pressure;
+        let area = motion.area.area_m2(&motion.nose, y[0]);
+        let f_u = 2.0 * area * motion.drag_kg_m3 * u;
+        let (_, x_y, _, k_y) = self.spring.unfold(y[2]);
+        let (_, w_y, _, d_y) = self.damper.unfold(y[3]);
+        let g_x = k_y + motion.stop.stiffness_n_m * x_y;
+        let g_w = d_y + motion.stop.damping_n_s_m * w_y;
+        let (slip, plate) = (motion.slip_mobility, motion.plate_mobility);
+        let pass = motion.coupling * plate;
+        [
+            [0.0, 1.0, 0.0, 0.0],
+            [-f_q * slip, -f_u * slip, pass * g_x, pass * g_w],
+            [0.0, 0.0, 0.0, w_y],
+            [pass * f_q, pass * f_u, -plate * g_x, -plate * g_w],
+        ]
+    }
+
+    fn scale(&self) -> [f64; 4] {
+        self.scale
+    }
+
+    /// A stiff plate's velocity swings fast and stays small: its error counts through the displacement, and the slip's
+    /// through the projectile's velocity.
+    fn size(&self, error: &[f64; 4]) -> f64 {
+        let projectile = error[1] + self.motion.coupling * error[3];
+        let parts =
+            [error[0] / self.scale[0], projectile / self.scale[1], error[2] / self.scale[2]];
+        parts.into_iter().fold(0.0, |size, part| larger(part.abs(), size))
+    }
+}
+
+impl Track<'_> {
+    /// One implicit step, shortened to the first event.
+    pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<Trigger>> {
+        let motion = self.motion();
+        let system = Unknowns {
+            motion: &motion,
+            spring: Carrier::of(motion.spring),
+            damper: Carrier::of(motion.damper),
+            scale: self.stiff_scale(),
+        };
+        let y = system.fold(&self.state);
+        let mut h = self.unit_s;
+        let left = self.until_s() - self.t_s;
+        for _ in 0..200 {
+            h = if left < h { left } else { h };
+            if self.t_s + h == self.t_s {
+                return ControlFlow::Break(EndReason::StepUnderflow);
+            }
+            let solved = step::<4, 12>(&system, &y, h, [y; 3]);
+            self.evaluations += solved.as_ref().map_or(25, |step| step.iterations) * 3;
+            let Some(solved) = solved else {
+                h *= 0.25;
+                self.rejected += 1;
+                continue;
+            };
+            let tolerance = LOCAL * self.tolerance.powf(2.0 / 3.0);
+            let factor = step_factor(solved.error, tolerance);
+            if solved.error > tolerance {
+                h *= smaller(factor, 0.9);
+                self.rejected += 1;
+                continue;
+            }
+            return self.accept(&system, &y, (h, factor), solved);
+        }
+        ControlFlow::Break(EndReason::StepUnderflow)
+    }
+
+    fn stiff_scale(&self) -> [f64; 4] {
+        let speed = self.problem.velocity_m_s;
+        let travel =
+            self.state.travel_m.abs() + self.state.slip_m_s.abs() * self.unit_s + f64::MIN_POSITIVE;
+        let joined = self.mode == Mode::Fused;
+        let own_x = larger(self.plate_scale_m, f64::MIN_POSITIVE);
+        let own_w = larger(self.speed_scale_m_s, f64::MIN_POSITIVE);
+        [
+            travel,
+            speed,
+            if joined { own_x } else { travel + self.state.plate_m.abs() },
+            if joined { own_w } else { speed + self.state.plate_m_s.abs() },
+        ]
+    }
+
+    fn accept(
+        &mut self,
+        system: &Unknowns<'_>,
+        y: &[f64; 4],
+        (mut h, factor): (f64, f64),
+        mut solved: Step<4>,
+    ) -> ControlFlow<EndReason, Option<Trigger>> {
+        let motion = system.motion;
+        self.unit_s = h * factor;
+        let mut fired = None;
+        for (trigger, form) in self.guards().iter() {
+            let end = system.state(&solved.stages[2]);
+            if !falls(form, motion, &self.state, &end) {
+                continue;
+            }
+            // Solve the step anew for each trial length: the end of a step is far more accurate than its inside.
+            let value = |part: f64| {
+                let trial = step::<4, 12>(system, y, part * h, [*y; 3]);
+                trial.map_or(f64::NAN, |trial| form.at(motion, &system.state(&trial.stages[2])))
+            };
+            let part = in_bracket(1e-12, 1.0, value);
+            let Some(landed) = step::<4, 12>(system, y, part * h, [*y; 3]) else {
+                continue;
+            };
+            (h, solved, fired) = (part * h, landed, Some(*trigger));
+        }
+        let state = system.state(&solved.stages[2]);
+        if !is_finite(&state) {
+            return ControlFlow::Break(EndReason::NonFinite);
+        }
+        self.write_down(system, y, &solved, h);
+        self.steps += 1;
+        self.stiff_steps += 1;
+        self.stretch_steps += 1;
+        if self.stiff_steps > STIFF_STEPS_MAX {
+            return ControlFlow::Break(EndReason::StepBudget);
+        }
+        self.arrive(self.t_s + h, state, motion, fired);
+        ControlFlow::Continue(fired)
+    }
+
+    /// Work by the method's own quadrature, extremes at the stages, points to draw.
+    fn write_down(&mut self, system: &Unknowns<'_>, y: &[f64; 4], solved: &Step<4>, h: f64) {
+        let motion = system.motion;
+        let mut record = std::mem::take(&mut self.record);
+        let setting = self.setting(motion);
+        for (stage, weight) in solved.stages.iter().zip(WEIGHTS) {
+            let state = system.state(stage);
+            let contact = motion.contact_force(&state);
+            record.work.penetration_j += h * weight * contact * state.slip_m_s;
+            record.work.damper_j +=
+                h * weight * motion.damper.force(state.plate_m_s) * state.plate_m_s;
+            record.work.stop_j += h * weight * motion.stop.force(&state) * state.plate_m_s;
+            match self.mode {
+                Mode::Penetrating => record.peak_contact_n = larger(record.peak_contact_n, contact),
+                Mode::Fused => {
+                    let force = motion.mechanism_force(&state);
+                    record.carried(&setting, force, -force);
+                }
+                Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
+            }
+        }
+        if record.keep_series {
+            for point in 1..=POINTS_PER_STEP {
+                let s = point as f64 / (POINTS_PER_STEP + 1) as f64;
+                let state = system.state(&interpolate(y, solved, s));
+                record.point(&setting, self.t_s + s * h, &state, false);
+            }
+        }
+        self.record = record;
+    }
+}
+
+/// Whether a guard falls through zero over a step.
+fn falls(form: &Form, motion: &Motion, from: &State, to: &State) -> bool {
+    form.at(motion, from) > 0.0 && form.at(motion, to) <= 0.0
+}

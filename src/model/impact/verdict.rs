@@ -1,0 +1,220 @@
+//! When a run is over: the outcome is decided and the greatest displacement is known, or the horizon is reached.
+//!
+//! Bounds come from energy: what is left, all of it in the spring, tells how far the plate can still go and what force the
+//! interface can still be asked to carry.
+
+use crate::model::impact::track::Track;
+use crate::model::motion::State;
+use crate::model::run::{EndReason, Mode, Outcome};
+use crate::numerics::root::in_bracket;
+use crate::numerics::{larger, smaller};
+
+/// Extra time shown after everything is decided, relative to the contact.
+const TAIL: f64 = 1.25;
+/// A later change of depth below this part of the tolerance does not count.
+const NEGLIGIBLE: f64 = 1e-3;
+/// A plate slowed by its damper alone to this part of its speed has arrived, for the eye.
+const FADED: f64 = 1e-2;
+
+/// The greatest displacement, as far as it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Farthest {
+    /// It is this, m.
+    Known(f64),
+    /// Nothing ever stops the plate.
+    Unbounded,
+    /// The plate is still on its way.
+    Pending,
+}
+
+impl Track<'_> {
+    /// Whether, and why, the run is over.
+    pub(super) fn finished(&mut self) -> Option<EndReason> {
+        let at_horizon = self.t_s >= self.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
+        if self.decided_s.is_none() && self.outcome() != Outcome::Moving {
+            self.farthest = self.farthest();
+            if self.farthest != Farthest::Pending {
+                self.decided_s = Some(self.t_s);
+            }
+        }
+        if at_horizon {
+            let decided = self.decided_s.is_some();
+            return Some(if decided { EndReason::Decided } else { EndReason::Horizon });
+        }
+        self.decided_s?;
+        if self.is_at_rest() && !self.problem.horizon_is_asked {
+            return Some(EndReason::Decided);
+        }
+        let wanted = self.problem.horizon_is_asked || (self.record.keep_series && self.in_tail());
+        (!wanted).then_some(EndReason::Decided)
+    }
+
+    /// The time at which the tail after the contact ends, s.
+    fn tail_s(&self) -> f64 {
+        let contact = self.record.first_arrest.map(|arrest| arrest.t_s);
+        TAIL * contact.or(self.record.exit.map(|exit| exit.0)).unwrap_or(self.t_s)
+    }
+
+    /// The time beyond which the next step must not go, s.
+    pub(super) fn until_s(&self) -> f64 {
+        let tail = self.tail_s();
+        let in_tail = self.decided_s.is_some() && !self.problem.horizon_is_asked && self.t_s < tail;
+        if in_tail { smaller(tail, self.problem.horizon_s) } else { self.problem.horizon_s }
+    }
+
+    /// Whether there is still something worth drawing.
+    fn in_tail(&self) -> bool {
+        if self.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON) {
+            return true;
+        }
+        // On the way to the greatest displacement that is already known from an energy balance or a closed form.
+        let Farthest::Known(known) = self.farthest else {
+            return false;
+        };
+        let mechanism = &self.problem.mechanism;
+        self.record.farthest_m < known * (1.0 - 1e-9)
+            && (mechanism.spring.coefficient > 0.0
+                || self.state.plate_m_s > FADED * self.speed_scale_m_s)
+    }
+
+    /// The outcome, if nothing can change it any more; else `Moving`.
+    pub(super) fn outcome(&self) -> Outcome {
+        match self.mode {
+            Mode::Perforated => Outcome::Perforated,
+            Mode::Fused if !self.problem.plastic || self.holds_for_good() => Outcome::Arrested,
+            Mode::FreeFlight if self.gone_for_good() => Outcome::Separated,
+            Mode::Fused
+            | Mode::FreeFlight
+            | Mode::Penetrating
+            | Mode::Closing
+            | Mode::Withdrawing => Outcome::Moving,
+        }
+    }
+
+    /// Mass that moves with the plate, kg.
+    fn moving_kg(&self) -> f64 {
+        if self.mode == Mode::Fused { self.problem.joined_kg } else { self.problem.plate_kg }
+    }
+
+    /// Energy of the plate (with the projectile, when joined), spring and elastic stop, J.
+    fn energy_j(&self) -> f64 {
+        let w = self.state.plate_m_s;
+        0.5 * self.moving_kg() * w * w + self.potential_j(self.state.plate_m)
+    }
+
+    /// Energy in spring and elastic stop at a displacement, J.
+    fn potential_j(&self, x: f64) -> f64 {
+        let mechanism = &self.problem.mechanism;
+        let pressed = larger(x - mechanism.stop_at_m, 0.0);
+        let stop = mechanism
+            .elastic_stop()
+            .map_or(0.0, |stop| 0.5 * stop.stiffness_n_m * pressed * pressed);
+        mechanism.spring.integral(x) + stop
+    }
+
+    /// How far forward the plate could still go, m; infinite when nothing stops it.
+    fn reach_m(&self) -> f64 {
+        let mechanism = &self.problem.mechanism;
+        let energy = self.energy_j();
+        let spring = mechanism.spring.at_integral(energy);
+        if mechanism.rigid_stop().is_some() {
+            return smaller(spring, mechanism.stop_at_m);
+        }
+        let Some(stop) = mechanism.elastic_stop().filter(|_| spring > mechanism.stop_at_m) else {
+            return spring;
+        };
+        let from = larger(mechanism.stop_at_m, 0.0);
+        let beyond = from + (2.0 * energy / stop.stiffness_n_m).sqrt();
+        let far = smaller(spring, beyond + (from - mechanism.stop_at_m));
+        in_bracket(mechanism.stop_at_m, far, |x| self.potential_j(x) - energy)
+    }
+
+    /// The greatest displacement, as far as it is known. Only once the outcome is decided.
+    pub(super) fn farthest(&self) -> Farthest {
+        let so_far = self.record.farthest_m;
+        let mechanism = &self.problem.mechanism;
+        let w = self.state.plate_m_s;
+        if self.problem.rigid || self.is_at_rest() {
+            return Farthest::Known(so_far);
+        }
+        let reach = self.reach_m();
+        if reach <= so_far * (1.0 + 1e-12) || (reach - so_far).abs() < 1e-15 * so_far.abs() {
+            return Farthest::Known(so_far);
+        }
+        let springless = mechanism.spring.coefficient == 0.0;
+        let damped = mechanism.damper.coefficient > 0.0 || self.stop_touches;
+        if mechanism.stop.is_none() && !damped && !springless {
+            // The swing ends where all energy is in the spring.
+            return Farthest::Known(larger(reach, so_far));
+        }
+        if springless && w <= 0.0 && !self.stop_touches {
+            return Farthest::Known(so_far);
+        }
+        if springless && mechanism.stop.is_none() {
+            return self.coasting(so_far);
+        }
+        Farthest::Pending
+    }
+
+    /// Without a spring: the damper's travel in closed form, x + M w^(2-m)/(b (2-m)), finite for m < 2.
+    fn coasting(&self, so_far: f64) -> Farthest {
+        let damper = self.problem.mechanism.damper;
+        let (m, w) = (damper.exponent, self.state.plate_m_s);
+        if damper.coefficient == 0.0 || m >= 2.0 {
+            return Farthest::Unbounded;
+        }
+        let travel = self.moving_kg() * w.powf(2.0 - m) / (damper.coefficient * (2.0 - m));
+        Farthest::Known(larger(self.state.plate_m + travel, so_far))
+    }
+
+    /// Plastic and together: whether the interface will hold whatever comes.
+    fn holds_for_good(&self) -> bool {
+        if self.is_at_rest() {
+            return true;
+        }
+        let mechanism = &self.problem.mechanism;
+        let (push, pull) = self.interface_limits_n();
+        let energy = self.energy_j();
+        let strength = self.interface_n();
+        let depth = self.problem.geometry.depth_m(self.deepest_m);
+        // What is left could neither deepen the hole noticeably nor pull the projectile out of it.
+        let pull_out = self.problem.grip
+            * self.problem.strength_pa
+            * self.problem.geometry.swept_m3(self.state.travel_m);
+        if energy < NEGLIGIBLE * self.problem.scene.run.tolerance * depth * strength
+            && energy < pull_out
+        {
+            return true;
+        }
+        let reach = mechanism.spring.at_integral(energy);
+        if mechanism.stop.is_some() && reach >= mechanism.stop_at_m {
+            return false;
+        }
+        let speed = (2.0 * energy / self.moving_kg()).sqrt();
+        let spring = if reach.is_finite() { mechanism.spring.force(reach) } else { 0.0 };
+        let most = self.problem.share * (spring + mechanism.damper.force(speed));
+        most <= smaller(push, pull)
+    }
+
+    /// Apart, moving apart, and unable to meet again.
+    fn gone_for_good(&self) -> bool {
+        let State { travel_m, slip_m_s, plate_m, plate_m_s } = self.state;
+        let problem = self.problem;
+        if slip_m_s > 0.0 || (travel_m >= 0.0 && slip_m_s == 0.0) {
+            return false;
+        }
+        let v = slip_m_s + plate_m_s * problem.cos;
+        let mechanism = &problem.mechanism;
+        let energy = self.energy_j();
+        let speed = (2.0 * energy / problem.plate_kg).sqrt();
+        if v < -speed * problem.cos {
+            return true;
+        }
+        if mechanism.spring.coefficient == 0.0 && mechanism.stop.is_none() {
+            return slip_m_s < 0.0 && (v <= 0.0 || plate_m_s < 0.0);
+        }
+        // The projectile flies away, and is already beyond the plate's farthest swing back.
+        let back = mechanism.spring.at_integral(energy);
+        v < 0.0 && travel_m + (plate_m + back) * problem.cos < 0.0
+    }
+}

@@ -1,0 +1,89 @@
+//! Steps that people read easily: 1, 2 or 5 times a power of ten, and exact powers of ten.
+
+/// A step of 1, 2 or 5 times a power of ten.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Step {
+    /// 1, 2 or 5.
+    pub(super) mantissa: u8,
+    /// Power of ten.
+    pub(super) exponent: i32,
+}
+
+impl Step {
+    /// The least step that is not below a positive width.
+    pub(super) fn at_least(width: f64) -> Self {
+        let exponent = decade(width);
+        let fraction = width / power(exponent);
+        let (mantissa, exponent) = match fraction {
+            f if f <= 1.0 => (1, exponent),
+            f if f <= 2.0 => (2, exponent),
+            f if f <= 5.0 => (5, exponent),
+            _ => (1, exponent + 1),
+        };
+        Self { mantissa, exponent }
+    }
+
+    /// How long it is.
+    pub(super) fn size(self) -> f64 {
+        f64::from(self.mantissa) * power(self.exponent)
+    }
+
+    /// The next longer step.
+    pub(super) fn next(self) -> Self {
+        match self.mantissa {
+            1 => Self { mantissa: 2, ..self },
+            2 => Self { mantissa: 5, ..self },
+            _ => Self { mantissa: 1, exponent: self.exponent + 1 },
+        }
+    }
+}
+
+/// The decimal exponent of a positive number, as its scientific notation has it: exact, where a logarithm might round.
+pub(super) fn decade(value: f64) -> i32 {
+    let text = format!("{value:e}");
+    let exponent = text.rsplit('e').next().and_then(|part| part.parse().ok());
+    exponent.unwrap_or(0)
+}
+
+/// A power of ten; `powi` is inexact from 10^23 on, the parser is right to the last bit.
+pub(super) fn power(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().unwrap_or(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_the_least_of_their_kind_that_are_wide_enough() {
+        let size = |width: f64| {
+            let step = Step::at_least(width);
+            (step.mantissa, step.exponent)
+        };
+        assert_eq!(size(1.0), (1, 0));
+        assert_eq!(size(1.1), (2, 0));
+        assert_eq!(size(0.03), (5, -2));
+        assert_eq!(size(0.051), (1, -1));
+        assert_eq!(size(7e22), (1, 23));
+    }
+
+    #[test]
+    fn steps_grow_through_one_two_five_and_ten() {
+        let mut step = Step::at_least(0.1);
+        let mut sizes = Vec::new();
+        for _ in 0..5 {
+            sizes.push((step.mantissa, step.exponent));
+            step = step.next();
+        }
+        assert_eq!(sizes, [(1, -1), (2, -1), (5, -1), (1, 0), (2, 0)]);
+    }
+
+    #[test]
+    fn decades_are_exact_where_logarithms_round() {
+        assert_eq!(decade(1000.0), 3);
+        assert_eq!(decade(999.999_999_999_999_9), 2);
+        assert_eq!(decade(1e-3), -3);
+        assert_eq!(decade(5e-324), -324);
+        assert_eq!(decade(f64::MAX), 308);
+    }
+}

@@ -1,0 +1,440 @@
+//! Pictures of small charts, each drawn by hand from the rules first, and properties of charts of any size.
+//!
+//! The hand-drawn ones have a plot of 21 columns for x from 0 to 20 and 5 rows for y from 0 to 4, so that a value is its column
+//! or row.
+
+use std::cell::Cell;
+
+use proptest::prelude::*;
+use ratatui::style::Modifier;
+
+use super::*;
+use crate::tui::theme::{ColourDepth, Role};
+
+fn small(curves: Vec<Curve<'_>>) -> Chart<'_> {
+    let x = Axis::new("t", ViewRange::new(0.0, 20.0)).unit(Unit::new("s"));
+    let y = Axis::new("", ViewRange::new(0.0, 4.0)).unit(Unit::new("m"));
+    Chart { legend: Legend::Hidden, ..Chart::new("y", x, y, curves) }
+}
+
+fn picture(chart: &Chart<'_>) -> Vec<String> {
+    chart.to_lines(29, 9, Theme::PLAIN)
+}
+
+const RISING: [(f64, f64); 2] = [(0.0, 0.0), (20.0, 4.0)];
+const FALLING: [(f64, f64); 2] = [(0.0, 4.0), (20.0, 0.0)];
+
+#[test]
+fn a_straight_line_has_its_axes_ticks_and_labels() {
+    let chart = small(vec![Curve::new('*', "now", &RISING)]);
+    assert_eq!(
+        picture(&chart),
+        [
+            "+- y [m] ------------ t [s] +",
+            "|  4+                  ***  |",
+            "|   |             *****     |",
+            "|  2+        *****          |",
+            "|   |   *****               |",
+            "|  0+***                    |",
+            "|   ++----+----+----+----+  |",
+            "|    0    5   10   15   20  |",
+            "+---------------------------+",
+        ]
+    );
+}
+
+#[test]
+fn a_value_that_is_missing_is_a_gap() {
+    let points = [
+        (0.0, 1.0),
+        (8.0, 1.0),
+        (9.0, f64::NAN),
+        (10.0, 1.0),
+        (14.0, 1.0),
+        (15.0, f64::INFINITY),
+        (16.0, 3.0),
+        (17.0, f64::NEG_INFINITY),
+    ];
+    let lines = picture(&small(vec![Curve::new('*', "now", &points)]));
+    assert_eq!(
+        lines[1..6],
+        [
+            "|  4+                       |",
+            "|   |                *      |",
+            "|  2+                       |",
+            "|   |********* *****        |",
+            "|  0+                       |",
+        ]
+    );
+}
+
+#[test]
+fn one_spike_among_a_hundred_thousand_points_is_drawn() {
+    let spike = |index: &u32| {
+        let y = if *index == 50_000 { 4.0 } else { 0.0 };
+        (f64::from(*index) * 20.0 / 1e5, y)
+    };
+    let items: Vec<u32> = (0..=100_000).collect();
+    let lines = picture(&small(vec![Curve::of('*', "now", &items, spike)]));
+    assert_eq!(
+        lines[1..6],
+        [
+            "|  4+          *            |",
+            "|   |          *            |",
+            "|  2+          *            |",
+            "|   |          *            |",
+            "|  0+*********************  |",
+        ]
+    );
+}
+
+#[test]
+fn a_jump_is_a_vertical_line() {
+    let points = [(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (20.0, 4.0)];
+    let lines = picture(&small(vec![Curve::new('*', "now", &points)]));
+    assert_eq!(
+        lines[1..6],
+        [
+            "|  4+          ***********  |",
+            "|   |          *            |",
+            "|  2+          *            |",
+            "|   |          *            |",
+            "|  0+***********            |",
+        ]
+    );
+}
+
+#[test]
+fn where_curves_cross_the_later_or_the_selected_one_is_on_top() {
+    let crossing = |emphasis| {
+        let lines = picture(&small(vec![
+            Curve::new('*', "now", &RISING).emphasis(emphasis),
+            Curve::new('o', "A", &FALLING),
+        ]));
+        lines[1..6].to_vec()
+    };
+    assert_eq!(
+        crossing(Emphasis::Normal),
+        [
+            "|  4+ooo               ***  |",
+            "|   |   ooooo     *****     |",
+            "|  2+        ooooo          |",
+            "|   |   *****     ooooo     |",
+            "|  0+***               ooo  |",
+        ]
+    );
+    assert_eq!(crossing(Emphasis::Selected)[2], "|  2+        *****          |");
+    assert_eq!(crossing(Emphasis::Stale)[2], "|  2+        ooooo          |");
+}
+
+#[test]
+fn event_lines_lie_under_curves_and_the_crosshair_over_them() {
+    let mut chart = small(vec![Curve::new('*', "now", &RISING)]);
+    let event = |x, tag: &'static str| EventLine { x, tag: tag.into() };
+    chart.events = vec![event(15.0, "b"), event(5.0, "a"), event(99.0, "c")];
+    chart.levels = vec![Level { y: 3.0, tag: "max".into() }];
+    chart.crosshair = Some(10.2);
+    assert_eq!(
+        picture(&chart)[1..8],
+        [
+            "|  4+     a    |    b  ***  |",
+            "|   |. . .:. . | .*****max  |",
+            "|  2+     :  *****  :       |",
+            "|   |   *****  |    :       |",
+            "|  0+***  :    |    :       |",
+            "|   ++----+----+----+----+  |",
+            "|    0    5   10   15   20  |",
+        ]
+    );
+}
+
+#[test]
+fn a_logarithmic_axis_has_decades_and_counts_what_it_cannot_show() {
+    let points = [(-1.0, 5.0), (0.0, 5.0), (1.0, 1.0), (1000.0, 1000.0), (f64::NAN, 1.0)];
+    let axis = |label| Axis::new(label, ViewRange::new(1.0, 1000.0)).scale(Scale::Log10);
+    let chart = Chart {
+        legend: Legend::Hidden,
+        ..Chart::new("e", axis("n"), axis(""), vec![Curve::new('*', "now", &points)])
+    };
+    let area = Rect::new(0, 0, 41, 11);
+    let drawn = chart.render(area, &mut Buffer::empty(area), Theme::PLAIN);
+    assert_eq!(drawn.left_out, 2);
+    // 31 columns and 7 rows: a decade is 10 columns and 2 rows; the slope is 1 row in 5 columns.
+    assert_eq!(
+        chart.to_lines(41, 11, Theme::PLAIN),
+        [
+            "+- e (2 points <= 0 left out) ------- n +",
+            "| 1000+                            ***  |",
+            "|     |                       *****     |",
+            "|  100+                  *****          |",
+            "|     |             *****               |",
+            "|   10+        *****                    |",
+            "|     |   *****                         |",
+            "|    1+***                              |",
+            "|     ++---------+---------+---------+  |",
+            "|      1        10        100      1000 |",
+            "+---------------------------------------+",
+        ]
+    );
+}
+
+#[test]
+fn inside_a_decade_a_logarithmic_axis_has_linear_ticks() {
+    let axis = Axis::new("n", ViewRange::new(30.0, 80.0)).scale(Scale::Log10);
+    let y = Axis::new("", ViewRange::new(0.0, 4.0));
+    let lines = Chart::new("e", axis, y, Vec::new()).to_lines(48, 9, Theme::PLAIN);
+    for label in ["30", "40", "50", "60", "70", "80"] {
+        assert!(lines[7].contains(label), "{label} in {}", lines[7]);
+    }
+}
+
+#[test]
+fn a_common_power_of_ten_goes_into_the_unit() {
+    let mut chart = small(Vec::new());
+    chart.y.view = ViewRange::new(0.0, 4e7);
+    chart.x.unit = Unit::scaled(1e-9, "Gs");
+    let lines = picture(&chart);
+    assert!(lines[0].starts_with("+- y [1e6 m] -"), "{}", lines[0]);
+    assert!(lines[0].ends_with(" t [1e-9 Gs] +"), "{}", lines[0]);
+    assert_eq!(lines[7], "|    0    5   10   15   20  |");
+    assert_eq!(&lines[1][..5], "| 40+");
+}
+
+#[test]
+fn a_power_of_ten_stays_where_factoring_it_out_would_lengthen_the_labels() {
+    let view = ViewRange::new(99_990.0, 100_010.0);
+    let chart = Chart::new("y", Axis::new("", view), Axis::new("", view), Vec::new());
+    let lines = chart.to_lines(60, 9, Theme::PLAIN);
+    assert!(lines[0].starts_with("+- y ---"), "{}", lines[0]);
+    assert!(lines[7].contains(" 100000 "), "{}", lines[7]);
+}
+
+#[test]
+fn long_labels_stay_centred_and_clear_of_the_frame() {
+    let axis = Axis::new("", ViewRange::new(50.000_01, 50.000_02));
+    let y = Axis::new("", ViewRange::new(0.0, 4.0));
+    let lines = Chart::new("y", axis, y, Vec::new()).to_lines(60, 9, Theme::PLAIN);
+    assert!(lines[7].ends_with("50.000020 |"), "{}", lines[7]);
+    assert!(lines[6].ends_with("+     |"), "{}", lines[6]);
+}
+
+#[test]
+fn a_second_vertical_axis_has_its_own_ticks() {
+    let right = [(0.0, 0.0), (20.0, 400.0)];
+    let mut chart =
+        small(vec![Curve::new('*', "p", &FALLING), Curve::new('o', "x", &right).side(Side::Right)]);
+    chart.legend = Legend::Shown;
+    chart.right = Some(Axis::new("x", ViewRange::new(0.0, 400.0)).unit(Unit::new("mm")));
+    // 3 columns more than the margin of 2 for axis, labels and a blank.
+    let lines = chart.to_lines(32, 9, Theme::PLAIN);
+    assert!(lines[0].starts_with("+- y [m], right: x [mm]"), "{}", lines[0]);
+    assert_eq!(
+        lines[1..8],
+        [
+            "|  4+***               ooo+400 |",
+            "|   |   *****     ooooo   |    |",
+            "|  2+        ooooo        +200 |",
+            "|   |   ooooo     *****   |    |",
+            "|  0+ooo               ***+0   |",
+            "|   ++----+----+----+----++    |",
+            "|    0    5   10   15   20     |",
+        ]
+    );
+}
+
+#[test]
+fn the_legend_stands_in_the_title_or_in_a_row_of_its_own() {
+    let curves = || {
+        vec![
+            Curve::new('*', "now", &RISING).emphasis(Emphasis::Stale),
+            Curve::new('o', "A rigid", &FALLING),
+        ]
+    };
+    let mut chart = small(curves());
+    chart.legend = Legend::Shown;
+    let wide = chart.to_lines(50, 12, Theme::PLAIN);
+    assert_eq!(wide[0], "+- y [m] -------- * now (old)  o A rigid   t [s] +");
+    let narrow = chart.to_lines(32, 12, Theme::PLAIN);
+    assert_eq!(narrow[0], "+- y [m] --------------- t [s] +");
+    assert_eq!(narrow[1], "| * now (old)  o A rigid       |");
+    assert_eq!(&narrow[2][..5], "|  4+");
+    let low = chart.to_lines(32, 9, Theme::PLAIN);
+    assert_eq!(low[0], "+- y [m] ------------------ *o +");
+}
+
+#[test]
+fn stacked_charts_begin_in_one_column() {
+    let mut charts = [small(Vec::new()), small(Vec::new())];
+    charts[1].y.view = ViewRange::new(0.0, 4000.0);
+    let areas = [Rect::new(0, 0, 40, 9), Rect::new(0, 9, 40, 9)];
+    align_gutters(&mut charts, &areas);
+    let [a, b] = [0, 1].map(|index: usize| charts[index].layout(areas[index]));
+    assert_eq!((a.plot.x, a.plot.width), (b.plot.x, b.plot.width));
+    assert_eq!(a.x, b.x);
+}
+
+#[test]
+fn hidden_labels_leave_their_row_to_the_plot() {
+    let mut chart = small(Vec::new());
+    chart.x.labels = Labels::Hidden;
+    chart.frame = Frame::OpenBelow;
+    let lines = chart.to_lines(29, 7, Theme::PLAIN);
+    assert_eq!(chart.layout(Rect::new(0, 0, 29, 7)).plot.height, 5);
+    assert_eq!(lines[6], "|   ++----+----+----+----+  |");
+}
+
+#[test]
+fn charts_without_room_draw_what_fits() {
+    let chart = small(vec![Curve::new('*', "now", &RISING)]);
+    assert_eq!(chart.to_lines(0, 0, Theme::PLAIN), [""; 0]);
+    assert_eq!(chart.to_lines(1, 1, Theme::PLAIN), [""]);
+    assert_eq!(
+        chart.to_lines(10, 4, Theme::PLAIN),
+        ["+- y [m] +", "|    ****|", "|****    |", "+--------+"]
+    );
+}
+
+#[test]
+fn each_point_is_asked_for_once() {
+    let asked = Cell::new(0_usize);
+    let items = [0_u8; 1000];
+    let point = |_: &u8| {
+        asked.set(asked.get() + 1);
+        (1.0, 1.0)
+    };
+    picture(&small(vec![Curve::of('*', "now", &items, point)]));
+    assert_eq!(asked.get(), 1000);
+}
+
+#[test]
+fn where_curves_differ_by_colour_they_also_carry_their_markers() {
+    let flat = [(0.0, 3.0), (20.0, 3.0)];
+    let curves = || vec![Curve::new('*', "now", &flat), Curve::new('o', "A", &FALLING).colour(1)];
+    for glyphs in [GlyphSet::Block, GlyphSet::Braille] {
+        let theme = Theme { glyphs, depth: ColourDepth::Sixteen };
+        let text = small(curves()).to_lines(29, 9, theme).concat();
+        assert!(text.contains('*') && text.contains('o'), "{text}");
+        let alone = small(curves().split_off(1)).to_lines(29, 9, theme).concat();
+        assert!(!alone.contains('o'), "{alone}");
+    }
+}
+
+#[test]
+fn styles_follow_roles_and_emphasis() {
+    let theme = Theme { glyphs: GlyphSet::Ascii, depth: ColourDepth::Sixteen };
+    let area = Rect::new(0, 0, 29, 9);
+    let style = |emphasis| {
+        let mut buffer = Buffer::empty(area);
+        let curve = Curve::new('*', "now", &RISING).colour(2).emphasis(emphasis);
+        small(vec![curve]).render(area, &mut buffer, theme);
+        let cell = &buffer[(5, 5)];
+        assert_eq!(cell.symbol(), "*");
+        (cell.fg, cell.modifier)
+    };
+    let plain = theme.style(Role::Curve(2)).fg.unwrap();
+    assert_eq!(style(Emphasis::Normal), (plain, Modifier::empty()));
+    assert_eq!(style(Emphasis::Selected), (plain, Modifier::BOLD));
+    assert_eq!(style(Emphasis::Stale).1, Modifier::DIM);
+}
+
+/// Columns where the line of the horizontal axis has a tick.
+fn tick_columns(line: &str) -> Vec<usize> {
+    let ticks = line.char_indices().filter(|(_, c)| *c == '+');
+    ticks.map(|(column, _)| column).collect()
+}
+
+fn any_f64() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        6 => -10.0..10.0_f64,
+        1 => any::<f64>(),
+        1 => prop::sample::select(vec![
+            0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN, 5e-324, -1e-310,
+        ]),
+    ]
+}
+
+fn any_axis() -> impl Strategy<Value = Axis<'static>> {
+    let scale = prop::sample::select(vec![Scale::Linear, Scale::Log10]);
+    let factor = prop::sample::select(vec![1.0, 1e3, 1e-6, f64::NAN, 1e300]);
+    (any_f64(), any_f64(), scale, factor).prop_map(|(lo, hi, scale, factor)| {
+        let unit = Unit::scaled(factor, "mµ");
+        let axis = Axis::new("axis", ViewRange::new(lo, hi));
+        axis.unit(unit).scale(scale)
+    })
+}
+
+fn any_theme() -> impl Strategy<Value = Theme> {
+    let glyphs = vec![GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];
+    prop::sample::select(glyphs).prop_map(|glyphs| Theme { glyphs, depth: ColourDepth::Ansi256 })
+}
+
+proptest! {
+    #[test]
+    fn anything_is_drawn_inside_its_area(
+        points in prop::collection::vec((any_f64(), any_f64()), 0..200),
+        more in prop::collection::vec((any_f64(), any_f64()), 0..20),
+        axes in (any_axis(), any_axis(), prop::option::of(any_axis())),
+        marks in (any_f64(), any_f64(), any_f64()),
+        corner in (0_u16..20, 0_u16..20),
+        size in (0_u16..300, 0_u16..300),
+        frame in prop::sample::select(vec![Frame::Boxed, Frame::OpenBelow, Frame::Bare]),
+        gutter in prop::sample::select(vec![0, 9, u16::MAX]),
+        theme in any_theme(),
+    ) {
+        let (x, y, right) = axes;
+        let chart = Chart {
+            right,
+            events: vec![EventLine { x: marks.0, tag: "arrest".into() }, EventLine { x: 1.0, tag: "日".into() }],
+            levels: vec![Level { y: marks.1, tag: "limit".into() }],
+            crosshair: Some(marks.2),
+            frame,
+            gutter,
+            ..Chart::new("a title", x, y, vec![
+                Curve::new('*', "now", &points),
+                Curve::new('日', "wide", &more).side(Side::Right),
+            ])
+        };
+        let all = Rect::new(0, 0, corner.0 + 150, corner.1 + 150);
+        let area = Rect::new(corner.0, corner.1, size.0, size.1);
+        let mut buffer = Buffer::filled(all, ratatui::buffer::Cell::new("~"));
+        chart.render(area, &mut buffer, theme);
+        for (x, y) in all.positions().map(|place| (place.x, place.y)) {
+            if !area.contains((x, y).into()) {
+                prop_assert_eq!(buffer[(x, y)].symbol(), "~");
+            }
+        }
+    }
+
+    #[test]
+    fn every_label_stands_at_the_tick_of_its_value(
+        lo in -1000.0..1000.0_f64, span in 0.001..2000.0_f64, width in 30_u16..160,
+    ) {
+        let view = ViewRange::new(lo, lo + span);
+        let y = Axis::new("", ViewRange::new(0.0, 4.0));
+        let chart = Chart::new("y", Axis::new("", view), y, Vec::new());
+        let lines = chart.to_lines(width, 9, Theme::PLAIN);
+        let axis = lines[6].as_str();
+        let plot_from = axis.find('+').unwrap() + 1;
+        let cells = f64::from(width) - 4.0 - plot_from as f64 + 1.0;
+        let mut labels = 0;
+        for word in lines[7].trim_matches('|').split_whitespace() {
+            let value: f64 = word.parse().unwrap();
+            let column = plot_from as f64 + (cells - 1.0) * (value - lo) / span;
+            let near = |tick: &&usize| ((**tick as f64) - column).abs() <= 0.5 + 1e-6;
+            let ticks = tick_columns(axis);
+            let tick = ticks[1..].iter().find(near);
+            prop_assert!(tick.is_some(), "{} not at a tick in\n{}\n{}", word, axis, lines[7]);
+            // The last label may be moved left to stay in the frame, no farther than it is long.
+            let shift = |start: usize| {
+                let at_frame = start + word.len() + 1 == usize::from(width);
+                if at_frame { word.len() } else { 0 }
+            };
+            let middle = lines[7]
+                .match_indices(word)
+                .any(|(start, _)| (start + word.len() / 2).abs_diff(*tick.unwrap()) <= shift(start));
+            prop_assert!(middle, "{} not centred in\n{}\n{}", word, axis, lines[7]);
+            labels += 1;
+        }
+        prop_assert!(labels >= 2 || width < 45, "{}", lines[7]);
+    }
+}

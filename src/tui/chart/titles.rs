@@ -1,0 +1,148 @@
+//! What is written above a plot: title with unit, legend, horizontal axis; and what gives way when the line is too short.
+
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use super::layout::{self, Layout};
+use super::{Axis, Chart, Curve, Emphasis, Legend, Side, trace};
+use crate::tui::theme::Theme;
+
+/// What goes where in the title line.
+pub(super) struct Plan<'a> {
+    /// Where the parts of the chart lie.
+    pub(super) layout: Layout,
+    /// At the left of the title line.
+    pub(super) title: String,
+    /// At its right.
+    pub(super) right: Line<'a>,
+    /// In a row of its own.
+    pub(super) legend: Line<'a>,
+    /// Points a logarithmic axis cannot show.
+    pub(super) left_out: usize,
+}
+
+impl Chart<'_> {
+    /// Decides what goes where. All in the title line if it fits; else the legend gets a row of its own; else, in a low
+    /// chart, only the curves' markers stay.
+    pub(super) fn plan(&self, area: Rect, theme: Theme) -> Plan<'_> {
+        let left_out = self.left_out();
+        let inner = self.inner(area);
+        let room = usize::from(area.width.saturating_sub(8));
+        let legend = self.legend_line(theme);
+        let axis = |layout: &Layout| axis_text(&self.x, layout.x_ticks.exponent);
+
+        let layout = layout::layout(self, inner, false);
+        let title = self.title_text(&layout, left_out);
+        let both = join(legend.clone(), axis(&layout));
+        if Span::raw(&title).width() + both.width() <= room {
+            return Plan { layout, title, right: both, legend: Line::default(), left_out };
+        }
+        let layout = layout::layout(self, inner, legend.width() > 0);
+        let title = self.title_text(&layout, left_out);
+        let axis = Line::from(axis(&layout));
+        let room = room.saturating_sub(Span::raw(&title).width());
+        let (right, legend) = if layout.legend.is_some() {
+            (axis, legend)
+        } else if legend.width() > 0 {
+            (shortened(legend, room), Line::default())
+        } else {
+            (axis, legend)
+        };
+        Plan { layout, title, right, legend, left_out }
+    }
+
+    /// Points that a logarithmic axis cannot show.
+    fn left_out(&self) -> usize {
+        let count = |curve: &Curve<'_>| {
+            let vertical = match (curve.side, &self.right) {
+                (Side::Right, Some(axis)) => axis.scale,
+                (Side::Right, None) | (Side::Left, _) => self.y.scale,
+            };
+            trace::left_out(curve, self.x.scale, vertical)
+        };
+        self.curves.iter().map(count).sum()
+    }
+
+    fn title_text(&self, layout: &Layout, left_out: usize) -> String {
+        let unit = unit_text(&self.y, layout.y_ticks.exponent);
+        let mut text = spaced(&self.title, &unit);
+        if let Some(axis) = &self.right {
+            text += ", right: ";
+            text += &axis_text(axis, layout.right_ticks.exponent);
+        }
+        match left_out {
+            0 => text,
+            1 => text + " (1 point <= 0 left out)",
+            count => text + &format!(" ({count} points <= 0 left out)"),
+        }
+    }
+
+    fn legend_line(&self, theme: Theme) -> Line<'_> {
+        let mut spans = Vec::new();
+        if self.legend == Legend::Hidden {
+            return Line::default();
+        }
+        for curve in &self.curves {
+            if !spans.is_empty() {
+                spans.push(Span::raw("  "));
+            }
+            let style = theme.style(curve.role());
+            spans.push(Span::styled(curve.cell_marker().to_string(), style));
+            let old = match curve.emphasis {
+                Emphasis::Stale => " (old)",
+                Emphasis::Normal | Emphasis::Selected => "",
+            };
+            let side = match curve.side {
+                Side::Left => "",
+                Side::Right => " (right)",
+            };
+            spans.push(Span::raw(format!(" {}{old}{side}", curve.label)));
+        }
+        Line::from(spans)
+    }
+}
+
+fn unit_text(axis: &Axis<'_>, exponent: i32) -> String {
+    let unit = &axis.unit.name;
+    match (exponent, unit.is_empty()) {
+        (0, true) => String::new(),
+        (0, false) => format!("[{unit}]"),
+        (_, true) => format!("[1e{exponent}]"),
+        (_, false) => format!("[1e{exponent} {unit}]"),
+    }
+}
+
+fn axis_text(axis: &Axis<'_>, exponent: i32) -> String {
+    spaced(&axis.label, &unit_text(axis, exponent))
+}
+
+fn spaced(a: &str, b: &str) -> String {
+    let gap = if a.is_empty() || b.is_empty() { "" } else { " " };
+    format!("{a}{gap}{b}")
+}
+
+fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {
+    if !axis.is_empty() {
+        if legend.width() > 0 {
+            legend.spans.push(Span::raw("   "));
+        }
+        legend.spans.push(Span::raw(axis));
+    }
+    legend
+}
+
+/// As many whole entries of a legend as fit; markers alone when no more than that fits.
+fn shortened(legend: Line<'_>, room: usize) -> Line<'_> {
+    if legend.width() <= room {
+        return legend;
+    }
+    let markers = legend.spans.iter().filter(|span| span.width() == 1);
+    let mut short: Vec<Span<'_>> = Vec::new();
+    for marker in markers {
+        if short.len() + 2 > room {
+            break;
+        }
+        short.push(marker.clone());
+    }
+    Line::from(short)
+}

@@ -1,0 +1,98 @@
+//! Whole charts as pictures, in every glyph set.
+
+use cmra::tui::chart::{
+    Axis, Chart, Curve, Emphasis, EventLine, Level, Scale, Side, Unit, ViewRange,
+};
+use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
+
+const SETS: [GlyphSet; 3] = [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];
+
+/// An approach to a limit, every half microsecond.
+fn approach(limit_m: f64, time_s: f64, until_s: f64) -> Vec<(f64, f64)> {
+    let times = (0..=400).map(|index| f64::from(index) * 0.5e-6);
+    let depth = |t_s: f64| {
+        let depth_m = limit_m * (1.0 - (-t_s / time_s).exp());
+        (t_s, if t_s > until_s { f64::NAN } else { depth_m })
+    };
+    times.map(depth).collect()
+}
+
+fn text(chart: &Chart<'_>, width: u16, height: u16, glyphs: GlyphSet) -> String {
+    let theme = Theme { glyphs, depth: ColourDepth::None };
+    chart.to_lines(width, height, theme).join("\n")
+}
+
+#[test]
+fn three_runs_with_events_and_a_crosshair() {
+    let now = approach(4.5e-3, 60e-6, 1.0);
+    let rigid = approach(8.1e-3, 95e-6, 1.0);
+    let perforated = approach(1.7e-3, 30e-6, 80e-6);
+    let time = ViewRange::new(0.0, 200e-6);
+    let depth = ViewRange::new(0.0, 7.1e-3).rounded(Scale::Linear);
+    let mut chart = Chart::new(
+        "Penetration p",
+        Axis::new("t", time).unit(Unit::with_prefix(time, "s")),
+        Axis::new("p", depth).unit(Unit::with_prefix(depth, "m")),
+        vec![
+            Curve::new('*', "now", &now).emphasis(Emphasis::Selected),
+            Curve::new('o', "A rigid", &rigid).colour(1),
+            Curve::new('+', "B gamma=1 d=0.5", &perforated).colour(2),
+        ],
+    );
+    chart.events = vec![EventLine { x: 101.2e-6, tag: "a".into() }];
+    chart.crosshair = Some(60e-6);
+    for glyphs in SETS {
+        let name = |size: &str| format!("three_runs_{size}_{glyphs}");
+        insta::assert_snapshot!(name("49x19"), text(&chart, 49, 19, glyphs));
+        insta::assert_snapshot!(name("82x11"), text(&chart, 82, 11, glyphs));
+        insta::assert_snapshot!(name("30x8"), text(&chart, 30, 8, glyphs));
+    }
+}
+
+#[test]
+fn an_error_against_time_chart_on_logarithmic_axes() {
+    let error = |order: f64| -> Vec<(f64, f64)> {
+        let steps = (0..13).map(f64::from);
+        let point = |step: f64| (1e-6 * 10_f64.powf(0.4 * step), 10_f64.powf(-0.25 * order * step));
+        steps.map(point).collect()
+    };
+    let (first, fourth) = (error(1.0), error(4.0));
+    let time = ViewRange::new(1e-6, 0.1);
+    let mut chart = Chart::new(
+        "relative error",
+        Axis::new("run time", time).unit(Unit::scaled(1e6, "µs")).scale(Scale::Log10),
+        Axis::new("", ViewRange::new(1e-12, 1.0)).scale(Scale::Log10),
+        vec![
+            Curve::new('T', "first order", &first),
+            Curve::new('E', "fourth order", &fourth).colour(1),
+        ],
+    );
+    chart.levels = vec![Level { y: 1e-9, tag: "wanted".into() }];
+    for glyphs in SETS {
+        insta::assert_snapshot!(format!("log_log_{glyphs}"), text(&chart, 78, 15, glyphs));
+    }
+}
+
+#[test]
+fn a_second_axis_and_old_curves() {
+    let points = |phase: f64, size: f64| -> Vec<(f64, f64)> {
+        let times = (0..500).map(|index| f64::from(index) * 1e-4);
+        times.map(|t| (t, size * (t * 250.0 + phase).sin())).collect()
+    };
+    let (travel, force) = (points(0.0, 9e-3), points(1.0, 15e3));
+    let time = ViewRange::new(0.0, 0.05);
+    let (left, right) = (ViewRange::new(-0.01, 0.01), ViewRange::new(-2e4, 2e4));
+    let mut chart = Chart::new(
+        "Plate displacement x",
+        Axis::new("t", time).unit(Unit::with_prefix(time, "s")),
+        Axis::new("x", left).unit(Unit::with_prefix(left, "m")),
+        vec![
+            Curve::new('*', "x", &travel),
+            Curve::new('o', "F", &force).colour(1).side(Side::Right).emphasis(Emphasis::Stale),
+        ],
+    );
+    chart.right = Some(Axis::new("F", right).unit(Unit::with_prefix(right, "N")));
+    for glyphs in SETS {
+        insta::assert_snapshot!(format!("second_axis_{glyphs}"), text(&chart, 80, 14, glyphs));
+    }
+}
