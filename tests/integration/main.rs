@@ -13,6 +13,8 @@ mod presets;
 #[cfg(test)]
 mod pty;
 #[cfg(test)]
+mod screens;
+#[cfg(test)]
 mod support;
 #[cfg(test)]
 mod terminal;

@@ -1,0 +1,308 @@
+//! A workbench without terminal, worker and disk: keys go in, effects are kept, jobs are answered with made-up runs.
+//!
+//! The runs are smooth curves of the right size, not physics: a picture must not change when a digit of the solver does.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+use std::time::Duration;
+
+use cmra::model::run::{
+    Arrest, Cost, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis, Event, EventKind, Mode,
+    Omission, Outcome, Run, Sample, Warning,
+};
+use cmra::model::scene::Scene;
+use cmra::tui::app::{App, Base, Origin};
+use cmra::tui::message::{Action, Effect, EffectReport, Message, PresetEntry};
+use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
+use cmra::tui::update::{start, update};
+use cmra::tui::view::view;
+use cmra::worker::{Job, Report, ReportBody, Slot};
+use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+
+/// A workbench on a desk.
+pub(crate) struct Bench {
+    pub(crate) app: App,
+    /// Effects nobody has looked at yet.
+    pub(crate) effects: Vec<Effect>,
+}
+
+impl Bench {
+    /// Open on the baseline, with its run on the screen.
+    pub(crate) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Self {
+        let mut bench = Self::closed(glyphs, size);
+        bench.effects = start(&mut bench.app);
+        bench.send(Message::Resize(size.0, size.1));
+        bench.send(Message::Done(EffectReport::Presets(presets())));
+        bench.answer();
+        bench
+    }
+
+    /// Before anything has been asked for.
+    pub(crate) fn closed(glyphs: GlyphSet, size: (u16, u16)) -> Self {
+        let base = Base {
+            name: "thesis-baseline".to_owned(),
+            origin: Origin::Bundled,
+            scene: Arc::new(Scene::default()),
+        };
+        let theme = Theme { glyphs, depth: ColourDepth::None };
+        let mut app = App::new(base, theme, "/home/ada/work".into());
+        app.size = size;
+        Self { app, effects: Vec::new() }
+    }
+
+    pub(crate) fn ascii(columns: u16, rows: u16) -> Self {
+        Self::open(GlyphSet::Ascii, (columns, rows))
+    }
+
+    pub(crate) fn send(&mut self, message: Message) {
+        let effects = update(&mut self.app, message);
+        self.effects.extend(effects);
+    }
+
+    /// Press keys: single characters, or names in angle brackets: `jj<Enter>1.25<C-r>`. Jobs stay unanswered.
+    pub(crate) fn press(&mut self, keys: &str) {
+        let mut rest = keys;
+        while let Some(first) = rest.chars().next() {
+            let name = rest.strip_prefix('<').and_then(|tail| tail.split_once('>'));
+            let key = match name {
+                Some((name, tail)) if name.len() > 1 => {
+                    rest = tail;
+                    named(name)
+                }
+                _ => {
+                    rest = &rest[first.len_utf8()..];
+                    KeyEvent::new(KeyCode::Char(first), KeyModifiers::NONE)
+                }
+            };
+            self.send(Message::Key(key));
+        }
+    }
+
+    /// Press keys and answer what was asked for after each.
+    pub(crate) fn keys(&mut self, keys: &str) {
+        self.press(keys);
+        self.answer();
+    }
+
+    pub(crate) fn act(&mut self, action: Action) {
+        self.send(Message::Act(action));
+        self.answer();
+    }
+
+    /// The jobs that have been submitted and not answered.
+    pub(crate) fn jobs(&mut self) -> Vec<Job> {
+        let mut jobs = Vec::new();
+        self.effects.retain(|effect| match effect {
+            Effect::Submit(job) => {
+                jobs.push(job.clone());
+                false
+            }
+            _ => true,
+        });
+        jobs
+    }
+
+    /// Answer every job with a made-up run, as the worker would.
+    pub(crate) fn answer(&mut self) {
+        loop {
+            let jobs = self.jobs();
+            if jobs.is_empty() {
+                return;
+            }
+            for job in jobs {
+                self.report(job.id, job.slot, done(made(&job.scene)));
+            }
+        }
+    }
+
+    pub(crate) fn report(&mut self, id: u64, slot: Slot, body: ReportBody) {
+        self.send(Message::Report(Report { id, slot, body }));
+    }
+
+    /// The newest message, or what stands in its place.
+    pub(crate) fn message(&self) -> String {
+        let lines = self.app.message_lines(usize::from(self.app.size.0));
+        lines.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The whole screen as text.
+    pub(crate) fn screen(&self) -> String {
+        let (columns, rows) = self.app.size;
+        let mut terminal = Terminal::new(TestBackend::new(columns, rows)).unwrap();
+        terminal.draw(|frame| view(&self.app, frame)).unwrap();
+        cmra::tui::chart::buffer_lines(terminal.backend().buffer()).join("\n")
+    }
+}
+
+pub(crate) fn done(run: Run) -> ReportBody {
+    ReportBody::Done { run: Arc::new(run), took: Duration::from_micros(210) }
+}
+
+fn named(name: &str) -> KeyEvent {
+    let (code, modifiers) = match name {
+        "Enter" => (KeyCode::Enter, KeyModifiers::NONE),
+        "Esc" => (KeyCode::Esc, KeyModifiers::NONE),
+        "Tab" => (KeyCode::Tab, KeyModifiers::NONE),
+        "Up" => (KeyCode::Up, KeyModifiers::NONE),
+        "Down" => (KeyCode::Down, KeyModifiers::NONE),
+        "Left" => (KeyCode::Left, KeyModifiers::NONE),
+        "Right" => (KeyCode::Right, KeyModifiers::NONE),
+        "BS" => (KeyCode::Backspace, KeyModifiers::NONE),
+        "C-c" => (KeyCode::Char('c'), KeyModifiers::CONTROL),
+        "C-r" => (KeyCode::Char('r'), KeyModifiers::CONTROL),
+        "C-z" => (KeyCode::Char('z'), KeyModifiers::CONTROL),
+        "C-u" => (KeyCode::Char('u'), KeyModifiers::CONTROL),
+        other => panic!("no key is called {other}"),
+    };
+    KeyEvent::new(code, modifiers)
+}
+
+/// A few presets, as the list of presets would have them.
+pub(crate) fn presets() -> Vec<PresetEntry> {
+    let entry = |name: &str, origin: &'static str, comment: &str, change: fn(&mut Scene)| {
+        let mut scene = Scene::default();
+        change(&mut scene);
+        PresetEntry { name: name.to_owned(), origin, scene, comment: comment.to_owned() }
+    };
+    vec![
+        entry("thesis-baseline", "bundled", "The scene the figures of chapter 9 start from.", |_| {}),
+        entry(
+            "rigid-mount",
+            "bundled",
+            "The plate cannot move (thesis section 9.3).\nExpect 7.113 mm in closed form; the thesis prints 7.129 mm.",
+            |scene| {
+                scene.title = "Rigid mount".to_owned();
+                scene.plate.mount = cmra::model::scene::Mount::Rigid;
+            },
+        ),
+        entry(
+            "cocked",
+            "bundled",
+            "A plate that meets the projectile.\nExpect 1.658 mm and a demand on the interface near 2.9.",
+            |scene| {
+                scene.title = "Cocked plate".to_owned();
+                scene.plate.cocking_m = 0.5;
+                scene.mechanism.spring.coefficient = 7.5e6;
+                scene.plate.mass_ratio = 0.8;
+            },
+        ),
+        entry("heavy-plate", "mine", "", |scene| scene.plate.mass_ratio = 5.0),
+    ]
+}
+
+/// A made-up run of a scene: a thin plate is perforated, a cocked one asks too much of the interface.
+pub(crate) fn made(scene: &Arc<Scene>) -> Run {
+    let gamma = scene.plate.mass_ratio;
+    let rigid = scene.plate.mount == cmra::model::scene::Mount::Rigid;
+    let share = if rigid { 1.0 } else { gamma / (1.0 + gamma) };
+    let perforated = scene.target.thickness_m < 0.01;
+    let depth = 0.007_113 * share.powf(0.64) * (scene.projectile.velocity_m_s / 100.0);
+    let arrest_s = 113e-6;
+    let end_s = if perforated { 200e-6 } else { 1.3e-3 };
+    let speed = scene.projectile.velocity_m_s;
+    let together = if rigid { 0.0 } else { speed * (1.0 - share) };
+    let sample = |t_s: f64| {
+        let phase = 0.5 * PI * (t_s / arrest_s).min(1.0);
+        let after = (t_s - arrest_s).max(0.0);
+        let turn = 0.5 * PI * after / (1.3e-3 - arrest_s);
+        let travel = together * ((t_s.min(arrest_s)) - arrest_s * 2.0 / PI * phase.sin());
+        let rebound = together * (1.3e-3 - arrest_s) * 2.0 / PI * turn.sin();
+        let plate_m_s = together * (1.0 - phase.cos()) * turn.cos();
+        Sample {
+            t_s,
+            mode: if after > 0.0 { Mode::Fused } else { Mode::Penetrating },
+            penetration_m: depth * phase.sin(),
+            projectile_displacement_m: depth * phase.sin() + travel + rebound,
+            projectile_velocity_m_s: plate_m_s + (speed - together) * phase.cos(),
+            plate_displacement_m: travel + rebound - scene.plate.cocking_m,
+            plate_velocity_m_s: plate_m_s,
+            contact_force_n: if after > 0.0 { 2000.0 * turn.sin() } else { 17_745.0 * phase.sin() },
+            spring_force_n: 4000.0 * turn.sin(),
+            damper_force_n: 0.0,
+            stop_force_n: 0.0,
+            is_step: true,
+        }
+    };
+    let mut times: Vec<f64> = (0..=200).map(|step| arrest_s * f64::from(step) / 200.0).collect();
+    times.extend((0..=200).map(|step| arrest_s + (end_s - arrest_s) * f64::from(step) / 200.0));
+    let series: Vec<Sample> = times.into_iter().map(sample).collect();
+    let last = *series.last().unwrap();
+    let mut run = Run {
+        scene: Arc::clone(scene),
+        outcome: Outcome::Arrested,
+        end: EndReason::Decided,
+        first_arrest: Some(Arrest {
+            t_s: arrest_s,
+            penetration_m: depth,
+            plate_displacement_m: sample(arrest_s).plate_displacement_m,
+            plate_velocity_m_s: together,
+        }),
+        final_penetration_m: Some(depth),
+        baseline_penetration_m: Some(0.007_113),
+        peak_contact_force_n: 17_745.0,
+        max_plate_displacement_m: Some(last.plate_displacement_m),
+        residual_velocity_m_s: None,
+        exit_time_s: None,
+        separation: None,
+        interface_demand_ratio: Some(0.108),
+        error_estimate: Some(ErrorEstimate {
+            relative: 3e-12,
+            basis: if rigid { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation },
+        }),
+        series,
+        events: vec![
+            Event { t_s: 55e-6, kind: EventKind::NoseBuried },
+            Event { t_s: arrest_s, kind: EventKind::FirstArrest },
+            Event { t_s: end_s, kind: EventKind::GreatestDisplacement },
+        ],
+        ledger: ledger(rigid),
+        cost: cost(rigid),
+        omitted: vec![Omission::Damper, Omission::Stop, Omission::SpringPower, Omission::Obliquity],
+        warnings: Vec::new(),
+    };
+    if rigid {
+        run.max_plate_displacement_m = Some(0.0);
+        run.events.truncate(2);
+    }
+    if scene.plate.cocking_m > 0.0 {
+        run.interface_demand_ratio = Some(2.9);
+        run.warnings = vec![Warning::InterfacePush { ratio: 2.9, t_s: 0.4e-3 }];
+    }
+    if perforated {
+        run.outcome = Outcome::Perforated;
+        run.first_arrest = None;
+        run.residual_velocity_m_s = Some(41.3);
+        run.exit_time_s = Some(180e-6);
+        run.final_penetration_m = Some(scene.target.thickness_m + scene.projectile.tip_radius_m);
+        run.events = vec![
+            Event { t_s: 90e-6, kind: EventKind::RearFace },
+            Event { t_s: 180e-6, kind: EventKind::Perforation },
+        ];
+    }
+    run
+}
+
+fn ledger(rigid: bool) -> EnergyLedger {
+    EnergyLedger {
+        initial_kinetic_j: 147.5,
+        spring_j: if rigid { 0.0 } else { 73.65 },
+        penetration_j: if rigid { 147.5 } else { 73.85 },
+        ..EnergyLedger::default()
+    }
+}
+
+fn cost(rigid: bool) -> Cost {
+    if rigid {
+        Cost { method: "closed form", reason: "the mount is rigid", ..Cost::default() }
+    } else {
+        Cost {
+            steps: 10,
+            rejected: 0,
+            rhs_evaluations: 10,
+            method: "Taylor 16",
+            reason: "smooth and not stiff",
+        }
+    }
+}
