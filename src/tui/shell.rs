@@ -90,7 +90,7 @@ impl Shell {
         let unsaved = clerk.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
             unsaved.save();
-            terminal::restore();
+            terminal::restore_without_waiting();
         })?;
         let now = Instant::now();
         // Dropped when anything below fails, which restores the terminal.

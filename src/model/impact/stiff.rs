@@ -22,7 +22,7 @@ const POINTS_PER_STEP: usize = 3;
 const STIFF_STEPS_MAX: usize = 30_000;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
-const LOCAL: f64 = 5e-3;
+const LOCAL: f64 = 1e-3;
 
 /// The present motion in the implicit method's unknowns.
 struct Unknowns<'a> {

@@ -66,6 +66,11 @@ pub(super) struct Track<'a> {
     pub(super) event_count: usize,
     /// When the outcome was decided, s.
     pub(super) decided_s: Option<f64>,
+    pub(super) decided_steps: usize,
+    /// Times the interface has given way since the hole last became noticeably deeper.
+    pub(super) slips_since_deeper: usize,
+    /// Depth of the hole when it last did, as travel, m.
+    pub(super) noticed_m: f64,
     /// The greatest displacement, as far as it is known.
     pub(super) farthest: Farthest,
 }
@@ -108,6 +113,9 @@ impl<'a> Track<'a> {
             evaluations: 0,
             event_count: 0,
             decided_s: None,
+            decided_steps: 0,
+            slips_since_deeper: 0,
+            noticed_m: 0.0,
             farthest: Farthest::Pending,
         }
     }
@@ -130,7 +138,7 @@ impl<'a> Track<'a> {
                 ControlFlow::Break(reason) => return self.end_early(reason),
                 ControlFlow::Continue(None) => {}
                 ControlFlow::Continue(Some(trigger)) => {
-                    self.event_count += 1;
+                    self.event_count += usize::from(trigger.changes_course());
                     let before = self.mode;
                     self.handle(trigger);
                     if self.mode != before {
