@@ -76,6 +76,10 @@ pub struct Base {
 
 /// The whole state.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is one switch of the screen, shown and toggled by itself"
+)]
 pub struct App {
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
@@ -166,14 +170,17 @@ impl App {
     /// Where everything would stand at a size.
     pub fn layout_at(&self, size: (u16, u16)) -> Layout {
         let rows = self.message_lines(usize::from(size.0)).len();
-        layout::layout(
-            size,
-            u16::try_from(rows).unwrap_or(1).max(1),
-            self.tab,
-            self.focus,
-            self.full_pane,
-            self.pins.len(),
-        )
+        self.layout_with(size, u16::try_from(rows).unwrap_or(1))
+    }
+
+    /// Columns of a chart that stand for time; does not depend on the message.
+    pub fn chart_columns(&self) -> u16 {
+        self.layout_with(self.size, 1).chart_columns().max(10)
+    }
+
+    fn layout_with(&self, size: (u16, u16), message_rows: u16) -> Layout {
+        let pins = self.pins.len();
+        layout::layout(size, message_rows, self.tab, (self.focus, self.full_pane), pins)
     }
 
     /// Where a key is pressed now.
@@ -191,9 +198,7 @@ impl App {
 
     /// Whether the result on the screen belongs to an older scene.
     pub fn is_stale(&self) -> bool {
-        self.shown
-            .as_ref()
-            .is_some_and(|shown| *shown.run.scene != *self.scene)
+        self.shown.as_ref().is_some_and(|shown| *shown.run.scene != *self.scene)
     }
 
     /// Whether to say so: not in the first moments after an edit, in which most runs land.
@@ -203,10 +208,7 @@ impl App {
 
     /// Show a message and keep it for the Log tab.
     pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
-        let notice = Notice {
-            severity,
-            text: text.into(),
-        };
+        let notice = Notice { severity, text: text.into() };
         self.log.push(notice.clone());
         self.notice = Some(notice);
     }
@@ -255,10 +257,5 @@ impl App {
 
 /// How long the computation took, in a few characters: `0.21 ms`.
 pub fn show_duration(took: Duration) -> String {
-    crate::model::units::Engineering {
-        value: took.as_secs_f64(),
-        unit: "s",
-        digits: 2,
-    }
-    .to_string()
+    crate::model::units::Engineering { value: took.as_secs_f64(), unit: "s", digits: 2 }.to_string()
 }

@@ -22,11 +22,7 @@ pub(super) fn paths(text: &str) -> Vec<String> {
                 name.starts_with(start) && (start.starts_with('.') || !name.starts_with('.'));
             wanted.then(|| {
                 let is_directory = entry.path().is_dir();
-                let end = if is_directory {
-                    MAIN_SEPARATOR.to_string()
-                } else {
-                    String::new()
-                };
+                let end = if is_directory { MAIN_SEPARATOR.to_string() } else { String::new() };
                 format!("{directory}{name}{end}")
             })
         })
@@ -48,10 +44,7 @@ mod tests {
             fs::write(at(name), "").unwrap();
         }
         fs::create_dir(at("runs")).unwrap();
-        assert_eq!(
-            paths(&at("run")),
-            [at("run-1.csv"), at("run-2.csv"), at("runs/")]
-        );
+        assert_eq!(paths(&at("run")), [at("run-1.csv"), at("run-2.csv"), at("runs/")]);
         assert_eq!(paths(&at(".h")), [at(".hidden")]);
         assert_eq!(paths(&at("")).len(), 4);
         assert_eq!(paths(&at("nothing/here")), Vec::<String>::new());

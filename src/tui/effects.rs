@@ -31,11 +31,7 @@ const SESSION_DELAY: Duration = Duration::from_secs(1);
 /// Something to do with files.
 pub(super) enum Task {
     /// Save the scene as an own preset.
-    SavePreset {
-        name: String,
-        scene: Box<Scene>,
-        overwrite: bool,
-    },
+    SavePreset { name: String, scene: Box<Scene>, overwrite: bool },
     /// Write an export.
     Export(Box<ExportRequest>),
     /// Tell which presets there are, these files among them.
@@ -89,17 +85,9 @@ impl Clerk {
     /// When the system has no thread to give.
     pub(super) fn spawn(paths: Option<Paths>, inbox: Sender<Incoming>) -> std::io::Result<Self> {
         let (tasks, receive) = mpsc::channel();
-        let unsaved = Unsaved {
-            session: Arc::default(),
-            paths,
-        };
-        let desk = Desk {
-            unsaved: unsaved.clone(),
-            inbox,
-        };
-        thread::Builder::new()
-            .name("clerk".to_owned())
-            .spawn(move || desk.serve(&receive))?;
+        let unsaved = Unsaved { session: Arc::default(), paths };
+        let desk = Desk { unsaved: unsaved.clone(), inbox };
+        thread::Builder::new().name("clerk".to_owned()).spawn(move || desk.serve(&receive))?;
         Ok(Self { tasks, unsaved })
     }
 
@@ -180,11 +168,9 @@ impl Desk {
     fn do_task(&self, task: Task) -> Option<EffectReport> {
         let paths = self.unsaved.paths.as_ref();
         let report = match task {
-            Task::SavePreset {
-                name,
-                scene,
-                overwrite,
-            } => EffectReport::Saved(save_preset(paths, name, &scene, overwrite)),
+            Task::SavePreset { name, scene, overwrite } => {
+                EffectReport::Saved(save_preset(paths, name, &scene, overwrite))
+            }
             Task::Export(request) => EffectReport::Exported(write_export(*request)),
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
@@ -201,11 +187,7 @@ impl Desk {
 }
 
 fn existing(overwrite: bool) -> Existing {
-    if overwrite {
-        Existing::Replace
-    } else {
-        Existing::Keep
-    }
+    if overwrite { Existing::Replace } else { Existing::Keep }
 }
 
 fn save_preset(
@@ -246,9 +228,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         log::warn!("{problem}");
     }
     // A recent file that is gone or broken is left out: loading it says why.
-    let recent = recent
-        .iter()
-        .filter_map(|path| preset::from_file(path).ok());
+    let recent = recent.iter().filter_map(|path| preset::from_file(path).ok());
     let entry = |found: Preset, origin| PresetEntry {
         origin,
         name: found.name,
@@ -367,10 +347,7 @@ mod tests {
     #[test]
     fn copied_text_is_in_a_file_too_and_the_message_says_where() {
         let (_place, paths, clerk, inbox) = start();
-        clerk.ask(Task::KeepCopy {
-            text: "depth 7 mm".to_owned(),
-            sent: "copied".to_owned(),
-        });
+        clerk.ask(Task::KeepCopy { text: "depth 7 mm".to_owned(), sent: "copied".to_owned() });
         let EffectReport::Copied(text) = report(&inbox) else {
             panic!("not copied");
         };

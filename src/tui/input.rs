@@ -35,10 +35,7 @@ pub(super) fn spawn(inbox: Sender<Incoming>) -> std::io::Result<()> {
             }
         }
     };
-    thread::Builder::new()
-        .name("input".to_owned())
-        .spawn(reading)
-        .map(drop)
+    thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }
 
 /// Says that input is over, even when the thread panics.

@@ -21,10 +21,7 @@ const SIZE_MAX: u64 = 1 << 20;
 /// Log from now on to `file`, and to the loop. A word in `level` that is none is told as a warning.
 pub(super) fn install(file: Option<PathBuf>, level: Option<&str>, inbox: Sender<Incoming>) {
     let chosen = level.unwrap_or("warn").parse::<LevelFilter>();
-    let sink = Sink {
-        file: Mutex::new(Target::Unopened(file)),
-        inbox: Mutex::new(inbox),
-    };
+    let sink = Sink { file: Mutex::new(Target::Unopened(file)), inbox: Mutex::new(inbox) };
     // A second workbench in one process (a test) keeps the first one's log.
     if log::set_boxed_logger(Box::new(sink)).is_ok() {
         log::set_max_level(*chosen.as_ref().unwrap_or(&LevelFilter::Warn));
@@ -62,10 +59,7 @@ impl Log for Sink {
         }
         let text = record.args().to_string();
         let line = line(SystemTime::now(), record, &text);
-        self.file
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .write(&line);
+        self.file.lock().unwrap_or_else(PoisonError::into_inner).write(&line);
         // The loop may be over already.
         let _ = self
             .inbox
@@ -80,10 +74,7 @@ impl Log for Sink {
 impl Target {
     fn write(&mut self, line: &str) {
         if let Self::Unopened(path) = self {
-            *self = path
-                .take()
-                .and_then(|path| open(&path).ok())
-                .map_or(Self::None, Self::Open);
+            *self = path.take().and_then(|path| open(&path).ok()).map_or(Self::None, Self::Open);
         }
         if let Self::Open(file) = self
             && file.write_all(line.as_bytes()).is_err()
@@ -159,9 +150,6 @@ mod tests {
             .args(format_args!("careful"))
             .build();
         let now = UNIX_EPOCH + std::time::Duration::from_millis(1_002_003);
-        assert_eq!(
-            line(now, &record, "careful"),
-            "1002.003 WARN  cmra::worker careful\n"
-        );
+        assert_eq!(line(now, &record, "careful"), "1002.003 WARN  cmra::worker careful\n");
     }
 }

@@ -32,12 +32,7 @@ pub(super) struct Pace {
 impl Pace {
     /// Nothing drawn yet, and everything to draw.
     pub(super) fn new(now: Instant) -> Self {
-        Self {
-            dirty: true,
-            full_at: now,
-            waits_until: None,
-            busy: false,
-        }
+        Self { dirty: true, full_at: now, waits_until: None, busy: false }
     }
 
     /// Something has changed.
@@ -81,11 +76,7 @@ impl Pace {
     }
 
     fn interval(&self) -> Duration {
-        if self.busy {
-            FRAME_WHILE_RUNNING
-        } else {
-            FRAME
-        }
+        if self.busy { FRAME_WHILE_RUNNING } else { FRAME }
     }
 }
 

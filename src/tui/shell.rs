@@ -142,8 +142,7 @@ impl Shell {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
             Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
         };
-        self.clerk
-            .session_changed(start::session(&self.app, &self.recent));
+        self.clerk.session_changed(start::session(&self.app, &self.recent));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
         self.clerk.finish(patience);
@@ -167,10 +166,7 @@ impl Shell {
             }
             taken += 1;
             if taken < MESSAGES_PER_TURN {
-                next = self
-                    .put_off
-                    .pop_front()
-                    .or_else(|| self.inbox.try_recv().ok());
+                next = self.put_off.pop_front().or_else(|| self.inbox.try_recv().ok());
             }
         }
         if let Some(ending) = self.fire_timers()? {
@@ -281,19 +277,13 @@ impl Shell {
             }
             Effect::CancelJob => self.worker.cancel(),
             Effect::After(delay, message) => self.timers.push((Instant::now() + delay, message)),
-            Effect::SavePreset {
-                name,
-                scene,
-                overwrite,
-            } => self.clerk.ask(Task::SavePreset {
-                name,
-                scene,
-                overwrite,
-            }),
+            Effect::SavePreset { name, scene, overwrite } => {
+                self.clerk.ask(Task::SavePreset { name, scene, overwrite })
+            }
             Effect::Export(request) => self.clerk.ask(Task::Export(request)),
-            Effect::SaveSession => self
-                .clerk
-                .session_changed(start::session(&self.app, &self.recent)),
+            Effect::SaveSession => {
+                self.clerk.session_changed(start::session(&self.app, &self.recent))
+            }
             Effect::ListPresets => self.clerk.ask(Task::ListPresets(self.recent.clone())),
             Effect::Load(path) => self.clerk.ask(Task::Load(path)),
             Effect::Complete(text) => self.clerk.ask(Task::Complete(text)),
@@ -314,8 +304,7 @@ impl Shell {
 
     fn copy(&mut self, text: String) -> io::Result<()> {
         let sent = if text.len() <= CLIPBOARD_MAX {
-            self.guard
-                .send(&CopyToClipboard::to_clipboard_from(&text))?;
+            self.guard.send(&CopyToClipboard::to_clipboard_from(&text))?;
             "sent to the terminal's clipboard (OSC 52)".to_owned()
         } else {
             format!(

@@ -39,26 +39,24 @@ pub(super) fn spawn(
 ) -> std::io::Result<Watch> {
     let mut signals = Signals::new([SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGCONT])?;
     let (left, loop_left) = mpsc::channel::<()>();
-    thread::Builder::new()
-        .name("signals".to_owned())
-        .spawn(move || {
-            for number in signals.forever() {
-                let signal = meaning(number);
-                if inbox.send(Incoming::Signal(signal)).is_err() {
-                    return;
-                }
-                let Signal::End(status) = signal else {
-                    continue;
-                };
-                match loop_left.recv_timeout(PATIENCE) {
-                    Ok(()) | Err(RecvTimeoutError::Disconnected) => return,
-                    Err(RecvTimeoutError::Timeout) => {
-                        last_resort();
-                        end_process(status);
-                    }
+    thread::Builder::new().name("signals".to_owned()).spawn(move || {
+        for number in signals.forever() {
+            let signal = meaning(number);
+            if inbox.send(Incoming::Signal(signal)).is_err() {
+                return;
+            }
+            let Signal::End(status) = signal else {
+                continue;
+            };
+            match loop_left.recv_timeout(PATIENCE) {
+                Ok(()) | Err(RecvTimeoutError::Disconnected) => return,
+                Err(RecvTimeoutError::Timeout) => {
+                    last_resort();
+                    end_process(status);
                 }
             }
-        })?;
+        }
+    })?;
     Ok(Watch { _left: left })
 }
 

@@ -28,11 +28,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
         Some(paths) if !options.fresh => session::load(&paths.session_file()),
         Some(_) | None => session::Loaded::default(),
     };
-    let mut recent = loaded
-        .session
-        .as_ref()
-        .map(|last| last.recent.clone())
-        .unwrap_or_default();
+    let mut recent = loaded.session.as_ref().map(|last| last.recent.clone()).unwrap_or_default();
     let mut app = match (options.scene, loaded.session) {
         (Some(preset), _) => {
             if let preset::Origin::File(path) = &preset.origin {
@@ -75,11 +71,7 @@ pub(super) fn session(app: &App, recent: &[PathBuf]) -> Session {
     Session {
         scene: (*app.scene).clone(),
         preset: Some(app.base.name.clone()),
-        pins: app
-            .pins
-            .iter()
-            .map(|pin| (pin.letter.to_string(), (*pin.scene).clone()))
-            .collect(),
+        pins: app.pins.iter().map(|pin| (pin.letter.to_string(), (*pin.scene).clone())).collect(),
         view,
         recent: recent.to_vec(),
     }
@@ -87,10 +79,7 @@ pub(super) fn session(app: &App, recent: &[PathBuf]) -> Session {
 
 /// Put a file at the head of those opened or saved lately.
 pub(super) fn note_recent(recent: &mut Vec<PathBuf>, path: &Path) {
-    let mut session = Session {
-        recent: std::mem::take(recent),
-        ..Session::default()
-    };
+    let mut session = Session { recent: std::mem::take(recent), ..Session::default() };
     session.note_recent(path);
     *recent = session.recent;
 }
@@ -127,15 +116,14 @@ fn baseline() -> Base {
 /// The preset the session's scene came from; where it is gone, the scene itself.
 fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
     let name = last.preset.as_deref();
-    name.and_then(|name| preset::resolve(name, paths).ok())
-        .map_or_else(
-            || Base {
-                name: name.unwrap_or("session").to_owned(),
-                origin: Origin::Other,
-                scene: Arc::new(last.scene.clone()),
-            },
-            base_of,
-        )
+    name.and_then(|name| preset::resolve(name, paths).ok()).map_or_else(
+        || Base {
+            name: name.unwrap_or("session").to_owned(),
+            origin: Origin::Other,
+            scene: Arc::new(last.scene.clone()),
+        },
+        base_of,
+    )
 }
 
 /// Take over what the session has, and say so.
@@ -157,16 +145,8 @@ fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
     {
         app.theme.glyphs = choice.resolve(environment);
     }
-    let depths = [
-        ColourDepth::None,
-        ColourDepth::Sixteen,
-        ColourDepth::Ansi256,
-        ColourDepth::Rgb,
-    ];
-    if let Some(depth) = depths
-        .into_iter()
-        .find(|depth| word(COLOURS) == Some(depth.word()))
-    {
+    let depths = [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb];
+    if let Some(depth) = depths.into_iter().find(|depth| word(COLOURS) == Some(depth.word())) {
         app.theme.depth = depth;
     }
     if word(WINDOW) == Some("whole") {
@@ -184,10 +164,7 @@ fn greeting(app: &App) -> String {
         1 => ", 1 pinned run".to_owned(),
         count => format!(", {count} pinned runs"),
     };
-    format!(
-        "last session restored: {}{modified}{pins} (cmra --fresh starts anew)",
-        app.base.name
-    )
+    format!("last session restored: {}{modified}{pins} (cmra --fresh starts anew)", app.base.name)
 }
 
 #[cfg(test)]

@@ -36,10 +36,7 @@ static ENTERED: AtomicBool = AtomicBool::new(false);
 static MOUSE: AtomicBool = AtomicBool::new(false);
 
 /// Size assumed where the terminal does not know its own.
-const UNKNOWN_SIZE: Size = Size {
-    width: 80,
-    height: 24,
-};
+const UNKNOWN_SIZE: Size = Size { width: 80, height: 24 };
 
 /// A terminal that restores itself when dropped.
 pub(super) struct Guard {
@@ -159,14 +156,9 @@ pub(super) fn is_hung_up() -> bool {
     // No event asked for: only hang-ups and errors are reported.
     let out = stdout();
     let mut watched = [PollFd::new(&out, PollFlags::empty())];
-    let now = Timespec {
-        tv_sec: 0,
-        tv_nsec: 0,
-    };
+    let now = Timespec { tv_sec: 0, tv_nsec: 0 };
     match poll(&mut watched, Some(&now)) {
-        Ok(_) => watched[0]
-            .revents()
-            .intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL),
+        Ok(_) => watched[0].revents().intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL),
         Err(error) => error != Errno::INTR,
     }
 }
@@ -195,12 +187,7 @@ impl Screen {
 
     /// What the first frame begins with.
     fn queue_entry(&mut self) -> io::Result<()> {
-        queue!(
-            self.pending,
-            EnterAlternateScreen,
-            EnableBracketedPaste,
-            Hide
-        )?;
+        queue!(self.pending, EnterAlternateScreen, EnableBracketedPaste, Hide)?;
         if MOUSE.load(Ordering::SeqCst) {
             queue!(self.pending, EnableMouseCapture)?;
         }
@@ -287,17 +274,11 @@ impl Backend for Screen {
         if size.ws_col == 0 || size.ws_row == 0 {
             return Ok(UNKNOWN_SIZE);
         }
-        Ok(Size {
-            width: size.ws_col,
-            height: size.ws_row,
-        })
+        Ok(Size { width: size.ws_col, height: size.ws_row })
     }
 
     fn window_size(&mut self) -> io::Result<WindowSize> {
-        Ok(WindowSize {
-            columns_rows: self.size()?,
-            pixels: Size::default(),
-        })
+        Ok(WindowSize { columns_rows: self.size()?, pixels: Size::default() })
     }
 
     fn flush(&mut self) -> io::Result<()> {

@@ -85,13 +85,7 @@ fn too_small(app: &App, area: Rect, buffer: &mut Buffer) {
     for (row, line) in (top..area.height).zip(&lines) {
         let width = text::columns(line).min(area.width);
         let x = (area.width - width) / 2;
-        buffer.set_stringn(
-            x,
-            row,
-            line,
-            usize::from(area.width),
-            app.theme.style(Role::Text),
-        );
+        buffer.set_stringn(x, row, line, usize::from(area.width), app.theme.style(Role::Text));
     }
 }
 

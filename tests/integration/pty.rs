@@ -36,13 +36,7 @@ pub(crate) struct Start<'a> {
 
 impl Default for Start<'_> {
     fn default() -> Self {
-        Self {
-            shell: None,
-            arguments: &[],
-            environment: &[],
-            controlling: true,
-            home: None,
-        }
+        Self { shell: None, arguments: &[], environment: &[], controlling: true, home: None }
     }
 }
 
@@ -74,19 +68,9 @@ impl Terminal {
 
     /// Start as told.
     pub(crate) fn start_with(mut start: Start<'_>) -> Self {
-        let size = PtySize {
-            cols: SIZE.0,
-            rows: SIZE.1,
-            pixel_width: 0,
-            pixel_height: 0,
-        };
-        let pair = native_pty_system()
-            .openpty(size)
-            .expect("a pseudo-terminal");
-        let home = start
-            .home
-            .take()
-            .unwrap_or_else(|| tempfile::tempdir().expect("a directory"));
+        let size = PtySize { cols: SIZE.0, rows: SIZE.1, pixel_width: 0, pixel_height: 0 };
+        let pair = native_pty_system().openpty(size).expect("a pseudo-terminal");
+        let home = start.home.take().unwrap_or_else(|| tempfile::tempdir().expect("a directory"));
         let command = command(&start, home.path());
         let modes_before = modes(pair.master.as_ref());
         let mut child = pair.slave.spawn_command(command).expect("it starts");
@@ -101,12 +85,8 @@ impl Terminal {
         let stop_reading = Arc::new(AtomicBool::new(false));
         let hold = Arc::new(AtomicBool::new(false));
         let (released, release) = mpsc::channel();
-        let bytes = read_in_background(
-            reader,
-            Arc::clone(&stop_reading),
-            Arc::clone(&hold),
-            release,
-        );
+        let bytes =
+            read_in_background(reader, Arc::clone(&stop_reading), Arc::clone(&hold), release);
         Self {
             writer: Some(pair.master.take_writer().expect("a writer")),
             bytes,
@@ -144,10 +124,9 @@ impl Terminal {
             let left = deadline.saturating_duration_since(Instant::now());
             match self.bytes.recv_timeout(left) {
                 Ok(bytes) => self.take(&bytes),
-                Err(error) => panic!(
-                    "{what}: {error}; the screen is\n{}",
-                    self.parser.screen().contents()
-                ),
+                Err(error) => {
+                    panic!("{what}: {error}; the screen is\n{}", self.parser.screen().contents())
+                }
             }
         }
     }
@@ -178,15 +157,8 @@ impl Terminal {
 
     /// Give the terminal another size.
     pub(crate) fn resize(&mut self, columns: u16, lines: u16) {
-        self.parser
-            .screen_mut()
-            .set_size(rows(lines), rows(columns));
-        let size = PtySize {
-            cols: columns,
-            rows: lines,
-            pixel_width: 0,
-            pixel_height: 0,
-        };
+        self.parser.screen_mut().set_size(rows(lines), rows(columns));
+        let size = PtySize { cols: columns, rows: lines, pixel_width: 0, pixel_height: 0 };
         let master = self.master.as_ref().expect("the terminal is there");
         master.resize(size).expect("it can be resized");
     }
@@ -273,17 +245,11 @@ pub(crate) fn wait_for_state(process: &str, wanted: char) {
     let deadline = Instant::now() + PATIENCE;
     loop {
         let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).expect("it is there");
-        let state = stat
-            .rsplit(')')
-            .next()
-            .and_then(|rest| rest.trim().chars().next());
+        let state = stat.rsplit(')').next().and_then(|rest| rest.trim().chars().next());
         if state == Some(wanted) {
             return;
         }
-        assert!(
-            Instant::now() < deadline,
-            "{process} is {state:?}, not {wanted}"
-        );
+        assert!(Instant::now() < deadline, "{process} is {state:?}, not {wanted}");
         thread::yield_now();
     }
 }

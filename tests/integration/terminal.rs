@@ -38,9 +38,7 @@ fn a_session_from_the_first_chart_to_the_prompt() {
     assert_ne!(chart(&terminal), before);
 
     terminal.send(" ");
-    terminal.wait_until("a pinned run in the legend", |screen| {
-        screen.contents().contains("A ")
-    });
+    terminal.wait_until("a pinned run in the legend", |screen| screen.contents().contains("A "));
 
     terminal.send("e");
     terminal.wait_for(".csv");
@@ -59,10 +57,7 @@ fn a_session_from_the_first_chart_to_the_prompt() {
     terminal.assert_restored();
 
     // What was done is there the next time.
-    let mut again = Terminal::start_with(Start {
-        home: terminal.home.take(),
-        ..Start::default()
-    });
+    let mut again = Terminal::start_with(Start { home: terminal.home.take(), ..Start::default() });
     again.wait_for("150");
     again.wait_for("restored");
     again.send("q");
@@ -89,10 +84,7 @@ fn resizing_redraws_in_the_new_size() {
     let mut terminal = started();
     terminal.resize(120, 40);
     terminal.wait_until("the frame fills 120 columns", |screen| {
-        screen
-            .contents()
-            .lines()
-            .any(|line| line.chars().count() > 100)
+        screen.contents().lines().any(|line| line.chars().count() > 100)
     });
     terminal.settle(QUIET);
     terminal.resize(30, 8);
@@ -109,10 +101,7 @@ fn resizing_redraws_in_the_new_size() {
 fn a_hangup_ends_the_process_and_keeps_the_session() {
     for controlling in [true, false] {
         // Without a controlling terminal no signal comes: the loop must notice by itself.
-        let mut terminal = Terminal::start_with(Start {
-            controlling,
-            ..Start::default()
-        });
+        let mut terminal = Terminal::start_with(Start { controlling, ..Start::default() });
         terminal.wait_for(DONE);
         terminal.send("jj\r150\r");
         terminal.wait_for("150");
@@ -126,12 +115,9 @@ fn a_hangup_ends_the_process_and_keeps_the_session() {
 
 #[test]
 fn signals_end_the_process_with_the_terminal_restored() {
-    for (signal, code) in [
-        (Signal::TERM, 143),
-        (Signal::HUP, 129),
-        (Signal::INT, 130),
-        (Signal::QUIT, 131),
-    ] {
+    for (signal, code) in
+        [(Signal::TERM, 143), (Signal::HUP, 129), (Signal::INT, 130), (Signal::QUIT, 131)]
+    {
         let mut terminal = started();
         terminal.send("jj\r150\r");
         terminal.wait_for("150");
@@ -223,10 +209,7 @@ fn stopped_and_continued_from_outside_it_redraws() {
 
 #[test]
 fn bytes_stay_few() {
-    let mut terminal = Terminal::start_with(Start {
-        arguments: &["--fresh"],
-        ..Start::default()
-    });
+    let mut terminal = Terminal::start_with(Start { arguments: &["--fresh"], ..Start::default() });
     terminal.wait_for(DONE);
     terminal.settle(QUIET);
     let first = terminal.drawn;

@@ -114,10 +114,7 @@ impl App {
             .reference_pin()
             .filter(|_| self.charts.difference)
             .and_then(|pin| pin.run.as_deref());
-        self.visible_runs()
-            .iter()
-            .map(|view| curve(view, quantity, reference))
-            .collect()
+        self.visible_runs().iter().map(|view| curve(view, quantity, reference)).collect()
     }
 
     /// The range of values to show, over the curves; a little room is left to the chart itself.
@@ -147,12 +144,9 @@ impl App {
     /// Move the crosshair by columns of the chart; it starts in the middle and stays in the range.
     pub fn move_cursor(&mut self, columns: f64) {
         let (from, to) = self.time_range_s();
-        let width = f64::from(self.layout().chart_columns().max(10));
+        let width = f64::from(self.chart_columns());
         let step = (to - from) / width;
-        let here = self
-            .charts
-            .cursor_s
-            .unwrap_or(0.5 * (from + to) - columns * step);
+        let here = self.charts.cursor_s.unwrap_or(0.5 * (from + to) - columns * step);
         self.charts.cursor_s = Some(match self.charts.time_scale {
             Scale::Linear => (here + columns * step).clamp(from, to),
             Scale::Log10 => (here.max(from) * (to / from).powf(columns / width)).clamp(from, to),
@@ -185,7 +179,7 @@ impl App {
         let cursor = self.charts.cursor_s?;
         let run = &self.shown.as_ref()?.run;
         let (from, to) = self.time_range_s();
-        let near = 0.5 * (to - from) / f64::from(self.layout().chart_columns().max(10));
+        let near = 0.5 * (to - from) / f64::from(self.chart_columns());
         run.events
             .iter()
             .filter(|event| (event.t_s - cursor).abs() <= near)
@@ -199,11 +193,8 @@ impl App {
     /// Zoom by a factor about the crosshair (the middle without one); at most to the whole window.
     pub fn zoom(&mut self, factor: f64) {
         let (from, to) = self.time_range_s();
-        let centre = self
-            .charts
-            .cursor_s
-            .filter(|t| (from..=to).contains(t))
-            .unwrap_or(0.5 * (from + to));
+        let centre =
+            self.charts.cursor_s.filter(|t| (from..=to).contains(t)).unwrap_or(0.5 * (from + to));
         let low = centre - (centre - from) * factor;
         let high = centre + (to - centre) * factor;
         self.set_zoom(low, high);
@@ -243,15 +234,9 @@ impl App {
 fn curve(view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
     let points = view.run.series.iter().map(|sample| {
         let value = quantity.of(sample);
-        let value = reference.map_or(value, |run| {
-            value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN)
-        });
+        let value =
+            reference.map_or(value, |run| value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN));
         (sample.t_s, value)
     });
-    Curve {
-        letter: view.letter,
-        index: view.index,
-        old: view.old,
-        points: points.collect(),
-    }
+    Curve { letter: view.letter, index: view.index, old: view.old, points: points.collect() }
 }

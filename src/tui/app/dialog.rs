@@ -35,18 +35,12 @@ pub struct Picker {
 impl Picker {
     /// A list whose filter takes characters at once.
     pub fn typing() -> Self {
-        Self {
-            typing: true,
-            ..Self::default()
-        }
+        Self { typing: true, ..Self::default() }
     }
 
     /// A list with a row selected.
     pub fn at(selected: usize) -> Self {
-        Self {
-            selected,
-            ..Self::default()
-        }
+        Self { selected, ..Self::default() }
     }
 }
 
@@ -106,6 +100,7 @@ impl What {
     }
 
     /// The kind by this many places further on, round and round.
+    #[must_use]
     pub fn other(self, by: isize) -> Self {
         let at = Self::ALL.iter().position(|one| *one == self).unwrap_or(0);
         Self::ALL[wrap(at, by, Self::ALL.len())]
@@ -175,10 +170,7 @@ pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
         .filter(|row| {
             row.help.to_lowercase().contains(&wanted)
                 || row.short.to_lowercase().contains(&wanted)
-                || row
-                    .keys
-                    .iter()
-                    .any(|key| key.words().to_lowercase() == wanted)
+                || row.keys.iter().any(|key| key.words().to_lowercase() == wanted)
         })
         .collect()
 }
@@ -216,11 +208,7 @@ pub fn preset_rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a Prese
 
 /// Whether the characters of `typed` occur in `text` in order, and how far apart (smaller is better).
 pub fn fuzzy(typed: &str, text: &str) -> Option<usize> {
-    let wanted: Vec<char> = typed
-        .to_lowercase()
-        .chars()
-        .filter(|c| !c.is_whitespace())
-        .collect();
+    let wanted: Vec<char> = typed.to_lowercase().chars().filter(|c| !c.is_whitespace()).collect();
     let text: Vec<char> = text.to_lowercase().chars().collect();
     let Some(first) = wanted.first() else {
         return Some(0);
@@ -233,6 +221,9 @@ pub fn fuzzy(typed: &str, text: &str) -> Option<usize> {
                 let rest = &text[at..];
                 let step = rest.iter().position(|other| other == c)?;
                 at += step + usize::from(place + 1 < wanted.len());
+            }
+            if at - start > 4 * wanted.len() {
+                return None;
             }
             let begins_word = start == 0 || !text[start - 1].is_alphanumeric();
             Some((at - start) * 4 + usize::from(!begins_word) * 8 + start / 4)

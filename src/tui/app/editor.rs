@@ -78,10 +78,7 @@ impl Editor {
         let Some(last) = listed.len().checked_sub(1) else {
             return;
         };
-        let here = listed
-            .iter()
-            .position(|index| *index == self.selected)
-            .unwrap_or(0);
+        let here = listed.iter().position(|index| *index == self.selected).unwrap_or(0);
         self.selected = listed[here.saturating_add_signed(rows).min(last)];
     }
 
@@ -104,23 +101,15 @@ impl Editor {
     fn passes(&self, variable: &Variable) -> bool {
         let wanted = self.filter.to_lowercase();
         wanted.is_empty()
-            || [
-                variable.symbol,
-                variable.key,
-                variable.meaning,
-                variable.group.title(),
-            ]
-            .iter()
-            .any(|text| text.to_lowercase().contains(&wanted))
+            || [variable.symbol, variable.key, variable.meaning, variable.group.title()]
+                .iter()
+                .any(|text| text.to_lowercase().contains(&wanted))
     }
 
     /// The first of `height` rows to show so that the selected one is in sight, near the middle of a long list.
     pub fn first_row(&self, height: usize) -> usize {
         let rows = self.rows();
-        let here = rows
-            .iter()
-            .position(|row| *row == Row::Variable(self.selected))
-            .unwrap_or(0);
+        let here = rows.iter().position(|row| *row == Row::Variable(self.selected)).unwrap_or(0);
         let most = rows.len().saturating_sub(height);
         here.saturating_sub(height * 2 / 3).min(most)
     }

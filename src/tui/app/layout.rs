@@ -29,25 +29,14 @@ pub struct Area {
 impl Area {
     fn split_left(self, width: u16) -> (Self, Self) {
         let width = width.min(self.width);
-        let right = Self {
-            x: self.x + width,
-            width: self.width - width,
-            ..self
-        };
+        let right = Self { x: self.x + width, width: self.width - width, ..self };
         (Self { width, ..self }, right)
     }
 
     fn split_bottom(self, height: u16) -> (Self, Self) {
         let height = height.min(self.height);
-        let bottom = Self {
-            y: self.y + self.height - height,
-            height,
-            ..self
-        };
-        let top = Self {
-            height: self.height - height,
-            ..self
-        };
+        let bottom = Self { y: self.y + self.height - height, height, ..self };
+        let top = Self { height: self.height - height, ..self };
         (top, bottom)
     }
 }
@@ -97,10 +86,9 @@ impl Layout {
     /// Columns of a chart that stand for time.
     pub fn chart_columns(&self) -> u16 {
         match &self.body {
-            Body::Run(panes) => panes
-                .charts
-                .first()
-                .map_or(40, |area| area.width.saturating_sub(12)),
+            Body::Run(panes) => {
+                panes.charts.first().map_or(40, |area| area.width.saturating_sub(12))
+            }
             Body::TooSmall | Body::Log(_) => 40,
         }
     }
@@ -108,9 +96,9 @@ impl Layout {
     /// Rows of the list of variables.
     pub fn variable_rows(&self) -> usize {
         match &self.body {
-            Body::Run(panes) => panes
-                .variables
-                .map_or(10, |area| usize::from(area.height.saturating_sub(3))),
+            Body::Run(panes) => {
+                panes.variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
+            }
             Body::TooSmall | Body::Log(_) => 10,
         }
     }
@@ -131,28 +119,15 @@ pub fn layout(
     size: (u16, u16),
     message_rows: u16,
     tab: Tab,
-    focus: Place,
-    full_pane: bool,
+    (focus, full_pane): (Place, bool),
     pins: usize,
 ) -> Layout {
-    let message_rows = if size.1 < SMALLEST.1 {
-        1
-    } else {
-        message_rows.clamp(1, 4)
-    };
+    let message_rows = if size.1 < SMALLEST.1 { 1 } else { message_rows.clamp(1, 4) };
     let (width, height) = size;
-    let row = |y: u16| Area {
-        x: 0,
-        y: y.min(height.saturating_sub(1)),
-        width,
-        height: height.min(1),
-    };
-    let body = Area {
-        x: 0,
-        y: height.min(1),
-        width,
-        height: height.saturating_sub(3 + message_rows),
-    };
+    let row =
+        |y: u16| Area { x: 0, y: y.min(height.saturating_sub(1)), width, height: height.min(1) };
+    let body =
+        Area { x: 0, y: height.min(1), width, height: height.saturating_sub(3 + message_rows) };
     let body = if width < SMALLEST.0 || height < SMALLEST.1 {
         Body::TooSmall
     } else {
@@ -177,35 +152,21 @@ pub fn layout(
 
 fn full(body: Area, focus: Place) -> Panes {
     match focus {
-        Place::Variables | Place::Anywhere | Place::Log => Panes {
-            variables: Some(body),
-            ..Panes::default()
-        },
-        Place::Charts => Panes {
-            charts: stacked(body),
-            ..Panes::default()
-        },
-        Place::Runs => Panes {
-            runs: Some(body),
-            ..Panes::default()
-        },
+        Place::Variables | Place::Anywhere | Place::Log => {
+            Panes { variables: Some(body), ..Panes::default() }
+        }
+        Place::Charts => Panes { charts: stacked(body), ..Panes::default() },
+        Place::Runs => Panes { runs: Some(body), ..Panes::default() },
     }
 }
 
 fn narrow(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
     let (left, right) = body.split_left(31);
-    let mut panes = Panes {
-        variables: Some(left),
-        ..Panes::default()
-    };
+    let mut panes = Panes { variables: Some(left), ..Panes::default() };
     if height >= TALL {
         let (top, bottom) = right.split_bottom(runs_height(pins));
         panes.runs = Some(bottom);
-        panes.charts = if top.height >= 36 {
-            stacked(top)
-        } else {
-            vec![top]
-        };
+        panes.charts = if top.height >= 36 { stacked(top) } else { vec![top] };
     } else if focus == Place::Runs {
         panes.runs = Some(right);
     } else {
@@ -250,11 +211,7 @@ fn stacked(area: Area) -> Vec<Area> {
         _ => 3,
     };
     // Short charts share the time axis of the lowest, which needs two rows more for it.
-    let extra = if count > 1 && area.height / count < 11 {
-        2
-    } else {
-        0
-    };
+    let extra = if count > 1 && area.height / count < 11 { 2 } else { 0 };
     let each = (area.height - extra) / count;
     let mut areas = Vec::new();
     let mut y = area.y;

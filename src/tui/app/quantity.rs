@@ -96,15 +96,12 @@ impl Quantity {
         };
         let (low, high) = (self.of(before), self.of(next));
         let width = next.t_s - before.t_s;
-        let share = if width > 0.0 {
-            (t_s - before.t_s) / width
-        } else {
-            0.0
-        };
+        let share = if width > 0.0 { (t_s - before.t_s) / width } else { 0.0 };
         Some(low + share * (high - low))
     }
 
     /// The next quantity, round and round.
+    #[must_use]
     pub fn next(self) -> Self {
         let at = Self::ALL.iter().position(|one| *one == self).unwrap_or(0);
         Self::ALL[(at + 1) % Self::ALL.len()]

@@ -112,10 +112,7 @@ pub fn name_of(scene: &Scene, base_name: &str, base: &Scene) -> String {
 
 /// A length in mm with four figures, `-` where it does not exist.
 pub fn millimetres(value: Option<f64>) -> String {
-    value.map_or_else(
-        || "-".to_owned(),
-        |metres| units::fixed_significant(metres * 1e3, 4),
-    )
+    value.map_or_else(|| "-".to_owned(), |metres| units::fixed_significant(metres * 1e3, 4))
 }
 
 /// The depth at the end in mm, or in words where it is none.
@@ -129,10 +126,5 @@ pub fn final_depth(run: &Run) -> String {
 
 /// A value with prefix and unit, four figures: `19.26 kN`.
 pub fn engineering(value: f64, unit: &'static str) -> String {
-    Engineering {
-        value,
-        unit,
-        digits: 4,
-    }
-    .to_string()
+    Engineering { value, unit, digits: 4 }.to_string()
 }

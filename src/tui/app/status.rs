@@ -27,11 +27,7 @@ impl App {
     }
 
     fn message(&self, width: usize) -> (Severity, String) {
-        let field_error = self
-            .editor
-            .field
-            .as_ref()
-            .and_then(|field| field.error.clone());
+        let field_error = self.editor.field.as_ref().and_then(|field| field.error.clone());
         if let Some(error) = field_error {
             return (Severity::Error, error);
         }
@@ -39,10 +35,7 @@ impl App {
             return (notice.severity, notice.text.clone());
         }
         if self.place() == Place::Charts && self.charts.cursor_s.is_some() {
-            return (
-                Severity::Note,
-                clip(&self.readout(), width.saturating_sub(4)),
-            );
+            return (Severity::Note, clip(&self.readout(), width.saturating_sub(4)));
         }
         if self.place() == Place::Variables {
             let variable = self.editor.variable();
@@ -76,11 +69,8 @@ impl App {
         ];
         let views = self.visible_runs();
         for view in views.iter().rev() {
-            let quantities: &[Quantity] = if view.letter.is_none() {
-                &full
-            } else {
-                std::slice::from_ref(&selected)
-            };
+            let quantities: &[Quantity] =
+                if view.letter.is_none() { &full } else { std::slice::from_ref(&selected) };
             let values: Vec<String> = quantities
                 .iter()
                 .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)))
@@ -176,10 +166,7 @@ impl App {
         };
         let run = &shown.run;
         let mut lines = vec![
-            format!(
-                "scene        {}",
-                name_of(&run.scene, &self.base.name, &self.base.scene)
-            ),
+            format!("scene        {}", name_of(&run.scene, &self.base.name, &self.base.scene)),
             format!("outcome      {} ({})", run.outcome, run.end.words()),
         ];
         if let Some(arrest) = run.first_arrest {
@@ -191,24 +178,12 @@ impl App {
         }
         let percent = run
             .percent_of_baseline()
-            .map_or_else(String::new, |percent| {
-                format!(" ({percent:.1} % of a rigid mount's)")
-            });
-        let unit = if run.outcome == Outcome::Arrested {
-            " mm"
-        } else {
-            ""
-        };
+            .map_or_else(String::new, |percent| format!(" ({percent:.1} % of a rigid mount's)"));
+        let unit = if run.outcome == Outcome::Arrested { " mm" } else { "" };
         lines.push(format!("final depth  {}{unit}{percent}", final_depth(run)));
-        lines.push(format!(
-            "peak force   {}",
-            engineering(run.peak_contact_force_n, "N")
-        ));
+        lines.push(format!("peak force   {}", engineering(run.peak_contact_force_n, "N")));
         if run.max_plate_displacement_m.is_some() {
-            lines.push(format!(
-                "plate travel {} mm",
-                millimetres(run.max_plate_displacement_m)
-            ));
+            lines.push(format!("plate travel {} mm", millimetres(run.max_plate_displacement_m)));
         }
         for warning in &run.warnings {
             lines.push(format!("warning      {warning}"));
@@ -239,10 +214,9 @@ pub fn short_name(view: &RunView<'_>) -> String {
 
 /// The value at a time with unit, `-` outside the run.
 pub fn value_at(run: &Run, quantity: Quantity, t_s: f64) -> String {
-    quantity.at(run, t_s).map_or_else(
-        || "-".to_owned(),
-        |value| engineering(value, quantity.unit()),
-    )
+    quantity
+        .at(run, t_s)
+        .map_or_else(|| "-".to_owned(), |value| engineering(value, quantity.unit()))
 }
 
 /// At most `width` characters; what is cut ends in `..`.
@@ -266,11 +240,8 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
             lines.push(std::mem::take(&mut line));
         }
         while word.chars().count() > width {
-            let rest = word.split_off(
-                word.char_indices()
-                    .nth(width)
-                    .map_or(word.len(), |(at, _)| at),
-            );
+            let rest =
+                word.split_off(word.char_indices().nth(width).map_or(word.len(), |(at, _)| at));
             lines.push(std::mem::replace(&mut word, rest));
         }
         if !line.is_empty() {

@@ -35,11 +35,7 @@ pub fn decade(number: &Number, value: f64) -> i32 {
     let exponent: i32 = exponent.parse().unwrap_or(0);
     let places = mantissa.split_once('.').map_or(0, |(_, tail)| tail.len());
     let last = exponent - i32::try_from(places).unwrap_or(0);
-    if 10f64.powi(last) >= 0.2 * value.abs() {
-        last - 1
-    } else {
-        last
-    }
+    if 10f64.powi(last) >= 0.2 * value.abs() { last - 1 } else { last }
 }
 
 fn decade_at_zero(number: &Number) -> i32 {
@@ -121,11 +117,7 @@ fn logarithmic(number: &Number, value: f64, up: bool, size: Size) -> f64 {
     // Near a tenth (or hundredth) of a decade: exactly there, so that up and down meet again.
     let grid = if size == Size::Fine { 10.0 } else { 1.0 };
     let snapped = (exponent * grid).round() / grid;
-    let exponent = if (exponent - snapped).abs() < 0.05 / grid {
-        snapped
-    } else {
-        exponent
-    };
+    let exponent = if (exponent - snapped).abs() < 0.05 / grid { snapped } else { exponent };
     let exact = 10f64.powf(exponent / 10.0);
     format!("{exact:.2e}").parse().unwrap_or(exact)
 }

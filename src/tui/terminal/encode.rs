@@ -14,11 +14,7 @@ struct Style {
     modifier: Modifier,
 }
 
-const PLAIN: Style = Style {
-    fg: Color::Reset,
-    bg: Color::Reset,
-    modifier: Modifier::empty(),
-};
+const PLAIN: Style = Style { fg: Color::Reset, bg: Color::Reset, modifier: Modifier::empty() };
 
 /// Append the cells to `out`; the style is plain again afterwards. Returns whether there were any.
 pub(super) fn cells<'a>(
@@ -32,11 +28,7 @@ pub(super) fn cells<'a>(
     for (x, y, cell) in content {
         any = true;
         go_to(out, next, (x, y));
-        let wanted = Style {
-            fg: cell.fg,
-            bg: cell.bg,
-            modifier: cell.modifier,
-        };
+        let wanted = Style { fg: cell.fg, bg: cell.bg, modifier: cell.modifier };
         if wanted != style {
             set_style(out, style, wanted);
             style = wanted;
@@ -70,10 +62,9 @@ fn go_to(out: &mut Vec<u8>, from: Option<(u16, u16)>, to: (u16, u16)) {
             n => put(out, format_args!("\x1b[{n}C")),
         },
         Some(_) | None if x == 0 => put(out, format_args!("\x1b[{}H", y.saturating_add(1))),
-        Some(_) | None => put(
-            out,
-            format_args!("\x1b[{};{}H", y.saturating_add(1), x.saturating_add(1)),
-        ),
+        Some(_) | None => {
+            put(out, format_args!("\x1b[{};{}H", y.saturating_add(1), x.saturating_add(1)))
+        }
     }
 }
 
@@ -121,8 +112,7 @@ struct Codes<'a> {
 
 impl Codes<'_> {
     fn push(&mut self, code: std::fmt::Arguments<'_>) {
-        self.out
-            .extend_from_slice(if self.first { b"\x1b[" } else { b";" });
+        self.out.extend_from_slice(if self.first { b"\x1b[" } else { b";" });
         self.first = false;
         put(self.out, code);
     }

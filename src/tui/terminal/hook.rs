@@ -123,12 +123,7 @@ mod tests {
         let text = screen.contents();
         assert!(text.contains("internal error"), "{text}");
         assert!(text.contains("deliberate"), "{text}");
-        let report = fs::read_dir(place.path())
-            .unwrap()
-            .next()
-            .unwrap()
-            .unwrap()
-            .path();
+        let report = fs::read_dir(place.path()).unwrap().next().unwrap().unwrap().path();
         let name = report.file_name().unwrap().to_str().unwrap();
         assert!(text.replace('\n', "").contains(name), "{text}");
         let report = fs::read_to_string(report).unwrap();

@@ -18,6 +18,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     }
     match action {
         A::TabRun | A::TabLog | A::TabNext | A::TabPrevious => tabs(app, action),
+        A::FocusNext | A::FocusPrevious if app.tab == Tab::Log => app.tab = Tab::Run,
         A::FocusNext | A::FocusPrevious => focus(app, action == A::FocusNext),
         A::Up | A::Down | A::First | A::Last | A::PageUp | A::PageDown => movement(app, action),
         A::Edit => return field::open(app),
@@ -144,18 +145,11 @@ fn movement(app: &mut App, action: Action) {
 fn auto_run(app: &mut App) -> Vec<Effect> {
     app.auto_run = !app.auto_run;
     if !app.auto_run {
-        app.say(
-            Severity::Note,
-            "auto-run is off: r runs, a switches it on again",
-        );
+        app.say(Severity::Note, "auto-run is off: r runs, a switches it on again");
         return Vec::new();
     }
     app.say(Severity::Note, "auto-run is on: every edit runs at once");
-    if app.is_stale() {
-        jobs::run_now(app)
-    } else {
-        Vec::new()
-    }
+    if app.is_stale() { jobs::run_now(app) } else { Vec::new() }
 }
 
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
@@ -169,10 +163,7 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
             } else if !app.editor.filter.is_empty() {
                 app.editor.set_filter("");
             } else {
-                app.say(
-                    Severity::Note,
-                    "nothing to stop: q quits (the session is kept)",
-                );
+                app.say(Severity::Note, "nothing to stop: q quits (the session is kept)");
             }
             Vec::new()
         }
@@ -233,28 +224,13 @@ fn copy(app: &mut App) -> Vec<Effect> {
             "first_arrest_penetration_m\t{}",
             number(run.first_arrest.map(|arrest| arrest.penetration_m))
         ),
-        format!(
-            "first_arrest_time_s\t{}",
-            number(run.first_arrest.map(|arrest| arrest.t_s))
-        ),
+        format!("first_arrest_time_s\t{}", number(run.first_arrest.map(|arrest| arrest.t_s))),
         format!("final_penetration_m\t{}", number(run.final_penetration_m)),
         format!("percent_of_baseline\t{}", number(run.percent_of_baseline())),
-        format!(
-            "peak_contact_force_n\t{}",
-            number(Some(run.peak_contact_force_n))
-        ),
-        format!(
-            "max_plate_displacement_m\t{}",
-            number(run.max_plate_displacement_m)
-        ),
-        format!(
-            "residual_velocity_m_s\t{}",
-            number(run.residual_velocity_m_s)
-        ),
-        format!(
-            "interface_demand_ratio\t{}",
-            number(run.interface_demand_ratio)
-        ),
+        format!("peak_contact_force_n\t{}", number(Some(run.peak_contact_force_n))),
+        format!("max_plate_displacement_m\t{}", number(run.max_plate_displacement_m)),
+        format!("residual_velocity_m_s\t{}", number(run.residual_velocity_m_s)),
+        format!("interface_demand_ratio\t{}", number(run.interface_demand_ratio)),
     ];
     vec![Effect::Copy(lines.join("\n") + "\n")]
 }

@@ -101,10 +101,7 @@ fn window(app: &mut App) {
 
 fn difference(app: &mut App) {
     let Some(letter) = app.reference_pin().map(|pin| pin.letter) else {
-        app.say(
-            Severity::Error,
-            "no pinned run to compare with: Space pins the current one",
-        );
+        app.say(Severity::Error, "no pinned run to compare with: Space pins the current one");
         return;
     };
     app.charts.difference = !app.charts.difference;

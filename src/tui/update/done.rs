@@ -23,15 +23,11 @@ pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
         EffectReport::Exported(outcome) => exported(app, outcome),
         EffectReport::Presets(list) => app.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
-            let base = Base {
-                name,
-                origin: Origin::Other,
-                scene: Arc::new(*scene),
-            };
+            let base = Base { name, origin: Origin::Other, scene: Arc::new(*scene) };
             return edit::load(app, base);
         }
         EffectReport::Refused(text) | EffectReport::Loaded(Err(text)) => {
-            app.say(Severity::Error, text)
+            app.say(Severity::Error, text);
         }
         EffectReport::Copied(text) => app.say(Severity::Note, text),
         EffectReport::Completions(names) => complete(app, names),
@@ -43,15 +39,8 @@ fn saved(app: &mut App, name: String, path: &Path) -> Vec<Effect> {
     if matches!(app.dialog, Some(Dialog::Save(_))) {
         app.dialog = None;
     }
-    app.say(
-        Severity::Note,
-        format!("saved `{name}` as {}", path.display()),
-    );
-    app.base = Base {
-        name,
-        origin: Origin::Mine,
-        scene: Arc::clone(&app.scene),
-    };
+    app.say(Severity::Note, format!("saved `{name}` as {}", path.display()));
+    app.base = Base { name, origin: Origin::Mine, scene: Arc::clone(&app.scene) };
     vec![Effect::ListPresets, Effect::SaveSession]
 }
 
@@ -61,18 +50,14 @@ fn exported(app: &mut App, outcome: ExportOutcome) {
             if matches!(dialog, Some(Dialog::Export(_))) {
                 *dialog = None;
             }
-            let names: Vec<String> = files
-                .iter()
-                .map(|file| file.display().to_string())
-                .collect();
+            let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.say(Severity::Note, format!("written: {}", names.join(" and ")));
         }
         (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
         (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
-        (ExportOutcome::Exists(path), _) => app.say(
-            Severity::Error,
-            format!("{} exists and was left alone", path.display()),
-        ),
+        (ExportOutcome::Exists(path), _) => {
+            app.say(Severity::Error, format!("{} exists and was left alone", path.display()));
+        }
         (ExportOutcome::Failed(text), _) => app.say(Severity::Error, text),
     }
 }

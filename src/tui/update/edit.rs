@@ -55,36 +55,22 @@ pub(super) fn commit_scene(
     label: String,
     stepping: Option<usize>,
 ) -> Vec<Effect> {
-    let after = Snapshot {
-        scene: Arc::new(scene),
-        base: app.base.clone(),
-    };
+    let after = Snapshot { scene: Arc::new(scene), base: app.base.clone() };
     commit(app, after, label, stepping)
 }
 
 /// Make another scene current and compare it with another preset, as one edit.
 pub(super) fn load(app: &mut App, base: Base) -> Vec<Effect> {
     let label = format!("load {}", base.name);
-    let after = Snapshot {
-        scene: Arc::clone(&base.scene),
-        base,
-    };
+    let after = Snapshot { scene: Arc::clone(&base.scene), base };
     app.charts.zoom_s = None;
     app.charts.cursor_s = None;
     commit(app, after, label, None)
 }
 
 fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>) -> Vec<Effect> {
-    let before = Snapshot {
-        scene: Arc::clone(&app.scene),
-        base: app.base.clone(),
-    };
-    app.history.push(Edit {
-        label,
-        before,
-        after: after.clone(),
-        stepping,
-    });
+    let before = Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() };
+    app.history.push(Edit { label, before, after: after.clone(), stepping });
     install(app, after)
 }
 
@@ -102,10 +88,7 @@ pub(super) fn undo(app: &mut App) -> Vec<Effect> {
         app.say(Severity::Note, "nothing to undo");
         return Vec::new();
     };
-    app.say(
-        Severity::Note,
-        format!("undone: {} (Ctrl-r redoes)", edit.label),
-    );
+    app.say(Severity::Note, format!("undone: {} (Ctrl-r redoes)", edit.label));
     install(app, edit.before)
 }
 
@@ -130,10 +113,7 @@ pub(super) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
         None => app.history.edits[0].before.clone(),
     };
     app.history.done = done;
-    app.say(
-        Severity::Note,
-        format!("back to the state after edit {done}"),
-    );
+    app.say(Severity::Note, format!("back to the state after edit {done}"));
     install(app, snapshot)
 }
 
@@ -187,30 +167,23 @@ pub(super) fn step(app: &mut App, up: bool, size: Size) -> Vec<Effect> {
     let index = app.editor.selected;
     let variable = &VARIABLES[index];
     let Kind::Number(number) = &variable.kind else {
-        return match cycled(app, index, up) {
-            Some(value) => finish(app, index, value, None),
-            None => {
-                let only = format!(
-                    "{} has only one value: {}",
-                    variable.symbol,
-                    variable.show(&app.scene)
-                );
-                app.say(Severity::Note, only);
-                Vec::new()
-            }
-        };
+        if let Some(value) = cycled(app, index, up) {
+            return finish(app, index, value, None);
+        }
+
+        let only = format!("{} has only one value: {}", variable.symbol, variable.show(&app.scene));
+        app.say(Severity::Note, only);
+        return Vec::new();
     };
     let value = match (number.get)(&app.scene) {
         Some(value) => step_number(app, index, number, value, (up, size)),
         None => up.then(|| steps::first_value(number)),
     };
-    match value {
-        Some(value) => finish(app, index, Value::Number(value), Some(index)),
-        None => {
-            app.say(Severity::Note, edge(variable, up));
-            Vec::new()
-        }
+    if let Some(value) = value {
+        return finish(app, index, Value::Number(value), Some(index));
     }
+    app.say(Severity::Note, edge(variable, up));
+    Vec::new()
 }
 
 fn step_number(
@@ -252,11 +225,7 @@ fn cycled(app: &App, index: usize, up: bool) -> Option<Value> {
     match &VARIABLES[index].kind {
         Kind::Switch { get, .. } => Some(Value::Switch(!get(&app.scene))),
         Kind::Choice(choice) if choice.words.len() > 1 => {
-            let next = wrap(
-                (choice.get)(&app.scene),
-                if up { 1 } else { -1 },
-                choice.words.len(),
-            );
+            let next = wrap((choice.get)(&app.scene), if up { 1 } else { -1 }, choice.words.len());
             Some(Value::Word(choice.words[next]))
         }
         Kind::Choice(_) | Kind::Number(_) => None,

@@ -44,10 +44,7 @@ pub(super) fn open(app: &mut App) {
 
 /// The runs that can be exported: the current one and the pins, those with a result.
 fn available(app: &App) -> Vec<(String, Arc<Run>)> {
-    let now = app
-        .shown
-        .iter()
-        .map(|shown| ("now".to_owned(), Arc::clone(&shown.run)));
+    let now = app.shown.iter().map(|shown| ("now".to_owned(), Arc::clone(&shown.run)));
     let pins = app.pins.iter().filter_map(|pin| {
         let run = pin.run.as_ref()?;
         Some((pin.letter.to_string(), Arc::clone(run)))
@@ -60,20 +57,18 @@ pub(super) fn press(app: &mut App, mut state: Export, key: KeyEvent) -> Vec<Effe
     let typing = matches!(state.row, ExportRow::Path | ExportRow::GridRows);
     let mut effects = Vec::new();
     match key.code {
-        KeyCode::Esc if state.question => state.question = false,
+        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Esc => return Vec::new(),
         KeyCode::Char('q') if !typing => return Vec::new(),
         KeyCode::Char('y' | 'o') if state.question => effects = submit(app, &mut state, true),
         KeyCode::Char('r') if state.question => rename(&mut state),
-        KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Enter => effects = submit(app, &mut state, false),
         KeyCode::Tab if state.row == ExportRow::Path => {
             effects = vec![Effect::Complete(state.path.value().to_owned())];
         }
         KeyCode::Down | KeyCode::Tab => state.move_by(1),
         KeyCode::Up | KeyCode::BackTab => state.move_by(-1),
-        KeyCode::Char('j') if !typing => state.move_by(1),
-        KeyCode::Char('k') if !typing => state.move_by(-1),
+        KeyCode::Char(c @ ('j' | 'k')) if !typing => state.move_by(if c == 'j' { 1 } else { -1 }),
         KeyCode::Left | KeyCode::Char('h') if state.row == ExportRow::What => {
             state.what = state.what.other(-1);
         }
@@ -205,9 +200,5 @@ fn grid_rows(text: &str) -> Result<usize, String> {
         )
     };
     let rows: usize = text.trim().parse().map_err(|_ignored| refused())?;
-    if (2..=GRID_ROWS.1).contains(&rows) {
-        Ok(rows)
-    } else {
-        Err(refused())
-    }
+    if (2..=GRID_ROWS.1).contains(&rows) { Ok(rows) } else { Err(refused()) }
 }

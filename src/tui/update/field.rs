@@ -77,10 +77,7 @@ fn commit(app: &mut App, then: impl FnOnce(&mut App)) -> Vec<Effect> {
             effects
         }
         Err(error) => {
-            app.editor.field = Some(Field {
-                error: Some(error),
-                ..field
-            });
+            app.editor.field = Some(Field { error: Some(error), ..field });
             Vec::new()
         }
     }

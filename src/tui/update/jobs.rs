@@ -23,11 +23,7 @@ pub(super) fn after_edit(app: &mut App) -> Vec<Effect> {
     }
     app.jobs.overdue = false;
     let due = Effect::After(QUIET, Message::RunDue(app.jobs.serial));
-    let mut effects = if app.jobs.current.is_none() {
-        submit(app)
-    } else {
-        Vec::new()
-    };
+    let mut effects = if app.jobs.current.is_none() { submit(app) } else { Vec::new() };
     effects.push(due);
     effects
 }
@@ -50,16 +46,8 @@ pub(super) fn submit_now(app: &mut App) -> Vec<Effect> {
 
 fn submit(app: &mut App) -> Vec<Effect> {
     let id = app.jobs.next_id();
-    app.jobs.current = Some(InFlight {
-        id,
-        scene: Arc::clone(&app.scene),
-        reached_s: None,
-    });
-    vec![Effect::Submit(Job {
-        id,
-        slot: Slot::Current,
-        scene: Arc::clone(&app.scene),
-    })]
+    app.jobs.current = Some(InFlight { id, scene: Arc::clone(&app.scene), reached_s: None });
+    vec![Effect::Submit(Job { id, slot: Slot::Current, scene: Arc::clone(&app.scene) })]
 }
 
 /// Submit every pin that has neither result nor job.
@@ -81,20 +69,11 @@ pub(super) fn submit_pins(app: &mut App) -> Vec<Effect> {
 
 /// The quiet time after an edit is over.
 pub(super) fn run_due(app: &mut App, serial: u64) -> Vec<Effect> {
-    let Some(job) = app
-        .jobs
-        .current
-        .as_ref()
-        .filter(|_| serial == app.jobs.serial)
-    else {
+    let Some(job) = app.jobs.current.as_ref().filter(|_| serial == app.jobs.serial) else {
         return Vec::new();
     };
     app.jobs.overdue = true;
-    if job.scene == app.scene {
-        Vec::new()
-    } else {
-        submit(app)
-    }
+    if job.scene == app.scene { Vec::new() } else { submit(app) }
 }
 
 /// A report from the worker; those of replaced jobs are dropped.
@@ -140,11 +119,7 @@ fn current(app: &mut App, body: ReportBody) -> Vec<Effect> {
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;
     let outdated = finished.is_some_and(|job| job.scene != app.scene);
-    if outdated && app.auto_run {
-        submit_now(app)
-    } else {
-        Vec::new()
-    }
+    if outdated && app.auto_run { submit_now(app) } else { Vec::new() }
 }
 
 fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
@@ -170,10 +145,7 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
 }
 
 fn pin(app: &mut App, letter: char, id: u64, body: ReportBody) {
-    let found = app
-        .pins
-        .iter_mut()
-        .find(|pin| pin.letter == letter && pin.job == Some(id));
+    let found = app.pins.iter_mut().find(|pin| pin.letter == letter && pin.job == Some(id));
     let Some(pin) = found else {
         return;
     };

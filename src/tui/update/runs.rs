@@ -33,10 +33,7 @@ pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect>
     }
     let free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
     let Some(letter) = LETTERS.into_iter().find(free) else {
-        app.say(
-            Severity::Error,
-            "all eight pins A to H are taken: x in the pane Runs unpins one",
-        );
+        app.say(Severity::Error, "all eight pins A to H are taken: x in the pane Runs unpins one");
         return Vec::new();
     };
     let run = app
@@ -45,14 +42,7 @@ pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect>
         .filter(|shown| *shown.run.scene == *scene)
         .map(|shown| Arc::clone(&shown.run));
     app.say(Severity::Note, format!("pinned as {letter}: {name}"));
-    app.pins.push(Pin {
-        letter,
-        name,
-        scene,
-        run,
-        visible: true,
-        job: None,
-    });
+    app.pins.push(Pin { letter, name, scene, run, visible: true, job: None });
     app.pins.sort_by_key(|pin| pin.letter);
     let mut effects = jobs::submit_pins(app);
     effects.push(Effect::SaveSession);
@@ -61,10 +51,7 @@ pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect>
 
 /// The pin that is selected in the table of runs.
 fn selected(app: &mut App) -> Option<usize> {
-    let found = app
-        .selected_run
-        .checked_sub(1)
-        .filter(|at| *at < app.pins.len());
+    let found = app.selected_run.checked_sub(1).filter(|at| *at < app.pins.len());
     if found.is_none() {
         app.say(
             Severity::Note,
@@ -87,10 +74,7 @@ fn unpin(app: &mut App) -> Vec<Effect> {
     if app.pins.is_empty() {
         app.charts.difference = false;
     }
-    app.say(
-        Severity::Note,
-        format!("unpinned {}: {}", pin.letter, pin.name),
-    );
+    app.say(Severity::Note, format!("unpinned {}: {}", pin.letter, pin.name));
     vec![Effect::SaveSession]
 }
 

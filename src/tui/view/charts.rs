@@ -8,6 +8,7 @@ use super::text::{put, put_line};
 use crate::model::run::Run;
 use crate::tui::app::App;
 use crate::tui::app::charts::{Curve as Data, Window};
+use crate::tui::app::log::event_tag;
 use crate::tui::app::quantity::Quantity;
 use crate::tui::app::runs::{RunView, engineering};
 use crate::tui::app::status::{clip, short_name, value_at};
@@ -19,6 +20,8 @@ use crate::tui::theme::{Pane, Role};
 
 /// Rows of readout below a single chart, without the line that closes the box.
 const READOUT_ROWS: u16 = 2;
+/// Most event lines in one chart.
+const EVENT_LINES: usize = 24;
 
 /// Draw the charts, one an area.
 pub(super) fn render(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buffer) {
@@ -30,39 +33,26 @@ pub(super) fn render(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buff
 }
 
 fn single(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) {
-    let inner = Pane::new("")
-        .focused(focused)
-        .render(area, buffer, app.theme);
+    let inner = Pane::new("").focused(focused).render(area, buffer, app.theme);
     let data = app.curves(app.charts.quantities[app.charts.selected]);
     let below = if area.height >= 12 { READOUT_ROWS } else { 0 };
     let mut chart = chart(app, app.charts.selected, &data);
     chart.frame = Frame::OpenBelow;
     chart.focused = focused;
-    let upper = Rect {
-        height: area.height.saturating_sub(below + 1),
-        ..area
-    };
+    let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
     chart.render(upper, buffer, app.theme);
     nothing_yet(app, upper, buffer);
     if below > 0 {
-        let rows = Rect {
-            y: inner.bottom() - below,
-            height: below,
-            ..inner
-        };
+        let rows = Rect { y: inner.bottom() - below, height: below, ..inner };
         readout(app, rows, buffer);
     }
 }
 
 fn stacked(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buffer) {
-    let data: Vec<Vec<Data>> = (0..areas.len())
-        .map(|index| app.curves(app.charts.quantities[index]))
-        .collect();
-    let mut charts: Vec<Chart<'_>> = data
-        .iter()
-        .enumerate()
-        .map(|(index, data)| chart(app, index, data))
-        .collect();
+    let data: Vec<Vec<Data>> =
+        (0..areas.len()).map(|index| app.curves(app.charts.quantities[index])).collect();
+    let mut charts: Vec<Chart<'_>> =
+        data.iter().enumerate().map(|(index, data)| chart(app, index, data)).collect();
     let last = charts.len() - 1;
     for (index, chart) in charts.iter_mut().enumerate() {
         chart.focused = focused && app.charts.selected == index;
@@ -91,13 +81,7 @@ fn nothing_yet(app: &App, area: Rect, buffer: &mut Buffer) {
         (None, None) => "no run yet: r runs the scene",
     };
     let column = area.width.saturating_sub(super::text::columns(text)) / 2;
-    put(
-        buffer,
-        area,
-        (column, area.height / 2),
-        text,
-        app.theme.style(Role::Dim),
-    );
+    put(buffer, area, (column, area.height / 2), text, app.theme.style(Role::Dim));
 }
 
 fn chart<'a>(app: &'a App, index: usize, data: &'a [Data]) -> Chart<'a> {
@@ -105,9 +89,7 @@ fn chart<'a>(app: &'a App, index: usize, data: &'a [Data]) -> Chart<'a> {
     let (from, to) = app.time_range_s();
     let scale = app.charts.value_scales[index];
     let time = ViewRange::new(from, to);
-    let x = Axis::new("t", time)
-        .unit(Unit::with_prefix(time, "s"))
-        .scale(app.charts.time_scale);
+    let x = Axis::new("t", time).unit(Unit::with_prefix(time, "s")).scale(app.charts.time_scale);
     let (low, high) = app.value_range(data, scale);
     let values = match scale {
         Scale::Linear => ViewRange::new(low, high).padded(scale, 0.04),
@@ -119,28 +101,22 @@ fn chart<'a>(app: &'a App, index: usize, data: &'a [Data]) -> Chart<'a> {
     } else {
         values
     };
-    let y = Axis::new("", values)
-        .unit(Unit::with_prefix(values, quantity.unit()))
-        .scale(scale);
+    let y = Axis::new("", values).unit(Unit::with_prefix(values, quantity.unit())).scale(scale);
     let views = app.visible_runs();
     let curves = data.iter().zip(&views).map(|(curve, view)| {
-        Curve::new(
-            MARKERS[curve.index % MARKERS.len()],
-            label(view),
-            &curve.points,
-        )
-        .colour(curve.index)
-        .emphasis(match (curve.old, curve.letter) {
-            (true, _) => Emphasis::Stale,
-            (false, None) => Emphasis::Selected,
-            (false, Some(_)) => Emphasis::Normal,
-        })
+        Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
+            .colour(curve.index)
+            .emphasis(match (curve.old, curve.letter) {
+                (true, _) => Emphasis::Stale,
+                (false, None) => Emphasis::Selected,
+                (false, Some(_)) => Emphasis::Normal,
+            })
     });
     let events = app
         .shown
         .iter()
         .filter(|_| app.current_visible)
-        .flat_map(|shown| event_lines(&shown.run));
+        .flat_map(|shown| event_lines(&shown.run, (from, to)));
     Chart {
         events: events.collect(),
         crosshair: app.charts.cursor_s,
@@ -148,30 +124,24 @@ fn chart<'a>(app: &'a App, index: usize, data: &'a [Data]) -> Chart<'a> {
     }
 }
 
-fn event_lines(run: &Run) -> impl Iterator<Item = EventLine<'static>> + '_ {
-    run.events.iter().map(|event| EventLine {
-        x: event.t_s,
-        tag: "".into(),
-    })
+/// The events in view with their letters; of very many (a plate rattling on its stop) only the first ones.
+fn event_lines(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = EventLine<'static>> + '_ {
+    let events = run.events.iter().enumerate();
+    let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
+    seen.take(EVENT_LINES)
+        .map(|(index, event)| EventLine { x: event.t_s, tag: event_tag(index).into() })
 }
 
 /// `now`, or letter and name of a pin, kept short.
 fn label(view: &RunView<'_>) -> String {
-    view.letter.map_or_else(
-        || "now".to_owned(),
-        |letter| format!("{letter} {}", clip(view.name, 16)),
-    )
+    view.letter
+        .map_or_else(|| "now".to_owned(), |letter| format!("{letter} {}", clip(view.name, 16)))
 }
 
 fn title(app: &App, quantity: Quantity) -> String {
     let reference = app.reference_pin().filter(|_| app.charts.difference);
     match reference {
-        Some(pin) => format!(
-            "{} {} minus {}'s",
-            quantity.title(),
-            quantity.symbol(),
-            pin.letter
-        ),
+        Some(pin) => format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter),
         None => format!("{} {}", quantity.title(), quantity.symbol()),
     }
 }
@@ -181,10 +151,7 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
     let quantity = app.charts.quantities[app.charts.selected];
     let views = app.visible_runs();
     let line = |lead: String, value: &dyn Fn(&RunView<'_>) -> String| {
-        let mut spans = vec![Span::styled(
-            format!(" {lead}"),
-            app.theme.style(Role::Text),
-        )];
+        let mut spans = vec![Span::styled(format!(" {lead}"), app.theme.style(Role::Text))];
         for view in views.iter().rev() {
             spans.push(Span::styled(
                 format!("  {} ", short_name(view)),
@@ -194,32 +161,23 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         Line::from(spans)
     };
-    let first = match app.charts.cursor_s {
-        Some(t_s) => {
-            let name = app
-                .event_at_cursor()
-                .map_or_else(String::new, |words| format!(" {words}"));
-            line(format!("t {}{name}", engineering(t_s, "s")), &|view| {
-                value_at(view.run, quantity, t_s)
-            })
-        }
-        None => {
-            let window = match app.charts.window {
-                Window::Contact => "contact window: c shows the whole response",
-                Window::Whole => "whole response: c shows the contact window",
-            };
-            Line::from(Span::styled(
-                format!(" {window}"),
-                app.theme.style(Role::Dim),
-            ))
-        }
+    let first = if let Some(t_s) = app.charts.cursor_s {
+        let name = app.event_at_cursor().map_or_else(String::new, |words| format!(" {words}"));
+        line(format!("t {}{name}", engineering(t_s, "s")), &|view| {
+            value_at(view.run, quantity, t_s)
+        })
+    } else {
+        let window = match app.charts.window {
+            Window::Contact => "contact window: c shows the whole response",
+            Window::Whole => "whole response: c shows the contact window",
+        };
+        Line::from(Span::styled(format!(" {window}"), app.theme.style(Role::Dim)))
     };
     put_line(buffer, area, 0, &first);
     let arrest = line("first arrest".to_owned(), &|view| {
-        view.run.first_arrest.map_or_else(
-            || "-".to_owned(),
-            |arrest| value_at(view.run, quantity, arrest.t_s),
-        )
+        view.run
+            .first_arrest
+            .map_or_else(|| "-".to_owned(), |arrest| value_at(view.run, quantity, arrest.t_s))
     });
     put_line(buffer, area, 1, &arrest);
 }

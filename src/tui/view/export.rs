@@ -26,21 +26,10 @@ pub(super) fn render(
     cursor: &mut Cursor,
 ) {
     let rows = state.rows();
-    let wanted = u16::try_from(rows.len())
-        .unwrap_or(u16::MAX)
-        .saturating_add(FOOT + 3);
-    let inner = frame(
-        app,
-        screen,
-        (100, wanted),
-        ("Export to CSV", "Enter writes"),
-        buffer,
-    );
+    let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
+    let inner = frame(app, screen, (100, wanted), ("Export to CSV", "Enter writes"), buffer);
     let foot = FOOT.min(inner.height.saturating_sub(4));
-    let list = Rect {
-        height: inner.height.saturating_sub(foot),
-        ..inner
-    };
+    let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
     let selected = rows.iter().position(|row| *row == state.row).unwrap_or(0);
     let first = first_row(selected, usize::from(list.height), rows.len());
     for (at, row) in (0..list.height).zip(rows.iter().skip(first)) {
@@ -58,11 +47,7 @@ pub(super) fn render(
             app.theme.style(Role::Dim),
         );
     }
-    let lower = Rect {
-        y: list.bottom(),
-        height: foot,
-        ..inner
-    };
+    let lower = Rect { y: list.bottom(), height: foot, ..inner };
     below(app, state, lower, buffer);
 }
 
@@ -96,9 +81,7 @@ fn one(
         put(buffer, list, (0, at), ">", app.theme.style(Role::Title));
     }
     let column = VALUE + 2;
-    let style = app
-        .theme
-        .style(if here { Role::Selection } else { Role::Text });
+    let style = app.theme.style(if here { Role::Selection } else { Role::Text });
     let input: Option<&Input> = match row {
         ExportRow::Path => Some(&state.path),
         ExportRow::GridRows => Some(&state.grid),
@@ -111,13 +94,7 @@ fn one(
     let room = usize::from(list.width.saturating_sub(column + 1));
     let scroll = input.visual_scroll(room);
     let shown: String = input.value().chars().skip(scroll).take(room).collect();
-    put(
-        buffer,
-        list,
-        (column, at),
-        &shown,
-        app.theme.style(Role::Text),
-    );
+    put(buffer, list, (column, at), &shown, app.theme.style(Role::Text));
     if here {
         let place = u16::try_from(input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
         *cursor = Some((list.x + column + place, list.y + at));
@@ -135,13 +112,7 @@ fn below(app: &App, state: &Export, area: Rect, buffer: &mut Buffer) {
     let path = app.directory.join(state.path.value().trim());
     let dim = app.theme.style(Role::Dim);
     let text = format!("to {}", path.display());
-    put(
-        buffer,
-        area,
-        (0, 1),
-        &clip(&text, width),
-        app.theme.style(Role::Text),
-    );
+    put(buffer, area, (0, 1), &clip(&text, width), app.theme.style(Role::Text));
     let note = "and beside it a .toml that runs it again to the same digits";
     put(buffer, area, (0, 2), &clip(note, width), dim);
     let lines: Vec<(String, Role)> = if state.question {
@@ -150,15 +121,9 @@ fn below(app: &App, state: &Export, area: Rect, buffer: &mut Buffer) {
             Role::Warning,
         )]
     } else if let Some(error) = &state.error {
-        wrap(&format!("x {error}"), width)
-            .into_iter()
-            .map(|line| (line, Role::Error))
-            .collect()
+        wrap(&format!("x {error}"), width).into_iter().map(|line| (line, Role::Error)).collect()
     } else if state.completions.is_empty() {
-        preview(app, state)
-            .into_iter()
-            .map(|line| (line, Role::Dim))
-            .collect()
+        preview(app, state).into_iter().map(|line| (line, Role::Dim)).collect()
     } else {
         wrap(&state.completions.join("  "), width)
             .into_iter()
@@ -166,13 +131,7 @@ fn below(app: &App, state: &Export, area: Rect, buffer: &mut Buffer) {
             .collect()
     };
     for (row, (line, role)) in (4..area.height).zip(&lines) {
-        put(
-            buffer,
-            area,
-            (0, row),
-            &clip(line, width),
-            app.theme.style(*role),
-        );
+        put(buffer, area, (0, row), &clip(line, width), app.theme.style(*role));
     }
 }
 

@@ -46,35 +46,19 @@ pub(super) fn palette(
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) {
-    let inner = frame(
-        app,
-        screen,
-        (76, 20),
-        ("Find an action", "Esc closes"),
-        buffer,
-    );
+    let inner = frame(app, screen, (76, 20), ("Find an action", "Esc closes"), buffer);
     filter(app, picker, inner, buffer, cursor);
     let rows = palette_rows(picker.filter.value());
     list(app, &rows, picker.selected, below(inner), buffer);
 }
 
 fn below(area: Rect) -> Rect {
-    Rect {
-        y: area.y + area.height.min(1),
-        height: area.height.saturating_sub(1),
-        ..area
-    }
+    Rect { y: area.y + area.height.min(1), height: area.height.saturating_sub(1), ..area }
 }
 
 fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut Buffer) {
     if rows.is_empty() {
-        put(
-            buffer,
-            area,
-            (0, 0),
-            "nothing matches",
-            app.theme.style(Role::Dim),
-        );
+        put(buffer, area, (0, 0), "nothing matches", app.theme.style(Role::Dim));
     }
     let first = first_row(selected, usize::from(area.height), rows.len());
     for (row, (index, binding)) in (0..area.height).zip(rows.iter().enumerate().skip(first)) {
@@ -85,21 +69,9 @@ fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut 
             &clip(&binding.keys_in_words(), 15),
             app.theme.style(Role::Key),
         );
-        put(
-            buffer,
-            area,
-            (16, row),
-            place(binding.place),
-            app.theme.style(Role::Dim),
-        );
+        put(buffer, area, (16, row), place(binding.place), app.theme.style(Role::Dim));
         let room = usize::from(area.width.saturating_sub(27));
-        put(
-            buffer,
-            area,
-            (27, row),
-            &clip(binding.help, room),
-            app.theme.style(Role::Text),
-        );
+        put(buffer, area, (27, row), &clip(binding.help, room), app.theme.style(Role::Text));
         if index == selected {
             paint_row(buffer, area, row, app.theme.style(Role::Selection));
         }
@@ -122,10 +94,7 @@ fn about(app: &App, width: usize) -> Vec<(String, Role)> {
         return Vec::new();
     }
     let variable = app.editor.variable();
-    let mut lines = vec![(
-        format!("{}  {}", variable.symbol, variable.key),
-        Role::Title,
-    )];
+    let mut lines = vec![(format!("{}  {}", variable.symbol, variable.key), Role::Title)];
     let mut text = |text: String| {
         for line in wrap(&text, width.saturating_sub(2)) {
             lines.push((format!("  {line}"), Role::Text));
@@ -139,11 +108,7 @@ fn about(app: &App, width: usize) -> Vec<(String, Role)> {
         }),
         Kind::Choice(_) | Kind::Switch { .. } => String::new(),
     };
-    text(format!(
-        "now {}; allowed: {}{range}",
-        variable.show(&app.scene),
-        variable.allowed()
-    ));
+    text(format!("now {}; allowed: {}{range}", variable.show(&app.scene), variable.allowed()));
     text(format!("default: {}", variable.source));
     lines.push((String::new(), Role::Text));
     lines

@@ -32,11 +32,7 @@ pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buff
             std::cmp::Ordering::Equal => ('>', Role::Title),
             std::cmp::Ordering::Greater => (' ', Role::Dim),
         };
-        let undone = if index > app.history.done {
-            "  (undone)"
-        } else {
-            ""
-        };
+        let undone = if index > app.history.done { "  (undone)" } else { "" };
         let line = format!("{mark} {index:>3}  {text}{undone}");
         let line = clip(&line, usize::from(inner.width));
         put(buffer, inner, (0, row), &line, app.theme.style(role));

@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::text::{columns, put_line};
 use crate::tui::app::App;
 use crate::tui::app::dialog::Dialog;
-use crate::tui::message::{BINDINGS, Binding, Place};
+use crate::tui::message::{Action, BINDINGS, Binding, Place};
 use crate::tui::theme::Role;
 
 type Keys = &'static [(&'static str, &'static str)];
@@ -15,10 +15,9 @@ type Keys = &'static [(&'static str, &'static str)];
 /// Draw it.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let entries = match special(app) {
-        Some(list) => list
-            .iter()
-            .map(|(key, what)| ((*key).to_owned(), (*what).to_owned()))
-            .collect(),
+        Some(list) => {
+            list.iter().map(|(key, what)| ((*key).to_owned(), (*what).to_owned())).collect()
+        }
         None => from_table(app.place(), area.width),
     };
     let mut spans = vec![Span::raw(" ")];
@@ -45,11 +44,9 @@ fn special(app: &App) -> Option<Keys> {
             ("Up/Down", "ok and move"),
             ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
         ]),
-        None if app.editor.filter_field.is_some() => Some(&[
-            ("Enter", "keep"),
-            ("Esc", "all rows again"),
-            ("Up/Down", "move"),
-        ]),
+        None if app.editor.filter_field.is_some() => {
+            Some(&[("Enter", "keep"), ("Esc", "all rows again"), ("Up/Down", "move")])
+        }
         None => None,
     }
 }
@@ -59,18 +56,11 @@ fn in_dialog(dialog: &Dialog) -> Keys {
         Dialog::Help(picker) if picker.typing => {
             &[("Enter", "do it"), ("Esc", "all keys"), ("Up/Down", "move")]
         }
-        Dialog::Help(_) => &[
-            ("q", "close"),
-            ("j/k", "move"),
-            ("Enter", "do it"),
-            ("/", "search"),
-        ],
+        Dialog::Help(_) => &[("q", "close"), ("j/k", "move"), ("Enter", "do it"), ("/", "search")],
         Dialog::Palette(_) => &[("Enter", "do it"), ("Esc", "close"), ("Up/Down", "move")],
-        Dialog::Presets(picker) if picker.typing => &[
-            ("Enter", "load"),
-            ("Esc", "all presets"),
-            ("Up/Down", "move"),
-        ],
+        Dialog::Presets(picker) if picker.typing => {
+            &[("Enter", "load"), ("Esc", "all presets"), ("Up/Down", "move")]
+        }
         Dialog::Presets(_) => &[
             ("Enter", "load"),
             ("Space", "pin only"),
@@ -78,16 +68,10 @@ fn in_dialog(dialog: &Dialog) -> Keys {
             ("/", "search, or a file's path"),
             ("q", "close"),
         ],
-        Dialog::History(_) => &[
-            ("Enter", "go to this state"),
-            ("j/k", "move"),
-            ("q", "close"),
-        ],
-        Dialog::Save(save) if save.question => &[
-            ("y", "overwrite"),
-            ("n", "another name"),
-            ("Esc", "do not save"),
-        ],
+        Dialog::History(_) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
+        Dialog::Save(save) if save.question => {
+            &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
+        }
         Dialog::Save(_) => &[("Enter", "save"), ("Esc", "do not save")],
         Dialog::Export(export) if export.question => {
             &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]
@@ -108,6 +92,8 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
     let mut rows: Vec<&Binding> = BINDINGS
         .iter()
         .filter(|row| row.footer > 0 && (row.place == place || row.place == Place::Anywhere))
+        // The Log tab has one pane.
+        .filter(|row| place != Place::Log || row.action != Action::FocusNext)
         .collect();
     rows.sort_by_key(|row| (row.footer, row.place == Place::Anywhere));
     let cost = |row: &Binding| {

@@ -20,9 +20,8 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     } else {
         String::new()
     };
-    let pane = Pane::new("Log of this run and this session")
-        .right(counter)
-        .focused(app.dialog.is_none());
+    let pane =
+        Pane::new("Log of this run and this session").right(counter).focused(app.dialog.is_none());
     let inner = pane.render(area, buffer, app.theme);
     for (row, line) in (0..inner.height).zip(lines.iter().skip(first)) {
         let role = match line.kind {
@@ -33,29 +32,23 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
             LineKind::Error => Role::Error,
         };
         let column = if line.kind == LineKind::Heading { 1 } else { 3 };
-        put(
-            buffer,
-            inner,
-            (column, row),
-            &line.text,
-            app.theme.style(role),
-        );
+        put(buffer, inner, (column, row), &line.text, app.theme.style(role));
     }
 }
 
 fn wrapped(lines: Vec<LogLine>, width: usize) -> Vec<LogLine> {
     let split = |line: LogLine| {
         let parts = wrap(&line.text, width.saturating_sub(2));
-        parts.into_iter().map(move |text| LogLine {
-            kind: line.kind,
-            text,
-        })
+        parts.into_iter().map(move |text| LogLine { kind: line.kind, text })
     };
     lines
         .into_iter()
-        .flat_map(|line| match line.text.chars().count() + 2 > width {
-            true => split(line).collect::<Vec<_>>(),
-            false => vec![line],
+        .flat_map(|line| {
+            if line.text.chars().count() + 2 > width {
+                split(line).collect::<Vec<_>>()
+            } else {
+                vec![line]
+            }
         })
         .collect()
 }

@@ -46,15 +46,8 @@ pub(super) fn frame(
         height,
     };
     Clear.render(area, buffer);
-    let inner = Pane::new(title)
-        .right(right)
-        .focused(true)
-        .render(area, buffer, app.theme);
-    Rect {
-        x: inner.x + inner.width.min(1),
-        width: inner.width.saturating_sub(2),
-        ..inner
-    }
+    let inner = Pane::new(title).right(right).focused(true).render(area, buffer, app.theme);
+    Rect { x: inner.x + inner.width.min(1), width: inner.width.saturating_sub(2), ..inner }
 }
 
 /// The filter of a list in the first row of an area: `/gam_`, or how to search.
@@ -67,25 +60,10 @@ pub(super) fn filter(
 ) {
     if picker.typing {
         let end = put(buffer, area, (0, 0), "> ", app.theme.style(Role::Key));
-        put(
-            buffer,
-            area,
-            (end, 0),
-            picker.filter.value(),
-            app.theme.style(Role::Text),
-        );
+        put(buffer, area, (end, 0), picker.filter.value(), app.theme.style(Role::Text));
         let at = u16::try_from(picker.filter.visual_cursor()).unwrap_or(0);
-        *cursor = Some((
-            area.x + (end + at).min(area.width.saturating_sub(1)),
-            area.y,
-        ));
+        *cursor = Some((area.x + (end + at).min(area.width.saturating_sub(1)), area.y));
     } else {
-        put(
-            buffer,
-            area,
-            (0, 0),
-            "/ to search",
-            app.theme.style(Role::Dim),
-        );
+        put(buffer, area, (0, 0), "/ to search", app.theme.style(Role::Dim));
     }
 }

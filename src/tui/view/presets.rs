@@ -24,24 +24,12 @@ pub(super) fn render(
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) {
-    let inner = frame(
-        app,
-        screen,
-        (110, 40),
-        ("Presets", "Enter loads, Space pins only"),
-        buffer,
-    );
+    let inner = frame(app, screen, (110, 40), ("Presets", "Enter loads, Space pins only"), buffer);
     filter(app, picker, inner, buffer, cursor);
-    let body = Rect {
-        y: inner.y + inner.height.min(2),
-        height: inner.height.saturating_sub(2),
-        ..inner
-    };
+    let body =
+        Rect { y: inner.y + inner.height.min(2), height: inner.height.saturating_sub(2), ..inner };
     let rows = preset_rows(&app.presets, picker.filter.value());
-    let left = Rect {
-        width: NAMES.min(body.width),
-        ..body
-    };
+    let left = Rect { width: NAMES.min(body.width), ..body };
     let right = Rect {
         x: body.x + left.width + 2,
         width: body.width.saturating_sub(left.width + 2),
@@ -54,21 +42,9 @@ pub(super) fn render(
     let first = first_row(picker.selected, usize::from(left.height), rows.len());
     for (row, (index, entry)) in (0..left.height).zip(rows.iter().enumerate().skip(first)) {
         let room = usize::from(left.width.saturating_sub(9));
-        put(
-            buffer,
-            left,
-            (0, row),
-            &clip(&entry.name, room),
-            app.theme.style(Role::Text),
-        );
+        put(buffer, left, (0, row), &clip(&entry.name, room), app.theme.style(Role::Text));
         let at = left.width.saturating_sub(7);
-        put(
-            buffer,
-            left,
-            (at, row),
-            entry.origin,
-            app.theme.style(Role::Dim),
-        );
+        put(buffer, left, (at, row), entry.origin, app.theme.style(Role::Dim));
         if index == picker.selected {
             paint_row(buffer, left, row, app.theme.style(Role::Selection));
         }
@@ -82,16 +58,8 @@ pub(super) fn render(
 fn about(app: &App, entry: &PresetEntry, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width);
     let mut lines: Vec<(String, Role)> = Vec::new();
-    let title = if entry.scene.title.is_empty() {
-        &entry.name
-    } else {
-        &entry.scene.title
-    };
-    lines.extend(
-        wrap(title, width)
-            .into_iter()
-            .map(|line| (line, Role::Title)),
-    );
+    let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
+    lines.extend(wrap(title, width).into_iter().map(|line| (line, Role::Title)));
     lines.push((String::new(), Role::Text));
     lines.extend(changes(app, entry, width));
     for text in [&entry.comment, &entry.scene.notes] {
@@ -99,11 +67,7 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, buffer: &mut Buffer) {
             lines.push((String::new(), Role::Text));
         }
         for paragraph in text.lines() {
-            lines.extend(
-                wrap(paragraph, width)
-                    .into_iter()
-                    .map(|line| (line, Role::Dim)),
-            );
+            lines.extend(wrap(paragraph, width).into_iter().map(|line| (line, Role::Dim)));
         }
     }
     for (row, (text, role)) in (0..area.height).zip(&lines) {

@@ -45,10 +45,7 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     let mouse = if app.mouse { "  mouse on" } else { "" };
     let room = usize::from(area.width.saturating_sub(column + 2));
     let fixed = columns(changed) + columns(auto) + columns(mouse) + 7;
-    let name = clip(
-        &app.base.name,
-        room.saturating_sub(usize::from(fixed)).max(6),
-    );
+    let name = clip(&app.base.name, room.saturating_sub(usize::from(fixed)).max(6));
     let text = format!("preset {name}{changed}{auto}{mouse}");
     let start = area.width.saturating_sub(columns(&text) + 1).max(column);
     put(buffer, area, (start, 0), &text, style(Role::Text));
@@ -71,19 +68,10 @@ pub(super) fn message(app: &App, area: Rect, buffer: &mut Buffer) {
 pub(super) fn status(app: &App, area: Rect, buffer: &mut Buffer) {
     let parts = app.status();
     let room = usize::from(area.width.saturating_sub(2));
-    let total = |texts: &[&str]| {
-        texts
-            .iter()
-            .map(|text| text.chars().count() + 3)
-            .sum::<usize>()
-    };
+    let total = |texts: &[&str]| texts.iter().map(|text| text.chars().count() + 3).sum::<usize>();
     let long: Vec<&str> = parts.iter().map(|part| part.1.as_str()).collect();
     let short: Vec<&str> = parts.iter().map(|part| part.2.as_str()).collect();
-    let mut texts = if total(&long) <= room + 3 {
-        long
-    } else {
-        short
-    };
+    let mut texts = if total(&long) <= room + 3 { long } else { short };
     while texts.len() > 1 && total(&texts) > room + 3 {
         texts.pop();
     }
@@ -92,10 +80,7 @@ pub(super) fn status(app: &App, area: Rect, buffer: &mut Buffer) {
         if index > 0 {
             spans.push(Span::styled(" | ", app.theme.style(Role::Border)));
         }
-        spans.push(Span::styled(
-            (*text).to_owned(),
-            app.theme.style(role(part.0)),
-        ));
+        spans.push(Span::styled((*text).to_owned(), app.theme.style(role(part.0))));
     }
     put_line(buffer, area, 0, &Line::from(spans));
 }

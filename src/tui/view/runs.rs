@@ -17,25 +17,16 @@ use crate::tui::theme::{Pane, Role};
 type Column = (&'static str, u16, fn(&Run) -> String);
 
 const COLUMNS: [Column; 6] = [
-    ("p_1st mm", 9, |run| {
-        millimetres(run.first_arrest.map(|arrest| arrest.penetration_m))
-    }),
+    ("p_1st mm", 9, |run| millimetres(run.first_arrest.map(|arrest| arrest.penetration_m))),
     ("p_end mm", 12, final_depth),
     ("% rigid", 8, |run| {
-        run.percent_of_baseline()
-            .map_or_else(|| "-".to_owned(), |percent| format!("{percent:.1}"))
+        run.percent_of_baseline().map_or_else(|| "-".to_owned(), |percent| format!("{percent:.1}"))
     }),
-    ("x_max mm", 9, |run| {
-        millimetres(run.max_plate_displacement_m)
-    }),
-    ("F_max kN", 9, |run| {
-        units::fixed_significant(run.peak_contact_force_n / 1e3, 4)
-    }),
+    ("x_max mm", 9, |run| millimetres(run.max_plate_displacement_m)),
+    ("F_max kN", 9, |run| units::fixed_significant(run.peak_contact_force_n / 1e3, 4)),
     ("v_out m/s", 10, |run| {
-        run.residual_velocity_m_s.map_or_else(
-            || "-".to_owned(),
-            |speed| units::fixed_significant(speed, 4),
-        )
+        run.residual_velocity_m_s
+            .map_or_else(|| "-".to_owned(), |speed| units::fixed_significant(speed, 4))
     }),
 ];
 
@@ -50,34 +41,20 @@ pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) 
         (false, true) => "= adopt  x unpin",
         (false, false) => "",
     };
-    let inner = Pane::new("Runs")
-        .right(right)
-        .focused(focused)
-        .render(area, buffer, app.theme);
+    let inner = Pane::new("Runs").right(right).focused(focused).render(area, buffer, app.theme);
     let (shown, name_width) = fitting(inner.width);
     header(app, inner, shown, name_width, buffer);
     let mut row = 1;
     let now = name_of(&app.scene, &app.base.name, &app.base.scene);
     let run = app.shown.as_ref().map(|shown| &*shown.run);
     let mut line = |index: usize, letter: &str, name: &str, run: Option<&Run>, visible: bool| {
-        let place = Place {
-            inner,
-            row,
-            shown,
-            name_width,
-        };
+        let place = Place { inner, row, shown, name_width };
         one(app, &place, (index, letter, name), (run, visible), buffer);
         row += 1;
     };
     line(0, "now", &now, run, app.current_visible);
     for (at, pin) in app.pins.iter().enumerate() {
-        line(
-            at + 1,
-            &pin.letter.to_string(),
-            &pin.name,
-            pin.run.as_deref(),
-            pin.visible,
-        );
+        line(at + 1, &pin.letter.to_string(), &pin.name, pin.run.as_deref(), pin.visible);
     }
     if focused {
         let selected = u16::try_from(app.selected_run).unwrap_or(0) + 1;
@@ -107,13 +84,7 @@ fn header(app: &App, inner: Rect, shown: usize, name_width: u16, buffer: &mut Bu
     let mut end = LEAD + name_width;
     for (title, width, _) in COLUMNS.iter().take(shown) {
         end += width;
-        put(
-            buffer,
-            inner,
-            (end.saturating_sub(columns(title)), 0),
-            title,
-            style,
-        );
+        put(buffer, inner, (end.saturating_sub(columns(title)), 0), title, style);
     }
 }
 
@@ -132,55 +103,23 @@ fn one(
     buffer: &mut Buffer,
 ) {
     let (inner, row) = (place.inner, place.row);
-    let role = if visible {
-        Role::Curve(index)
-    } else {
-        Role::Dim
-    };
-    let marker = if visible {
-        MARKERS[index % MARKERS.len()]
-    } else {
-        ' '
-    };
-    put(
-        buffer,
-        inner,
-        (0, row),
-        &format!("{marker}{letter}"),
-        app.theme.style(role),
-    );
-    let style = app
-        .theme
-        .style(if visible { Role::Text } else { Role::Dim });
+    let role = if visible { Role::Curve(index) } else { Role::Dim };
+    let marker = if visible { MARKERS[index % MARKERS.len()] } else { ' ' };
+    put(buffer, inner, (0, row), &format!("{marker}{letter}"), app.theme.style(role));
+    let style = app.theme.style(if visible { Role::Text } else { Role::Dim });
     let name = clip(name, usize::from(place.name_width));
     put(buffer, inner, (LEAD, row), &name, style);
     let mut end = LEAD + place.name_width;
     let Some(run) = run else {
-        put(
-            buffer,
-            inner,
-            (end + 2, row),
-            "running",
-            app.theme.style(Role::Dim),
-        );
+        put(buffer, inner, (end + 2, row), "running", app.theme.style(Role::Dim));
         return;
     };
     for (_, width, value) in COLUMNS.iter().take(place.shown) {
         end += width;
         let text = value(run);
-        let role = if text.ends_with('!') {
-            Role::Warning
-        } else {
-            Role::Text
-        };
+        let role = if text.ends_with('!') { Role::Warning } else { Role::Text };
         let style = app.theme.style(if visible { role } else { Role::Dim });
-        put(
-            buffer,
-            inner,
-            (end.saturating_sub(columns(&text)), row),
-            &text,
-            style,
-        );
+        put(buffer, inner, (end.saturating_sub(columns(&text)), row), &text, style);
     }
 }
 
@@ -196,14 +135,14 @@ fn below(app: &App, inner: Rect, row: u16, buffer: &mut Buffer) {
     let depth = |run: &Run| run.first_arrest.map(|arrest| arrest.penetration_m);
     let pair = app.shown.as_ref().zip(pin.run.as_ref());
     let difference = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));
-    let mut text = format!("now - {}: ", pin.letter);
-    match difference {
-        Some((now, then)) => {
+    let difference = difference.map_or_else(
+        || "no first arrest to compare".to_owned(),
+        |(now, then)| {
             let percent = 100.0 * (now - then) / then;
-            text += &format!("p_1st {:+.4} mm ({percent:+.1} %)", (now - then) * 1e3);
-        }
-        None => text += "no first arrest to compare",
-    }
+            format!("p_1st {:+.4} mm ({percent:+.1} %)", (now - then) * 1e3)
+        },
+    );
+    let text = format!("now - {}: {difference}", pin.letter);
     put(buffer, inner, (0, row), &text, app.theme.style(Role::Title));
     let changed = App::differing(&pin.scene, &app.scene);
     let words: Vec<String> = changed
@@ -214,11 +153,7 @@ fn below(app: &App, inner: Rect, row: u16, buffer: &mut Buffer) {
             format!("{} {then} -> {now}", variable.symbol)
         })
         .collect();
-    let text = if words.is_empty() {
-        "same scene".to_owned()
-    } else {
-        words.join(", ")
-    };
+    let text = if words.is_empty() { "same scene".to_owned() } else { words.join(", ") };
     let lines = wrap(&text, usize::from(inner.width));
     for (row, line) in (row + 1..inner.height).zip(&lines) {
         put(buffer, inner, (0, row), line, app.theme.style(Role::Text));

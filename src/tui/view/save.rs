@@ -19,34 +19,12 @@ pub(super) fn render(
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) {
-    let inner = frame(
-        app,
-        screen,
-        (64, 9),
-        ("Save the scene as a preset", ""),
-        buffer,
-    );
-    let lead = put(
-        buffer,
-        inner,
-        (0, 1),
-        "name  ",
-        app.theme.style(Role::Title),
-    );
+    let inner = frame(app, screen, (64, 9), ("Save the scene as a preset", ""), buffer);
+    let lead = put(buffer, inner, (0, 1), "name  ", app.theme.style(Role::Title));
     let room = usize::from(inner.width.saturating_sub(lead + 1));
     let scroll = state.input.visual_scroll(room);
-    let shown: String = state
-        .input
-        .value()
-        .chars()
-        .skip(scroll)
-        .take(room)
-        .collect();
-    let style = app.theme.style(if state.fresh {
-        Role::Selection
-    } else {
-        Role::Text
-    });
+    let shown: String = state.input.value().chars().skip(scroll).take(room).collect();
+    let style = app.theme.style(if state.fresh { Role::Selection } else { Role::Text });
     put(buffer, inner, (lead, 1), &shown, style);
     let at = u16::try_from(state.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
     *cursor = Some((inner.x + lead + at, inner.y + 1));
@@ -59,10 +37,7 @@ pub(super) fn render(
     } else if let Some(error) = &state.error {
         (format!("x {error}"), Role::Error)
     } else {
-        (
-            "It goes to your own presets; `cmra NAME` opens it, p lists it.".to_owned(),
-            Role::Dim,
-        )
+        ("kept with your own presets; `cmra NAME` opens it".to_owned(), Role::Dim)
     };
     for (row, line) in (3..inner.height).zip(wrap(&text, usize::from(inner.width))) {
         put(buffer, inner, (0, row), &line, app.theme.style(role));

@@ -24,9 +24,7 @@ pub(super) fn put(
         return column;
     }
     let room = usize::from(area.width - column);
-    let end = buffer
-        .set_stringn(area.x + column, area.y + row, text, room, style)
-        .0;
+    let end = buffer.set_stringn(area.x + column, area.y + row, text, room, style).0;
     end - area.x
 }
 
@@ -49,7 +47,5 @@ pub(super) fn paint_row(buffer: &mut Buffer, area: Rect, row: u16, style: Style)
 /// The first row of a list to show so that the selected one is in sight.
 pub(super) fn first_row(selected: usize, height: usize, count: usize) -> usize {
     let most = count.saturating_sub(height);
-    selected
-        .saturating_sub(height.saturating_sub(1) * 2 / 3)
-        .min(most)
+    selected.saturating_sub(height.saturating_sub(1) * 2 / 3).min(most)
 }

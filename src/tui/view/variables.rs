@@ -31,48 +31,25 @@ pub(super) fn render(
     let rows = app.editor.rows();
     let height = usize::from(area.height.saturating_sub(3));
     let first = app.editor.first_row(height);
-    let pane = Pane::new(title(app))
-        .right(counter(&rows, first, height))
-        .focused(focused);
+    let pane = Pane::new(title(app)).right(counter(&rows, first, height)).focused(focused);
     let inner = pane.render(area, buffer, app.theme);
     if inner.height < 2 {
         return;
     }
-    let list = Rect {
-        height: inner.height - 1,
-        ..inner
-    };
+    let list = Rect { height: inner.height - 1, ..inner };
     for (at, row) in (0..list.height).zip(rows.iter().skip(first)) {
         match row {
             Row::Heading(group) => {
-                put(
-                    buffer,
-                    list,
-                    (0, at),
-                    group.title(),
-                    app.theme.style(Role::Title),
-                );
+                put(buffer, list, (0, at), group.title(), app.theme.style(Role::Title));
             }
             Row::Variable(index) => variable(app, *index, (list, at), buffer, cursor),
         }
     }
     if rows.is_empty() {
-        put(
-            buffer,
-            list,
-            (1, 0),
-            "no variable matches",
-            app.theme.style(Role::Dim),
-        );
+        put(buffer, list, (1, 0), "no variable matches", app.theme.style(Role::Dim));
     }
     let foot = foot(app, usize::from(inner.width));
-    put(
-        buffer,
-        inner,
-        (0, inner.height - 1),
-        &foot,
-        app.theme.style(Role::Dim),
-    );
+    put(buffer, inner, (0, inner.height - 1), &foot, app.theme.style(Role::Dim));
     if let Some(field) = &app.editor.filter_field {
         // After the corner, a line, a blank and "Variables /".
         let column = area.x + 3 + columns("Variables /");
@@ -91,11 +68,7 @@ fn title(app: &App) -> String {
 
 /// Which of the variables are in sight, where not all are.
 fn counter(rows: &[Row], first: usize, height: usize) -> String {
-    let number = |rows: &[Row]| {
-        rows.iter()
-            .filter(|row| matches!(row, Row::Variable(_)))
-            .count()
-    };
+    let number = |rows: &[Row]| rows.iter().filter(|row| matches!(row, Row::Variable(_))).count();
     let end = (first + height).min(rows.len());
     if rows.len() <= height && number(rows) == VARIABLES.len() {
         return String::new();
@@ -121,11 +94,7 @@ fn variable(
     let warned = used && variable.range_warning(&app.scene).is_some();
     let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
     let style = app.theme.style(if used { Role::Text } else { Role::Dim });
-    let field = app
-        .editor
-        .field
-        .as_ref()
-        .filter(|field| field.variable == index);
+    let field = app.editor.field.as_ref().filter(|field| field.variable == index);
 
     if differs {
         put(buffer, list, (1, row), "*", app.theme.style(Role::Note));
@@ -147,24 +116,14 @@ fn variable(
             );
         }
         if list.width > BAR + 6 {
-            let bar = Rect {
-                x: list.x + BAR,
-                width: list.width - BAR,
-                ..list
-            };
+            let bar = Rect { x: list.x + BAR, width: list.width - BAR, ..list };
             if let Some(text) = range_bar(variable, app, usize::from(bar.width.min(16))) {
                 put(buffer, bar, (0, row), &text, app.theme.style(Role::Dim));
             }
         }
     }
     if warned {
-        put(
-            buffer,
-            list,
-            (FLAG, row),
-            "!",
-            app.theme.style(Role::Warning),
-        );
+        put(buffer, list, (FLAG, row), "!", app.theme.style(Role::Warning));
     }
     if selected {
         put(buffer, list, (0, row), ">", app.theme.style(Role::Title));
@@ -185,35 +144,17 @@ fn open_field(
 ) {
     let text = field.input.value();
     let long = columns(text) >= VALUE_WIDTH;
-    let room = if long {
-        list.width.saturating_sub(VALUE + 1)
-    } else {
-        VALUE_WIDTH
-    };
-    let scroll = field
-        .input
-        .visual_scroll(usize::from(room.saturating_sub(1)));
+    let room = if long { list.width.saturating_sub(VALUE + 1) } else { VALUE_WIDTH };
+    let scroll = field.input.visual_scroll(usize::from(room.saturating_sub(1)));
     let shown: String = text.chars().skip(scroll).take(usize::from(room)).collect();
     let style = app.theme.style(match (field.error.is_some(), field.fresh) {
         (true, _) => Role::Error,
         (false, true) => Role::Selection,
         (false, false) => Role::Text,
     });
-    put(
-        buffer,
-        list,
-        (VALUE - 1, row),
-        "[",
-        app.theme.style(Role::Focus),
-    );
+    put(buffer, list, (VALUE - 1, row), "[", app.theme.style(Role::Focus));
     put(buffer, list, (VALUE, row), &shown, style);
-    put(
-        buffer,
-        list,
-        (VALUE + room, row),
-        "]",
-        app.theme.style(Role::Focus),
-    );
+    put(buffer, list, (VALUE + room, row), "]", app.theme.style(Role::Focus));
     if field.error.is_some() {
         put(buffer, list, (0, row), "x", app.theme.style(Role::Error));
     }
@@ -246,9 +187,7 @@ fn range_bar(variable: &Variable, app: &App, width: usize) -> Option<String> {
     } else {
         // The place among the cells by comparison, not by conversion: few cells, no rounding to argue about.
         let share = (value - low) / (high - low);
-        let at = (1..cells)
-            .filter(|cell| share * cells as f64 >= *cell as f64)
-            .count();
+        let at = (1..cells).filter(|cell| share * cells as f64 >= *cell as f64).count();
         bar[at] = '|';
     }
     Some(format!("[{}]", bar.into_iter().collect::<String>()))

@@ -167,7 +167,12 @@ pub(crate) fn presets() -> Vec<PresetEntry> {
         PresetEntry { name: name.to_owned(), origin, scene, comment: comment.to_owned() }
     };
     vec![
-        entry("thesis-baseline", "bundled", "The scene the figures of chapter 9 start from.", |_| {}),
+        entry(
+            "thesis-baseline",
+            "bundled",
+            "The scene the figures of chapter 9 start from.",
+            |_| {},
+        ),
         entry(
             "rigid-mount",
             "bundled",
