@@ -200,7 +200,7 @@ fn wide(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
 /// Header, the current run, the pins, and what differs from the first pin.
 fn runs_height(pins: usize) -> u16 {
     let rows = u16::try_from(pins.min(8)).unwrap_or(8);
-    if rows == 0 { 6 } else { 8 + rows }
+    if rows == 0 { 6 } else { 7 + rows }
 }
 
 /// As many of the three charts as can be read: six rows each, and two more for the common axis.

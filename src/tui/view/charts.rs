@@ -167,11 +167,8 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
             value_at(view.run, quantity, t_s)
         })
     } else {
-        let window = match app.charts.window {
-            Window::Contact => "contact window: c shows the whole response",
-            Window::Whole => "whole response: c shows the contact window",
-        };
-        Line::from(Span::styled(format!(" {window}"), app.theme.style(Role::Dim)))
+        let text = clip(&events_in_view(app), usize::from(area.width.saturating_sub(1)));
+        Line::from(Span::styled(format!(" {text}"), app.theme.style(Role::Dim)))
     };
     put_line(buffer, area, 0, &first);
     let arrest = line("first arrest".to_owned(), &|view| {
@@ -180,4 +177,22 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
             .map_or_else(|| "-".to_owned(), |arrest| value_at(view.run, quantity, arrest.t_s))
     });
     put_line(buffer, area, 1, &arrest);
+}
+
+/// What the letters of the event lines mean, and where the other part of the time is.
+fn events_in_view(app: &App) -> String {
+    let (from, to) = app.time_range_s();
+    let mut parts: Vec<String> = app
+        .shown
+        .iter()
+        .flat_map(|shown| shown.run.events.iter().enumerate())
+        .filter(|(_, event)| (from..=to).contains(&event.t_s))
+        .map(|(index, event)| format!("{} {}", event_tag(index), event.kind.words()))
+        .take(3)
+        .collect();
+    parts.push(match app.charts.window {
+        Window::Contact => "c whole response".to_owned(),
+        Window::Whole => "c contact only".to_owned(),
+    });
+    parts.join("  ")
 }
