@@ -55,7 +55,9 @@ impl Track<'_> {
         if (self.is_at_rest() || tail_is_long) && !self.problem.horizon_is_asked {
             return Some(EndReason::Decided);
         }
-        let wanted = self.problem.horizon_is_asked || (self.record.keep_series && self.in_tail());
+        let wanted = self.problem.horizon_is_asked
+            || self.is_swinging()
+            || (self.record.keep_series && self.in_tail());
         (!wanted).then_some(EndReason::Decided)
     }
 
@@ -77,14 +79,15 @@ impl Track<'_> {
         if self.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON) {
             return true;
         }
-        // On the way to the greatest displacement that is already known from an energy balance or a closed form.
-        let Farthest::Known(known) = self.farthest else {
-            return false;
-        };
-        let mechanism = &self.problem.mechanism;
-        self.record.farthest_m < known * (1.0 - 1e-9)
-            && (mechanism.spring.coefficient > 0.0
-                || self.state.plate_m_s > FADED * self.speed_scale_m_s)
+        // Coasting to a greatest displacement that is already known in closed form.
+        matches!(self.farthest, Farthest::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
+            && self.state.plate_m_s > FADED * self.speed_scale_m_s
+    }
+
+    /// Whether the spring has not yet been loaded most: what the interface carries then is a result, too.
+    fn is_swinging(&self) -> bool {
+        matches!(self.farthest, Farthest::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
+            && self.problem.mechanism.spring.coefficient > 0.0
     }
 
     /// The outcome, if nothing can change it any more; else `Moving`.
