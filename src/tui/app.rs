@@ -76,6 +76,10 @@ pub struct Base {
 
 /// The whole state.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is one switch of the screen, shown and toggled by itself"
+)]
 pub struct App {
     /// Columns and rows of the terminal.
     pub size: (u16, u16),
@@ -166,14 +170,17 @@ impl App {
     /// Where everything would stand at a size.
     pub fn layout_at(&self, size: (u16, u16)) -> Layout {
         let rows = self.message_lines(usize::from(size.0)).len();
-        layout::layout(
-            size,
-            u16::try_from(rows).unwrap_or(1).max(1),
-            self.tab,
-            self.focus,
-            self.full_pane,
-            self.pins.len(),
-        )
+        self.layout_with(size, u16::try_from(rows).unwrap_or(1))
+    }
+
+    /// Columns of a chart that stand for time; does not depend on the message.
+    pub fn chart_columns(&self) -> u16 {
+        self.layout_with(self.size, 1).chart_columns().max(10)
+    }
+
+    fn layout_with(&self, size: (u16, u16), message_rows: u16) -> Layout {
+        let pins = self.pins.len();
+        layout::layout(size, message_rows, self.tab, (self.focus, self.full_pane), pins)
     }
 
     /// Where a key is pressed now.

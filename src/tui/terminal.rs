@@ -10,11 +10,10 @@ pub(super) mod hook;
 
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use crossterm::cursor::{Hide, MoveTo, Show};
-use crossterm::event::{
-    DisableBracketedPaste, DisableMouseCapture, EnableBracketedPaste, EnableMouseCapture,
-};
+use crossterm::event::{DisableBracketedPaste, EnableBracketedPaste};
 use crossterm::queue;
 use crossterm::style::{Attribute, SetAttribute};
 use crossterm::terminal::{
@@ -34,6 +33,11 @@ static ENTERED: AtomicBool = AtomicBool::new(false);
 
 /// Whether the mouse is captured.
 static MOUSE: AtomicBool = AtomicBool::new(false);
+
+/// Reports of buttons and wheel, in the coordinates of SGR. crossterm's own sequence also asks for every movement, which a slow
+/// line would have to carry for nothing.
+const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
+const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
 
 /// Size assumed where the terminal does not know its own.
 const UNKNOWN_SIZE: Size = Size { width: 80, height: 24 };
@@ -93,12 +97,8 @@ impl Guard {
     /// Capture the mouse, or leave it to the terminal's own selection.
     pub(super) fn set_mouse(&mut self, on: bool) -> io::Result<()> {
         MOUSE.store(on, Ordering::SeqCst);
-        let pending = &mut self.terminal.backend_mut().pending;
-        if on {
-            queue!(pending, EnableMouseCapture)?;
-        } else {
-            queue!(pending, DisableMouseCapture)?;
-        }
+        let sequence = if on { MOUSE_ON } else { MOUSE_OFF };
+        self.terminal.backend_mut().pending.extend_from_slice(sequence);
         self.terminal.backend_mut().commit()
     }
 
@@ -117,15 +117,30 @@ impl Drop for Guard {
 
 /// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone).
 pub(super) fn restore() {
-    if !ENTERED.swap(false, Ordering::SeqCst) {
-        return;
+    if ENTERED.swap(false, Ordering::SeqCst) {
+        // Nobody is left to tell when the terminal is gone.
+        let _ = write_all(&farewell());
+        let _ = disable_raw_mode();
     }
+}
+
+/// The same without waiting for a terminal that takes no bytes.
+pub(super) fn restore_without_waiting() {
+    if ENTERED.swap(false, Ordering::SeqCst) {
+        if matches!(poll_out(Some(Duration::ZERO)), Ok(true)) {
+            let _ = write_all(&farewell());
+        }
+        let _ = disable_raw_mode();
+    }
+}
+
+/// What undoes [`Screen::queue_entry`], and whatever a frame cut short has left.
+fn farewell() -> Vec<u8> {
     let mut bytes = Vec::with_capacity(64);
-    let mouse = MOUSE.load(Ordering::SeqCst);
     // Writing to a vector does not fail.
     let _ = queue!(bytes, EndSynchronizedUpdate);
-    if mouse {
-        let _ = queue!(bytes, DisableMouseCapture);
+    if MOUSE.load(Ordering::SeqCst) {
+        bytes.extend_from_slice(MOUSE_OFF);
     }
     let _ = queue!(
         bytes,
@@ -134,9 +149,7 @@ pub(super) fn restore() {
         LeaveAlternateScreen,
         Show
     );
-    // Nobody is left to tell when the terminal is gone.
-    let _ = write_all(&bytes);
-    let _ = disable_raw_mode();
+    bytes
 }
 
 /// Stop this process and those started with it (`cargo run`, for one), as the shell's own Ctrl-Z does. The system does
@@ -189,7 +202,7 @@ impl Screen {
     fn queue_entry(&mut self) -> io::Result<()> {
         queue!(self.pending, EnterAlternateScreen, EnableBracketedPaste, Hide)?;
         if MOUSE.load(Ordering::SeqCst) {
-            queue!(self.pending, EnableMouseCapture)?;
+            self.pending.extend_from_slice(MOUSE_ON);
         }
         self.cursor_shown = false;
         self.cursor_at = None;
@@ -293,19 +306,27 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
             Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
             Ok(written) => bytes = &bytes[written..],
             Err(Errno::INTR) => {}
-            Err(Errno::AGAIN) => wait_until_writable()?,
+            // Someone who shares the terminal has made it non-blocking.
+            Err(Errno::AGAIN) => {
+                poll_out(None)?;
+            }
             Err(error) => return Err(error.into()),
         }
     }
     Ok(())
 }
 
-/// Someone who shares the terminal has made it non-blocking: wait for it.
-fn wait_until_writable() -> io::Result<()> {
+/// Wait until the terminal takes bytes, at most this long; whether it does.
+fn poll_out(patience: Option<Duration>) -> io::Result<bool> {
     let out = stdout();
     let mut watched = [PollFd::new(&out, PollFlags::OUT)];
-    match poll(&mut watched, None) {
-        Ok(_) | Err(Errno::INTR) => Ok(()),
+    let patience = patience.map(|wait| Timespec {
+        tv_sec: wait.as_secs().try_into().unwrap_or(i64::MAX),
+        tv_nsec: wait.subsec_nanos().into(),
+    });
+    match poll(&mut watched, patience.as_ref()) {
+        Ok(ready) => Ok(ready > 0),
+        Err(Errno::INTR) => Ok(false),
         Err(error) => Err(error.into()),
     }
 }

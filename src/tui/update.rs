@@ -3,8 +3,8 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
-use crate::tui::message::{self, Action, Effect, Message};
+use crate::tui::app::notice::{Notice, Severity};
+use crate::tui::message::{self, Action, Effect, Message, Place};
 
 mod act;
 mod charts;
@@ -60,14 +60,12 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     if app.editor.filter_field.is_some() {
         return field::press_in_filter(app, key);
     }
-    match message::action_for(app.place(), key) {
-        Some(action) => act::act(app, action),
-        None => {
-            app.history.seal();
-            app.hint(key);
-            Vec::new()
-        }
+    if let Some(action) = message::action_for(app.place(), key) {
+        return act::act(app, action);
     }
+    app.history.seal();
+    app.hint(key);
+    Vec::new()
 }
 
 /// Keys that do the same with a field or dialog open.
@@ -95,13 +93,16 @@ fn close_top(app: &mut App) -> bool {
 impl App {
     /// Say that a key does nothing here, where a person may have expected something.
     fn hint(&mut self, key: KeyEvent) {
-        if let KeyCode::Char(c) = key.code
-            && key.modifiers.difference(KeyModifiers::SHIFT).is_empty()
-        {
-            self.notice = Some(crate::tui::app::notice::Notice {
-                severity: Severity::Note,
-                text: format!("`{c}` does nothing here: ? lists the keys"),
-            });
+        let KeyCode::Char(c) = key.code else {
+            return;
+        };
+        if key.modifiers.difference(KeyModifiers::SHIFT).is_empty() {
+            let text = if c.is_ascii_digit() && self.place() == Place::Variables {
+                format!("no tab has the number {c}: Enter opens the value to type it")
+            } else {
+                format!("`{c}` does nothing here: ? lists the keys")
+            };
+            self.notice = Some(Notice { severity: Severity::Note, text });
         }
     }
 }

@@ -144,7 +144,7 @@ impl App {
     /// Move the crosshair by columns of the chart; it starts in the middle and stays in the range.
     pub fn move_cursor(&mut self, columns: f64) {
         let (from, to) = self.time_range_s();
-        let width = f64::from(self.layout().chart_columns().max(10));
+        let width = f64::from(self.chart_columns());
         let step = (to - from) / width;
         let here = self.charts.cursor_s.unwrap_or(0.5 * (from + to) - columns * step);
         self.charts.cursor_s = Some(match self.charts.time_scale {
@@ -179,7 +179,7 @@ impl App {
         let cursor = self.charts.cursor_s?;
         let run = &self.shown.as_ref()?.run;
         let (from, to) = self.time_range_s();
-        let near = 0.5 * (to - from) / f64::from(self.layout().chart_columns().max(10));
+        let near = 0.5 * (to - from) / f64::from(self.chart_columns());
         run.events
             .iter()
             .filter(|event| (event.t_s - cursor).abs() <= near)

@@ -100,6 +100,7 @@ impl What {
     }
 
     /// The kind by this many places further on, round and round.
+    #[must_use]
     pub fn other(self, by: isize) -> Self {
         let at = Self::ALL.iter().position(|one| *one == self).unwrap_or(0);
         Self::ALL[wrap(at, by, Self::ALL.len())]
@@ -220,6 +221,9 @@ pub fn fuzzy(typed: &str, text: &str) -> Option<usize> {
                 let rest = &text[at..];
                 let step = rest.iter().position(|other| other == c)?;
                 at += step + usize::from(place + 1 < wanted.len());
+            }
+            if at - start > 4 * wanted.len() {
+                return None;
             }
             let begins_word = start == 0 || !text[start - 1].is_alphanumeric();
             Some((at - start) * 4 + usize::from(!begins_word) * 8 + start / 4)

@@ -119,8 +119,7 @@ pub fn layout(
     size: (u16, u16),
     message_rows: u16,
     tab: Tab,
-    focus: Place,
-    full_pane: bool,
+    (focus, full_pane): (Place, bool),
     pins: usize,
 ) -> Layout {
     let message_rows = if size.1 < SMALLEST.1 { 1 } else { message_rows.clamp(1, 4) };
@@ -201,7 +200,7 @@ fn wide(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
 /// Header, the current run, the pins, and what differs from the first pin.
 fn runs_height(pins: usize) -> u16 {
     let rows = u16::try_from(pins.min(8)).unwrap_or(8);
-    if rows == 0 { 6 } else { 8 + rows }
+    if rows == 0 { 6 } else { 7 + rows }
 }
 
 /// As many of the three charts as can be read: six rows each, and two more for the common axis.

@@ -43,19 +43,15 @@ impl App {
     /// Everything the Log tab says, from top to bottom.
     pub fn log_lines(&self) -> Vec<LogLine> {
         let mut lines = Vec::new();
-        match &self.shown {
-            Some(shown) => {
-                let which =
-                    if self.is_stale() { " (old: the scene has changed since)" } else { "" };
-                warnings(&mut lines, &shown.run, which);
-                events(&mut lines, &shown.run);
-                energy(&mut lines, &shown.run.ledger);
-                cost(&mut lines, &shown.run);
-            }
-            None => {
-                heading(&mut lines, "Run");
-                push(&mut lines, LineKind::Dim, "no run yet".to_owned());
-            }
+        if let Some(shown) = &self.shown {
+            let which = if self.is_stale() { " (old: the scene has changed since)" } else { "" };
+            warnings(&mut lines, &shown.run, which);
+            events(&mut lines, &shown.run);
+            energy(&mut lines, &shown.run.ledger);
+            cost(&mut lines, &shown.run);
+        } else {
+            heading(&mut lines, "Run");
+            push(&mut lines, LineKind::Dim, "no run yet".to_owned());
         }
         heading(&mut lines, "Messages of this session, newest first");
         if self.log.is_empty() {
@@ -104,11 +100,21 @@ fn events(lines: &mut Vec<LogLine>, run: &Run) {
     }
 }
 
+/// The letter an event goes by in charts and lists: `a` to `z`, later ones have none.
+pub fn event_tag(index: usize) -> &'static str {
+    const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
+    LETTERS.get(index..=index).unwrap_or("")
+}
+
 /// The events with their times, one a line.
 pub fn event_lines(run: &Run) -> Vec<String> {
     run.events
         .iter()
-        .map(|event| format!("{:>10}  {}", engineering(event.t_s, "s"), event.kind.words()))
+        .enumerate()
+        .map(|(index, event)| {
+            let (tag, time) = (event_tag(index), engineering(event.t_s, "s"));
+            format!("{tag:<2}{time:>10}  {}", event.kind.words())
+        })
         .collect()
 }
 
@@ -126,6 +132,10 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
         let percent = if start == 0.0 { 0.0 } else { 100.0 * value / start };
         format!("{name:<13}{:>10}  {percent:>5.1} %", engineering(value, "J"))
     };
+    let residual = match ledger.residual() {
+        0.0 => "0".to_owned(),
+        other => format!("{other:.1e}"),
+    };
     let mut lines = vec![term("at the start", start)];
     if ledger.initial_spring_j != 0.0 {
         lines.push(term(" in motion", ledger.initial_kinetic_j));
@@ -139,7 +149,7 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
         term("penetration", ledger.penetration_j),
         term("stop", ledger.stop_j),
         term("at the end", ledger.final_j()),
-        format!("{:<13}{:>10.1e}  relative", "residual", ledger.residual()),
+        format!("{:<13}{:>10}  of the start", "residual", residual),
     ]);
     lines
 }

@@ -3,7 +3,7 @@
 use super::App;
 use super::notice::Severity;
 use super::quantity::Quantity;
-use super::runs::{RunView, engineering, final_depth, millimetres, name_of};
+use super::runs::{RunView, engineering, millimetres, name_of};
 use super::show_duration;
 use crate::model::run::{EstimateBasis, Outcome, Run, Warning};
 use crate::tui::message::Place;
@@ -165,31 +165,41 @@ impl App {
             return format!("{}: not run", self.base.name);
         };
         let run = &shown.run;
-        let mut lines = vec![
-            format!("scene        {}", name_of(&run.scene, &self.base.name, &self.base.scene)),
-            format!("outcome      {} ({})", run.outcome, run.end.words()),
-        ];
-        if let Some(arrest) = run.first_arrest {
-            lines.push(format!(
-                "first arrest {} mm at {}",
-                millimetres(Some(arrest.penetration_m)),
-                engineering(arrest.t_s, "s")
-            ));
-        }
-        let percent = run
-            .percent_of_baseline()
-            .map_or_else(String::new, |percent| format!(" ({percent:.1} % of a rigid mount's)"));
-        let unit = if run.outcome == Outcome::Arrested { " mm" } else { "" };
-        lines.push(format!("final depth  {}{unit}{percent}", final_depth(run)));
-        lines.push(format!("peak force   {}", engineering(run.peak_contact_force_n, "N")));
-        if run.max_plate_displacement_m.is_some() {
-            lines.push(format!("plate travel {} mm", millimetres(run.max_plate_displacement_m)));
-        }
-        for warning in &run.warnings {
-            lines.push(format!("warning      {warning}"));
-        }
+        let name = name_of(&run.scene, &self.base.name, &self.base.scene);
+        let mut lines = vec![format!("scene         {name}")];
+        lines.extend(results(run));
+        lines.extend(run.warnings.iter().map(|warning| format!("warning       {warning}")));
         lines.join("\n")
     }
+}
+
+/// The results of a run in words, one a line.
+pub fn results(run: &Run) -> Vec<String> {
+    let mut lines = vec![format!("outcome       {} ({})", run.outcome, run.end.words())];
+    let mut add = |name: &str, text: String| lines.push(format!("{name:<14}{text}"));
+    if let Some(arrest) = run.first_arrest {
+        let depth = millimetres(Some(arrest.penetration_m));
+        add("first arrest", format!("{depth} mm deep at {}", engineering(arrest.t_s, "s")));
+    }
+    let percent = run
+        .percent_of_baseline()
+        .map_or_else(String::new, |percent| format!(", {percent:.1} % of a rigid mount's"));
+    if run.outcome == Outcome::Perforated {
+        let speed = run.residual_velocity_m_s.map(|speed| engineering(speed, "m/s"));
+        let time = run.exit_time_s.map(|t_s| engineering(t_s, "s"));
+        let word = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
+        add("leaves with", format!("{} at {}", word(speed), word(time)));
+    } else {
+        add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)));
+    }
+    add("peak force", engineering(run.peak_contact_force_n, "N"));
+    if run.max_plate_displacement_m.is_some() {
+        add("plate travel", format!("{} mm at most", millimetres(run.max_plate_displacement_m)));
+    }
+    if let Some(ratio) = run.interface_demand_ratio {
+        add("interface", format!("{ratio:.3} of the A S_y it can push"));
+    }
+    lines
 }
 
 fn plural(word: &str, count: usize) -> String {

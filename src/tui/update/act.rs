@@ -18,6 +18,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     }
     match action {
         A::TabRun | A::TabLog | A::TabNext | A::TabPrevious => tabs(app, action),
+        A::FocusNext | A::FocusPrevious if app.tab == Tab::Log => app.tab = Tab::Run,
         A::FocusNext | A::FocusPrevious => focus(app, action == A::FocusNext),
         A::Up | A::Down | A::First | A::Last | A::PageUp | A::PageDown => movement(app, action),
         A::Edit => return field::open(app),

@@ -55,7 +55,11 @@ fn in_list(app: &mut App, mut picker: Picker, key: KeyEvent, kind: Kind) -> Vec<
     let last = kind.count(app, picker.filter.value()).saturating_sub(1);
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let letter = !picker.typing && !control;
-    let to = |by: isize| picker.selected.saturating_add_signed(by).min(last);
+    if let Some(by) = moves(key, letter) {
+        picker.selected = picker.selected.saturating_add_signed(by).min(last);
+        app.dialog = Some(kind.dialog(picker));
+        return Vec::new();
+    }
     match key.code {
         KeyCode::Esc if picker.typing && kind != Kind::Palette => {
             picker.typing = false;
@@ -64,35 +68,39 @@ fn in_list(app: &mut App, mut picker: Picker, key: KeyEvent, kind: Kind) -> Vec<
         }
         KeyCode::Esc => return Vec::new(),
         KeyCode::Enter => return chosen(app, &picker, kind),
-        KeyCode::Up => picker.selected = to(-1),
-        KeyCode::Down => picker.selected = to(1),
-        KeyCode::PageUp => picker.selected = to(-10),
-        KeyCode::PageDown => picker.selected = to(10),
-        KeyCode::Home if letter => picker.selected = 0,
-        KeyCode::End if letter => picker.selected = last,
-        KeyCode::Char('p' | 'k') if control => picker.selected = to(-1),
-        KeyCode::Char('n' | 'j') if control => picker.selected = to(1),
         KeyCode::Char('q') if letter => return Vec::new(),
         KeyCode::Char('?') if letter && kind == Kind::Help => return Vec::new(),
-        KeyCode::Char('k') if letter => picker.selected = to(-1),
-        KeyCode::Char('j') if letter => picker.selected = to(1),
-        KeyCode::Char('g') if letter => picker.selected = 0,
-        KeyCode::Char('G') if letter => picker.selected = last,
         KeyCode::Char('/') if letter && kind != Kind::History => picker.typing = true,
         KeyCode::Char(' ') if letter && kind == Kind::Presets => {
             let effects = pin_preset(app, &picker);
             app.dialog = Some(Dialog::Presets(picker));
             return effects;
         }
-        _ if picker.typing => {
-            if input::press(&mut picker.filter, &mut false, key) {
-                picker.selected = 0;
-            }
+        _ if picker.typing && input::press(&mut picker.filter, &mut false, key) => {
+            picker.selected = 0;
         }
         _ => {}
     }
     app.dialog = Some(kind.dialog(picker));
     Vec::new()
+}
+
+/// How far a key moves the selection: arrows always, letters while none go into the filter.
+fn moves(key: KeyEvent, letter: bool) -> Option<isize> {
+    let control = key.modifiers.contains(KeyModifiers::CONTROL);
+    match key.code {
+        KeyCode::Up => Some(-1),
+        KeyCode::Down => Some(1),
+        KeyCode::PageUp => Some(-10),
+        KeyCode::PageDown => Some(10),
+        KeyCode::Char('p' | 'k') if control => Some(-1),
+        KeyCode::Char('n' | 'j') if control => Some(1),
+        KeyCode::Char('k') if letter => Some(-1),
+        KeyCode::Char('j') if letter => Some(1),
+        KeyCode::Home | KeyCode::Char('g') if letter => Some(isize::MIN / 2),
+        KeyCode::End | KeyCode::Char('G') if letter => Some(isize::MAX / 2),
+        _ => None,
+    }
 }
 
 /// After text came into a dialog: what is selected may not be there any more.
@@ -152,7 +160,7 @@ fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
 
 fn looks_like_path(text: &str) -> bool {
     let text = text.trim();
-    text.contains('/') || text.ends_with(".toml")
+    text.contains('/') || std::path::Path::new(text).extension().is_some_and(|end| end == "toml")
 }
 
 fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {

@@ -27,7 +27,7 @@ pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
             return edit::load(app, base);
         }
         EffectReport::Refused(text) | EffectReport::Loaded(Err(text)) => {
-            app.say(Severity::Error, text)
+            app.say(Severity::Error, text);
         }
         EffectReport::Copied(text) => app.say(Severity::Note, text),
         EffectReport::Completions(names) => complete(app, names),
@@ -56,7 +56,7 @@ fn exported(app: &mut App, outcome: ExportOutcome) {
         (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
         (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
         (ExportOutcome::Exists(path), _) => {
-            app.say(Severity::Error, format!("{} exists and was left alone", path.display()))
+            app.say(Severity::Error, format!("{} exists and was left alone", path.display()));
         }
         (ExportOutcome::Failed(text), _) => app.say(Severity::Error, text),
     }

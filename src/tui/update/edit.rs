@@ -167,30 +167,23 @@ pub(super) fn step(app: &mut App, up: bool, size: Size) -> Vec<Effect> {
     let index = app.editor.selected;
     let variable = &VARIABLES[index];
     let Kind::Number(number) = &variable.kind else {
-        return match cycled(app, index, up) {
-            Some(value) => finish(app, index, value, None),
-            None => {
-                let only = format!(
-                    "{} has only one value: {}",
-                    variable.symbol,
-                    variable.show(&app.scene)
-                );
-                app.say(Severity::Note, only);
-                Vec::new()
-            }
-        };
+        if let Some(value) = cycled(app, index, up) {
+            return finish(app, index, value, None);
+        }
+
+        let only = format!("{} has only one value: {}", variable.symbol, variable.show(&app.scene));
+        app.say(Severity::Note, only);
+        return Vec::new();
     };
     let value = match (number.get)(&app.scene) {
         Some(value) => step_number(app, index, number, value, (up, size)),
         None => up.then(|| steps::first_value(number)),
     };
-    match value {
-        Some(value) => finish(app, index, Value::Number(value), Some(index)),
-        None => {
-            app.say(Severity::Note, edge(variable, up));
-            Vec::new()
-        }
+    if let Some(value) = value {
+        return finish(app, index, Value::Number(value), Some(index));
     }
+    app.say(Severity::Note, edge(variable, up));
+    Vec::new()
 }
 
 fn step_number(

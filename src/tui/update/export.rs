@@ -57,20 +57,18 @@ pub(super) fn press(app: &mut App, mut state: Export, key: KeyEvent) -> Vec<Effe
     let typing = matches!(state.row, ExportRow::Path | ExportRow::GridRows);
     let mut effects = Vec::new();
     match key.code {
-        KeyCode::Esc if state.question => state.question = false,
+        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Esc => return Vec::new(),
         KeyCode::Char('q') if !typing => return Vec::new(),
         KeyCode::Char('y' | 'o') if state.question => effects = submit(app, &mut state, true),
         KeyCode::Char('r') if state.question => rename(&mut state),
-        KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Enter => effects = submit(app, &mut state, false),
         KeyCode::Tab if state.row == ExportRow::Path => {
             effects = vec![Effect::Complete(state.path.value().to_owned())];
         }
         KeyCode::Down | KeyCode::Tab => state.move_by(1),
         KeyCode::Up | KeyCode::BackTab => state.move_by(-1),
-        KeyCode::Char('j') if !typing => state.move_by(1),
-        KeyCode::Char('k') if !typing => state.move_by(-1),
+        KeyCode::Char(c @ ('j' | 'k')) if !typing => state.move_by(if c == 'j' { 1 } else { -1 }),
         KeyCode::Left | KeyCode::Char('h') if state.row == ExportRow::What => {
             state.what = state.what.other(-1);
         }

@@ -8,6 +8,7 @@ use super::text::{put, put_line};
 use crate::model::run::Run;
 use crate::tui::app::App;
 use crate::tui::app::charts::{Curve as Data, Window};
+use crate::tui::app::log::event_tag;
 use crate::tui::app::quantity::Quantity;
 use crate::tui::app::runs::{RunView, engineering};
 use crate::tui::app::status::{clip, short_name, value_at};
@@ -19,6 +20,8 @@ use crate::tui::theme::{Pane, Role};
 
 /// Rows of readout below a single chart, without the line that closes the box.
 const READOUT_ROWS: u16 = 2;
+/// Most event lines in one chart.
+const EVENT_LINES: usize = 24;
 
 /// Draw the charts, one an area.
 pub(super) fn render(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buffer) {
@@ -109,8 +112,11 @@ fn chart<'a>(app: &'a App, index: usize, data: &'a [Data]) -> Chart<'a> {
                 (false, Some(_)) => Emphasis::Normal,
             })
     });
-    let events =
-        app.shown.iter().filter(|_| app.current_visible).flat_map(|shown| event_lines(&shown.run));
+    let events = app
+        .shown
+        .iter()
+        .filter(|_| app.current_visible)
+        .flat_map(|shown| event_lines(&shown.run, (from, to)));
     Chart {
         events: events.collect(),
         crosshair: app.charts.cursor_s,
@@ -118,8 +124,12 @@ fn chart<'a>(app: &'a App, index: usize, data: &'a [Data]) -> Chart<'a> {
     }
 }
 
-fn event_lines(run: &Run) -> impl Iterator<Item = EventLine<'static>> + '_ {
-    run.events.iter().map(|event| EventLine { x: event.t_s, tag: "".into() })
+/// The events in view with their letters; of very many (a plate rattling on its stop) only the first ones.
+fn event_lines(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = EventLine<'static>> + '_ {
+    let events = run.events.iter().enumerate();
+    let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
+    seen.take(EVENT_LINES)
+        .map(|(index, event)| EventLine { x: event.t_s, tag: event_tag(index).into() })
 }
 
 /// `now`, or letter and name of a pin, kept short.
@@ -151,20 +161,14 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         Line::from(spans)
     };
-    let first = match app.charts.cursor_s {
-        Some(t_s) => {
-            let name = app.event_at_cursor().map_or_else(String::new, |words| format!(" {words}"));
-            line(format!("t {}{name}", engineering(t_s, "s")), &|view| {
-                value_at(view.run, quantity, t_s)
-            })
-        }
-        None => {
-            let window = match app.charts.window {
-                Window::Contact => "contact window: c shows the whole response",
-                Window::Whole => "whole response: c shows the contact window",
-            };
-            Line::from(Span::styled(format!(" {window}"), app.theme.style(Role::Dim)))
-        }
+    let first = if let Some(t_s) = app.charts.cursor_s {
+        let name = app.event_at_cursor().map_or_else(String::new, |words| format!(" {words}"));
+        line(format!("t {}{name}", engineering(t_s, "s")), &|view| {
+            value_at(view.run, quantity, t_s)
+        })
+    } else {
+        let text = clip(&events_in_view(app), usize::from(area.width.saturating_sub(1)));
+        Line::from(Span::styled(format!(" {text}"), app.theme.style(Role::Dim)))
     };
     put_line(buffer, area, 0, &first);
     let arrest = line("first arrest".to_owned(), &|view| {
@@ -173,4 +177,22 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
             .map_or_else(|| "-".to_owned(), |arrest| value_at(view.run, quantity, arrest.t_s))
     });
     put_line(buffer, area, 1, &arrest);
+}
+
+/// What the letters of the event lines mean, and where the other part of the time is.
+fn events_in_view(app: &App) -> String {
+    let (from, to) = app.time_range_s();
+    let mut parts: Vec<String> = app
+        .shown
+        .iter()
+        .flat_map(|shown| shown.run.events.iter().enumerate())
+        .filter(|(_, event)| (from..=to).contains(&event.t_s))
+        .map(|(index, event)| format!("{} {}", event_tag(index), event.kind.words()))
+        .take(3)
+        .collect();
+    parts.push(match app.charts.window {
+        Window::Contact => "c whole response".to_owned(),
+        Window::Whole => "c contact only".to_owned(),
+    });
+    parts.join("  ")
 }

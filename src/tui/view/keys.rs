@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::text::{columns, put_line};
 use crate::tui::app::App;
 use crate::tui::app::dialog::Dialog;
-use crate::tui::message::{BINDINGS, Binding, Place};
+use crate::tui::message::{Action, BINDINGS, Binding, Place};
 use crate::tui::theme::Role;
 
 type Keys = &'static [(&'static str, &'static str)];
@@ -92,22 +92,44 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
     let mut rows: Vec<&Binding> = BINDINGS
         .iter()
         .filter(|row| row.footer > 0 && (row.place == place || row.place == Place::Anywhere))
+        // The Log tab has one pane.
+        .filter(|row| place != Place::Log || row.action != Action::FocusNext)
         .collect();
     rows.sort_by_key(|row| (row.footer, row.place == Place::Anywhere));
-    let cost = |row: &Binding| {
-        let key = row.keys.first().map_or(0, |key| columns(&key.words()));
-        key + columns(row.short) + 3
-    };
     let mut used = 1;
     rows.retain(|row| {
-        used += cost(row);
+        let (key, short) = entry(row);
+        used += columns(&key) + columns(short) + 3;
         used <= width + 2
     });
     rows.sort_by_key(|row| (row.footer == 1, row.place == Place::Anywhere, row.footer));
     rows.into_iter()
         .map(|row| {
-            let key = row.keys.first().map_or_else(String::new, |key| key.words());
-            (key, row.short.to_owned())
+            let (key, short) = entry(row);
+            (key, short.to_owned())
         })
         .collect()
+}
+
+/// The key to show, with its opposite where there is one: `h/l step`.
+fn entry(row: &Binding) -> (String, &'static str) {
+    let key = row.keys.first().map_or_else(String::new, |key| key.words());
+    let Some((opposite, short)) = opposite(row.action) else {
+        return (key, row.short);
+    };
+    let other = BINDINGS.iter().find(|other| other.place == row.place && other.action == opposite);
+    let other = other.and_then(|other| other.keys.first()).map(|key| key.words());
+    (other.map_or_else(|| key.clone(), |other| format!("{other}/{key}")), short)
+}
+
+/// The action that goes the other way, and a word for both.
+fn opposite(action: Action) -> Option<(Action, &'static str)> {
+    match action {
+        Action::StepUp => Some((Action::StepDown, "step")),
+        Action::CursorRight => Some((Action::CursorLeft, "crosshair")),
+        Action::ZoomIn => Some((Action::ZoomOut, "zoom")),
+        Action::EventNext => Some((Action::EventPrevious, "event")),
+        Action::Down => Some((Action::Up, "scroll")),
+        _ => None,
+    }
 }

@@ -43,9 +43,12 @@ fn wrapped(lines: Vec<LogLine>, width: usize) -> Vec<LogLine> {
     };
     lines
         .into_iter()
-        .flat_map(|line| match line.text.chars().count() + 2 > width {
-            true => split(line).collect::<Vec<_>>(),
-            false => vec![line],
+        .flat_map(|line| {
+            if line.text.chars().count() + 2 > width {
+                split(line).collect::<Vec<_>>()
+            } else {
+                vec![line]
+            }
         })
         .collect()
 }

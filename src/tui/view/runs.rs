@@ -8,8 +8,8 @@ use crate::model::run::Run;
 use crate::model::units;
 use crate::model::variables::VARIABLES;
 use crate::tui::app::App;
-use crate::tui::app::runs::{final_depth, millimetres, name_of};
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::runs::{Pin, final_depth, millimetres, name_of};
+use crate::tui::app::status::{clip, results, wrap};
 use crate::tui::chart::MARKERS;
 use crate::tui::theme::{Pane, Role};
 
@@ -17,7 +17,7 @@ use crate::tui::theme::{Pane, Role};
 type Column = (&'static str, u16, fn(&Run) -> String);
 
 const COLUMNS: [Column; 6] = [
-    ("p_1st mm", 9, |run| millimetres(run.first_arrest.map(|arrest| arrest.penetration_m))),
+    ("p_1st mm", 9, first_depth),
     ("p_end mm", 12, final_depth),
     ("% rigid", 8, |run| {
         run.percent_of_baseline().map_or_else(|| "-".to_owned(), |percent| format!("{percent:.1}"))
@@ -30,6 +30,17 @@ const COLUMNS: [Column; 6] = [
     }),
 ];
 
+/// In a narrow pane; the title says they are mm.
+const NARROW: [Column; 3] = [
+    ("p_1st", 7, first_depth),
+    ("p_end", 12, final_depth),
+    ("x_max", 7, |run| millimetres(run.max_plate_displacement_m)),
+];
+
+fn first_depth(run: &Run) -> String {
+    millimetres(run.first_arrest.map(|arrest| arrest.penetration_m))
+}
+
 /// Columns of marker, letter and a blank before the name.
 const LEAD: u16 = 5;
 const NAME_LEAST: u16 = 5;
@@ -41,8 +52,10 @@ pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) 
         (false, true) => "= adopt  x unpin",
         (false, false) => "",
     };
-    let inner = Pane::new("Runs").right(right).focused(focused).render(area, buffer, app.theme);
-    let (shown, name_width) = fitting(inner.width);
+    let table: &'static [Column] = if area.width < 60 { &NARROW } else { &COLUMNS };
+    let title = if area.width < 60 { "Runs [mm]" } else { "Runs" };
+    let inner = Pane::new(title).right(right).focused(focused).render(area, buffer, app.theme);
+    let (shown, name_width) = fitting(table, inner.width);
     header(app, inner, shown, name_width, buffer);
     let mut row = 1;
     let now = name_of(&app.scene, &app.base.name, &app.base.scene);
@@ -64,10 +77,10 @@ pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) 
 }
 
 /// How many value columns fit beside a name of some width.
-fn fitting(width: u16) -> (usize, u16) {
+fn fitting(table: &'static [Column], width: u16) -> (&'static [Column], u16) {
     let mut used = LEAD + NAME_LEAST;
     let mut count = 0;
-    for (_, column, _) in COLUMNS {
+    for (_, column, _) in table {
         if used + column > width {
             break;
         }
@@ -75,14 +88,14 @@ fn fitting(width: u16) -> (usize, u16) {
         count += 1;
     }
     let name = NAME_LEAST + width.saturating_sub(used);
-    (count, name.min(28))
+    (&table[..count], name.min(28))
 }
 
-fn header(app: &App, inner: Rect, shown: usize, name_width: u16, buffer: &mut Buffer) {
+fn header(app: &App, inner: Rect, shown: &'static [Column], name_width: u16, buffer: &mut Buffer) {
     let style = app.theme.style(Role::Dim);
     put(buffer, inner, (LEAD, 0), "name", style);
     let mut end = LEAD + name_width;
-    for (title, width, _) in COLUMNS.iter().take(shown) {
+    for (title, width, _) in shown {
         end += width;
         put(buffer, inner, (end.saturating_sub(columns(title)), 0), title, style);
     }
@@ -91,7 +104,7 @@ fn header(app: &App, inner: Rect, shown: usize, name_width: u16, buffer: &mut Bu
 struct Place {
     inner: Rect,
     row: u16,
-    shown: usize,
+    shown: &'static [Column],
     name_width: u16,
 }
 
@@ -114,7 +127,7 @@ fn one(
         put(buffer, inner, (end + 2, row), "running", app.theme.style(Role::Dim));
         return;
     };
-    for (_, width, value) in COLUMNS.iter().take(place.shown) {
+    for (_, width, value) in place.shown {
         end += width;
         let text = value(run);
         let role = if text.ends_with('!') { Role::Warning } else { Role::Text };
@@ -123,29 +136,43 @@ fn one(
     }
 }
 
-/// Below the rows: the difference to the selected pin (the first, where the current run is selected), or how to pin.
+/// Below the rows: the difference to the selected pin (the first, where the current run is selected), or how to pin; then,
+/// where there is room, the results of the selected run in words.
 fn below(app: &App, inner: Rect, row: u16, buffer: &mut Buffer) {
-    let dim = app.theme.style(Role::Dim);
-    let at = app.selected_run.saturating_sub(1);
-    let Some(pin) = app.pins.get(at) else {
-        let hint = "Space pins this run to compare with";
-        put(buffer, inner, (0, row + 1), hint, dim);
-        return;
+    let width = usize::from(inner.width);
+    let mut lines: Vec<(String, Role)> = match app.pins.get(app.selected_run.saturating_sub(1)) {
+        Some(pin) => comparison(app, pin, width),
+        None => vec![("Space pins this run to compare with".to_owned(), Role::Dim)],
     };
+    let run = match app.selected_run.checked_sub(1) {
+        None => app.shown.as_ref().map(|shown| &shown.run),
+        Some(at) => app.pins.get(at).and_then(|pin| pin.run.as_ref()),
+    };
+    let details: Vec<String> = run.map_or_else(Vec::new, |run| results(run));
+    let free = usize::from(inner.height.saturating_sub(row)).saturating_sub(lines.len());
+    if free > details.len() {
+        lines.push((String::new(), Role::Text));
+        lines.extend(details.into_iter().map(|line| (clip(&line, width), Role::Text)));
+    }
+    for (row, (line, role)) in (row..inner.height).zip(&lines) {
+        put(buffer, inner, (0, row), line, app.theme.style(*role));
+    }
+}
+
+/// What the current run gained on a pin, and what was changed for it.
+fn comparison(app: &App, pin: &Pin, width: usize) -> Vec<(String, Role)> {
     let depth = |run: &Run| run.first_arrest.map(|arrest| arrest.penetration_m);
     let pair = app.shown.as_ref().zip(pin.run.as_ref());
     let difference = pair.and_then(|(now, pin)| Some((depth(&now.run)?, depth(pin)?)));
-    let mut text = format!("now - {}: ", pin.letter);
-    match difference {
-        Some((now, then)) => {
+    let difference = difference.map_or_else(
+        || "no first arrest to compare".to_owned(),
+        |(now, then)| {
             let percent = 100.0 * (now - then) / then;
-            text += &format!("p_1st {:+.4} mm ({percent:+.1} %)", (now - then) * 1e3);
-        }
-        None => text += "no first arrest to compare",
-    }
-    put(buffer, inner, (0, row), &text, app.theme.style(Role::Title));
-    let changed = App::differing(&pin.scene, &app.scene);
-    let words: Vec<String> = changed
+            format!("p_1st {:+.4} mm ({percent:+.1} %)", (now - then) * 1e3)
+        },
+    );
+    let mut lines = vec![(format!("now - {}: {difference}", pin.letter), Role::Title)];
+    let words: Vec<String> = App::differing(&pin.scene, &app.scene)
         .into_iter()
         .map(|index| {
             let variable = &VARIABLES[index];
@@ -154,8 +181,6 @@ fn below(app: &App, inner: Rect, row: u16, buffer: &mut Buffer) {
         })
         .collect();
     let text = if words.is_empty() { "same scene".to_owned() } else { words.join(", ") };
-    let lines = wrap(&text, usize::from(inner.width));
-    for (row, line) in (row + 1..inner.height).zip(&lines) {
-        put(buffer, inner, (0, row), line, app.theme.style(Role::Text));
-    }
+    lines.extend(wrap(&text, width).into_iter().map(|line| (line, Role::Text)));
+    lines
 }

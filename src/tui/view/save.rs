@@ -37,7 +37,7 @@ pub(super) fn render(
     } else if let Some(error) = &state.error {
         (format!("x {error}"), Role::Error)
     } else {
-        ("It goes to your own presets; `cmra NAME` opens it, p lists it.".to_owned(), Role::Dim)
+        ("kept with your own presets; `cmra NAME` opens it".to_owned(), Role::Dim)
     };
     for (row, line) in (3..inner.height).zip(wrap(&text, usize::from(inner.width))) {
         put(buffer, inner, (0, row), &line, app.theme.style(role));

@@ -19,7 +19,7 @@ pub(super) fn events(app: &App, area: Rect, buffer: &mut Buffer) {
         put(buffer, inner, (1, 0), "none", app.theme.style(Role::Dim));
     }
     for (row, (line, event)) in (0..inner.height).zip(lines.iter().zip(&shown.run.events)) {
-        put(buffer, inner, (0, row), line, app.theme.style(Role::Text));
+        put(buffer, inner, (1, row), line, app.theme.style(Role::Text));
         if app.charts.cursor_s.is_some_and(|t_s| t_s.to_bits() == event.t_s.to_bits()) {
             paint_row(buffer, inner, row, app.theme.style(Role::Selection));
         }
@@ -28,7 +28,7 @@ pub(super) fn events(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// The energy ledger.
 pub(super) fn ledger(app: &App, area: Rect, buffer: &mut Buffer) {
-    let inner = Pane::new("Energy").right("of the start").render(area, buffer, app.theme);
+    let inner = Pane::new("Energy").render(area, buffer, app.theme);
     let Some(shown) = &app.shown else {
         return;
     };

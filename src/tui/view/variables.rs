@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::Cursor;
 use super::text::{columns, paint_row, put};
 use crate::model::units;
-use crate::model::variables::{self, Kind, VARIABLES, Variable};
+use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::App;
 use crate::tui::app::editor::{Field, Row, shown_value};
 use crate::tui::app::status::clip;
@@ -106,7 +106,7 @@ fn variable(
         let text = shown_value(variable, &app.scene, usize::from(VALUE_WIDTH));
         let start = FLAG.saturating_sub(columns(&text)).max(VALUE);
         let end = put(buffer, list, (start, row), &text, style);
-        if matches!(variable.kind, Kind::Number(_)) && end <= FLAG {
+        if matches!(variable.value(&app.scene), Value::Number(_)) && end <= FLAG {
             put(
                 buffer,
                 list,
@@ -200,10 +200,11 @@ fn foot(app: &App, width: usize) -> String {
         && let Some((low, high)) = number.thesis_range
     {
         let (low, high) = (units::shortest(low), units::shortest(high));
-        let rest = low.len() + high.len() + 7;
+        let table = if width > 34 { "Table 9.2" } else { "T9.2" };
+        let rest = low.len() + high.len() + table.len() + 4;
         let bar = range_bar(variable, app, width.saturating_sub(rest).min(40));
         if let Some(bar) = bar {
-            return format!("{low} {bar} {high} T9.2");
+            return format!("{low} {bar} {high} {table}");
         }
     }
     clip(&variable.allowed(), width)

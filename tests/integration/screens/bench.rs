@@ -10,9 +10,9 @@ use cmra::model::run::{
     Arrest, Cost, EndReason, EnergyLedger, ErrorEstimate, EstimateBasis, Event, EventKind, Mode,
     Omission, Outcome, Run, Sample, Warning,
 };
-use cmra::model::scene::Scene;
+use cmra::model::scene::{Mount, Scene};
 use cmra::tui::app::{App, Base, Origin};
-use cmra::tui::message::{Action, Effect, EffectReport, Message, PresetEntry};
+use cmra::tui::message::{Effect, EffectReport, Message, PresetEntry};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
@@ -83,11 +83,6 @@ impl Bench {
     /// Press keys and answer what was asked for after each.
     pub(crate) fn keys(&mut self, keys: &str) {
         self.press(keys);
-        self.answer();
-    }
-
-    pub(crate) fn act(&mut self, action: Action) {
-        self.send(Message::Act(action));
         self.answer();
     }
 
@@ -179,7 +174,7 @@ pub(crate) fn presets() -> Vec<PresetEntry> {
             "The plate cannot move (thesis section 9.3).\nExpect 7.113 mm in closed form; the thesis prints 7.129 mm.",
             |scene| {
                 scene.title = "Rigid mount".to_owned();
-                scene.plate.mount = cmra::model::scene::Mount::Rigid;
+                scene.plate.mount = Mount::Rigid;
             },
         ),
         entry(
@@ -197,70 +192,94 @@ pub(crate) fn presets() -> Vec<PresetEntry> {
     ]
 }
 
-/// A made-up run of a scene: a thin plate is perforated, a cocked one asks too much of the interface.
-pub(crate) fn made(scene: &Arc<Scene>) -> Run {
-    let gamma = scene.plate.mass_ratio;
-    let rigid = scene.plate.mount == cmra::model::scene::Mount::Rigid;
-    let share = if rigid { 1.0 } else { gamma / (1.0 + gamma) };
-    let perforated = scene.target.thickness_m < 0.01;
-    let depth = 0.007_113 * share.powf(0.64) * (scene.projectile.velocity_m_s / 100.0);
-    let arrest_s = 113e-6;
-    let end_s = if perforated { 200e-6 } else { 1.3e-3 };
-    let speed = scene.projectile.velocity_m_s;
-    let together = if rigid { 0.0 } else { speed * (1.0 - share) };
-    let sample = |t_s: f64| {
-        let phase = 0.5 * PI * (t_s / arrest_s).min(1.0);
-        let after = (t_s - arrest_s).max(0.0);
-        let turn = 0.5 * PI * after / (1.3e-3 - arrest_s);
-        let travel = together * ((t_s.min(arrest_s)) - arrest_s * 2.0 / PI * phase.sin());
-        let rebound = together * (1.3e-3 - arrest_s) * 2.0 / PI * turn.sin();
-        let plate_m_s = together * (1.0 - phase.cos()) * turn.cos();
+/// How long the made-up contact lasts, s.
+const ARREST_S: f64 = 113e-6;
+/// When the made-up plate turns back, s.
+const TURN_S: f64 = 1.3e-3;
+
+/// The numbers a made-up run is drawn from.
+struct Shape {
+    depth_m: f64,
+    speed_m_s: f64,
+    together_m_s: f64,
+    cocking_m: f64,
+}
+
+impl Shape {
+    fn of(scene: &Scene) -> Self {
+        let gamma = scene.plate.mass_ratio;
+        let rigid = scene.plate.mount == Mount::Rigid;
+        let share = if rigid { 1.0 } else { gamma / (1.0 + gamma) };
+        let speed_m_s = scene.projectile.velocity_m_s;
+        Self {
+            depth_m: 0.007_113 * share.powf(0.64) * (speed_m_s / 100.0),
+            speed_m_s,
+            together_m_s: if rigid { 0.0 } else { speed_m_s * (1.0 - share) },
+            cocking_m: scene.plate.cocking_m,
+        }
+    }
+
+    fn sample(&self, t_s: f64) -> Sample {
+        let phase = 0.5 * PI * (t_s / ARREST_S).min(1.0);
+        let after = (t_s - ARREST_S).max(0.0);
+        let turn = 0.5 * PI * after / (TURN_S - ARREST_S);
+        let travel = self.together_m_s * (t_s.min(ARREST_S) - ARREST_S * 2.0 / PI * phase.sin());
+        let rebound = self.together_m_s * (TURN_S - ARREST_S) * 2.0 / PI * turn.sin();
+        let plate_m_s = self.together_m_s * (1.0 - phase.cos()) * turn.cos();
+        let penetration_m = self.depth_m * phase.sin();
         Sample {
             t_s,
             mode: if after > 0.0 { Mode::Fused } else { Mode::Penetrating },
-            penetration_m: depth * phase.sin(),
-            projectile_displacement_m: depth * phase.sin() + travel + rebound,
-            projectile_velocity_m_s: plate_m_s + (speed - together) * phase.cos(),
-            plate_displacement_m: travel + rebound - scene.plate.cocking_m,
+            penetration_m,
+            projectile_displacement_m: penetration_m + travel + rebound,
+            projectile_velocity_m_s: plate_m_s + (self.speed_m_s - self.together_m_s) * phase.cos(),
+            plate_displacement_m: travel + rebound - self.cocking_m,
             plate_velocity_m_s: plate_m_s,
-            contact_force_n: if after > 0.0 { 2000.0 * turn.sin() } else { 17_745.0 * phase.sin() },
-            spring_force_n: 4000.0 * turn.sin(),
+            contact_force_n: if after > 0.0 { 2e3 * turn.sin() } else { 17_745.0 * phase.sin() },
+            spring_force_n: 4e3 * turn.sin(),
             damper_force_n: 0.0,
             stop_force_n: 0.0,
             is_step: true,
         }
-    };
-    let mut times: Vec<f64> = (0..=200).map(|step| arrest_s * f64::from(step) / 200.0).collect();
-    times.extend((0..=200).map(|step| arrest_s + (end_s - arrest_s) * f64::from(step) / 200.0));
-    let series: Vec<Sample> = times.into_iter().map(sample).collect();
-    let last = *series.last().unwrap();
+    }
+
+    fn series(&self, end_s: f64) -> Vec<Sample> {
+        let part =
+            |from: f64, to: f64| (0..=200).map(move |i| from + (to - from) * f64::from(i) / 200.0);
+        part(0.0, ARREST_S).chain(part(ARREST_S, end_s)).map(|t_s| self.sample(t_s)).collect()
+    }
+}
+
+/// A made-up run of a scene: a thin plate is perforated, a cocked one asks too much of the interface.
+pub(crate) fn made(scene: &Arc<Scene>) -> Run {
+    let rigid = scene.plate.mount == Mount::Rigid;
+    let shape = Shape::of(scene);
+    let basis = if rigid { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation };
+    let arrest = shape.sample(ARREST_S);
     let mut run = Run {
         scene: Arc::clone(scene),
         outcome: Outcome::Arrested,
         end: EndReason::Decided,
         first_arrest: Some(Arrest {
-            t_s: arrest_s,
-            penetration_m: depth,
-            plate_displacement_m: sample(arrest_s).plate_displacement_m,
-            plate_velocity_m_s: together,
+            t_s: ARREST_S,
+            penetration_m: arrest.penetration_m,
+            plate_displacement_m: arrest.plate_displacement_m,
+            plate_velocity_m_s: arrest.plate_velocity_m_s,
         }),
-        final_penetration_m: Some(depth),
+        final_penetration_m: Some(shape.depth_m),
         baseline_penetration_m: Some(0.007_113),
         peak_contact_force_n: 17_745.0,
-        max_plate_displacement_m: Some(last.plate_displacement_m),
+        max_plate_displacement_m: Some(shape.sample(TURN_S).plate_displacement_m),
         residual_velocity_m_s: None,
         exit_time_s: None,
         separation: None,
         interface_demand_ratio: Some(0.108),
-        error_estimate: Some(ErrorEstimate {
-            relative: 3e-12,
-            basis: if rigid { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation },
-        }),
-        series,
+        error_estimate: Some(ErrorEstimate { relative: 3e-12, basis }),
+        series: shape.series(TURN_S),
         events: vec![
             Event { t_s: 55e-6, kind: EventKind::NoseBuried },
-            Event { t_s: arrest_s, kind: EventKind::FirstArrest },
-            Event { t_s: end_s, kind: EventKind::GreatestDisplacement },
+            Event { t_s: ARREST_S, kind: EventKind::FirstArrest },
+            Event { t_s: TURN_S, kind: EventKind::GreatestDisplacement },
         ],
         ledger: ledger(rigid),
         cost: cost(rigid),
@@ -275,18 +294,25 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         run.interface_demand_ratio = Some(2.9);
         run.warnings = vec![Warning::InterfacePush { ratio: 2.9, t_s: 0.4e-3 }];
     }
-    if perforated {
-        run.outcome = Outcome::Perforated;
-        run.first_arrest = None;
-        run.residual_velocity_m_s = Some(41.3);
-        run.exit_time_s = Some(180e-6);
-        run.final_penetration_m = Some(scene.target.thickness_m + scene.projectile.tip_radius_m);
-        run.events = vec![
-            Event { t_s: 90e-6, kind: EventKind::RearFace },
-            Event { t_s: 180e-6, kind: EventKind::Perforation },
-        ];
+    if scene.target.thickness_m < 0.01 {
+        perforate(&mut run, &shape);
     }
     run
+}
+
+fn perforate(run: &mut Run, shape: &Shape) {
+    let exit_s = 180e-6;
+    run.outcome = Outcome::Perforated;
+    run.series = shape.series(200e-6);
+    run.first_arrest = None;
+    run.residual_velocity_m_s = Some(41.3);
+    run.exit_time_s = Some(exit_s);
+    run.final_penetration_m =
+        Some(run.scene.target.thickness_m + run.scene.projectile.tip_radius_m);
+    run.events = vec![
+        Event { t_s: 90e-6, kind: EventKind::RearFace },
+        Event { t_s: exit_s, kind: EventKind::Perforation },
+    ];
 }
 
 fn ledger(rigid: bool) -> EnergyLedger {

@@ -1,0 +1,569 @@
+//! What keys do: messages in, state and effects out.
+
+#![expect(clippy::float_cmp, reason = "what is typed is stored to the last bit")]
+
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use super::bench::{Bench, done, made};
+use cmra::model::scene::{InterfaceLaw, Mount};
+use cmra::tui::app::Tab;
+use cmra::tui::app::charts::Window;
+use cmra::tui::app::dialog::Dialog;
+use cmra::tui::app::notice::Severity;
+use cmra::tui::message::{
+    BINDINGS, Effect, EffectReport, ExportOutcome, ExportRows, Message, Place,
+};
+use cmra::worker::{ReportBody, Slot};
+use crossterm::event::KeyEvent;
+
+fn bench() -> Bench {
+    Bench::ascii(80, 24)
+}
+
+fn gamma(bench: &Bench) -> f64 {
+    bench.app.scene.plate.mass_ratio
+}
+
+/// Select a variable by its symbol, without a filter left.
+fn select(bench: &mut Bench, symbol: &str) {
+    let all = cmra::model::variables::VARIABLES;
+    bench.app.editor.selected = all.iter().position(|one| one.symbol == symbol).unwrap();
+}
+
+#[test]
+fn no_key_does_two_things_in_one_place() {
+    for place in [Place::Variables, Place::Charts, Place::Runs, Place::Log] {
+        let mut seen = HashSet::new();
+        for binding in BINDINGS.iter().filter(|row| row.place == place) {
+            for key in binding.keys {
+                assert!(seen.insert(*key), "{place:?} {}", key.words());
+            }
+        }
+        // What works anywhere must not be hidden by a pane.
+        for binding in BINDINGS.iter().filter(|row| row.place == Place::Anywhere) {
+            for key in binding.keys {
+                assert!(!seen.contains(key), "{place:?} hides {}", key.words());
+            }
+        }
+    }
+    let mut seen = HashSet::new();
+    for key in BINDINGS.iter().filter(|row| row.place == Place::Anywhere).flat_map(|row| row.keys) {
+        assert!(seen.insert(*key), "{}", key.words());
+    }
+}
+
+#[test]
+fn every_key_works_in_its_place_and_draws() {
+    for binding in BINDINGS {
+        for key in binding.keys {
+            let mut bench = bench();
+            bench.keys(" ");
+            match binding.place {
+                Place::Anywhere | Place::Variables => {}
+                Place::Charts => bench.keys("<Tab>"),
+                Place::Runs => bench.keys("<Tab><Tab>j"),
+                Place::Log => bench.keys("6"),
+            }
+            bench.send(Message::Key(KeyEvent::new(key.0, key.1)));
+            bench.answer();
+            assert!(bench.screen().contains("cmra"), "{}", key.words());
+            let unknown = bench.message().contains("does nothing here");
+            assert!(!unknown, "{} in {:?}", key.words(), binding.place);
+        }
+    }
+}
+
+#[test]
+fn a_typed_value_replaces_the_old_one_and_moves_on() {
+    let mut bench = bench();
+    select(&mut bench, "v_i");
+    bench.press("<Enter>120 m/s<Enter>");
+    assert_eq!(bench.app.scene.projectile.velocity_m_s, 120.0);
+    assert_eq!(bench.app.editor.variable().symbol, "theta");
+    assert!(bench.app.editor.field.is_none());
+    let jobs = bench.jobs();
+    assert_eq!(jobs.len(), 1);
+    assert_eq!(jobs[0].scene, bench.app.scene);
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::SaveSession)));
+}
+
+#[test]
+fn units_fractions_and_relative_values_are_read() {
+    for (symbol, text, expected) in [
+        ("R", "6.5mm", 0.0065),
+        ("gamma", "1/3", 1.0 / 3.0),
+        ("gamma", "*2", 2.0),
+        ("gamma", "+50%", 1.5),
+        ("k", "7.5MN/m", 7.5e6),
+        ("theta", "30", 30.0),
+    ] {
+        let mut bench = bench();
+        select(&mut bench, symbol);
+        bench.keys(&format!("<Enter>{text}<Enter>"));
+        let shown = bench.app.editor.field.is_none();
+        assert!(shown, "{symbol} = {text}: {}", bench.message());
+        let variable = cmra::model::variables::find(symbol).unwrap();
+        let cmra::model::variables::Value::Number(value) = variable.value(&bench.app.scene) else {
+            panic!("{symbol} is a number");
+        };
+        assert!((value - expected).abs() <= 1e-12 * expected, "{symbol} = {text}: {value}");
+    }
+}
+
+#[test]
+fn a_bad_text_stays_with_its_reason_and_the_last_good_value_stays_live() {
+    let mut bench = bench();
+    bench.press("<Enter>12 mm<Enter>");
+    let field = bench.app.editor.field.clone().unwrap();
+    assert_eq!(field.input.value(), "12 mm");
+    assert!(bench.message().contains("`mm` is not a unit of this quantity (column 4)"));
+    assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
+    assert!(bench.jobs().is_empty());
+    // Typing goes on where it was; the error goes with the next character.
+    bench.press("<BS><BS>kg");
+    assert_eq!(bench.app.editor.field.clone().unwrap().error, None);
+    bench.press("<Enter>");
+    assert_eq!(bench.app.scene.projectile.mass_kg, 12.0);
+}
+
+#[test]
+fn an_impossible_value_is_refused_with_the_rule() {
+    let mut bench = bench();
+    bench.press("<Enter>-1<Enter>");
+    assert!(bench.message().contains("must be a number greater than 0 kg"));
+    assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
+    bench.press("<Esc>");
+    assert!(bench.app.editor.field.is_none());
+    assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
+}
+
+#[test]
+fn values_that_contradict_each_other_are_refused() {
+    let mut bench = bench();
+    select(&mut bench, "x_stop");
+    bench.keys("<Enter>-5mm<Enter>");
+    assert!(bench.message().contains("lies behind the plate's start"), "{}", bench.message());
+    assert_eq!(bench.app.scene.mechanism.stop.position_m, None);
+}
+
+#[test]
+fn a_value_outside_the_searched_range_counts_and_warns() {
+    let mut bench = bench();
+    select(&mut bench, "gamma");
+    bench.keys("<Enter>12<Enter>");
+    assert_eq!(gamma(&bench), 12.0);
+    assert_eq!(bench.app.notice.clone().unwrap().severity, Severity::Warning);
+    assert!(bench.message().contains("outside 0.8..7 of Table 9.2"));
+}
+
+#[test]
+fn escape_restores_and_enter_without_a_change_changes_nothing() {
+    let mut bench = bench();
+    bench.keys("<Enter>99<Esc>");
+    assert!(!bench.app.is_modified());
+    bench.keys("<Enter><Enter>");
+    assert!(!bench.app.is_modified());
+    assert!(bench.app.history.edits.is_empty());
+}
+
+#[test]
+fn an_absent_number_can_be_set_and_unset() {
+    let mut bench = bench();
+    select(&mut bench, "x_stop");
+    bench.keys("l");
+    assert_eq!(bench.app.scene.mechanism.stop.position_m, Some(0.01));
+    bench.keys("<Enter>none<Enter>");
+    assert_eq!(bench.app.scene.mechanism.stop.position_m, None);
+}
+
+#[test]
+fn choices_and_switches_go_round() {
+    let mut bench = bench();
+    select(&mut bench, "mount");
+    bench.keys("<Enter>");
+    assert_eq!(bench.app.scene.plate.mount, Mount::Rigid);
+    bench.keys("h");
+    assert_eq!(bench.app.scene.plate.mount, Mount::Sprung);
+    select(&mut bench, "dishing");
+    bench.keys("l");
+    assert!(!bench.app.scene.target.dishing);
+    bench.keys("i");
+    assert_eq!(bench.app.scene.interface.law, InterfaceLaw::Plastic);
+}
+
+#[test]
+fn held_arrows_are_one_edit() {
+    let mut bench = bench();
+    select(&mut bench, "gamma");
+    bench.keys("llll");
+    assert_eq!(gamma(&bench), 1.4);
+    assert_eq!(bench.app.history.edits.len(), 1);
+    assert_eq!(bench.app.history.edits[0].label, "gamma 1 -> 1.4");
+    bench.keys("u");
+    assert_eq!(gamma(&bench), 1.0);
+    bench.keys("<C-r>");
+    assert_eq!(gamma(&bench), 1.4);
+    // Anything in between starts a new edit.
+    bench.keys("lkjl");
+    assert_eq!(bench.app.history.edits.len(), 3);
+}
+
+#[test]
+fn steps_back_and_forth_come_back() {
+    for symbol in ["gamma", "k", "m_p", "S_y", "theta", "d", "n", "tol"] {
+        let mut bench = bench();
+        select(&mut bench, symbol);
+        let before = bench.app.scene.clone();
+        bench.keys("lllllllllllllhhhhhhhhhhhhh");
+        assert_eq!(bench.app.scene, before, "{symbol}");
+    }
+}
+
+#[test]
+fn undo_is_unlimited_and_the_list_leads_anywhere() {
+    let mut bench = bench();
+    select(&mut bench, "gamma");
+    for value in 2..40 {
+        bench.keys(&format!("k<Enter>{value}<Enter>"));
+        select(&mut bench, "gamma");
+        bench.app.editor.move_by(1);
+    }
+    let edits = bench.app.history.edits.len();
+    bench.keys("Ugj<Enter>");
+    assert_eq!(bench.app.history.done, 1);
+    assert_eq!(gamma(&bench), 2.0);
+    bench.keys(&"u".repeat(edits + 2));
+    assert!(!bench.app.is_modified());
+    assert_eq!(bench.message(), "nothing to undo");
+}
+
+#[test]
+fn reset_takes_the_presets_value_and_can_be_undone() {
+    let mut bench = bench();
+    select(&mut bench, "gamma");
+    bench.keys("lljl");
+    bench.keys("D");
+    assert!(!bench.app.is_modified());
+    bench.keys("u");
+    assert!(bench.app.is_modified());
+    select(&mut bench, "gamma");
+    bench.keys("d");
+    assert_eq!(gamma(&bench), 1.0);
+}
+
+#[test]
+fn while_a_run_goes_on_the_newest_edit_wins_after_a_pause() {
+    let mut bench = bench();
+    select(&mut bench, "v_i");
+    bench.press("l");
+    let first = bench.jobs().remove(0);
+    bench.press("ll");
+    assert!(bench.jobs().is_empty(), "nothing is submitted while one is in flight");
+    let serial = bench.app.jobs.serial;
+    bench.send(Message::RunDue(serial - 1));
+    assert!(bench.jobs().is_empty(), "an older pause is out of date");
+    bench.send(Message::RunDue(serial));
+    let second = bench.jobs().remove(0);
+    assert_eq!(second.scene, bench.app.scene);
+    assert!(bench.app.shows_old());
+    // The replaced job's report is dropped.
+    bench.report(first.id, Slot::Current, done(made(&first.scene)));
+    assert!(bench.app.is_stale());
+    bench.report(second.id, Slot::Current, done(made(&second.scene)));
+    assert!(!bench.app.is_stale());
+}
+
+#[test]
+fn a_result_that_lands_while_the_scene_goes_on_asks_for_the_next() {
+    let mut bench = bench();
+    select(&mut bench, "v_i");
+    bench.press("l");
+    let first = bench.jobs().remove(0);
+    bench.press("l");
+    bench.report(first.id, Slot::Current, done(made(&first.scene)));
+    let next = bench.jobs().remove(0);
+    assert_eq!(next.scene, bench.app.scene);
+}
+
+#[test]
+fn without_auto_run_r_runs() {
+    let mut bench = bench();
+    bench.keys("a");
+    select(&mut bench, "v_i");
+    bench.press("l");
+    assert!(bench.jobs().is_empty());
+    assert!(bench.app.shows_old());
+    bench.keys("r");
+    assert!(!bench.app.is_stale());
+}
+
+#[test]
+fn a_cancelled_job_keeps_its_part_and_a_failed_one_says_why() {
+    let mut bench = bench();
+    select(&mut bench, "v_i");
+    bench.press("l");
+    bench.press("<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelJob)));
+    let job = bench.jobs().remove(0);
+    let partial = Some(Arc::new(made(&job.scene)));
+    bench.report(job.id, Slot::Current, ReportBody::Cancelled { partial });
+    assert!(bench.app.shown.as_ref().unwrap().took.is_none());
+    bench.press("r");
+    let job = bench.jobs().remove(0);
+    bench.report(job.id, Slot::Current, ReportBody::Failed("internal error".to_owned()));
+    assert_eq!(bench.message(), "internal error");
+    assert!(bench.app.shown.is_some(), "the last good result stays");
+}
+
+#[test]
+fn pins_keep_scene_and_result() {
+    let mut bench = bench();
+    bench.keys(" ");
+    assert_eq!(bench.app.pins[0].letter, 'A');
+    assert!(bench.app.pins[0].run.is_some());
+    bench.keys(" ");
+    assert_eq!(bench.app.pins.len(), 1, "the same scene is not pinned twice");
+    select(&mut bench, "gamma");
+    bench.keys("<Enter>2<Enter> ");
+    assert_eq!(bench.app.pins[1].name, "gamma=2");
+    // Adopt A: back to the first scene, as an edit.
+    bench.keys("<Tab><Tab>j=");
+    assert_eq!(gamma(&bench), 1.0);
+    bench.keys("u");
+    assert_eq!(gamma(&bench), 2.0);
+    bench.keys("x");
+    assert_eq!(bench.app.pins.len(), 1);
+    assert_eq!(bench.app.pins[0].letter, 'B');
+}
+
+#[test]
+fn eight_pins_are_the_most() {
+    let mut bench = bench();
+    select(&mut bench, "v_i");
+    bench.keys(&" l".repeat(9));
+    assert_eq!(bench.app.pins.len(), 8);
+    bench.keys(" ");
+    assert!(bench.message().contains("all eight pins"));
+}
+
+#[test]
+fn a_pin_of_a_scene_that_is_not_on_the_screen_is_computed() {
+    let mut bench = bench();
+    bench.keys("pj ");
+    assert!(matches!(bench.app.dialog, Some(Dialog::Presets(_))), "the picker stays open");
+    assert_eq!(bench.app.pins[0].name, "rigid-mount");
+    assert!(bench.app.pins[0].run.is_some());
+    assert!(!bench.app.is_modified());
+}
+
+#[test]
+fn differences_need_a_pin() {
+    let mut bench = bench();
+    bench.keys("<Tab>D");
+    assert!(bench.message().contains("no pinned run"));
+    bench.keys(" D");
+    assert!(bench.app.charts.difference);
+    let curves = bench.app.curves(bench.app.charts.quantities[0]);
+    let values = curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
+    assert!(values.clone().count() > 100 && values.clone().all(|value| value == 0.0));
+}
+
+#[test]
+fn the_crosshair_reads_out_and_goes_to_events() {
+    let mut bench = bench();
+    bench.keys("<Tab>n");
+    assert_eq!(bench.app.charts.cursor_s, Some(55e-6));
+    bench.keys("n");
+    assert_eq!(bench.app.event_at_cursor(), Some("first arrest"));
+    assert!(
+        bench.message().contains("t 113.0 us | first arrest | now p 4.565 mm"),
+        "{}",
+        bench.message()
+    );
+    bench.keys("n");
+    let (from, to) = bench.app.time_range_s();
+    assert!(from < 1.3e-3 && 1.3e-3 < to, "the event comes into view");
+    bench.keys("NN");
+    assert_eq!(bench.app.charts.cursor_s, Some(55e-6));
+}
+
+#[test]
+fn zoom_keeps_the_crosshair_and_fit_shows_everything() {
+    let mut bench = bench();
+    bench.keys("<Tab>nn");
+    let whole = bench.app.time_range_s();
+    bench.keys("+++");
+    let (from, to) = bench.app.time_range_s();
+    let cursor = bench.app.charts.cursor_s.unwrap();
+    assert!(from < cursor && cursor < to && (to - from) < 0.2 * (whole.1 - whole.0));
+    bench.keys("]]]]]][[[[[[[[[[");
+    assert!(bench.app.time_range_s().0 >= 0.0);
+    bench.keys("0");
+    assert_eq!(bench.app.time_range_s(), whole);
+    bench.keys("c");
+    assert_eq!(bench.app.charts.window, Window::Whole);
+    assert_eq!(bench.app.time_range_s(), (0.0, 1.3e-3));
+}
+
+#[test]
+fn loading_a_preset_is_one_edit() {
+    let mut bench = bench();
+    bench.keys("pjj<Enter>");
+    assert_eq!(bench.app.base.name, "cocked");
+    assert!(!bench.app.is_modified());
+    assert!(bench.message().contains("fused interface"), "the run's warning is shown");
+    bench.keys("u");
+    assert_eq!(bench.app.base.name, "thesis-baseline");
+    assert_eq!(bench.app.scene.plate.cocking_m, 0.0);
+}
+
+#[test]
+fn the_picker_opens_files_by_their_path() {
+    let mut bench = bench();
+    bench.press("p/./mine.toml<Enter>");
+    let path = bench.effects.iter().find_map(|effect| match effect {
+        Effect::Load(path) => Some(path.clone()),
+        _ => None,
+    });
+    assert_eq!(path, Some("./mine.toml".into()));
+}
+
+#[test]
+fn saving_refuses_built_in_names_and_asks_before_overwriting() {
+    let saves = |bench: &Bench| -> Vec<(String, bool)> {
+        bench
+            .effects
+            .iter()
+            .filter_map(|effect| match effect {
+                Effect::SavePreset { name, overwrite, .. } => Some((name.clone(), *overwrite)),
+                _ => None,
+            })
+            .collect()
+    };
+    let mut bench = bench();
+    bench.press("s<C-u>cocked<Enter>");
+    assert!(bench.screen().contains("built-in preset"));
+    assert!(saves(&bench).is_empty());
+    bench.press("<C-u>heavy-plate<Enter>");
+    assert!(bench.screen().contains("overwrite it? y / n"));
+    assert!(saves(&bench).is_empty());
+    bench.press("y");
+    assert_eq!(saves(&bench), [("heavy-plate".to_owned(), true)]);
+    let report = Ok(("heavy-plate".to_owned(), "/home/ada/heavy-plate.toml".into()));
+    bench.send(Message::Done(EffectReport::Saved(report)));
+    assert!(bench.app.dialog.is_none());
+    assert_eq!(bench.app.base.name, "heavy-plate");
+    assert!(bench.message().contains("/home/ada/heavy-plate.toml"));
+}
+
+#[test]
+fn export_asks_for_the_ticked_runs_and_columns() {
+    let mut bench = bench();
+    bench.keys(" jl");
+    bench.press("e<BS><BS><BS><BS>-x.csv");
+    // Untick the pin and the second column.
+    bench.press("<Down><Down><Down> <Down><Down> ");
+    bench.press("<Enter>");
+    let request = bench.effects.iter().find_map(|effect| match effect {
+        Effect::Export(request) => Some(request.clone()),
+        _ => None,
+    });
+    let request = request.unwrap();
+    assert_eq!(request.path.to_str(), Some("/home/ada/work/thesis-baseline-x.csv"));
+    assert_eq!(request.rows, ExportRows::Series);
+    let names: Vec<&str> = request.runs.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["now"]);
+    assert!(!request.overwrite);
+    assert!(request.columns.contains(&"time_s".to_owned()));
+    assert!(!request.columns.contains(&"mode".to_owned()));
+    bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x".into()))));
+    bench.press("r");
+    let Some(Dialog::Export(export)) = &bench.app.dialog else {
+        panic!("the dialog stays open");
+    };
+    assert_eq!(export.path.value(), "thesis-baseline-x-2.csv");
+    bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Written(vec!["a.csv".into()]))));
+    assert!(bench.app.dialog.is_none());
+    assert!(bench.message().contains("written: a.csv"));
+}
+
+#[test]
+fn an_exports_bad_answers_stay_in_the_dialog() {
+    let mut bench = bench();
+    bench.press("e<C-u><Enter>");
+    assert!(bench.screen().contains("needs a file name"));
+    bench.press("x.csv<Down>l<Down><C-u>1<Enter>");
+    assert!(bench.screen().contains("whole number from 2 to 1000000"));
+}
+
+#[test]
+fn the_palette_and_help_execute() {
+    let mut bench = bench();
+    bench.keys(":auto-run<Enter>");
+    assert!(!bench.app.auto_run);
+    bench.keys("?/whole response<Enter>");
+    assert_eq!(bench.app.charts.window, Window::Whole);
+    bench.keys(":log tab<Enter>");
+    assert_eq!(bench.app.tab, Tab::Log);
+}
+
+#[test]
+fn the_filter_follows_every_character() {
+    let mut bench = bench();
+    bench.keys("/exponent");
+    assert_eq!(bench.app.editor.listed().len(), 2);
+    assert_eq!(bench.app.editor.variable().symbol, "m");
+    bench.keys("<Enter>j");
+    assert_eq!(bench.app.editor.variable().symbol, "n");
+    bench.keys("<Esc>");
+    assert!(bench.app.editor.filter.is_empty());
+    assert_eq!(bench.app.editor.variable().symbol, "n");
+}
+
+#[test]
+fn pasted_text_goes_into_an_open_field_only() {
+    let mut bench = bench();
+    bench.send(Message::Paste("q".to_owned()));
+    assert!(bench.message().contains("ignored"));
+    bench.keys("<Enter>");
+    bench.send(Message::Paste("0.03\n".to_owned()));
+    bench.keys("<Enter>");
+    assert_eq!(bench.app.scene.projectile.mass_kg, 0.03);
+}
+
+#[test]
+fn leaving_keeps_the_session() {
+    let mut bench = bench();
+    bench.effects.clear();
+    bench.press("q");
+    assert!(matches!(
+        bench.effects.as_slice(),
+        [Effect::SaveSession, Effect::Quit { summary: false }]
+    ));
+    bench.effects.clear();
+    bench.press("Q");
+    assert!(matches!(bench.effects.last(), Some(Effect::Quit { summary: true })));
+    assert!(bench.app.summary().contains("final depth   4.565 mm, 64.2 % of a rigid mount's"));
+    bench.effects.clear();
+    bench.press("<Esc>");
+    assert!(bench.effects.is_empty(), "Esc does not quit");
+    bench.press("<C-c>");
+    assert!(matches!(bench.effects.last(), Some(Effect::Quit { .. })));
+}
+
+#[test]
+fn popups_close_by_q_and_escape() {
+    for keys in
+        ["?q", "?<Esc>", "pq", "p<Esc>", "Uq", ":<Esc>", "S<Esc>", "e<Esc>", "?/x<Esc><Esc>"]
+    {
+        let mut bench = bench();
+        bench.effects.clear();
+        bench.keys(keys);
+        assert!(bench.app.dialog.is_none(), "{keys}");
+        assert!(
+            !bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })),
+            "{keys}"
+        );
+    }
+}
