@@ -40,7 +40,7 @@ impl App {
         if self.place() == Place::Variables {
             let variable = self.editor.variable();
             let text = format!("{}: {}", variable.symbol, variable.meaning);
-            let long = format!("{text} ({})", variable.source);
+            let long = format!("{text}; {}", variable.source);
             let fits = long.chars().count() + 4 <= width;
             return (
                 Severity::Note,
