@@ -158,8 +158,13 @@ fn below(app: &App, inner: Rect, row: u16, buffer: &mut Buffer) {
     };
     let details: Vec<String> = run.map_or_else(Vec::new, |run| results(run));
     let free = usize::from(inner.height.saturating_sub(row)).saturating_sub(lines.len());
-    if free > details.len() {
+    if !details.is_empty() && free > details.len() + 1 {
         lines.push((String::new(), Role::Text));
+        let whose = match app.selected_run.checked_sub(1).and_then(|at| app.pins.get(at)) {
+            None => "now".to_owned(),
+            Some(pin) => format!("{} {}", pin.letter, pin.name),
+        };
+        lines.push((clip(&format!("{whose}:"), width), Role::Title));
         lines.extend(details.into_iter().map(|line| (clip(&line, width), Role::Text)));
     }
     for (row, (line, role)) in (row..inner.height).zip(&lines) {
