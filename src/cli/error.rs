@@ -55,7 +55,7 @@ pub enum CliError {
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
     /// The workbench could not start or had to stop.
-    #[error("the workbench had to stop: {0}")]
+    #[error(transparent)]
     Workbench(#[from] TuiError),
 }
 

@@ -49,15 +49,6 @@ pub(super) struct Computed {
     pub(super) took: Duration,
 }
 
-/// What is wanted besides the results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Wanted {
-    /// Only the results.
-    Results,
-    /// The series, too.
-    Series,
-}
-
 /// Whether charts stand below the summary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Charts {
@@ -67,10 +58,11 @@ pub(super) enum Charts {
     With(Glyphs),
 }
 
-/// Compute a scene, and measure the time of the computation alone.
-pub(super) fn compute(preset: Preset, wanted: Wanted) -> Result<Computed, VariableError> {
+/// Compute a scene, and measure the time of the computation alone. The series is always kept: it costs little, and every
+/// output of one scene then shows the digits and events of one and the same computation.
+pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
     let scene = Arc::new(preset.scene.clone());
-    let settings = Settings { series: wanted == Wanted::Series, estimate: true };
+    let settings = Settings { series: true, estimate: true };
     let start = Instant::now();
     let run = impact::simulate(&scene, &settings, &mut |_t_s| ControlFlow::Continue(()))?;
     let took = start.elapsed();
@@ -79,9 +71,7 @@ pub(super) fn compute(preset: Preset, wanted: Wanted) -> Result<Computed, Variab
 
 /// Run one scene.
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
-    let wanted =
-        if arguments.plain || arguments.csv.is_some() { Wanted::Series } else { Wanted::Results };
-    let computed = compute(arguments.scene.load()?, wanted)?;
+    let computed = compute(arguments.scene.load()?)?;
     let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
     match &arguments.csv {
         Some(_) if to_stdout => {

@@ -76,7 +76,12 @@ fn sentence(run: &Run) -> String {
         }
         Outcome::Perforated => {
             let left = run.residual_velocity_m_s.map_or_else(String::new, |speed| {
-                format!(" and goes on at {}", short(speed, "m/s"))
+                let shown = short(speed.abs(), "m/s");
+                if speed < 0.0 {
+                    format!(" and is left moving backwards at {shown}")
+                } else {
+                    format!(" and goes on at {shown}")
+                }
             });
             format!("perforated: the projectile passes through the plate{left}")
         }

@@ -3,11 +3,12 @@
 use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 
-use clap::Args;
+use clap::{Args, CommandFactory as _};
 
-use crate::cli::run::{self, Charts, Wanted};
-use crate::cli::{CliError, Glyphs, output, scene};
+use crate::cli::run::{self, Charts};
+use crate::cli::{Arguments, CliError, Glyphs, output, scene};
 use crate::files::bundled;
+use crate::files::error::{FileError, did_you_mean};
 use crate::files::preset::Preset;
 use crate::tui;
 use crate::tui::theme::{GlyphChoice, GlyphSet};
@@ -26,7 +27,7 @@ pub(super) struct WorkbenchArguments {
 
 /// Open the workbench; without a terminal print what `cmra run --plain` prints.
 pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> {
-    let preset = arguments.scene.as_deref().map(scene::named).transpose()?;
+    let preset = arguments.scene.as_deref().map(scene_or_command).transpose()?;
     if !has_terminal() {
         return print_plain(preset, arguments.glyphs);
     }
@@ -36,6 +37,21 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
         glyphs: choice(arguments.glyphs),
     })?;
     Ok(ExitCode::from(status))
+}
+
+/// The scene meant; a misspelt subcommand arrives here, too.
+fn scene_or_command(name: &str) -> Result<Preset, CliError> {
+    scene::named(name).map_err(|error| {
+        let command = Arguments::command();
+        let commands: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+        match (error, did_you_mean(name, &commands)) {
+            (CliError::File(FileError::UnknownScene { name, .. }), Some(nearest)) => {
+                let hint = nearest.replace("you mean", "you mean the subcommand");
+                CliError::File(FileError::UnknownScene { name, hint })
+            }
+            (error, _) => error,
+        }
+    })
 }
 
 /// The same choice in the workbench's words.
@@ -56,7 +72,7 @@ fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliEr
     output::note(
         "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",
     );
-    let computed = run::compute(preset, Wanted::Series)?;
+    let computed = run::compute(preset)?;
     run::print_readable(&computed, Charts::With(glyphs))?;
     Ok(ExitCode::SUCCESS)
 }

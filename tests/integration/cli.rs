@@ -181,6 +181,7 @@ fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
         ("run .", &["cannot read `.`"]),
         ("presets show cockd", &["did you mean `cocked`"]),
         ("man swep", &["`swep` is not a subcommand", "run"]),
+        ("preset", &["did you mean the subcommand `presets`?"]),
         ("thesis-basline", &["did you mean `thesis-baseline`?"]),
         ("run --csv a.toml", &["`a.toml` cannot be the target", "name a CSV file"]),
     ] {
@@ -265,8 +266,8 @@ fn csv_reads_back_the_same_floats() {
 #[test]
 fn the_sidecar_runs_again_to_the_same_digits() {
     let place = Place::new();
-    let first = place.json("run overdamped --set gamma=1.7 --set h=1/30 --json");
-    let done = place.cmra("run overdamped --set gamma=1.7 --set h=1/30 --csv out.csv");
+    let first = place.json("run cocked --set gamma=1.7 --set h=1/30 --json");
+    let done = place.cmra("run cocked --set gamma=1.7 --set h=1/30 --csv out.csv");
     assert_eq!(done.code, 0, "{}", done.err);
     let sidecar = place.read("out.toml");
     let version = env!("CARGO_PKG_VERSION");

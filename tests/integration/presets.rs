@@ -1,12 +1,19 @@
 //! Every bundled preset: complete, readable, explained, and written back without loss.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use cmra::files::bundled::{BASELINE, BUNDLED};
 use cmra::files::preset::{self, Preset};
 use cmra::files::{read, write};
+use cmra::model::impact::{Settings, simulate};
+use cmra::model::results;
 use cmra::model::scene::Scene;
 use cmra::model::variables::{VARIABLES, validate};
+
+use serde::Deserialize;
 
 use crate::support::{files_in, in_repository};
 
@@ -89,4 +96,55 @@ fn every_figure_has_its_sweep_over_the_range_searched() {
         }
     }
     assert_eq!(figures, 11);
+}
+
+/// What a preset must give, with where the numbers come from in a comment.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Case {
+    outcome: String,
+    /// Results that must not exist.
+    #[serde(default)]
+    absent: Vec<String>,
+    #[serde(default)]
+    expected: BTreeMap<String, Expected>,
+}
+
+#[derive(Deserialize)]
+struct Expected {
+    value: f64,
+    /// Relative.
+    within: f64,
+}
+
+#[test]
+fn valid_every_preset_gives_what_its_case_expects() {
+    for preset in all() {
+        let name = &preset.name;
+        let path = in_repository(&format!("tests/cases/presets/{name}.toml"));
+        let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(text.starts_with("# Source: "), "{name}");
+        let case: Case = toml::from_str(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let scene = Arc::new(preset.scene.clone());
+        let run =
+            simulate(&scene, &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap();
+        assert!(run.end.is_complete(), "{name}: {}", run.end.words());
+        assert_eq!(run.outcome.word(), case.outcome, "{name}");
+        assert!(run.ledger.residual().abs() < 1e-9, "{name}: energy");
+        let value = |key: &str| {
+            let column = results::find(key).unwrap_or_else(|| panic!("{name}: {key}"));
+            column.value(&run)
+        };
+        for key in &case.absent {
+            assert_eq!(value(key), None, "{name}: {key}");
+        }
+        for (key, Expected { value: wanted, within }) in &case.expected {
+            let found = value(key).unwrap_or_else(|| panic!("{name}: no {key}"));
+            let error = (found - wanted).abs();
+            assert!(
+                error <= within * wanted.abs(),
+                "{name}: {key} = {found}, expected {wanted} within {within}"
+            );
+        }
+    }
 }

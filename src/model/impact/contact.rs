@@ -79,7 +79,12 @@ impl Track<'_> {
         };
         if !done {
             self.first_point();
-            self.start();
+            let pace = self.pace();
+            self.unit_s = 0.1 * pace.contact_s;
+            self.stiff = pace.is_stiff() && !self.is_still();
+            if !self.stiff {
+                self.start();
+            }
         }
     }
 

@@ -53,7 +53,7 @@ impl Track<'_> {
         match trigger {
             Trigger::PieceEnd => self.piece_end(),
             Trigger::PieceStart => self.piece_start(),
-            Trigger::HoleBottom => self.mode = Mode::Penetrating,
+            Trigger::HoleBottom => self.deepen(),
             Trigger::SlipZero => self.common_velocity(),
             Trigger::Recontact => {
                 self.record.event(self.t_s, EventKind::Recontact);
@@ -142,6 +142,21 @@ impl Track<'_> {
             self.pull_out();
         } else {
             self.note_excess(carried, push, pull);
+            if self.problem.plastic && !self.is_still() {
+                self.count_slips();
+                self.take_last_slips();
+            }
+        }
+    }
+
+    /// Count how often the interface gave way without a noticeably deeper hole.
+    fn count_slips(&mut self) {
+        let noticeable = self.problem.scene.run.tolerance * self.deepest_m;
+        if self.deepest_m > self.noticed_m + noticeable {
+            self.noticed_m = self.deepest_m;
+            self.slips_since_deeper = 0;
+        } else {
+            self.slips_since_deeper += 1;
         }
     }
 
@@ -191,12 +206,17 @@ impl Track<'_> {
     /// The interface gives way forwards.
     fn resume(&mut self) {
         if self.state.travel_m >= self.deepest_m {
-            self.mode = Mode::Penetrating;
-            self.record.resumed_s.get_or_insert(self.t_s);
-            self.record.event(self.t_s, EventKind::Resumption);
+            self.deepen();
         } else {
             self.mode = Mode::Closing;
         }
+    }
+
+    /// The bottom of the hole is reached with speed to spare.
+    fn deepen(&mut self) {
+        self.mode = Mode::Penetrating;
+        self.record.resumed_s.get_or_insert(self.t_s);
+        self.record.event(self.t_s, EventKind::Resumption);
     }
 
     fn pull_out(&mut self) {

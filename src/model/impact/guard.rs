@@ -36,6 +36,28 @@ pub(super) enum Trigger {
     PullLimit,
 }
 
+impl Trigger {
+    /// Whether the event changes what the bodies do, rather than only the form of a law.
+    pub(super) fn changes_course(self) -> bool {
+        match self {
+            Self::PieceEnd
+            | Self::PieceStart
+            | Self::PlateZero
+            | Self::PlateSpeedZero
+            | Self::PlateClear
+            | Self::PlateSpeedClear => false,
+            Self::HoleBottom
+            | Self::SlipZero
+            | Self::Recontact
+            | Self::StopReached
+            | Self::StopCleared
+            | Self::StopRelease
+            | Self::PushLimit
+            | Self::PullLimit => true,
+        }
+    }
+}
+
 /// offset + travel·q + slip·u + plate·x + plate_speed·w + contact·F + mechanism·G.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(super) struct Form {

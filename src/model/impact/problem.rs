@@ -98,7 +98,7 @@ impl Problem {
 
     /// Long enough for the contact, twenty swings of the spring with all energy in it, and a damper to die down.
     fn horizon_of_scene(&self) -> f64 {
-        let contact = 1000.0 * self.geometry.exit_m / self.velocity_m_s;
+        let contact = 50.0 * self.geometry.exit_m / self.velocity_m_s;
         if self.rigid {
             return contact;
         }

@@ -4,7 +4,7 @@ use crate::model::impact::problem::Problem;
 use crate::model::motion::{Expansion, Motion, State};
 use crate::model::run::{Arrest, Event, EventKind, Mode, Sample};
 use crate::numerics::root::first_fall;
-use crate::numerics::series::{evaluate, product, slope};
+use crate::numerics::series::{evaluate, slope};
 
 /// Points drawn within each step of the solver, its end included.
 const POINTS_PER_STEP: usize = 8;
@@ -171,11 +171,15 @@ impl Record {
     }
 }
 
-/// The integral of f·g over the first `span` of the time unit.
+/// The integral of f·g over the first `span` of the time unit, of all of the product's terms: their decay is not what
+/// the step was chosen by.
 fn integral<const N: usize>(f: &[f64; N], g: &[f64; N], span: f64) -> f64 {
     let mut sum = 0.0;
-    for j in (0..N).rev() {
-        sum = sum * span + product(f, g, j) / (j + 1) as f64;
+    for order in (0..2 * N - 1).rev() {
+        let from = (order + 1).saturating_sub(N);
+        let to = if order < N { order } else { N - 1 };
+        let term: f64 = (from..=to).map(|i| f[i] * g[order - i]).sum();
+        sum = sum * span + term / (order + 1) as f64;
     }
     sum * span
 }

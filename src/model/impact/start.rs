@@ -4,6 +4,7 @@
 //! that the plate rides on it: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
 //! the start is placed so early that the momentum in question is below the tolerance.
 
+use crate::model::closed_form::Ending;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::motion::{Expansion, Motion};
@@ -12,12 +13,37 @@ use crate::numerics::{larger, smaller};
 
 /// Radians (or time constants) of the mechanism within the starting time from which on it is stiff.
 const STIFF_FROM: f64 = 300.0;
-/// Earliest start, in units of the contact's time scale.
+/// Where the search for the start begins, and where it ends at the latest, in units of the contact's duration.
 const EARLIEST: f64 = 1e-9;
+const LATEST: f64 = 1e-3;
 /// No start is earlier than this, s.
 const EARLIEST_OF_ALL: f64 = 1e-40;
+/// Swings (in radians) within the contact that Taylor steps can still follow.
+const SWINGS_MAX: f64 = 1e5;
+/// Time constants of the damper within the contact up to which Taylor steps are the cheaper way.
+const DECAYS_MAX: f64 = 3e3;
 /// Momentum left out at the start, relative to the projectile's, per tolerance.
 const LEFT_OUT: f64 = 1e-4;
+
+/// How fast things happen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pace {
+    /// Duration of the contact, s.
+    pub(super) contact_s: f64,
+    /// Angular frequency of the plate on its spring, 1/s.
+    pub(super) swing_per_s: f64,
+    /// Decay rate of the plate's velocity by its damper, 1/s.
+    pub(super) decay_per_s: f64,
+}
+
+impl Pace {
+    /// Whether the implicit method should have the contact from the start. NaN counts as stiff.
+    pub(super) fn is_stiff(&self) -> bool {
+        let swings = self.swing_per_s * self.contact_s;
+        let decays = self.decay_per_s * self.contact_s;
+        !(swings < SWINGS_MAX && decays < DECAYS_MAX)
+    }
+}
 
 impl Track<'_> {
     /// Step over the singular start, if there is one.
@@ -36,22 +62,54 @@ impl Track<'_> {
         self.spring_omitted = false;
         self.damper_omitted = false;
         let allowed = LEFT_OUT * self.tolerance * problem.velocity_m_s;
-        let mut t_s = EARLIEST * problem.contact_scale_s();
-        loop {
-            let next = 4.0 * t_s;
-            let e: Expansion<17> = motion.expand(&self.state, next);
+        let is_early = |t_s: f64| {
+            let e: Expansion<17> = motion.expand(&self.state, t_s);
             let state = e.state(1.0);
-            let drive = drive_n(&motion, &e);
             let spring = if spring_singular { mechanism.spring.force(state.plate_m) } else { 0.0 };
             let damper =
                 if damper_singular { mechanism.damper.force(state.plate_m_s) } else { 0.0 };
-            let left_out = smaller(spring.abs() + damper.abs(), drive) * next / problem.plate_kg;
-            if left_out > allowed || next > 1e-2 * problem.contact_scale_s() {
-                break;
-            }
-            t_s = next;
+            let left_out = smaller(spring.abs() + damper.abs(), drive_n(&motion, &e));
+            left_out * t_s / problem.plate_kg <= allowed
+        };
+        let scale_s = self.pace().contact_s;
+        let mut t_s = EARLIEST * scale_s;
+        while !is_early(t_s) && t_s > EARLIEST_OF_ALL {
+            t_s *= 0.25;
+        }
+        while is_early(4.0 * t_s) && t_s < LATEST * scale_s {
+            t_s *= 4.0;
         }
         self.place(&motion, t_s, (spring_singular, damper_singular));
+    }
+
+    /// How long the contact lasts, and how fast the mechanism answers within it, by order of magnitude.
+    pub(super) fn pace(&self) -> Pace {
+        let problem = self.problem;
+        let (spring, damper) = (problem.mechanism.spring, problem.mechanism.damper);
+        let (v, m_2) = (problem.velocity_m_s, problem.plate_kg);
+        let passage = problem.passage(false);
+        let travel = match passage.ending() {
+            Ending::Arrest { travel_m } => travel_m,
+            Ending::Exit { .. } => problem.geometry.exit_m,
+        };
+        let mut contact_s = 2.0 * travel / v;
+        let contact_n = problem.geometry.area_m2(0.9 * travel)
+            * (problem.strength_pa + problem.drag_kg_m3 * v * v);
+        let preload = spring.force(problem.start_m).abs();
+        // A cocked plate that is thrown forward at the projectile's speed ends the contact.
+        if preload > 0.0 && damper.at_force(preload) > v {
+            contact_s = smaller(contact_s, m_2 * v / preload);
+        }
+        let drive = larger(contact_n, preload);
+        let thrown = drive * contact_s / m_2;
+        let yields = smaller(spring.at_force(contact_n), 0.5 * thrown * contact_s);
+        let x = larger(yields, problem.start_m.abs());
+        let w = smaller(damper.at_force(drive), thrown);
+        Pace {
+            contact_s,
+            swing_per_s: (spring.tangent(x) / m_2).sqrt(),
+            decay_per_s: damper.tangent(w) / m_2,
+        }
     }
 
     /// Put the state at the early time `t_s`.

@@ -15,12 +15,18 @@ use crate::model::impact::verdict::Farthest;
 use crate::model::mechanism::{PowerKind, PowerLaw, sign};
 use crate::model::motion::{Expansion, Motion, State, StopForce};
 use crate::model::run::{EndReason, Mode};
-use crate::numerics::larger;
 use crate::numerics::root::first_fall;
+use crate::numerics::series::evaluate_slope;
 use crate::numerics::taylor::trusted_step;
+use crate::numerics::{larger, smaller};
 
 /// Local tolerance per global tolerance: a run has some tens of steps, whose errors may grow a little.
 const LOCAL: f64 = 1e-4;
+/// Defect at the end of a step, per local tolerance, above which the step is shortened, and what rounding alone may cause.
+const DEFECT: f64 = 100.0;
+const DEFECT_ROUNDING: f64 = 1e-12;
+/// An expansion of which less than this part of its time unit can be used is made anew with a shorter unit.
+const UNIT_FITS: f64 = 0.02;
 /// Taylor steps after which a stretch is handed to the implicit method.
 const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
 /// Steps of any kind after which a run ends early.
@@ -66,6 +72,11 @@ pub(super) struct Track<'a> {
     pub(super) event_count: usize,
     /// When the outcome was decided, s.
     pub(super) decided_s: Option<f64>,
+    pub(super) decided_steps: usize,
+    /// Times the interface has given way since the hole last became noticeably deeper.
+    pub(super) slips_since_deeper: usize,
+    /// Depth of the hole when it last did, as travel, m.
+    pub(super) noticed_m: f64,
     /// The greatest displacement, as far as it is known.
     pub(super) farthest: Farthest,
 }
@@ -108,6 +119,9 @@ impl<'a> Track<'a> {
             evaluations: 0,
             event_count: 0,
             decided_s: None,
+            decided_steps: 0,
+            slips_since_deeper: 0,
+            noticed_m: 0.0,
             farthest: Farthest::Pending,
         }
     }
@@ -130,7 +144,7 @@ impl<'a> Track<'a> {
                 ControlFlow::Break(reason) => return self.end_early(reason),
                 ControlFlow::Continue(None) => {}
                 ControlFlow::Continue(Some(trigger)) => {
-                    self.event_count += 1;
+                    self.event_count += usize::from(trigger.changes_course());
                     let before = self.mode;
                     self.handle(trigger);
                     if self.mode != before {
@@ -139,7 +153,7 @@ impl<'a> Track<'a> {
                     }
                 }
             }
-            if self.steps > STEPS_MAX {
+            if self.steps + self.rejected > STEPS_MAX {
                 return self.end_early(EndReason::StepBudget);
             }
             if self.event_count > EVENTS_MAX {
@@ -361,19 +375,19 @@ impl<'a> Track<'a> {
         let e: Expansion<N> = motion.expand(&self.state, h);
         self.evaluations += 1;
         let trusted = trusted_step(&self.scales(&e), self.tolerance * LOCAL);
-        if trusted == 0.0 {
-            // The unit may have been hopeless: try a much smaller one before giving up.
-            self.unit_s *= 1e-3;
+        if trusted < UNIT_FITS {
+            // The unit is far too long for what happens now: sizes measured with it mean nothing.
+            self.unit_s = h * larger(2.0 * trusted, 1e-3);
             self.rejected += 1;
             let hopeless = self.t_s + self.unit_s == self.t_s;
             return if hopeless {
-                ControlFlow::Break(EndReason::NonFinite)
+                ControlFlow::Break(EndReason::StepUnderflow)
             } else {
                 ControlFlow::Continue(None)
             };
         }
         let left = (self.until_s() - self.t_s) / h;
-        let mut span = if left < trusted { left } else { trusted };
+        let mut span = self.checked(&motion, &e, smaller(left, trusted));
         let mut fired = None;
         for (trigger, form) in self.guards().iter() {
             if let Some(s) = first_fall(&form.along(&e), span) {
@@ -391,11 +405,33 @@ impl<'a> Track<'a> {
         let mut record = std::mem::take(&mut self.record);
         record.step(&self.setting(&motion), &e, (self.t_s, h, span));
         self.record = record;
-        self.unit_s = h * trusted;
+        self.unit_s = h * if fired.is_some() { trusted } else { span };
         self.steps += 1;
         self.stretch_steps += 1;
         self.arrive(t_s, state, &motion, fired);
         ControlFlow::Continue(fired)
+    }
+
+    /// The span, shortened until the expansion still solves the equations at its end.
+    ///
+    /// The last coefficients alone can be deceived: the solution may be close to a polynomial and yet end in a singularity.
+    fn checked<const N: usize>(&mut self, motion: &Motion, e: &Expansion<N>, span: f64) -> f64 {
+        let allowed = larger(DEFECT * self.tolerance * LOCAL, DEFECT_ROUNDING);
+        let [_, (_, speed), _, (_, plate_speed)] = self.scales(e);
+        let mut span = span;
+        for _ in 0..60 {
+            let (slip, plate) = motion.accelerations(&e.state(span));
+            let time = span * self.unit_s;
+            let slip_defect = (slip * time - evaluate_slope(&e.slip, span) * span) / speed;
+            let plate_defect =
+                (plate * time - evaluate_slope(&e.plate_speed, span) * span) / plate_speed;
+            if slip_defect.abs() <= allowed && plate_defect.abs() <= allowed {
+                break;
+            }
+            span *= 0.5;
+            self.rejected += 1;
+        }
+        span
     }
 
     /// The state at the end of a step, put exactly on the event that ended it.

@@ -11,8 +11,16 @@ use crate::numerics::{larger, smaller};
 
 /// Extra time shown after everything is decided, relative to the contact.
 const TAIL: f64 = 1.25;
+/// Steps spent on it at the most: a stiff mount may swing a million times in it.
+const TAIL_STEPS: usize = 200;
 /// A later change of depth below this part of the tolerance does not count.
 const NEGLIGIBLE: f64 = 1e-3;
+/// Slips in a row, none of which deepened the hole noticeably, after which a projectile that cannot be pulled out counts
+/// as arrested: an undamped mount rattles for ever.
+const RATTLES: usize = 24;
+/// Excess of the interface's load over its strength, relative, from which on the remaining slips are taken at once. They
+/// are exact in energy but for the drag, far below rounding at such slips.
+const LAST_SLIPS: f64 = 2e-2;
 /// A plate slowed by its damper alone to this part of its speed has arrived, for the eye.
 const FADED: f64 = 1e-2;
 
@@ -35,6 +43,7 @@ impl Track<'_> {
             self.farthest = self.farthest();
             if self.farthest != Farthest::Pending {
                 self.decided_s = Some(self.t_s);
+                self.decided_steps = self.steps;
             }
         }
         if at_horizon {
@@ -42,10 +51,13 @@ impl Track<'_> {
             return Some(if decided { EndReason::Decided } else { EndReason::Horizon });
         }
         self.decided_s?;
-        if self.is_at_rest() && !self.problem.horizon_is_asked {
+        let tail_is_long = self.steps > self.decided_steps + TAIL_STEPS;
+        if (self.is_at_rest() || tail_is_long) && !self.problem.horizon_is_asked {
             return Some(EndReason::Decided);
         }
-        let wanted = self.problem.horizon_is_asked || (self.record.keep_series && self.in_tail());
+        let wanted = self.problem.horizon_is_asked
+            || self.is_swinging()
+            || (self.record.keep_series && self.in_tail());
         (!wanted).then_some(EndReason::Decided)
     }
 
@@ -67,14 +79,15 @@ impl Track<'_> {
         if self.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON) {
             return true;
         }
-        // On the way to the greatest displacement that is already known from an energy balance or a closed form.
-        let Farthest::Known(known) = self.farthest else {
-            return false;
-        };
-        let mechanism = &self.problem.mechanism;
-        self.record.farthest_m < known * (1.0 - 1e-9)
-            && (mechanism.spring.coefficient > 0.0
-                || self.state.plate_m_s > FADED * self.speed_scale_m_s)
+        // Coasting to a greatest displacement that is already known in closed form.
+        matches!(self.farthest, Farthest::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
+            && self.state.plate_m_s > FADED * self.speed_scale_m_s
+    }
+
+    /// Whether the spring has not yet been loaded most: what the interface carries then is a result, too.
+    fn is_swinging(&self) -> bool {
+        matches!(self.farthest, Farthest::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
+            && self.problem.mechanism.spring.coefficient > 0.0
     }
 
     /// The outcome, if nothing can change it any more; else `Moving`.
@@ -114,8 +127,12 @@ impl Track<'_> {
 
     /// How far forward the plate could still go, m; infinite when nothing stops it.
     fn reach_m(&self) -> f64 {
+        self.reach_with(self.energy_j())
+    }
+
+    /// How far forward the plate can go with this energy, m.
+    fn reach_with(&self, energy: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
-        let energy = self.energy_j();
         let spring = mechanism.spring.at_integral(energy);
         if mechanism.rigid_stop().is_some() {
             return smaller(spring, mechanism.stop_at_m);
@@ -186,14 +203,79 @@ impl Track<'_> {
         {
             return true;
         }
-        let reach = mechanism.spring.at_integral(energy);
-        if mechanism.stop.is_some() && reach >= mechanism.stop_at_m {
+        if self.slips_since_deeper > RATTLES && energy < pull_out {
+            return true;
+        }
+        if mechanism.rigid_stop().is_some() && self.reach_m() >= mechanism.stop_at_m {
             return false;
         }
-        let speed = (2.0 * energy / self.moving_kg()).sqrt();
+        self.push_at(energy) <= push && self.pull_at(energy) <= pull
+    }
+
+    /// The most the interface can be pushed with this much energy left, N.
+    fn push_at(&self, energy_j: f64) -> f64 {
+        let mechanism = &self.problem.mechanism;
+        let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
+        let reach = self.reach_with(energy_j);
         let spring = if reach.is_finite() { mechanism.spring.force(reach) } else { 0.0 };
-        let most = self.problem.share * (spring + mechanism.damper.force(speed));
-        most <= smaller(push, pull)
+        let stop = mechanism.elastic_stop().map_or(0.0, |stop| {
+            let pressed = larger(reach - mechanism.stop_at_m, 0.0);
+            if pressed > 0.0 || self.stop_touches {
+                stop.stiffness_n_m * pressed + stop.damping_n_s_m * speed
+            } else {
+                0.0
+            }
+        });
+        self.problem.share * (spring + stop + mechanism.damper.force(speed))
+    }
+
+    /// The most the interface can be pulled with this much energy left, N.
+    fn pull_at(&self, energy_j: f64) -> f64 {
+        let mechanism = &self.problem.mechanism;
+        let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
+        let back = mechanism.spring.at_integral(energy_j);
+        let spring = if back.is_finite() { mechanism.spring.force(back) } else { 0.0 };
+        self.problem.share * (spring + mechanism.damper.force(speed))
+    }
+
+    /// Without damping, the swing that exceeds the interface's strength loses ever less in ever more slips; they add up to
+    /// the energy above that of the swing whose peak just equals the strength. Once that is little, take them all at once.
+    pub(super) fn take_last_slips(&mut self) {
+        let mechanism = &self.problem.mechanism;
+        let damped = mechanism.damper.coefficient > 0.0
+            || mechanism.elastic_stop().is_some_and(|stop| stop.damping_n_s_m > 0.0);
+        let energy = self.energy_j();
+        let (push, pull) = self.interface_limits_n();
+        let at_bottom = self.state.travel_m >= self.deepest_m;
+        let excess = self.push_at(energy) / push - 1.0;
+        if damped
+            || !at_bottom
+            || mechanism.rigid_stop().is_some()
+            || !(excess > 0.0 && excess < LAST_SLIPS)
+            || self.pull_at(energy) > pull
+        {
+            return;
+        }
+        let kinetic = 0.5 * self.moving_kg() * self.state.plate_m_s * self.state.plate_m_s;
+        let geometry = &self.problem.geometry;
+        let (from, strength) = (self.state.travel_m, self.problem.strength_pa);
+        let swept = geometry.swept_m3(from);
+        let work = |travel: f64| strength * (geometry.swept_m3(from + travel) - swept);
+        // The swing that is left after a further `travel` must peak at the strength of the then deeper hole.
+        let overload = |travel: f64| {
+            let left = larger(energy - work(travel), 0.0);
+            self.push_at(left) - geometry.area_m2(from + travel) * strength
+        };
+        let most = energy * excess * 4.0 / push;
+        let travel = in_bracket(0.0, most, overload) * (1.0 + 1e-9);
+        let lost = work(travel);
+        if overload(travel) > 0.0 || lost >= kinetic {
+            return;
+        }
+        self.state.plate_m_s *= (1.0 - lost / kinetic).sqrt();
+        self.state.travel_m += travel;
+        self.deepest_m = self.state.travel_m;
+        self.record.work.penetration_j += lost;
     }
 
     /// Apart, moving apart, and unable to meet again.

@@ -10,10 +10,7 @@ pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
     let exact = VARIABLES.iter().find(|variable| {
         variable.symbol == name || variable.key == name || variable.aliases.contains(&name)
     });
-    exact.ok_or_else(|| VariableError::Unknown {
-        name: name.to_owned(),
-        hint: nearest(name),
-    })
+    exact.ok_or_else(|| VariableError::Unknown { name: name.to_owned(), hint: nearest(name) })
 }
 
 /// A hint that names the variables spelled most like `name`.
