@@ -90,7 +90,7 @@ impl Shell {
         let unsaved = clerk.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
             unsaved.save();
-            terminal::restore();
+            terminal::restore_without_waiting();
         })?;
         let now = Instant::now();
         // Dropped when anything below fails, which restores the terminal.
@@ -278,11 +278,11 @@ impl Shell {
             Effect::CancelJob => self.worker.cancel(),
             Effect::After(delay, message) => self.timers.push((Instant::now() + delay, message)),
             Effect::SavePreset { name, scene, overwrite } => {
-                self.clerk.ask(Task::SavePreset { name, scene, overwrite })
+                self.clerk.ask(Task::SavePreset { name, scene, overwrite });
             }
             Effect::Export(request) => self.clerk.ask(Task::Export(request)),
             Effect::SaveSession => {
-                self.clerk.session_changed(start::session(&self.app, &self.recent))
+                self.clerk.session_changed(start::session(&self.app, &self.recent));
             }
             Effect::ListPresets => self.clerk.ask(Task::ListPresets(self.recent.clone())),
             Effect::Load(path) => self.clerk.ask(Task::Load(path)),

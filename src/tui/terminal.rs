@@ -10,6 +10,7 @@ pub(super) mod hook;
 
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use crossterm::cursor::{Hide, MoveTo, Show};
 use crossterm::event::{
@@ -117,14 +118,29 @@ impl Drop for Guard {
 
 /// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone).
 pub(super) fn restore() {
-    if !ENTERED.swap(false, Ordering::SeqCst) {
-        return;
+    if ENTERED.swap(false, Ordering::SeqCst) {
+        // Nobody is left to tell when the terminal is gone.
+        let _ = write_all(&farewell());
+        let _ = disable_raw_mode();
     }
+}
+
+/// The same without waiting for a terminal that takes no bytes.
+pub(super) fn restore_without_waiting() {
+    if ENTERED.swap(false, Ordering::SeqCst) {
+        if matches!(poll_out(Some(Duration::ZERO)), Ok(true)) {
+            let _ = write_all(&farewell());
+        }
+        let _ = disable_raw_mode();
+    }
+}
+
+/// What undoes [`Screen::queue_entry`], and whatever a frame cut short has left.
+fn farewell() -> Vec<u8> {
     let mut bytes = Vec::with_capacity(64);
-    let mouse = MOUSE.load(Ordering::SeqCst);
     // Writing to a vector does not fail.
     let _ = queue!(bytes, EndSynchronizedUpdate);
-    if mouse {
+    if MOUSE.load(Ordering::SeqCst) {
         let _ = queue!(bytes, DisableMouseCapture);
     }
     let _ = queue!(
@@ -134,9 +150,7 @@ pub(super) fn restore() {
         LeaveAlternateScreen,
         Show
     );
-    // Nobody is left to tell when the terminal is gone.
-    let _ = write_all(&bytes);
-    let _ = disable_raw_mode();
+    bytes
 }
 
 /// Stop this process and those started with it (`cargo run`, for one), as the shell's own Ctrl-Z does. The system does
@@ -293,19 +307,27 @@ fn write_all(mut bytes: &[u8]) -> io::Result<()> {
             Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
             Ok(written) => bytes = &bytes[written..],
             Err(Errno::INTR) => {}
-            Err(Errno::AGAIN) => wait_until_writable()?,
+            // Someone who shares the terminal has made it non-blocking.
+            Err(Errno::AGAIN) => {
+                poll_out(None)?;
+            }
             Err(error) => return Err(error.into()),
         }
     }
     Ok(())
 }
 
-/// Someone who shares the terminal has made it non-blocking: wait for it.
-fn wait_until_writable() -> io::Result<()> {
+/// Wait until the terminal takes bytes, at most this long; whether it does.
+fn poll_out(patience: Option<Duration>) -> io::Result<bool> {
     let out = stdout();
     let mut watched = [PollFd::new(&out, PollFlags::OUT)];
-    match poll(&mut watched, None) {
-        Ok(_) | Err(Errno::INTR) => Ok(()),
+    let patience = patience.map(|wait| Timespec {
+        tv_sec: wait.as_secs().try_into().unwrap_or(i64::MAX),
+        tv_nsec: wait.subsec_nanos().into(),
+    });
+    match poll(&mut watched, patience.as_ref()) {
+        Ok(ready) => Ok(ready > 0),
+        Err(Errno::INTR) => Ok(false),
         Err(error) => Err(error.into()),
     }
 }

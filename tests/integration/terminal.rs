@@ -1,7 +1,7 @@
 //! The workbench as a person has it: a real terminal, from the first chart to the restored prompt.
 
 use std::fs;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use rustix::process::Signal;
 
@@ -132,14 +132,24 @@ fn signals_end_the_process_with_the_terminal_restored() {
 #[test]
 fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     let mut terminal = started();
-    // Ctrl-S at the terminal's own level does not reach a raw terminal: fill it instead, by reading nothing.
+    terminal.send("jj\r150\r");
+    terminal.wait_for("150");
+    terminal.settle(QUIET);
     terminal.stop_taking();
-    for _ in 0..400 {
+    // Some 60 frames are more than a pseudo-terminal keeps for a reader that does not read.
+    let process = terminal.process();
+    for _ in 0..60 {
         terminal.send("\x0c");
+        terminal.settle(Duration::from_millis(50));
     }
+    let asked = Instant::now();
     terminal.signal(Signal::TERM);
     let status = terminal.wait_exit(Duration::from_secs(4));
-    assert_eq!(status.exit_code(), 143);
+    assert_eq!(status.exit_code(), 143, "{process}");
+    // It really was stuck: left alone, it leaves in a few milliseconds.
+    assert!(asked.elapsed() > Duration::from_secs(1), "{:?}", asked.elapsed());
+    let kept = fs::read_to_string(terminal.session_file()).expect("the session was saved");
+    assert!(kept.contains("150"), "{kept}");
 }
 
 #[test]

@@ -63,7 +63,7 @@ fn go_to(out: &mut Vec<u8>, from: Option<(u16, u16)>, to: (u16, u16)) {
         },
         Some(_) | None if x == 0 => put(out, format_args!("\x1b[{}H", y.saturating_add(1))),
         Some(_) | None => {
-            put(out, format_args!("\x1b[{};{}H", y.saturating_add(1), x.saturating_add(1)))
+            put(out, format_args!("\x1b[{};{}H", y.saturating_add(1), x.saturating_add(1)));
         }
     }
 }
