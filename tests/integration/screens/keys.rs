@@ -531,6 +531,15 @@ fn pasted_text_goes_into_an_open_field_only() {
 }
 
 #[test]
+fn on_a_screen_too_small_keys_only_lead_out() {
+    let mut bench = Bench::ascii(30, 8);
+    bench.keys("lll<Enter>5<Enter>");
+    assert!(!bench.app.is_modified());
+    bench.press("q");
+    assert!(matches!(bench.effects.last(), Some(Effect::Quit { .. })));
+}
+
+#[test]
 fn leaving_keeps_the_session() {
     let mut bench = bench();
     bench.effects.clear();
