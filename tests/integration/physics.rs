@@ -12,6 +12,7 @@ use cmra::model::scene::Scene;
 use cmra::model::units::Bare;
 use cmra::model::variables;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 fn run_with(scene: Scene, settings: Settings) -> Run {
     simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(())).unwrap()
@@ -370,7 +371,12 @@ fn extreme_scenes_end_well() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 1000,
+        rng_seed: RngSeed::Fixed(2007),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
 
     /// Anything inside, and well outside, the ranges of Table 9.2.
     #[test]
@@ -392,7 +398,9 @@ proptest! {
         }
         let run = run_with(scene, Settings { series: true, estimate: false });
         prop_assert!(run.ledger.residual().abs() < 1e-8, "{:e} {:?}", run.ledger.residual(), run.end);
-        prop_assert!(run.end.is_complete() || run.end == EndReason::EventBudget, "{:?}", run.end);
+        // A plate that juggles the projectile on and on runs into a budget; anything else ends.
+        let juggles = plastic && matches!(run.end, EndReason::EventBudget | EndReason::StepBudget);
+        prop_assert!(run.end.is_complete() || juggles, "{:?}", run.end);
         for row in &run.series {
             prop_assert!(row.t_s.is_finite() && row.penetration_m.is_finite() && row.contact_force_n.is_finite());
         }

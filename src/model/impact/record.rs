@@ -9,6 +9,9 @@ use crate::numerics::series::{evaluate, slope};
 /// Points drawn within each step of the solver, its end included.
 const POINTS_PER_STEP: usize = 8;
 
+/// Rows after which only the solver's own steps are kept.
+const POINTS_MAX: usize = 20_000;
+
 /// Energies that have to be integrated along the way, J.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(super) struct Work {
@@ -136,7 +139,7 @@ impl Record {
             Mode::Fused => self.demand(setting, &e.mechanism, span),
             Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
         }
-        if self.keep_series {
+        if self.keep_series && self.series.len() < POINTS_MAX {
             for point in 1..POINTS_PER_STEP {
                 let s = span * point as f64 / POINTS_PER_STEP as f64;
                 let state = e.state(s);

@@ -12,7 +12,9 @@ use crate::model::impact::track::{Track, is_finite};
 use crate::model::mechanism::{PowerLaw, sign};
 use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
-use crate::numerics::implicit::{ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor};
+use crate::numerics::implicit::{
+    ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor,
+};
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 

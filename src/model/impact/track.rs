@@ -30,11 +30,17 @@ const UNIT_FITS: f64 = 0.02;
 /// Taylor steps after which a stretch is handed to the implicit method.
 const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
 /// Steps of any kind after which a run ends early.
-pub(super) const STEPS_MAX: usize = 300_000;
+pub(super) const STEPS_MAX: usize = 100_000;
 /// Events after which a run ends early.
 const EVENTS_MAX: usize = 4_000;
 /// Half-width of the neighbourhood of zero in which a singular power law is left out, relative to the greatest value seen.
-const CLEAR: f64 = 1e-9;
+/// A spring gives on one side of it what it takes on the other; a damper does not, and a plate may creep near zero.
+const CLEAR_OF_SPRING: f64 = 1e-6;
+const CLEAR_OF_DAMPER: f64 = 1e-9;
+/// Part of the plate's energy, or of the other forces, that a law may have where it is left out.
+const PASSING: f64 = 1e-3;
+/// The neighbourhood takes at least this part of the time reached to cross: the clock has no finer ticks.
+const CLOCK: f64 = 1e-13;
 
 /// A run in progress.
 pub(super) struct Track<'a> {
@@ -148,8 +154,11 @@ impl<'a> Track<'a> {
                     let before = self.mode;
                     self.handle(trigger);
                     if self.mode != before {
-                        self.stretch_steps = 0;
                         self.stiff = false;
+                    }
+                    // A plate that swings through zero again and again takes many steps without being stiff.
+                    if self.mode != before || trigger == Trigger::PlateZero {
+                        self.stretch_steps = 0;
                     }
                 }
             }
@@ -327,7 +336,7 @@ impl<'a> Track<'a> {
     }
 
     fn watch_zero_of_x(&self, guards: &mut Guards, singular: bool) {
-        let near = CLEAR * self.plate_scale_m;
+        let near = self.near_zero_m();
         if self.spring_omitted {
             for side in [1.0, -1.0] {
                 let form = Form { offset: near, plate: -side, ..Form::default() };
@@ -341,7 +350,7 @@ impl<'a> Track<'a> {
     }
 
     fn watch_zero_of_w(&self, guards: &mut Guards, singular: bool) {
-        let near = CLEAR * self.speed_scale_m_s;
+        let near = self.near_zero_m_s();
         if self.damper_omitted {
             for side in [1.0, -1.0] {
                 let form = Form { offset: near, plate_speed: -side, ..Form::default() };
@@ -352,6 +361,26 @@ impl<'a> Track<'a> {
         let offset = if singular { -near } else { 0.0 };
         let form = Form { offset, plate_speed: self.side_w, ..Form::default() };
         guards.watch(Trigger::PlateSpeedZero, form);
+    }
+
+    /// How close to zero displacement the singular spring is left out: so close that it holds little of the plate's energy.
+    fn near_zero_m(&self) -> f64 {
+        let (spring, w) = (self.problem.mechanism.spring, self.state.plate_m_s);
+        let energy = 0.5 * self.problem.plate_kg * w * w;
+        let passing =
+            smaller(CLEAR_OF_SPRING * self.plate_scale_m, spring.at_integral(PASSING * energy));
+        larger(passing, CLOCK * self.t_s * w.abs())
+    }
+
+    /// How close to zero velocity the singular damper is left out: so close that other forces turn the plate round.
+    fn near_zero_m_s(&self) -> f64 {
+        let damper = self.problem.mechanism.damper;
+        let motion = self.motion();
+        let (_, rate) = motion.accelerations(&self.state);
+        let damping = motion.damper.force(self.state.plate_m_s) * motion.plate_mobility;
+        let others = (rate + damping).abs();
+        let turning = damper.at_force(PASSING * others * self.problem.plate_kg);
+        larger(smaller(CLEAR_OF_DAMPER * self.speed_scale_m_s, turning), CLOCK * self.t_s * others)
     }
 
     /// A singular law exactly at its zero cannot be expanded: leave it out until it has left zero.
