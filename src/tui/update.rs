@@ -3,6 +3,7 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use crate::tui::app::App;
+use crate::tui::app::layout::Body;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::message::{self, Action, Effect, Message, Place};
 
@@ -51,6 +52,9 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     if let Some(effects) = everywhere(app, key) {
         return effects;
     }
+    if app.layout().body == Body::TooSmall {
+        return unseen(app, key);
+    }
     if app.dialog.is_some() {
         return dialogs::press(app, key);
     }
@@ -66,6 +70,14 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     app.history.seal();
     app.hint(key);
     Vec::new()
+}
+
+/// On a screen too small to show anything, keys only lead out: nobody edits what cannot be seen.
+fn unseen(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+    match message::action_for(Place::Anywhere, key) {
+        Some(action @ (Action::Quit | Action::QuitWithSummary)) => act::act(app, action),
+        Some(_) | None => Vec::new(),
+    }
 }
 
 /// Keys that do the same with a field or dialog open.

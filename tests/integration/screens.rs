@@ -1,26 +1,165 @@
-//! Whole screens, as a person sees them, and what keys do.
+//! Whole screens, as a person sees them. Each was looked at before it was kept.
 
 mod bench;
+mod keys;
 
-use bench::Bench;
+use bench::{Bench, made};
+use cmra::model::scene::Scene;
+use cmra::tui::app::App;
+use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
+use cmra::worker::{ReportBody, Slot};
+use insta::assert_snapshot;
+use proptest::prelude::*;
+
+const BOTH: [GlyphSet; 2] = [GlyphSet::Ascii, GlyphSet::Braille];
 
 #[test]
-fn look() {
-    let size = |name: &str, d: &str| {
-        std::env::var(name)
-            .ok()
-            .and_then(|v| v.parse().ok())
-            .unwrap_or_else(|| d.parse::<u16>().unwrap())
-    };
-    let g = match std::env::var("GLYPHS").as_deref() {
-        Ok("braille") => GlyphSet::Braille,
-        Ok("block") => GlyphSet::Block,
-        _ => GlyphSet::Ascii,
-    };
-    let mut bench = Bench::open(g, (size("W", "80"), size("H", "24")));
-    for k in std::env::var("KEYS").unwrap_or_default().split("~") {
-        bench.keys(k);
+fn the_run_tab_at_every_size() {
+    for glyphs in BOTH {
+        for (columns, rows) in [(30, 8), (60, 16), (80, 24), (100, 24), (120, 40), (200, 60)] {
+            let mut bench = Bench::open(glyphs, (columns, rows));
+            // A pin to compare with, an edit, and the crosshair.
+            bench.keys(" /gamma<Enter><Enter>1.25<Enter>/<C-u><Enter><Tab>lll");
+            assert_snapshot!(format!("run_{columns}x{rows}_{glyphs}"), bench.screen());
+        }
     }
-    println!("{}", bench.screen());
+}
+
+#[test]
+fn the_first_screen() {
+    let bench = Bench::ascii(80, 24);
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn before_the_first_result() {
+    let bench = Bench::closed(GlyphSet::Ascii, (80, 24));
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn a_value_is_being_typed() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("jj<Enter>1.2e2 m");
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn a_text_that_is_no_value() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("<Enter>12 mm<Enter>");
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn a_value_outside_table_9_2() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/gamma<Enter><Enter>12<Enter>");
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn curves_of_an_older_scene() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("jjl");
+    let serial = bench.app.jobs.serial;
+    bench.send(Message::RunDue(serial));
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn a_perforated_plate() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys(" /thickness<Enter><Enter>6.35 mm<Enter><Tab>");
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn a_demand_on_the_interface() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("/cocking<Enter><Enter>0.5<Enter>");
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn the_table_of_runs_on_a_small_screen() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys(" /gamma<Enter><Enter>1.25<Enter> <Enter>3<Enter><Tab><Tab>j");
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn a_failed_run() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("jjl");
+    let job = bench.jobs().remove(0);
+    bench.report(
+        job.id,
+        Slot::Current,
+        ReportBody::Failed("internal error: the job panicked".to_owned()),
+    );
+    assert_snapshot!(bench.screen());
+}
+
+#[test]
+fn the_log_tab() {
+    for (columns, rows) in [(80, 24), (120, 40)] {
+        let mut bench = Bench::ascii(columns, rows);
+        bench.keys("/cocking<Enter><Enter>0.5<Enter>6");
+        assert_snapshot!(format!("log_{columns}x{rows}"), bench.screen());
+    }
+}
+
+#[test]
+fn dialogs() {
+    for (name, keys) in [
+        ("help", "jj?"),
+        ("help_charts", "<Tab>?/zoom"),
+        ("palette", ":expo"),
+        ("presets", "pjj"),
+        ("history", "jl jjjjll<Esc>lU"),
+        ("save", "jlS"),
+        ("save_over", "S<C-u>heavy-plate<Enter>"),
+        ("export", " jle<Down><Down><Down> "),
+    ] {
+        let mut bench = Bench::ascii(80, 24);
+        bench.keys(keys);
+        assert_snapshot!(format!("dialog_{name}"), bench.screen());
+    }
+}
+
+#[test]
+fn the_export_target_exists() {
+    let mut bench = Bench::open(GlyphSet::Braille, (120, 40));
+    bench.keys("e<Enter>");
+    bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x.csv".into()))));
+    assert_snapshot!(bench.screen());
+}
+
+fn anywhere(app: &App, size: (u16, u16)) -> App {
+    let mut app = app.clone();
+    app.size = size;
+    app
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn every_size_can_be_drawn(columns in 0u16..300, rows in 0u16..300, state in 0usize..8, full in any::<bool>()) {
+        let keys = ["", "<Tab>l", "<Tab><Tab>", "?", "p", "e", "6", "<Enter>abc<Enter>"];
+        let mut bench = Bench::ascii(80, 24);
+        bench.keys(if full { "z" } else { "" });
+        bench.keys(keys[state]);
+        bench.app = anywhere(&bench.app, (columns, rows));
+        let drawn = bench.screen();
+        prop_assert!(drawn.lines().count() <= usize::from(rows) || rows == 0);
+    }
+}
+
+#[test]
+fn made_up_runs_are_runs_of_their_scene() {
+    let scene = std::sync::Arc::new(Scene::default());
+    assert_eq!(made(&scene).scene, scene);
 }

@@ -233,7 +233,7 @@ impl App {
 
 fn curve(view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
     let points = view.run.series.iter().map(|sample| {
-        let value = quantity.of(sample);
+        let value = quantity.drawn(sample);
         let value =
             reference.map_or(value, |run| value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN));
         (sample.t_s, value)

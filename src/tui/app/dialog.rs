@@ -92,7 +92,7 @@ impl What {
     /// What it is, in words.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Series => "time series: the solver's steps and enough between to draw from",
+            Self::Series => "time series: solver steps and points between",
             Self::Grid => "time series on a uniform grid",
             Self::Results => "results: one row per run",
             Self::Events => "events with their times",

@@ -3,6 +3,7 @@
 use super::App;
 use super::notice::{Notice, Severity};
 use super::runs::engineering;
+use super::status::wrap;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run};
 
 /// What a line of the Log tab is.
@@ -40,8 +41,25 @@ impl App {
         self.log.push(Notice { severity, text });
     }
 
-    /// Everything the Log tab says, from top to bottom.
-    pub fn log_lines(&self) -> Vec<LogLine> {
+    /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
+    pub fn log_lines(&self, columns: usize) -> Vec<LogLine> {
+        // Two borders, and three columns of indent with one of air.
+        let room = columns.saturating_sub(6).max(10);
+        let lines = self.whole_lines().into_iter();
+        lines
+            .flat_map(|line| {
+                let kind = line.kind;
+                let parts = if line.text.chars().count() > room {
+                    wrap(&line.text, room)
+                } else {
+                    vec![line.text]
+                };
+                parts.into_iter().map(move |text| LogLine { kind, text })
+            })
+            .collect()
+    }
+
+    fn whole_lines(&self) -> Vec<LogLine> {
         let mut lines = Vec::new();
         if let Some(shown) = &self.shown {
             let which = if self.is_stale() { " (old: the scene has changed since)" } else { "" };

@@ -73,6 +73,14 @@ impl Quantity {
         }
     }
 
+    /// The value to draw: as [`Quantity::of`], and a gap while the projectile is out of the plate and has no depth in it.
+    pub fn drawn(self, sample: &Sample) -> f64 {
+        match self.of(sample) {
+            depth if self == Self::Penetration && depth < 0.0 => f64::NAN,
+            value => value,
+        }
+    }
+
     /// The value in a sample, SI.
     pub fn of(self, sample: &Sample) -> f64 {
         match self {

@@ -34,13 +34,16 @@ impl App {
         if let Some(notice) = &self.notice {
             return (notice.severity, notice.text.clone());
         }
+        if self.dialog.is_some() {
+            return (Severity::Note, String::new());
+        }
         if self.place() == Place::Charts && self.charts.cursor_s.is_some() {
             return (Severity::Note, clip(&self.readout(), width.saturating_sub(4)));
         }
         if self.place() == Place::Variables {
             let variable = self.editor.variable();
             let text = format!("{}: {}", variable.symbol, variable.meaning);
-            let long = format!("{text} ({})", variable.source);
+            let long = format!("{text}; {}", variable.source);
             let fits = long.chars().count() + 4 <= width;
             return (
                 Severity::Note,
@@ -224,9 +227,11 @@ pub fn short_name(view: &RunView<'_>) -> String {
 
 /// The value at a time with unit, `-` outside the run.
 pub fn value_at(run: &Run, quantity: Quantity, t_s: f64) -> String {
-    quantity
-        .at(run, t_s)
-        .map_or_else(|| "-".to_owned(), |value| engineering(value, quantity.unit()))
+    let value = quantity.at(run, t_s);
+    if quantity == Quantity::Penetration && value.is_some_and(|depth| depth < 0.0) {
+        return "out".to_owned();
+    }
+    value.map_or_else(|| "-".to_owned(), |value| engineering(value, quantity.unit()))
 }
 
 /// At most `width` characters; what is cut ends in `..`.

@@ -136,7 +136,7 @@ fn movement(app: &mut App, action: Action) {
         }
         Place::Log => {
             let rows = app.layout().log_rows();
-            let most = app.log_lines().len().saturating_sub(rows);
+            let most = app.log_lines(usize::from(app.size.0)).len().saturating_sub(rows);
             app.log_scroll = app.log_scroll.saturating_add_signed(by(rows)).min(most);
         }
     }

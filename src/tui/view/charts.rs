@@ -167,10 +167,13 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
             value_at(view.run, quantity, t_s)
         })
     } else {
-        let text = clip(&events_in_view(app), usize::from(area.width.saturating_sub(1)));
+        let text = events_in_view(app, usize::from(area.width.saturating_sub(1)));
         Line::from(Span::styled(format!(" {text}"), app.theme.style(Role::Dim)))
     };
     put_line(buffer, area, 0, &first);
+    if views.is_empty() {
+        return;
+    }
     let arrest = line("first arrest".to_owned(), &|view| {
         view.run
             .first_arrest
@@ -179,20 +182,22 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
     put_line(buffer, area, 1, &arrest);
 }
 
-/// What the letters of the event lines mean, and where the other part of the time is.
-fn events_in_view(app: &App) -> String {
+/// What the letters of the event lines mean, and, where there is room, how to see the other part of the time.
+fn events_in_view(app: &App, width: usize) -> String {
     let (from, to) = app.time_range_s();
-    let mut parts: Vec<String> = app
-        .shown
-        .iter()
-        .flat_map(|shown| shown.run.events.iter().enumerate())
+    let run = app.shown.as_ref().map(|shown| &shown.run);
+    let events = run.into_iter().flat_map(|run| run.events.iter().enumerate());
+    let words: Vec<String> = events
         .filter(|(_, event)| (from..=to).contains(&event.t_s))
         .map(|(index, event)| format!("{} {}", event_tag(index), event.kind.words()))
-        .take(3)
         .collect();
-    parts.push(match app.charts.window {
-        Window::Contact => "c whole response".to_owned(),
-        Window::Whole => "c contact only".to_owned(),
-    });
-    parts.join("  ")
+    let text = words.join("  ");
+    let hint = match app.charts.window {
+        Window::Contact => "(key c: whole response)",
+        Window::Whole => "(key c: contact only)",
+    };
+    if run.is_some() && text.chars().count() + hint.chars().count() + 2 <= width {
+        return format!("{text}  {hint}").trim_start().to_owned();
+    }
+    clip(&text, width)
 }

@@ -114,22 +114,25 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
 /// The key to show, with its opposite where there is one: `h/l step`.
 fn entry(row: &Binding) -> (String, &'static str) {
     let key = row.keys.first().map_or_else(String::new, |key| key.words());
-    let Some((opposite, short)) = opposite(row.action) else {
+    let Some((opposite, short, first)) = opposite(row.action) else {
         return (key, row.short);
     };
     let other = BINDINGS.iter().find(|other| other.place == row.place && other.action == opposite);
     let other = other.and_then(|other| other.keys.first()).map(|key| key.words());
-    (other.map_or_else(|| key.clone(), |other| format!("{other}/{key}")), short)
+    let Some(other) = other else {
+        return (key, short);
+    };
+    (if first { format!("{key}/{other}") } else { format!("{other}/{key}") }, short)
 }
 
-/// The action that goes the other way, and a word for both.
-fn opposite(action: Action) -> Option<(Action, &'static str)> {
+/// The action that goes the other way, a word for both, and whether the action itself is named first.
+fn opposite(action: Action) -> Option<(Action, &'static str, bool)> {
     match action {
-        Action::StepUp => Some((Action::StepDown, "step")),
-        Action::CursorRight => Some((Action::CursorLeft, "crosshair")),
-        Action::ZoomIn => Some((Action::ZoomOut, "zoom")),
-        Action::EventNext => Some((Action::EventPrevious, "event")),
-        Action::Down => Some((Action::Up, "scroll")),
+        Action::StepUp => Some((Action::StepDown, "step", false)),
+        Action::CursorRight => Some((Action::CursorLeft, "crosshair", false)),
+        Action::ZoomIn => Some((Action::ZoomOut, "zoom", true)),
+        Action::EventNext => Some((Action::EventPrevious, "event", true)),
+        Action::Down => Some((Action::Up, "scroll", true)),
         _ => None,
     }
 }

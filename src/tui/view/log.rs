@@ -5,13 +5,12 @@ use ratatui::layout::Rect;
 
 use super::text::put;
 use crate::tui::app::App;
-use crate::tui::app::log::{LineKind, LogLine};
-use crate::tui::app::status::wrap;
+use crate::tui::app::log::LineKind;
 use crate::tui::theme::{Pane, Role};
 
 /// Draw the tab.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let lines = wrapped(app.log_lines(), usize::from(area.width.saturating_sub(4)));
+    let lines = app.log_lines(usize::from(area.width));
     let height = usize::from(area.height.saturating_sub(2));
     let first = app.log_scroll.min(lines.len().saturating_sub(height));
     let end = (first + height).min(lines.len());
@@ -34,21 +33,4 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         let column = if line.kind == LineKind::Heading { 1 } else { 3 };
         put(buffer, inner, (column, row), &line.text, app.theme.style(role));
     }
-}
-
-fn wrapped(lines: Vec<LogLine>, width: usize) -> Vec<LogLine> {
-    let split = |line: LogLine| {
-        let parts = wrap(&line.text, width.saturating_sub(2));
-        parts.into_iter().map(move |text| LogLine { kind: line.kind, text })
-    };
-    lines
-        .into_iter()
-        .flat_map(|line| {
-            if line.text.chars().count() + 2 > width {
-                split(line).collect::<Vec<_>>()
-            } else {
-                vec![line]
-            }
-        })
-        .collect()
 }

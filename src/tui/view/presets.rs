@@ -66,8 +66,8 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, buffer: &mut Buffer) {
         if !text.is_empty() {
             lines.push((String::new(), Role::Text));
         }
-        for paragraph in text.lines() {
-            lines.extend(wrap(paragraph, width).into_iter().map(|line| (line, Role::Dim)));
+        for paragraph in paragraphs(text) {
+            lines.extend(wrap(&paragraph, width).into_iter().map(|line| (line, Role::Dim)));
         }
     }
     for (row, (text, role)) in (0..area.height).zip(&lines) {
@@ -90,4 +90,25 @@ fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> 
         lines.push((clip(&text, width), Role::Text));
     }
     lines
+}
+
+/// Paragraphs of a comment that was broken into lines for a file: a blank line or a line such as `Expect: ...` begins one.
+fn paragraphs(text: &str) -> Vec<String> {
+    let begins = |line: &str| {
+        let word = line.split_once(':').map(|(word, _)| word);
+        word.is_some_and(|word| !word.is_empty() && word.chars().all(char::is_alphabetic))
+    };
+    let mut paragraphs: Vec<String> = Vec::new();
+    let mut fresh = true;
+    for line in text.lines().map(str::trim) {
+        match paragraphs.last_mut() {
+            Some(last) if !fresh && !line.is_empty() && !begins(line) => {
+                last.push(' ');
+                last.push_str(line);
+            }
+            _ => paragraphs.push(line.to_owned()),
+        }
+        fresh = line.is_empty();
+    }
+    paragraphs
 }

@@ -33,7 +33,7 @@ const COLUMNS: [Column; 6] = [
 /// In a narrow pane; the title says they are mm.
 const NARROW: [Column; 3] = [
     ("p_1st", 7, first_depth),
-    ("p_end", 12, final_depth),
+    ("p_end", 7, final_depth),
     ("x_max", 7, |run| millimetres(run.max_plate_displacement_m)),
 ];
 
@@ -127,10 +127,18 @@ fn one(
         put(buffer, inner, (end + 2, row), "running", app.theme.style(Role::Dim));
         return;
     };
-    for (_, width, value) in place.shown {
-        end += width;
+    let mut columns_left = place.shown.iter();
+    while let Some((_, width, value)) = columns_left.next() {
         let text = value(run);
-        let role = if text.ends_with('!') { Role::Warning } else { Role::Text };
+        let in_words = text.ends_with('!');
+        if columns(&text) >= *width
+            && let Some((_, more, _)) = columns_left.next()
+        {
+            // A word in place of a depth takes the next column, too.
+            end += more;
+        }
+        end += width;
+        let role = if in_words { Role::Warning } else { Role::Text };
         let style = app.theme.style(if visible { role } else { Role::Dim });
         put(buffer, inner, (end.saturating_sub(columns(&text)), row), &text, style);
     }
@@ -150,8 +158,13 @@ fn below(app: &App, inner: Rect, row: u16, buffer: &mut Buffer) {
     };
     let details: Vec<String> = run.map_or_else(Vec::new, |run| results(run));
     let free = usize::from(inner.height.saturating_sub(row)).saturating_sub(lines.len());
-    if free > details.len() {
+    if !details.is_empty() && free > details.len() + 1 {
         lines.push((String::new(), Role::Text));
+        let whose = match app.selected_run.checked_sub(1).and_then(|at| app.pins.get(at)) {
+            None => "now".to_owned(),
+            Some(pin) => format!("{} {}", pin.letter, pin.name),
+        };
+        lines.push((clip(&format!("{whose}:"), width), Role::Title));
         lines.extend(details.into_iter().map(|line| (clip(&line, width), Role::Text)));
     }
     for (row, (line, role)) in (row..inner.height).zip(&lines) {

@@ -223,11 +223,9 @@ fn steps_back_and_forth_come_back() {
 #[test]
 fn undo_is_unlimited_and_the_list_leads_anywhere() {
     let mut bench = bench();
-    select(&mut bench, "gamma");
     for value in 2..40 {
-        bench.keys(&format!("k<Enter>{value}<Enter>"));
         select(&mut bench, "gamma");
-        bench.app.editor.move_by(1);
+        bench.keys(&format!("<Enter>{value}<Enter>"));
     }
     let edits = bench.app.history.edits.len();
     bench.keys("Ugj<Enter>");
@@ -530,6 +528,15 @@ fn pasted_text_goes_into_an_open_field_only() {
     bench.send(Message::Paste("0.03\n".to_owned()));
     bench.keys("<Enter>");
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.03);
+}
+
+#[test]
+fn on_a_screen_too_small_keys_only_lead_out() {
+    let mut bench = Bench::ascii(30, 8);
+    bench.keys("lll<Enter>5<Enter>");
+    assert!(!bench.app.is_modified());
+    bench.press("q");
+    assert!(matches!(bench.effects.last(), Some(Effect::Quit { .. })));
 }
 
 #[test]
