@@ -173,6 +173,13 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     assert!(kept.contains("150"), "{kept}");
 }
 
+/// Wait until the shell has the terminal again and has asked this often.
+fn at_prompt(terminal: &mut Terminal, prompts: usize) {
+    terminal.wait_until("the shell's prompt", |screen| {
+        !screen.alternate_screen() && screen.contents().matches("prompt>").count() == prompts
+    });
+}
+
 #[test]
 fn ctrl_z_stops_and_fg_comes_back() {
     let mut terminal = Terminal::start_with(Start {
@@ -189,13 +196,13 @@ fn ctrl_z_stops_and_fg_comes_back() {
     let process = process.trim();
     terminal.send("\x1a");
     wait_for_state(process, 'T');
-    terminal.wait_until("the shell again", |screen| {
-        !screen.alternate_screen() && screen.contents().contains("Stopped")
-    });
+    at_prompt(&mut terminal, 2);
+    assert!(terminal.screen().contents().contains("Stopped"));
     assert!(!terminal.screen().hide_cursor());
     assert!(!terminal.screen().bracketed_paste());
     terminal.send("echo alive\r");
-    terminal.wait_for("\nalive");
+    at_prompt(&mut terminal, 3);
+    assert_eq!(terminal.screen().contents().matches("alive").count(), 2);
     terminal.send("fg\r");
     terminal.wait_until("the workbench again", |screen| {
         screen.alternate_screen() && screen.contents().contains(DONE)
@@ -203,9 +210,7 @@ fn ctrl_z_stops_and_fg_comes_back() {
     terminal.settle(QUIET);
     // It listens again.
     terminal.send("q");
-    terminal.wait_until("the shell's fourth prompt", |screen| {
-        !screen.alternate_screen() && screen.contents().matches("prompt>").count() == 4
-    });
+    at_prompt(&mut terminal, 4);
     terminal.send("exit\r");
     assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
 }
