@@ -6,7 +6,9 @@
 use std::sync::mpsc::Sender;
 use std::thread;
 
-use crossterm::event::{self, Event, KeyEventKind};
+use crossterm::event::{
+    self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseEventKind,
+};
 
 use super::Incoming;
 use crate::tui::message::Message;
@@ -55,14 +57,29 @@ fn message_of(event: Event) -> Option<Message> {
         Event::Key(key) => (key.kind != KeyEventKind::Release).then_some(Message::Key(key)),
         Event::Paste(text) => Some(Message::Paste(text)),
         Event::Resize(columns, rows) => Some(Message::Resize(columns, rows)),
-        Event::Mouse(_) | Event::FocusGained | Event::FocusLost => None,
+        Event::Mouse(mouse) => wheel(mouse.kind),
+        Event::FocusGained | Event::FocusLost => None,
     }
+}
+
+/// The wheel moves as the arrow keys do; buttons are left to the terminal's own menus.
+fn wheel(kind: MouseEventKind) -> Option<Message> {
+    let code = match kind {
+        MouseEventKind::ScrollUp => KeyCode::Up,
+        MouseEventKind::ScrollDown => KeyCode::Down,
+        // Sideways would step values, which nobody means by brushing a touchpad.
+        MouseEventKind::ScrollLeft
+        | MouseEventKind::ScrollRight
+        | MouseEventKind::Down(_)
+        | MouseEventKind::Up(_)
+        | MouseEventKind::Drag(_)
+        | MouseEventKind::Moved => return None,
+    };
+    Some(Message::Key(KeyEvent::new(code, KeyModifiers::NONE)))
 }
 
 #[cfg(test)]
 mod tests {
-    use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-
     use super::*;
 
     #[test]

@@ -227,12 +227,11 @@ impl Shell {
     fn take(&mut self, message: Message) -> io::Result<Option<Ending>> {
         let mut queue = VecDeque::from([message]);
         while let Some(message) = queue.pop_front() {
-            match &message {
-                Message::Report(report) => self.note(report),
-                Message::Done(EffectReport::Loaded(Ok((name, _)))) => {
-                    start::note_recent(&mut self.recent, Path::new(name));
-                }
-                _ => {}
+            if let Message::Report(report) = &message {
+                self.note(report);
+            }
+            if let Message::Done(EffectReport::Loaded(Ok((name, _)))) = &message {
+                start::note_recent(&mut self.recent, Path::new(name));
             }
             let effects = update::update(&mut self.app, message);
             self.pace.change();

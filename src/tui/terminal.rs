@@ -13,9 +13,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use crossterm::cursor::{Hide, MoveTo, Show};
-use crossterm::event::{
-    DisableBracketedPaste, DisableMouseCapture, EnableBracketedPaste, EnableMouseCapture,
-};
+use crossterm::event::{DisableBracketedPaste, EnableBracketedPaste};
 use crossterm::queue;
 use crossterm::style::{Attribute, SetAttribute};
 use crossterm::terminal::{
@@ -35,6 +33,11 @@ static ENTERED: AtomicBool = AtomicBool::new(false);
 
 /// Whether the mouse is captured.
 static MOUSE: AtomicBool = AtomicBool::new(false);
+
+/// Reports of buttons and wheel, in the coordinates of SGR. crossterm's own sequence also asks for every movement, which a slow
+/// line would have to carry for nothing.
+const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
+const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
 
 /// Size assumed where the terminal does not know its own.
 const UNKNOWN_SIZE: Size = Size { width: 80, height: 24 };
@@ -94,12 +97,8 @@ impl Guard {
     /// Capture the mouse, or leave it to the terminal's own selection.
     pub(super) fn set_mouse(&mut self, on: bool) -> io::Result<()> {
         MOUSE.store(on, Ordering::SeqCst);
-        let pending = &mut self.terminal.backend_mut().pending;
-        if on {
-            queue!(pending, EnableMouseCapture)?;
-        } else {
-            queue!(pending, DisableMouseCapture)?;
-        }
+        let sequence = if on { MOUSE_ON } else { MOUSE_OFF };
+        self.terminal.backend_mut().pending.extend_from_slice(sequence);
         self.terminal.backend_mut().commit()
     }
 
@@ -141,7 +140,7 @@ fn farewell() -> Vec<u8> {
     // Writing to a vector does not fail.
     let _ = queue!(bytes, EndSynchronizedUpdate);
     if MOUSE.load(Ordering::SeqCst) {
-        let _ = queue!(bytes, DisableMouseCapture);
+        bytes.extend_from_slice(MOUSE_OFF);
     }
     let _ = queue!(
         bytes,
@@ -203,7 +202,7 @@ impl Screen {
     fn queue_entry(&mut self) -> io::Result<()> {
         queue!(self.pending, EnterAlternateScreen, EnableBracketedPaste, Hide)?;
         if MOUSE.load(Ordering::SeqCst) {
-            queue!(self.pending, EnableMouseCapture)?;
+            self.pending.extend_from_slice(MOUSE_ON);
         }
         self.cursor_shown = false;
         self.cursor_at = None;

@@ -20,6 +20,14 @@ fn started() -> Terminal {
     terminal
 }
 
+/// Give the impact velocity another value and wait until it is in force: the field is closed again.
+fn shoot_at_150(terminal: &mut Terminal) {
+    terminal.send("jj\r150\r");
+    terminal.wait_until("the new velocity", |screen| {
+        screen.hide_cursor() && screen.contents().contains(" 150 m/s")
+    });
+}
+
 #[test]
 fn a_session_from_the_first_chart_to_the_prompt() {
     let mut terminal = Terminal::start();
@@ -29,26 +37,32 @@ fn a_session_from_the_first_chart_to_the_prompt() {
     assert!(terminal.screen().bracketed_paste());
     terminal.settle(QUIET);
 
-    // Three rows down is the impact velocity; the curve follows the new value.
-    let before = chart(&terminal);
-    terminal.send("jj\r");
-    terminal.send("150\r");
-    terminal.wait_for("150");
+    // A faster shot goes deeper, and the curve follows.
+    let (chart_before, depth_before) = (chart(&terminal), depth_mm(&first));
+    shoot_at_150(&mut terminal);
     terminal.settle(QUIET);
-    assert_ne!(chart(&terminal), before);
+    let depth = depth_mm(&terminal.screen().contents());
+    assert!(depth > depth_before, "{depth} after {depth_before}");
+    assert_ne!(chart(&terminal), chart_before);
 
     terminal.send(" ");
-    terminal.wait_until("a pinned run in the legend", |screen| screen.contents().contains("A "));
+    terminal.wait_for("A v_i=150  * now");
 
     terminal.send("e");
-    terminal.wait_for(".csv");
+    terminal.wait_for("Export to CSV");
+    // Ctrl-U empties the field.
     terminal.send("\x15here.csv\r");
-    let csv = terminal.file("here.csv");
-    terminal.wait_for("here.csv");
-    terminal.settle(QUIET);
-    let text = fs::read_to_string(csv).expect("it has been written");
-    assert!(text.lines().count() > 10, "{text}");
-    assert!(text.contains("time_s,mode,penetration_m"), "{text}");
+    terminal.wait_for("written");
+    let text = fs::read_to_string(terminal.file("here.csv")).expect("it has been written");
+    let mut rows = csv::Reader::from_reader(text.as_bytes());
+    let column = rows.headers().expect("a header").iter().position(|name| name == "penetration_m");
+    let depths: Vec<f64> = rows
+        .records()
+        .map(|row| row.expect("a row")[column.expect("depths")].parse().expect("a number"))
+        .collect();
+    // What the file has is what the screen shows, to the digits shown.
+    let deepest_mm = depths.iter().fold(0.0, |a: f64, b| a.max(*b)) * 1e3;
+    assert!((deepest_mm - depth).abs() <= 0.0005 + 1e-9, "{deepest_mm} and {depth}");
     assert!(terminal.file("here.toml").exists());
 
     terminal.send("q");
@@ -58,10 +72,20 @@ fn a_session_from_the_first_chart_to_the_prompt() {
 
     // What was done is there the next time.
     let mut again = Terminal::start_with(Start { home: terminal.home.take(), ..Start::default() });
-    again.wait_for("150");
-    again.wait_for("restored");
+    let restored = again.wait_until("the restored session", |screen| {
+        screen.contents().contains("session restored") && screen.contents().contains(DONE)
+    });
+    assert!(restored.contains(" 150 m/s"), "{restored}");
+    again.wait_for("A v_i=150");
     again.send("q");
     assert_eq!(again.wait_exit(PATIENCE).exit_code(), 0);
+}
+
+/// The depth at first arrest on the screen, mm.
+fn depth_mm(screen: &str) -> f64 {
+    let (_, rest) = screen.split_once("first arrest  now ").expect("the line of results");
+    let number = rest.split_whitespace().next().expect("a number");
+    number.parse().expect("a number")
 }
 
 /// What is drawn right of the variables, at 80 columns.
@@ -72,11 +96,12 @@ fn chart(terminal: &Terminal) -> Vec<String> {
 #[test]
 fn a_summary_can_stay_on_the_main_screen() {
     let mut terminal = started();
+    let depth = depth_mm(&terminal.screen().contents());
     terminal.send("Q");
     assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
     terminal.assert_restored();
     let left = terminal.screen().contents();
-    assert!(left.contains("arrested"), "{left}");
+    assert!(left.contains("arrested") && left.contains(&depth.to_string()), "{left}");
 }
 
 #[test]
@@ -103,8 +128,7 @@ fn a_hangup_ends_the_process_and_keeps_the_session() {
         // Without a controlling terminal no signal comes: the loop must notice by itself.
         let mut terminal = Terminal::start_with(Start { controlling, ..Start::default() });
         terminal.wait_for(DONE);
-        terminal.send("jj\r150\r");
-        terminal.wait_for("150");
+        shoot_at_150(&mut terminal);
         terminal.hang_up();
         let status = terminal.wait_exit(Duration::from_secs(2));
         assert_eq!(status.exit_code(), 129, "controlling: {controlling}");
@@ -119,8 +143,7 @@ fn signals_end_the_process_with_the_terminal_restored() {
         [(Signal::TERM, 143), (Signal::HUP, 129), (Signal::INT, 130), (Signal::QUIT, 131)]
     {
         let mut terminal = started();
-        terminal.send("jj\r150\r");
-        terminal.wait_for("150");
+        shoot_at_150(&mut terminal);
         terminal.signal(signal);
         let status = terminal.wait_exit(Duration::from_secs(2));
         assert_eq!(status.exit_code(), code, "{signal:?}");
@@ -132,12 +155,10 @@ fn signals_end_the_process_with_the_terminal_restored() {
 #[test]
 fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     let mut terminal = started();
-    terminal.send("jj\r150\r");
-    terminal.wait_for("150");
+    shoot_at_150(&mut terminal);
     terminal.settle(QUIET);
     terminal.stop_taking();
     // Some 60 frames are more than a pseudo-terminal keeps for a reader that does not read.
-    let process = terminal.process();
     for _ in 0..60 {
         terminal.send("\x0c");
         terminal.settle(Duration::from_millis(50));
@@ -145,11 +166,18 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     let asked = Instant::now();
     terminal.signal(Signal::TERM);
     let status = terminal.wait_exit(Duration::from_secs(4));
-    assert_eq!(status.exit_code(), 143, "{process}");
+    assert_eq!(status.exit_code(), 143);
     // It really was stuck: left alone, it leaves in a few milliseconds.
     assert!(asked.elapsed() > Duration::from_secs(1), "{:?}", asked.elapsed());
     let kept = fs::read_to_string(terminal.session_file()).expect("the session was saved");
     assert!(kept.contains("150"), "{kept}");
+}
+
+/// Wait until the shell has the terminal again and has asked this often.
+fn at_prompt(terminal: &mut Terminal, prompts: usize) {
+    terminal.wait_until("the shell's prompt", |screen| {
+        !screen.alternate_screen() && screen.contents().matches("prompt>").count() == prompts
+    });
 }
 
 #[test]
@@ -168,13 +196,13 @@ fn ctrl_z_stops_and_fg_comes_back() {
     let process = process.trim();
     terminal.send("\x1a");
     wait_for_state(process, 'T');
-    terminal.wait_until("the shell again", |screen| {
-        !screen.alternate_screen() && screen.contents().contains("Stopped")
-    });
+    at_prompt(&mut terminal, 2);
+    assert!(terminal.screen().contents().contains("Stopped"));
     assert!(!terminal.screen().hide_cursor());
     assert!(!terminal.screen().bracketed_paste());
     terminal.send("echo alive\r");
-    terminal.wait_for("\nalive");
+    at_prompt(&mut terminal, 3);
+    assert_eq!(terminal.screen().contents().matches("alive").count(), 2);
     terminal.send("fg\r");
     terminal.wait_until("the workbench again", |screen| {
         screen.alternate_screen() && screen.contents().contains(DONE)
@@ -182,11 +210,25 @@ fn ctrl_z_stops_and_fg_comes_back() {
     terminal.settle(QUIET);
     // It listens again.
     terminal.send("q");
-    terminal.wait_until("the shell's fourth prompt", |screen| {
-        !screen.alternate_screen() && screen.contents().matches("prompt>").count() == 4
-    });
+    at_prompt(&mut terminal, 4);
     terminal.send("exit\r");
     assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
+}
+
+#[test]
+fn the_mouse_is_the_terminals_until_asked_for_and_its_wheel_moves_then() {
+    let mut terminal = started();
+    assert_eq!(terminal.screen().mouse_protocol_mode(), vt100::MouseProtocolMode::None);
+    terminal.send("M");
+    terminal.wait_until("mouse reports", |screen| {
+        screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
+    });
+    // The wheel, one notch down, over the list of variables (SGR report, button 65).
+    terminal.send("\x1b[<65;5;8M");
+    terminal.wait_for("> R ");
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
+    terminal.assert_restored();
 }
 
 #[test]
@@ -231,6 +273,9 @@ fn bytes_stay_few() {
     terminal.send("l");
     let nudge = terminal.settle(QUIET);
     assert!((1..=4096).contains(&nudge), "a nudge: {nudge} bytes");
+    terminal.send("L");
+    let coarse = terminal.settle(QUIET);
+    assert!((1..=4096).contains(&coarse), "a coarse nudge: {coarse} bytes");
     // A key held for two seconds, thirty times a second, in one go: frames are left out.
     for _ in 0..60 {
         terminal.send("l");
