@@ -9,7 +9,7 @@
 //! ```
 //!
 //! The same form serves every mode: pulling out has a negative strength and no drag, free flight no area, a plate held by its
-//! stop no mobility, and a joined body the mass m_2 + m_p cos² and no contact force. Model page, sections 2 and 3.
+//! stop no mobility, and a joined body the mass `m_2` + `m_p` cos² and no contact force. Model page, sections 2 and 3.
 
 use crate::model::contact::{AreaLaw, Nose};
 use crate::model::mechanism::{PowerKind, PowerLaw};
@@ -45,9 +45,9 @@ pub struct Motion {
     pub strength_pa: f64,
     /// c in the contact force, kg/m³.
     pub drag_kg_m3: f64,
-    /// How strongly the contact force slows the slip: 1/m_p + cos²/m_2, 1/kg.
+    /// How strongly the contact force slows the slip: `1/m_p` + `cos²/m_2`, 1/kg.
     pub slip_mobility: f64,
-    /// How strongly forces move the plate: 1/m_2, 0 for a plate that is held, 1/(m_2 + m_p cos²) for a joined body, 1/kg.
+    /// How strongly forces move the plate: `1/m_2`, 0 for a plate that is held, `1/(m_2` + `m_p` cos²) for a joined body, 1/kg.
     pub plate_mobility: f64,
     /// cos(theta) as far as it couples plate and slip; 0 for a joined body.
     pub coupling: f64,

@@ -54,7 +54,7 @@ const MATRIX: [[f64; STAGES]; STAGES] = [
     WEIGHTS,
 ];
 /// Real eigenvalue of the inverse matrix (the reciprocal of (6 + 81^(1/3) - 9^(1/3))/30).
-const GAMMA_0: f64 = 3.637_834_252_744_495_7;
+const GAMMA_0: f64 = 3.637_834_252_744_496;
 const ERROR_WEIGHTS: [f64; STAGES] =
     [-10.048_809_399_827_416, 1.382_142_733_160_748_7, -0.333_333_333_333_333_3];
 const NEWTON_MAX: usize = 25;

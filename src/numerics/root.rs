@@ -86,9 +86,9 @@ fn bracketed(c: &[f64], mut a: f64, mut b: f64) -> f64 {
     for _ in 0..60 {
         let value = evaluate(c, s);
         if value > 0.0 {
-            a = s
+            a = s;
         } else {
-            b = s
+            b = s;
         }
         let slope = evaluate_slope(c, s);
         let newton = s - value / slope;

@@ -18,7 +18,7 @@ pub fn square<const N: usize>(a: &[f64; N], j: usize) -> f64 {
     let half = j.div_ceil(2);
     let (front, back) = (&a[..half], &a[j + 1 - half..=j]);
     let twice: f64 = front.iter().zip(back.iter().rev()).map(|(a, b)| a * b).sum();
-    if j % 2 == 0 { 2.0 * twice + a[j / 2] * a[j / 2] } else { 2.0 * twice }
+    if j.is_multiple_of(2) { 2.0 * twice + a[j / 2] * a[j / 2] } else { 2.0 * twice }
 }
 
 /// Coefficient j >= 1 of y = x^alpha, given y's coefficients below j; x[0] must not be zero.

@@ -58,7 +58,7 @@ impl Trigger {
     }
 }
 
-/// offset + travel·q + slip·u + plate·x + plate_speed·w + contact·F + mechanism·G.
+/// offset + travel·q + slip·u + plate·x + `plate_speed·w` + contact·F + mechanism·G.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(super) struct Form {
     pub(super) offset: f64,

@@ -13,23 +13,23 @@ pub(super) struct Problem {
     pub(super) scene: Arc<Scene>,
     pub(super) geometry: Geometry,
     pub(super) mechanism: Mechanism,
-    /// m_p, kg.
+    /// `m_p`, kg.
     pub(super) projectile_kg: f64,
-    /// m_2, kg.
+    /// `m_2`, kg.
     pub(super) plate_kg: f64,
-    /// m_2 + m_p cos², the mass that moves with the plate when both move together, kg.
+    /// `m_2` + `m_p` cos², the mass that moves with the plate when both move together, kg.
     pub(super) joined_kg: f64,
-    /// Part of the mechanism's force that the interface carries while fused: m_p cos / joined mass.
+    /// Part of the mechanism's force that the interface carries while fused: `m_p` cos / joined mass.
     pub(super) share: f64,
     /// cos(theta).
     pub(super) cos: f64,
-    /// S_y, Pa.
+    /// `S_y`, Pa.
     pub(super) strength_pa: f64,
     /// c, kg/m³.
     pub(super) drag_kg_m3: f64,
     /// g.
     pub(super) grip: f64,
-    /// v_i, m/s.
+    /// `v_i`, m/s.
     pub(super) velocity_m_s: f64,
     /// The plate cannot move.
     pub(super) rigid: bool,

@@ -35,7 +35,7 @@ pub(super) struct Record {
     /// Greatest plate displacement so far, m.
     pub(super) farthest_m: f64,
     pub(super) farthest_s: f64,
-    /// Greatest push and pull through the interface while fused, over A S_y, and when the limits were first passed, s.
+    /// Greatest push and pull through the interface while fused, over A `S_y`, and when the limits were first passed, s.
     pub(super) push_ratio: Option<f64>,
     pub(super) pull_ratio: f64,
     pub(super) push_exceeded_s: Option<f64>,
@@ -53,7 +53,7 @@ pub(super) struct Setting<'a> {
     pub(super) still: bool,
     /// The plate rests on its stop.
     pub(super) held: bool,
-    /// What the interface can push at the present travel, A S_y, N.
+    /// What the interface can push at the present travel, A `S_y`, N.
     pub(super) interface_n: f64,
 }
 

@@ -38,7 +38,7 @@ pub(super) struct Whole<const N: usize> {
 impl<const N: usize> Whole<N> {
     /// `side` is the side of zero, which an even power needs to be odd.
     pub(super) fn new(coefficient: f64, exponent: usize, side: f64) -> Self {
-        let signed = if exponent % 2 == 0 { coefficient * side } else { coefficient };
+        let signed = if exponent.is_multiple_of(2) { coefficient * side } else { coefficient };
         Self { coefficient: signed, exponent, powers: [[0.0; N]; WHOLE_MAX - 1] }
     }
 }
