@@ -21,8 +21,10 @@ mod record;
 mod report;
 mod start;
 mod stiff;
+mod taylor;
 mod track;
 mod verdict;
+mod watch;
 
 /// Order of the ordinary computation, plus one.
 const TERMS: usize = 17;

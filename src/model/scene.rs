@@ -285,6 +285,7 @@ impl Scene {
     }
 
     /// The same shot into the same plate on a rigid mount, without stop or cocking.
+    #[must_use]
     pub fn on_rigid_mount(&self) -> Self {
         let mut scene = self.clone();
         scene.plate.mount = Mount::Rigid;

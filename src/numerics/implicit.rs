@@ -18,7 +18,7 @@ pub trait ImplicitSystem<const N: usize> {
     fn carried_slope(&self, y: &[f64; N]) -> [f64; N];
     /// f(y).
     fn rate(&self, y: &[f64; N]) -> [f64; N];
-    /// df/dy; `jacobian[i][j]` is the derivative of component i by y[j].
+    /// df/dy; `jacobian[i][j]` is the derivative of component i by component j of y.
     fn jacobian(&self, y: &[f64; N]) -> [[f64; N]; N];
     /// Scale of each component of g against which Newton's corrections are measured, > 0.
     fn scale(&self) -> [f64; N];
@@ -68,7 +68,7 @@ pub fn step<const N: usize, const M: usize>(
     h: f64,
     guess: [[f64; N]; STAGES],
 ) -> Option<Step<N>> {
-    assert_eq!(M, STAGES * N, "M is the size of the Newton system");
+    debug_assert_eq!(M, STAGES * N, "M is the size of the Newton system");
     let start = system.carried(y);
     let scale = system.scale();
     let mut stages = guess;
@@ -252,8 +252,8 @@ mod tests {
         for i in 0..STAGES {
             for q in 1..=STAGES {
                 let sum: f64 =
-                    (0..STAGES).map(|j| MATRIX[i][j] * NODES[j].powi(q as i32 - 1)).sum();
-                assert!((sum - NODES[i].powi(q as i32) / q as f64).abs() < 1e-15);
+                    (0..STAGES).map(|j| MATRIX[i][j] * NODES[j].powf(q as f64 - 1.0)).sum();
+                assert!((sum - NODES[i].powf(q as f64) / q as f64).abs() < 1e-15);
             }
         }
         for q in 1..=5 {

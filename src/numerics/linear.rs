@@ -29,8 +29,9 @@ pub fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64; N]) -
         for row in column + 1..N {
             let factor = matrix[row][column] / matrix[column][column];
             if factor != 0.0 {
-                for k in column..N {
-                    matrix[row][k] -= factor * matrix[column][k];
+                let pivot_row = matrix[column];
+                for (value, above) in matrix[row].iter_mut().zip(pivot_row).skip(column) {
+                    *value -= factor * above;
                 }
                 right[row] -= factor * right[column];
             }

@@ -21,9 +21,9 @@ pub fn square<const N: usize>(a: &[f64; N], j: usize) -> f64 {
     if j.is_multiple_of(2) { 2.0 * twice + a[j / 2] * a[j / 2] } else { 2.0 * twice }
 }
 
-/// Coefficient j >= 1 of y = x^alpha, given y's coefficients below j; x[0] must not be zero.
+/// Coefficient j >= 1 of y = x^alpha, given y's coefficients below j; `x[0]` must not be zero.
 ///
-/// With y[0] = sgn(x[0]) |x[0]|^alpha it is the odd extension sgn(x) |x|^alpha on either side of zero.
+/// With `y[0]` = `sgn(x[0]) |x[0]|^alpha` it is the odd extension sgn(x) |x|^alpha on either side of zero.
 #[inline]
 pub fn power<const N: usize>(x: &[f64; N], y: &[f64; N], alpha: f64, j: usize) -> f64 {
     let n = j as f64;
@@ -35,7 +35,7 @@ pub fn power<const N: usize>(x: &[f64; N], y: &[f64; N], alpha: f64, j: usize) -
     sum / (n * x[0])
 }
 
-/// Coefficient j of the square root y of x, given y's coefficients below j; x[0] > 0 (for j = 0, x[0] >= 0).
+/// Coefficient j of the square root y of x, given y's coefficients below j; `x[0]` > 0 (for j = 0, `x[0]` >= 0).
 #[inline]
 pub fn square_root<const N: usize>(x: &[f64; N], y: &[f64; N], j: usize) -> f64 {
     if j == 0 {
@@ -48,7 +48,7 @@ pub fn square_root<const N: usize>(x: &[f64; N], y: &[f64; N], j: usize) -> f64 
     sum / (2.0 * y[0])
 }
 
-/// Coefficient j of y = a/b, given y's coefficients below j; b[0] must not be zero.
+/// Coefficient j of y = a/b, given y's coefficients below j; `b[0]` must not be zero.
 #[inline]
 pub fn quotient<const N: usize>(a: &[f64; N], b: &[f64; N], y: &[f64; N], j: usize) -> f64 {
     let mut sum = a[j];

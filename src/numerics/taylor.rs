@@ -78,8 +78,8 @@ mod tests {
     fn a_polynomial_does_not_limit_the_step_and_a_nan_stops_it() {
         let mut c = [0.0; 17];
         c[1] = 1.0;
-        assert_eq!(trusted_step(&[(&c, 1.0)], 1e-12), GROWTH_MAX);
+        assert!((trusted_step(&[(&c, 1.0)], 1e-12) - GROWTH_MAX).abs() < 1e-12);
         c[16] = f64::NAN;
-        assert_eq!(trusted_step(&[(&c, 1.0)], 1e-12), 0.0);
+        assert_eq!(trusted_step(&[(&c, 1.0)], 1e-12).to_bits(), 0);
     }
 }

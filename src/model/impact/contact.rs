@@ -102,7 +102,7 @@ impl Track<'_> {
         let passage = problem.passage(free);
         let ending = passage.ending();
         if let Ending::Exit { velocity_m_s } = ending
-            && !(velocity_m_s > LIMIT_MARGIN * problem.velocity_m_s)
+            && velocity_m_s <= LIMIT_MARGIN * problem.velocity_m_s
         {
             return false;
         }
@@ -111,7 +111,7 @@ impl Track<'_> {
         let Some(last) = moments.last().copied() else {
             return false;
         };
-        if !(last.t_s <= problem.horizon_s) {
+        if last.t_s.is_nan() || last.t_s > problem.horizon_s {
             return false;
         }
         let share =

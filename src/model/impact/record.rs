@@ -14,6 +14,7 @@ const POINTS_MAX: usize = 20_000;
 
 /// Energies that have to be integrated along the way, J.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[expect(clippy::struct_field_names, reason = "units end every name")]
 pub(super) struct Work {
     pub(super) penetration_j: f64,
     pub(super) damper_j: f64,

@@ -110,7 +110,7 @@ fn warnings(
         list.push(Warning::PenetrationResumed { t_s });
     }
     let residual = ledger.residual();
-    if !(residual.abs() < DRIFT) {
+    if residual.is_nan() || residual.abs() >= DRIFT {
         list.push(Warning::EnergyDrift { residual });
     }
     if baseline_m(problem).is_none() {
@@ -148,7 +148,7 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
         (problem.mechanism.stop.is_none(), Omission::Stop),
         (whole(spring.kind()), Omission::SpringPower),
         (whole(damper.kind()), Omission::DamperPower),
-        (problem.cos == 1.0, Omission::Obliquity),
+        (problem.geometry.nose.sin == 0.0, Omission::Obliquity),
         (track.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),
         (track.steps == 0, Omission::Integration),
         (answer == Answer::Immobile, Omission::MechanismWithinContact),

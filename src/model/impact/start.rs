@@ -27,6 +27,7 @@ const LEFT_OUT: f64 = 1e-4;
 
 /// How fast things happen.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::struct_field_names, reason = "units end every name")]
 pub(super) struct Pace {
     /// Duration of the contact, s.
     pub(super) contact_s: f64,
@@ -137,7 +138,7 @@ impl Track<'_> {
         let decay = stiffness_per_s(mechanism.damper, state.plate_m_s, self.problem.plate_kg);
         let radians = larger(rate, decay) * t_s;
         // NaN (an infinite tangent at zero) is stiff, too.
-        self.stiff = !(radians < STIFF_FROM) || state.plate_m == 0.0;
+        self.stiff = radians.is_nan() || radians >= STIFF_FROM || state.plate_m == 0.0;
         let mut record = std::mem::take(&mut self.record);
         let setting = self.setting(motion);
         if !self.stiff {

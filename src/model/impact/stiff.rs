@@ -200,7 +200,7 @@ impl Track<'_> {
         let left = self.until_s() - self.t_s;
         for _ in 0..200 {
             h = if left < h { left } else { h };
-            if self.t_s + h == self.t_s {
+            if h <= 0.5 * f64::EPSILON * self.t_s {
                 return ControlFlow::Break(EndReason::StepUnderflow);
             }
             let solved = step::<4, 12>(&system, &y, h, system.guess(&y, h));

@@ -64,7 +64,7 @@ impl Track<'_> {
     /// The time at which the tail after the contact ends, s.
     fn tail_s(&self) -> f64 {
         let contact = self.record.first_arrest.map(|arrest| arrest.t_s);
-        TAIL * contact.or(self.record.exit.map(|exit| exit.0)).unwrap_or(self.t_s)
+        TAIL * contact.or_else(|| self.record.exit.map(|exit| exit.0)).unwrap_or(self.t_s)
     }
 
     /// The time beyond which the next step must not go, s.

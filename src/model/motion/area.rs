@@ -151,9 +151,8 @@ impl<const N: usize> Face<N> {
         let Nose { radius_m: r, sin, cos } = self.nose;
         let full = 2.0 * r * r;
         match self.section {
-            Section::None => 0.0,
             Section::Full if j == 0 => self.nose.area_m2(self.start_m),
-            Section::Full => 0.0,
+            Section::None | Section::Full => 0.0,
             Section::Cap => {
                 // pi R² cos (1 - kappa²)
                 self.kappa[j] =

@@ -1,0 +1,150 @@
+//! Which guards are watched in which mode.
+
+use crate::model::impact::guard::{Form, Guards, Trigger};
+use crate::model::impact::track::Track;
+use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::run::Mode;
+use crate::numerics::{larger, smaller};
+
+/// Half-width of the neighbourhood of zero in which a singular power law is left out, relative to the greatest value seen.
+/// A spring gives on one side of it what it takes on the other; a damper does not, and a plate may creep near zero.
+const CLEAR_OF_SPRING: f64 = 1e-6;
+const CLEAR_OF_DAMPER: f64 = 1e-9;
+/// Part of the plate's energy, or of the other forces, that a law may have where it is left out.
+const PASSING: f64 = 1e-3;
+/// The neighbourhood takes at least this part of the time reached to cross: the clock has no finer ticks.
+const CLOCK: f64 = 1e-13;
+
+impl Track<'_> {
+    /// Everything that may end the present stretch.
+    pub(super) fn guards(&self) -> Guards {
+        let mut guards = Guards::none();
+        self.watch_slip(&mut guards);
+        if !self.problem.rigid && !self.immobile {
+            self.watch_plate(&mut guards);
+        }
+        guards
+    }
+
+    fn watch_slip(&self, guards: &mut Guards) {
+        let (geometry, q) = (&self.problem.geometry, self.state.travel_m);
+        match self.mode {
+            Mode::Penetrating | Mode::Closing => {
+                let end = geometry.piece(q).to_m;
+                guards.watch(
+                    Trigger::PieceEnd,
+                    Form { offset: end, travel: -1.0, ..Form::default() },
+                );
+                guards.watch(Trigger::SlipZero, Form { slip: 1.0, ..Form::default() });
+                if self.mode == Mode::Closing {
+                    let bottom = Form { offset: self.deepest_m, travel: -1.0, ..Form::default() };
+                    guards.watch(Trigger::HoleBottom, bottom);
+                }
+            }
+            Mode::Withdrawing => {
+                let behind = geometry.pieces().iter().rev().find(|piece| piece.from_m < q);
+                let start = behind.map_or(0.0, |piece| piece.from_m);
+                guards.watch(
+                    Trigger::PieceStart,
+                    Form { offset: -start, travel: 1.0, ..Form::default() },
+                );
+                guards.watch(Trigger::SlipZero, Form { slip: -1.0, ..Form::default() });
+            }
+            Mode::FreeFlight => {
+                guards.watch(Trigger::Recontact, Form { travel: -1.0, ..Form::default() });
+            }
+            Mode::Fused if !self.is_still() => self.watch_interface(guards),
+            Mode::Fused | Mode::Perforated => {}
+        }
+    }
+
+    fn watch_interface(&self, guards: &mut Guards) {
+        let (strength, share) = (self.interface_n(), self.problem.share);
+        let pull = self.problem.grip * strength;
+        let at_bottom = self.state.travel_m >= self.deepest_m;
+        let push = if at_bottom { strength } else { pull };
+        let record = &self.record;
+        if self.problem.plastic || (strength > 0.0 && record.push_exceeded_s.is_none()) {
+            let form = Form { offset: push, mechanism: -share, ..Form::default() };
+            guards.watch(Trigger::PushLimit, form);
+        }
+        if self.problem.plastic || (strength > 0.0 && record.pull_exceeded_s.is_none()) {
+            let form = Form { offset: pull, mechanism: share, ..Form::default() };
+            guards.watch(Trigger::PullLimit, form);
+        }
+    }
+
+    fn watch_plate(&self, guards: &mut Guards) {
+        let mechanism = &self.problem.mechanism;
+        if self.held {
+            let offset = -mechanism.spring.force(self.state.plate_m);
+            let form = Form { offset, contact: self.problem.cos, ..Form::default() };
+            guards.watch(Trigger::StopRelease, form);
+            return;
+        }
+        let singular = |law: PowerLaw| law.kind() == PowerKind::General && !self.stiff;
+        self.watch_zero_of_x(guards, singular(mechanism.spring));
+        self.watch_zero_of_w(guards, singular(mechanism.damper));
+        let at = mechanism.stop_at_m;
+        if self.stop_touches {
+            let stop = mechanism.elastic_stop().unwrap_or_default();
+            let form = Form {
+                offset: -stop.stiffness_n_m * at,
+                plate: stop.stiffness_n_m,
+                plate_speed: stop.damping_n_s_m,
+                ..Form::default()
+            };
+            guards.watch(Trigger::StopCleared, form);
+        } else if at.is_finite() {
+            guards.watch(Trigger::StopReached, Form { offset: at, plate: -1.0, ..Form::default() });
+        }
+    }
+
+    fn watch_zero_of_x(&self, guards: &mut Guards, singular: bool) {
+        let near = self.near_zero_m();
+        if self.spring_omitted {
+            for side in [1.0, -1.0] {
+                let form = Form { offset: near, plate: -side, ..Form::default() };
+                guards.watch(Trigger::PlateClear, form);
+            }
+        } else if !self.problem.mechanism.spring.is_smooth_at_zero() && !self.stiff {
+            let offset = if singular { -near } else { 0.0 };
+            guards
+                .watch(Trigger::PlateZero, Form { offset, plate: self.side_x, ..Form::default() });
+        }
+    }
+
+    fn watch_zero_of_w(&self, guards: &mut Guards, singular: bool) {
+        let near = self.near_zero_m_s();
+        if self.damper_omitted {
+            for side in [1.0, -1.0] {
+                let form = Form { offset: near, plate_speed: -side, ..Form::default() };
+                guards.watch(Trigger::PlateSpeedClear, form);
+            }
+            return;
+        }
+        let offset = if singular { -near } else { 0.0 };
+        let form = Form { offset, plate_speed: self.side_w, ..Form::default() };
+        guards.watch(Trigger::PlateSpeedZero, form);
+    }
+
+    /// How close to zero displacement the singular spring is left out: so close that it holds little of the plate's energy.
+    fn near_zero_m(&self) -> f64 {
+        let (spring, w) = (self.problem.mechanism.spring, self.state.plate_m_s);
+        let energy = 0.5 * self.problem.plate_kg * w * w;
+        let passing =
+            smaller(CLEAR_OF_SPRING * self.plate_scale_m, spring.at_integral(PASSING * energy));
+        larger(passing, CLOCK * self.t_s * w.abs())
+    }
+
+    /// How close to zero velocity the singular damper is left out: so close that other forces turn the plate round.
+    fn near_zero_m_s(&self) -> f64 {
+        let damper = self.problem.mechanism.damper;
+        let motion = self.motion();
+        let (_, rate) = motion.accelerations(&self.state);
+        let damping = motion.damper.force(self.state.plate_m_s) * motion.plate_mobility;
+        let others = (rate + damping).abs();
+        let turning = damper.at_force(PASSING * others * self.problem.plate_kg);
+        larger(smaller(CLEAR_OF_DAMPER * self.speed_scale_m_s, turning), CLOCK * self.t_s * others)
+    }
+}
