@@ -4,11 +4,11 @@
 //! in one place.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use crate::files::export::ExportRequest;
 use crate::model::scene::Scene;
 use crate::worker::{Job, Report};
 
@@ -74,34 +74,6 @@ pub struct PresetEntry {
     pub scene: Scene,
     /// The comment block at the head of its file: source and what to expect.
     pub comment: String,
-}
-
-/// What an export contains and where it goes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExportRequest {
-    /// Target file of the CSV; the sidecar TOML goes beside it.
-    pub path: PathBuf,
-    /// Replace an existing file.
-    pub overwrite: bool,
-    /// Which rows.
-    pub rows: ExportRows,
-    /// The runs, each with its name (`now`, `A`, ...).
-    pub runs: Vec<(String, Arc<crate::model::run::Run>)>,
-    /// Names of the columns to write, in order; empty: all.
-    pub columns: Vec<String>,
-}
-
-/// Which rows an export has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ExportRows {
-    /// The solver's steps and enough between them to draw from.
-    Series,
-    /// A uniform grid of this many rows.
-    Grid(usize),
-    /// One row per run: its results.
-    Results,
-    /// The events.
-    Events,
 }
 
 /// What the workbench asks the outside to do.

@@ -6,14 +6,13 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
+use cmra::files::csv::Rows;
 use cmra::model::scene::{InterfaceLaw, Mount};
 use cmra::tui::app::Tab;
 use cmra::tui::app::charts::Window;
 use cmra::tui::app::dialog::Dialog;
 use cmra::tui::app::notice::Severity;
-use cmra::tui::message::{
-    BINDINGS, Effect, EffectReport, ExportOutcome, ExportRows, Message, Place,
-};
+use cmra::tui::message::{BINDINGS, Effect, EffectReport, ExportOutcome, Message, Place};
 use cmra::worker::{ReportBody, Slot};
 use crossterm::event::KeyEvent;
 
@@ -469,7 +468,7 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     });
     let request = request.unwrap();
     assert_eq!(request.path.to_str(), Some("/home/ada/work/thesis-baseline-x.csv"));
-    assert_eq!(request.rows, ExportRows::Series);
+    assert_eq!(request.rows, Rows::Series);
     let names: Vec<&str> = request.runs.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["now"]);
     assert!(!request.overwrite);
