@@ -27,6 +27,8 @@ pub enum Message {
     Report(Report),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
+    /// A job has been running for so long that leaving must not drop it unasked: its number.
+    LongJob(u64),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),
     /// A line of the program's own log, for the Log tab (not for the message row).
@@ -191,6 +193,8 @@ pub enum Action {
     FitVertical,
     Window,
     Quantity,
+    SecondAxis,
+    NoSecondAxis,
     LogX,
     LogY,
     FullPane,
@@ -367,6 +371,8 @@ pub static BINDINGS: &[Binding] = &[
     bind(Charts, &[plain(']')], A::PanRight, "pan right", "pan right", 0),
     bind(Charts, &[plain('f')], A::FitVertical, "y-fit", "fit the vertical axis to what is in view, or to everything", 0),
     bind(Charts, &[plain('v')], A::Quantity, "quantity", "another quantity in this chart", 6),
+    bind(Charts, &[plain('w')], A::SecondAxis, "2nd axis", "another quantity of the same run on an axis at the right", 13),
+    bind(Charts, &[plain('W')], A::NoSecondAxis, "no 2nd axis", "take the axis at the right away", 0),
     bind(Charts, &[plain('X')], A::LogX, "log time", "logarithmic or linear time axis", 0),
     bind(Charts, &[plain('Y')], A::LogY, "log value", "logarithmic or linear value axis", 0),
     bind(Charts, &[plain('D')], A::Difference, "difference", "curves as differences to the first pinned run", 0),

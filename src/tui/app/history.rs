@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Base;
+use super::runs::Pin;
 use crate::model::scene::Scene;
 
 /// The scene and what it is compared with, at one moment.
@@ -23,6 +24,8 @@ pub struct Edit {
     pub before: Snapshot,
     /// After it.
     pub after: Snapshot,
+    /// The pin it took away: then the scene is the same before and after.
+    pub unpinned: Option<Pin>,
     /// The variable it was stepped with, while further steps still belong to it.
     pub stepping: Option<usize>,
 }

@@ -31,10 +31,7 @@ pub(super) fn open(app: &mut App) {
         what: What::Series,
         grid: Input::new(GRID_ROWS.0.to_string()),
         runs: runs.into_iter().map(|(name, _)| (name, true)).collect(),
-        columns: csv::columns(Rows::Series, false)
-            .into_iter()
-            .map(|name| (name, true))
-            .collect(),
+        columns: csv::columns(Rows::Series, false).into_iter().map(|name| (name, true)).collect(),
         path: Input::new(format!("{stem}.csv")),
         row: ExportRow::Path,
         question: false,
