@@ -2,6 +2,7 @@
 
 mod bench;
 mod keys;
+mod readme;
 
 use bench::{Bench, made};
 use cmra::model::scene::Scene;

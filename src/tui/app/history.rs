@@ -68,6 +68,12 @@ impl History {
         self.edits.get(self.done)
     }
 
+    /// The pins that some of the edits took away.
+    pub fn unpinned(&self, edits: std::ops::Range<usize>) -> Vec<Pin> {
+        let edits = self.edits.get(edits).unwrap_or_default();
+        edits.iter().filter_map(|edit| edit.unpinned.clone()).collect()
+    }
+
     /// Do the last undone edit again; gives it.
     pub fn redo(&mut self) -> Option<&Edit> {
         let edit = self.edits.get(self.done)?;

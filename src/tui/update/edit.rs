@@ -128,12 +128,11 @@ pub(super) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
         None => app.history.edits[0].before.clone(),
     };
     let mut effects = Vec::new();
-    for edit in app.history.edits[done.min(app.history.done)..app.history.done].to_vec() {
-        effects.extend(edit.unpinned.into_iter().flat_map(|pin| runs::put_back(app, pin)));
-    }
-    for edit in app.history.edits[app.history.done.min(done)..done].to_vec() {
-        effects.extend(edit.unpinned.into_iter().flat_map(|pin| runs::take_away(app, &pin)));
-    }
+    let here = app.history.done;
+    let back = app.history.unpinned(done.min(here)..here);
+    effects.extend(back.into_iter().flat_map(|pin| runs::put_back(app, pin)));
+    let gone = app.history.unpinned(here.min(done)..done);
+    effects.extend(gone.into_iter().flat_map(|pin| runs::take_away(app, &pin)));
     app.history.done = done;
     app.say(Severity::Note, format!("back to the state after edit {done}"));
     effects.extend(install(app, snapshot));
