@@ -16,6 +16,7 @@ use track::Track;
 mod contact;
 mod events;
 mod guard;
+pub mod lean;
 mod problem;
 mod record;
 mod report;
