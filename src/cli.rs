@@ -9,6 +9,7 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+mod accuracy;
 mod completions;
 mod error;
 mod json;
@@ -48,6 +49,8 @@ pub(crate) struct Arguments {
 enum Command {
     /// Run one scene and print what happened
     Run(run::RunArguments),
+    /// Compare every method's error with its run time
+    Accuracy(accuracy::AccuracyArguments),
     /// List the presets, or show one
     Presets(presets::PresetsArguments),
     /// Print where this program keeps presets, session and log
@@ -93,6 +96,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
     match arguments.command {
         None => workbench::run(&arguments.workbench),
         Some(Command::Run(arguments)) => run::run(&arguments),
+        Some(Command::Accuracy(arguments)) => accuracy::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Paths) => paths::run(),
         Some(Command::Completions(arguments)) => completions::run(arguments.shell),

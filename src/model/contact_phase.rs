@@ -16,6 +16,7 @@ use crate::numerics::explicit::{Boundary, Count, Limits, Reached, Start, Stop, S
 use crate::numerics::explicit::{dop853, rk4};
 use section::Faces;
 
+pub mod exact;
 pub mod section;
 
 /// Stretches between boundaries after which a phase is given up: a plate that rattles about a singular zero.
@@ -82,6 +83,10 @@ pub enum Refusal {
     OtherEnding,
     /// The scene's run ended early.
     EndedEarly,
+    /// The plate has swung through a singular zero too often.
+    Rattles,
+    /// Nothing that shares no code with the method could be computed to judge it by.
+    NoReference,
     /// It has taken so long that coarser points are all this report waits for.
     TooSlow,
 }
@@ -100,6 +105,8 @@ impl Refusal {
             Self::TooStiff => "gave up: too stiff for Taylor steps",
             Self::OtherEnding => "wrong: ends in another way than the reference",
             Self::EndedEarly => "the run ended early",
+            Self::Rattles => "gave up: the plate swings through zero too often",
+            Self::NoReference => "not run: nothing independent to judge it by",
             Self::TooSlow => "not run: would take too long",
         }
     }
@@ -238,7 +245,7 @@ impl Phase {
             }
             start = Start { t: reached.t, y: reached.y, step: Some(reached.step) };
         }
-        Err(Refusal::NoEnd)
+        Err(Refusal::Rattles)
     }
 }
 

@@ -15,6 +15,7 @@ use track::Track;
 
 mod contact;
 mod events;
+pub mod forced;
 mod guard;
 mod problem;
 mod record;
