@@ -17,6 +17,8 @@ mod pty;
 #[cfg(test)]
 mod screens;
 #[cfg(test)]
+mod stability;
+#[cfg(test)]
 mod support;
 #[cfg(test)]
 mod terminal;
