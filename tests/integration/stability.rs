@@ -45,21 +45,36 @@ fn measure(run: &Run) -> Option<f64> {
 fn check(index: u64) -> Option<Shortfall> {
     let changes = draw::changes(index);
     let scene = draw::scene(&changes);
-    let fail = |class: &str, detail: String| Some(Shortfall { class: class.to_owned(), index, detail });
+    let fail =
+        |class: &str, detail: String| Some(Shortfall { class: class.to_owned(), index, detail });
     let clock = std::time::Instant::now();
     let Ok((run, monotone)) = std::panic::catch_unwind(|| run_of(&scene, false)) else {
         return fail("panic", String::new());
     };
     let took = clock.elapsed().as_secs_f64();
     let residual = run.ledger.residual();
-    let what = format!("{} {:?} steps {} rej {} res {residual:.1e} {:.3}s {}", run.outcome.word(), run.end, run.cost.steps, run.cost.rejected, took, run.cost.method);
+    let what = format!(
+        "{} {:?} steps {} rej {} res {residual:.1e} {:.3}s {}",
+        run.outcome.word(),
+        run.end,
+        run.cost.steps,
+        run.cost.rejected,
+        took,
+        run.cost.method
+    );
     if !run.end.is_complete() {
         return fail(&format!("end {:?}", run.end), what);
     }
     if run.outcome == Outcome::Moving {
         return fail("moving at horizon", what);
     }
-    let numbers = [run.final_penetration_m, run.exit_time_s, run.max_plate_displacement_m, run.residual_velocity_m_s, Some(run.peak_contact_force_n)];
+    let numbers = [
+        run.final_penetration_m,
+        run.exit_time_s,
+        run.max_plate_displacement_m,
+        run.residual_velocity_m_s,
+        Some(run.peak_contact_force_n),
+    ];
     if numbers.iter().flatten().any(|z| !z.is_finite()) {
         return fail("not finite", what);
     }
@@ -77,7 +92,10 @@ fn check(index: u64) -> Option<Shortfall> {
         tight.run.tolerance = 1e-11;
         let (second, _) = run_of(&Arc::new(tight), false);
         if second.outcome != run.outcome {
-            return fail("outcome by tolerance", format!("{what} / {} {:?}", second.outcome.word(), second.end));
+            return fail(
+                "outcome by tolerance",
+                format!("{what} / {} {:?}", second.outcome.word(), second.end),
+            );
         }
         if let (Some(a), Some(b)) = (measure(&run), measure(&second)) {
             let differ = (a / b - 1.0).abs();
@@ -85,9 +103,15 @@ fn check(index: u64) -> Option<Shortfall> {
                 let (told, _) = run_of(&scene, true);
                 let estimate = told.error_estimate.map_or(0.0, |e| e.relative);
                 if !(estimate * 10.0 >= differ) {
-                    return fail("tolerances differ silently", format!("{what} differ {differ:.1e} estimate {estimate:.1e}"));
+                    return fail(
+                        "tolerances differ silently",
+                        format!("{what} differ {differ:.1e} estimate {estimate:.1e}"),
+                    );
                 }
-                return fail("tolerances differ, told", format!("{what} differ {differ:.1e} estimate {estimate:.1e}"));
+                return fail(
+                    "tolerances differ, told",
+                    format!("{what} differ {differ:.1e} estimate {estimate:.1e}"),
+                );
             }
         }
     }
@@ -125,7 +149,15 @@ fn ten_thousand() {
     let all = sweep();
     let mut text = String::new();
     for s in &all {
-        let _ = writeln!(text, "{} | {} | {} |{}", s.class, s.index, s.detail, draw::typed(&draw::changes(s.index)));
+        let _ = writeln!(
+            text,
+            "{} | {} | {} |{}",
+            s.class,
+            s.index,
+            s.detail,
+            draw::typed(&draw::changes(s.index))
+        );
     }
-    std::fs::write("/tmp/w/T/sweep.txt", &text).unwrap_or_else(|_| std::fs::write("/tmp/w/stability-sweep.txt", &text).unwrap());
+    std::fs::write("/tmp/w/T/sweep.txt", &text)
+        .unwrap_or_else(|_| std::fs::write("/tmp/w/stability-sweep.txt", &text).unwrap());
 }

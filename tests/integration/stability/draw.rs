@@ -64,9 +64,11 @@ pub(super) fn changes(index: u64) -> Vec<(&'static str, String)> {
     let exponent = |dimension: usize, low: f64, high: f64| {
         let drawn = point.at(dimension);
         let chosen = (drawn * 4.0 * ROUND.len() as f64).floor() as usize;
-        ROUND.get(chosen).copied().filter(|z| *z >= low && *z <= high).unwrap_or_else(|| {
-            rounded(low * (high / low).powf((drawn - 0.25).abs() / 0.75))
-        })
+        ROUND
+            .get(chosen)
+            .copied()
+            .filter(|z| *z >= low && *z <= high)
+            .unwrap_or_else(|| rounded(low * (high / low).powf((drawn - 0.25).abs() / 0.75)))
     };
     set("n", number(exponent(0, 0.05, 6.0)));
     set("m", number(exponent(1, 0.2, 3.0)));
