@@ -9,6 +9,7 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+mod accuracy;
 mod completions;
 mod error;
 mod json;
@@ -19,6 +20,7 @@ mod plain;
 mod presets;
 mod run;
 mod scene;
+mod stability;
 mod summary;
 mod workbench;
 
@@ -48,6 +50,10 @@ pub(crate) struct Arguments {
 enum Command {
     /// Run one scene and print what happened
     Run(run::RunArguments),
+    /// Compare every method's error with its run time
+    Accuracy(accuracy::AccuracyArguments),
+    /// Hold the engine to a battery of stiff and extreme scenes, or map where a fixed step is stable
+    Stability(stability::StabilityArguments),
     /// List the presets, or show one
     Presets(presets::PresetsArguments),
     /// Print where this program keeps presets, session and log
@@ -93,6 +99,8 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
     match arguments.command {
         None => workbench::run(&arguments.workbench),
         Some(Command::Run(arguments)) => run::run(&arguments),
+        Some(Command::Accuracy(arguments)) => accuracy::run(&arguments),
+        Some(Command::Stability(arguments)) => stability::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Paths) => paths::run(),
         Some(Command::Completions(arguments)) => completions::run(arguments.shell),

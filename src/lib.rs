@@ -10,5 +10,6 @@ pub mod cli;
 pub mod files;
 pub mod model;
 pub mod numerics;
+pub mod study;
 pub mod tui;
 pub mod worker;

@@ -5,8 +5,10 @@
 //! its unit. **Invariants:** no file, no screen, no clock and no thread is known here; `simulate` is a pure
 //! function of its arguments; nothing but `Err` for a scene that cannot start is refused.
 
+pub mod appendix;
 pub mod closed_form;
 pub mod contact;
+pub mod contact_phase;
 pub mod impact;
 pub mod mechanism;
 pub mod motion;

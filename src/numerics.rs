@@ -2,9 +2,11 @@
 //!
 //! Map of the folder, in reading order: [`series`] is arithmetic on truncated power series, from which a model builds the
 //! Taylor expansion of its solution; [`taylor`] chooses the step such an expansion is good for; [`implicit`] is an
-//! L-stable collocation method for what is too stiff for that; [`root`] locates events; [`quadrature`] integrates.
+//! L-stable collocation method for what is too stiff for that; [`explicit`] are the Runge-Kutta methods everything is compared
+//! with; [`root`] locates events; [`quadrature`] integrates.
 //! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
 
+pub mod explicit;
 pub mod implicit;
 pub mod linear;
 pub mod quadrature;

@@ -8,6 +8,7 @@ use crate::cli::CliError;
 use crate::files::bundled;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
+use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables;
 
@@ -34,16 +35,23 @@ impl SceneArguments {
             Some("-") => from_stdin()?,
             name => named(name.unwrap_or(bundled::BASELINE))?,
         };
-        for argument in &self.set {
-            let (name, value) = argument
-                .split_once('=')
-                .ok_or_else(|| CliError::NotAnAssignment { argument: argument.clone() })?;
-            variables::set_by_name(&mut preset.scene, name, value, Bare::Si).map_err(|source| {
-                CliError::Set { argument: argument.clone(), source: Box::new(source) }
-            })?;
-        }
+        change(&mut preset.scene, &self.set)?;
         Ok(preset)
     }
+}
+
+/// Make every change of `--set`, in order.
+pub(super) fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
+    for argument in set {
+        let (name, value) = argument
+            .split_once('=')
+            .ok_or_else(|| CliError::NotAnAssignment { argument: argument.clone() })?;
+        variables::set_by_name(scene, name, value, Bare::Si).map_err(|source| CliError::Set {
+            argument: argument.clone(),
+            source: Box::new(source),
+        })?;
+    }
+    Ok(())
 }
 
 /// A scene by name or path. Without a home directory there are just no own presets.

@@ -15,6 +15,7 @@ use track::Track;
 
 mod contact;
 mod events;
+pub mod forced;
 mod guard;
 pub mod lean;
 mod problem;

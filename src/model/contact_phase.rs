@@ -1,0 +1,412 @@
+//! The contact phase alone, from first contact to first arrest or perforation, as a plain initial-value problem.
+//!
+//! Written a second time, apart from the engine of `impact.rs`: own area formulas, own scaling, powers by `powf`, explicit
+//! methods. So it can judge the engine, and the engine it. In units of the nose radius R, the impact velocity v and R/v,
+//!
+//! ```text
+//! q' = u    u' = -f (1 + cos²/gamma) + g cos/gamma    f = a(q) (sigma + kappa u²)
+//! x' = w    w' = (f cos - g)/gamma                    g = K |x|^n sgn x + D |w|^m sgn w
+//! ```
+//!
+//! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
+
+use crate::model::scene::{Mount, Scene};
+use crate::numerics::explicit::rk4::Crossing;
+use crate::numerics::explicit::{Boundary, Count, Limits, Reached, Start, Stop, System};
+use crate::numerics::explicit::{dop853, rk4};
+use section::Faces;
+
+pub mod exact;
+pub mod section;
+
+/// Stretches between boundaries after which a phase is given up: a plate that rattles about a singular zero.
+const STRETCHES_MAX: usize = 2_000;
+/// Time, in R/v, after which it is given up.
+const UNTIL: f64 = 1e9;
+
+/// How the first contact ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// Common velocity.
+    Arrest,
+    /// The nose is clear of the rear face.
+    Perforation,
+}
+
+impl Ending {
+    /// The word for tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Arrest => "arrest",
+            Self::Perforation => "perforation",
+        }
+    }
+}
+
+/// What a method found for the contact phase, and what it spent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answer {
+    /// How it ends.
+    pub ending: Ending,
+    /// When, s.
+    pub t_s: f64,
+    /// Depth then, m.
+    pub depth_m: f64,
+    /// Steps taken.
+    pub steps: usize,
+    /// Steps thrown away.
+    pub rejected: usize,
+    /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
+    pub evaluations: usize,
+}
+
+/// Why a method gives no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// A mechanism acts: there is no closed form.
+    NoClosedForm,
+    /// The plate meets its stop within the contact, which these equations do not contain.
+    StopWithinContact,
+    /// The step budget was used up.
+    StepBudget,
+    /// Steps became too small to move time forward.
+    StepUnderflow,
+    /// A value stopped being finite.
+    NonFinite,
+    /// The projectile left the way it came before common velocity.
+    Separated,
+    /// It neither stopped nor left in any sensible time.
+    NoEnd,
+    /// Taylor steps alone cannot pass a stiff stretch.
+    TooStiff,
+    /// It ends in another way than the reference says.
+    OtherEnding,
+    /// The scene's run ended early.
+    EndedEarly,
+    /// The plate has swung through a singular zero too often.
+    Rattles,
+    /// Nothing that shares no code with the method could be computed to judge it by.
+    NoReference,
+    /// It has taken so long that coarser points are all this report waits for.
+    TooSlow,
+}
+
+impl Refusal {
+    /// The reason in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::NoClosedForm => "no closed form: a mechanism acts",
+            Self::StopWithinContact => "the stop acts within the contact: only auto knows stops",
+            Self::StepBudget => "gave up: step budget used up",
+            Self::StepUnderflow => "gave up: steps too small to move time",
+            Self::NonFinite => "blew up: a value is not finite",
+            Self::Separated => "wrong: projectile leaves the way it came",
+            Self::NoEnd => "gave up: neither arrest nor perforation",
+            Self::TooStiff => "gave up: too stiff for Taylor steps",
+            Self::OtherEnding => "wrong: ends in another way than the reference",
+            Self::EndedEarly => "the run ended early",
+            Self::Rattles => "gave up: the plate swings through zero too often",
+            Self::NoReference => "not run: nothing independent to judge it by",
+            Self::TooSlow => "not run: would take too long",
+        }
+    }
+}
+
+/// An explicit method for the phase.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Explicit {
+    /// Classical Runge-Kutta with this step, s.
+    Rk4 {
+        /// Step, s, > 0.
+        dt_s: f64,
+        /// Whether events are located and joints restarted at.
+        crossing: Crossing,
+    },
+    /// DOP853 with events located and restarts at the joints.
+    Dop853 {
+        /// Tolerance of the scaled components, relative and absolute.
+        tolerance: f64,
+    },
+}
+
+/// A power law in scaled units.
+#[derive(Clone, Copy, Debug)]
+struct Law {
+    coefficient: f64,
+    exponent: f64,
+}
+
+impl Law {
+    fn force(self, z: f64) -> f64 {
+        if self.coefficient == 0.0 || z == 0.0 {
+            0.0
+        } else if self.is_linear() {
+            self.coefficient * z
+        } else {
+            self.coefficient * z.abs().powf(self.exponent).copysign(z)
+        }
+    }
+
+    fn is_linear(self) -> bool {
+        (self.exponent - 1.0).abs() < f64::EPSILON
+    }
+
+    /// Whether it is not one analytic function through zero.
+    fn has_kink(self) -> bool {
+        let odd = (self.exponent - 1.0) / 2.0;
+        self.coefficient > 0.0 && (odd - odd.round()).abs() > f64::EPSILON
+    }
+}
+
+/// The scaled problem of one scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Phase {
+    faces: Faces,
+    radius_m: f64,
+    unit_s: f64,
+    gamma: f64,
+    rigid: bool,
+    sigma: f64,
+    kappa: f64,
+    spring: Law,
+    damper: Law,
+    start_x: f64,
+    stop_x: Option<f64>,
+}
+
+impl Phase {
+    /// The scaled problem of a valid scene.
+    pub fn of(scene: &Scene) -> Self {
+        let (r, v, m_p) = (
+            scene.projectile.tip_radius_m,
+            scene.projectile.velocity_m_s,
+            scene.projectile.mass_kg,
+        );
+        let rigid = scene.plate.mount == Mount::Rigid;
+        // Forces in units of m_p v²/R.
+        let unit_n = m_p * v * v / r;
+        let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+        Self {
+            faces: Faces::of(scene),
+            radius_m: r,
+            unit_s: r / v,
+            gamma: scene.plate.mass_ratio,
+            rigid,
+            sigma: scene.target.flow_strength_pa * r * r / unit_n,
+            kappa: scene.drag_kg_m3() * r * r * r / m_p,
+            spring: Law {
+                coefficient: spring.coefficient * r.powf(spring.exponent) / unit_n,
+                exponent: spring.exponent,
+            },
+            damper: Law {
+                coefficient: damper.coefficient * v.powf(damper.exponent) / unit_n,
+                exponent: damper.exponent,
+            },
+            start_x: if rigid { 0.0 } else { -scene.plate.cocking_m / r },
+            stop_x: scene.mechanism.stop.position_m.filter(|_| !rigid).map(|x| x / r),
+        }
+    }
+
+    /// Integrate by an explicit method with at most `steps_max` steps.
+    ///
+    /// # Errors
+    /// A [`Refusal`] when the phase cannot be followed to its end.
+    pub fn solve(&self, method: Explicit, steps_max: usize) -> Result<Answer, Refusal> {
+        if self.stop_x.is_some_and(|stop| self.start_x >= stop) {
+            return Err(Refusal::StopWithinContact);
+        }
+        let located = match method {
+            Explicit::Rk4 { crossing, .. } => crossing == Crossing::Locate,
+            Explicit::Dop853 { .. } => true,
+        };
+        let mut stretch = Stretch::first(self, located);
+        let limits = Limits { until: UNTIL, steps: steps_max };
+        let mut count = Count::default();
+        let mut start = Start { t: 0.0, y: [0.0, 1.0, self.start_x, 0.0], step: None };
+        for _ in 0..STRETCHES_MAX {
+            let reached = match method {
+                Explicit::Rk4 { dt_s, crossing } => {
+                    let h = dt_s / self.unit_s;
+                    rk4::integrate(&mut stretch, start, (h, crossing), limits, &mut count)
+                }
+                Explicit::Dop853 { tolerance } => {
+                    dop853::integrate(&mut stretch, start, tolerance, limits, &mut count)
+                }
+            };
+            if let Some(ending) = stretch.follow(&reached)? {
+                return Ok(Answer {
+                    ending,
+                    t_s: reached.t * self.unit_s,
+                    depth_m: self.faces.depth(reached.y[0]) * self.radius_m,
+                    steps: count.steps,
+                    rejected: count.rejected,
+                    evaluations: count.evaluations,
+                });
+            }
+            start = Start { t: reached.t, y: reached.y, step: Some(reached.step) };
+        }
+        Err(Refusal::Rattles)
+    }
+}
+
+/// What a boundary of this index means.
+const ARREST: usize = 0;
+const JOINT: usize = 1;
+const STOP: usize = 2;
+const PLATE_ZERO: usize = 3;
+const SPEED_ZERO: usize = 4;
+
+/// The equations on one stretch between boundaries.
+struct Stretch<'a> {
+    phase: &'a Phase,
+    /// The piece of the area law to stay on, or to look up each time.
+    piece: Option<usize>,
+    boundaries: [Boundary<4>; 5],
+}
+
+impl<'a> Stretch<'a> {
+    fn first(phase: &'a Phase, located: bool) -> Self {
+        let never = Boundary { offset: 1.0, slope: [0.0; 4] };
+        let mut stretch = Self { phase, piece: located.then_some(0), boundaries: [never; 5] };
+        stretch.boundaries[ARREST] = plane(0.0, 1, 1.0);
+        stretch.watch_joint();
+        if let Some(stop) = phase.stop_x {
+            stretch.boundaries[STOP] = plane(stop, 2, -1.0);
+        }
+        if located && !phase.rigid {
+            let side = if phase.start_x < 0.0 { -1.0 } else { 1.0 };
+            if phase.spring.has_kink() {
+                stretch.boundaries[PLATE_ZERO] = plane(0.0, 2, side);
+            }
+            if phase.damper.has_kink() {
+                stretch.boundaries[SPEED_ZERO] = plane(0.0, 3, 1.0);
+            }
+        }
+        stretch
+    }
+
+    fn watch_joint(&mut self) {
+        let faces = &self.phase.faces;
+        let end = self.piece.map_or_else(|| faces.exit(), |piece| faces.piece_end(piece));
+        self.boundaries[JOINT] = plane(end, 0, -1.0);
+    }
+
+    /// What follows the end of a stretch: an ending, or (nothing) the next stretch.
+    fn follow(&mut self, reached: &Reached<4>) -> Result<Option<Ending>, Refusal> {
+        match reached.stop {
+            Stop::Boundary(ARREST) => return Ok(Some(Ending::Arrest)),
+            Stop::Boundary(JOINT) => {
+                let next = self.piece.map(|piece| piece + 1);
+                match next.filter(|next| *next < self.phase.faces.pieces()) {
+                    None => return Ok(Some(Ending::Perforation)),
+                    next => self.piece = next,
+                }
+                self.watch_joint();
+            }
+            Stop::Boundary(STOP) => return Err(Refusal::StopWithinContact),
+            Stop::Boundary(PLATE_ZERO) => {
+                self.boundaries[PLATE_ZERO].slope[2] = 1f64.copysign(reached.y[3]);
+            }
+            Stop::Boundary(SPEED_ZERO) => {
+                let ahead = self.rate(reached.t, &reached.y)[3];
+                self.boundaries[SPEED_ZERO].slope[3] = 1f64.copysign(ahead);
+            }
+            Stop::Boundary(_) | Stop::Until => return Err(Refusal::NoEnd),
+            Stop::StepBudget => return Err(Refusal::StepBudget),
+            Stop::StepUnderflow => return Err(Refusal::StepUnderflow),
+            Stop::NonFinite => return Err(Refusal::NonFinite),
+        }
+        // An arrest within rounding of another boundary would not be seen again.
+        Ok((reached.y[1] <= 0.0).then_some(Ending::Arrest))
+    }
+}
+
+impl System<4> for Stretch<'_> {
+    fn rate(&mut self, _: f64, y: &[f64; 4]) -> [f64; 4] {
+        let (phase, [q, u, x, w]) = (self.phase, *y);
+        let area = phase.faces.area(q, self.piece);
+        let f = area * (phase.sigma + phase.kappa * u * u);
+        if phase.rigid {
+            return [u, -f, 0.0, 0.0];
+        }
+        let cos = phase.faces.cos;
+        let plate = (f * cos - phase.spring.force(x) - phase.damper.force(w)) / phase.gamma;
+        [u, -f - cos * plate, w, plate]
+    }
+
+    fn boundaries(&self) -> &[Boundary<4>] {
+        &self.boundaries
+    }
+}
+
+fn plane(offset: f64, component: usize, weight: f64) -> Boundary<4> {
+    let mut slope = [0.0; 4];
+    slope[component] = weight;
+    Boundary { offset, slope }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::units::Bare;
+    use crate::model::variables;
+
+    fn scene(pairs: &str) -> Scene {
+        let mut scene = Scene::default();
+        scene.mechanism.spring.coefficient = 0.0;
+        for pair in pairs.split_whitespace() {
+            let (name, value) = pair.split_once('=').unwrap();
+            variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+        }
+        scene
+    }
+
+    fn errors(pairs: &str, (t_s, depth_m): (f64, f64), method: Explicit) -> (f64, f64) {
+        let answer = Phase::of(&scene(pairs)).solve(method, 1_000_000).unwrap();
+        ((answer.t_s / t_s - 1.0).abs(), (answer.depth_m / depth_m - 1.0).abs())
+    }
+
+    /// Scene, time and depth of the stored reference (80-bit Taylor series and 30-digit arithmetic).
+    const STORED: [(&str, (f64, f64)); 8] = [
+        ("", (0.000_113_407_312_427_867_64, 0.004_568_088_344_391_97)),
+        ("k=1e5", (0.000_113_597_172_897_240_72, 0.004_571_788_754_106_379)),
+        ("k=1e6 n=0.5", (0.000_197_151_917_116_086_2, 0.006_919_384_198_354_558)),
+        ("k=1e5 n=0.3", (0.000_145_261_805_493_910_94, 0.005_532_972_624_185_593)),
+        ("b=1000", (0.000_159_594_820_947_785_5, 0.005_836_233_349_205_975)),
+        ("b=2000 k=1e5", (0.000_172_186_175_510_781_17, 0.006_358_209_064_563_398)),
+        ("d=0.5 k=1e5", (0.000_047_606_806_905_173_61, 0.001_658_338_066_423_099)),
+        ("k=1e9", (0.000_184_567_176_552_508_05, 0.007_107_818_207_444_599)),
+    ];
+
+    #[test]
+    fn valid_every_stored_scene_but_the_stiffest_by_dop853() {
+        for (pairs, exact) in STORED {
+            let (time, depth) = errors(pairs, exact, Explicit::Dop853 { tolerance: 1e-13 });
+            assert!(time < 2e-12 && depth < 2e-12, "{pairs}: {time:e} {depth:e}");
+        }
+        let thin = Phase::of(&scene("h=0.003 v_i=400 k=1e5"));
+        let answer = thin.solve(Explicit::Dop853 { tolerance: 1e-13 }, 100_000).unwrap();
+        assert_eq!(answer.ending, Ending::Perforation);
+        assert!((answer.t_s / 0.000_058_297_967_935_076_06 - 1.0).abs() < 1e-13);
+        assert!((answer.depth_m / 0.009_35 - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn located_events_keep_the_order_that_unlocated_ones_lose() {
+        let (pairs, exact) = STORED[5];
+        let error = |dt_s: f64, crossing| errors(pairs, exact, Explicit::Rk4 { dt_s, crossing }).0;
+        let order = |crossing| (error(2e-6, crossing) / error(1.25e-7, crossing)).log2() / 4.0;
+        let (with, without) = (order(Crossing::Locate), order(Crossing::Notice));
+        assert!((with - 4.0).abs() < 0.4, "{with}");
+        assert!(without < 2.5, "{without}");
+    }
+
+    #[test]
+    fn what_cannot_be_followed_is_refused_with_its_reason() {
+        let dop853 = Explicit::Dop853 { tolerance: 1e-8 };
+        let solve = |pairs: &str| Phase::of(&scene(pairs)).solve(dop853, 20_000);
+        assert_eq!(solve("k=1e6 n=0.1"), Err(Refusal::StepBudget));
+        assert_eq!(solve("k=1e5 x_stop=0.001"), Err(Refusal::StopWithinContact));
+        assert_eq!(solve("k=1e5 x_stop=0"), Err(Refusal::StopWithinContact));
+    }
+}

@@ -1,0 +1,80 @@
+//! The contact phase in closed form, where nothing but inertia (or a rigid mount) answers the projectile.
+
+use crate::model::closed_form::{self, Passage};
+use crate::model::contact::Geometry;
+use crate::model::contact_phase::{Answer, Ending, Refusal};
+use crate::model::scene::{Mount, Scene};
+
+/// Points on each stretch of the quadrature that gives the time.
+const POINTS: usize = 2;
+
+/// Solve the contact phase of a scene without spring, damper and stop, or on a rigid mount.
+///
+/// # Errors
+/// [`Refusal::NoClosedForm`] when a mechanism acts; [`Refusal::NonFinite`] at the ballistic limit itself, where the time is
+/// infinite.
+pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
+    let mechanism = &scene.mechanism;
+    let rigid = scene.plate.mount == Mount::Rigid;
+    let acts = mechanism.spring.coefficient > 0.0
+        || mechanism.damper.coefficient > 0.0
+        || mechanism.stop.position_m.is_some();
+    if acts && !rigid {
+        return Err(Refusal::NoClosedForm);
+    }
+    let geometry = Geometry::of(scene);
+    let cos = scene.cos_obliquity();
+    let plate = if rigid { 0.0 } else { cos * cos / scene.plate_mass_kg() };
+    let passage = Passage {
+        geometry: &geometry,
+        mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
+        strength_pa: scene.target.flow_strength_pa,
+        drag_kg_m3: scene.drag_kg_m3(),
+        velocity_m_s: scene.projectile.velocity_m_s,
+    };
+    let found = passage.ending();
+    let (ending, travel_m) = match found {
+        closed_form::Ending::Arrest { travel_m } => (Ending::Arrest, travel_m),
+        closed_form::Ending::Exit { .. } => (Ending::Perforation, geometry.exit_m),
+    };
+    let t_s = passage.history(found, POINTS).last().map_or(f64::NAN, |moment| moment.t_s);
+    if !t_s.is_finite() {
+        return Err(Refusal::NonFinite);
+    }
+    let depth_m = geometry.depth_m(travel_m);
+    Ok(Answer { ending, t_s, depth_m, steps: 0, rejected: 0, evaluations: 0 })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::contact_phase::{Explicit, Phase};
+
+    #[test]
+    fn the_closed_form_and_dop853_agree_from_thin_to_thick_and_from_normal_to_oblique() {
+        for (theta, thickness_m, velocity) in
+            [(0.0, 0.0254, 100.0), (0.0, 0.003, 400.0), (30.0, 0.0254, 100.0), (60.0, 0.01, 300.0)]
+        {
+            for mount in [Mount::Rigid, Mount::Sprung] {
+                let mut scene = Scene::default();
+                scene.mechanism.spring.coefficient = 0.0;
+                scene.projectile.obliquity_deg = theta;
+                scene.projectile.velocity_m_s = velocity;
+                scene.target.thickness_m = thickness_m;
+                scene.plate.mount = mount;
+                let exact = solve(&scene).unwrap();
+                let method = Explicit::Dop853 { tolerance: 1e-12 };
+                let other = Phase::of(&scene).solve(method, 100_000).unwrap();
+                assert_eq!(exact.ending, other.ending);
+                let (time, depth) =
+                    (exact.t_s / other.t_s - 1.0, exact.depth_m / other.depth_m - 1.0);
+                assert!(time.abs() < 1e-10 && depth.abs() < 1e-10, "{theta}: {time:e} {depth:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_mechanism_is_refused() {
+        assert_eq!(solve(&Scene::default()), Err(Refusal::NoClosedForm));
+    }
+}

@@ -1,0 +1,46 @@
+//! The engine held to one of its methods, for comparison: [`simulate`](super::simulate) chooses by itself.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::impact::problem::Problem;
+use crate::model::impact::report;
+use crate::model::impact::track::Track;
+use crate::model::impact::{Observer, TERMS};
+use crate::model::run::Run;
+use crate::model::scene::Scene;
+use crate::model::variables::{self, VariableError};
+
+/// A method of the engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Forced {
+    /// Taylor steps, also where a closed form exists.
+    Taylor,
+    /// The implicit method from first contact on.
+    Radau,
+}
+
+/// Simulate one impact by one method, without series or error estimate. `None` when the method had to be left before
+/// the end of the contact: Taylor steps on a stiff stretch.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
+pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, VariableError> {
+    variables::validate(scene)?;
+    let problem = Problem::of(scene);
+    let mut track = Track::new(&problem, scene.run.tolerance, false);
+    track.unit_s = 0.1 * track.pace().contact_s;
+    match forced {
+        Forced::Taylor => {
+            track.start();
+            if track.stiff {
+                return Ok(None);
+            }
+        }
+        Forced::Radau => track.stiff = true,
+    }
+    let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
+    let end = track.run::<TERMS>(observer);
+    let gave_way = forced == Forced::Taylor && track.stiff_steps > 0;
+    Ok((!gave_way).then(|| report::gather(&problem, track, end)))
+}

@@ -1,0 +1,277 @@
+//! Explicit one-step methods: classical Runge-Kutta with a fixed step, and DOP853 with step control.
+//!
+//! A [`System`] gives rates and names [`Boundary`]s: planes in its space at which a stretch of smooth motion ends. A boundary
+//! is found on the interpolant of the step that crosses it, and then *landed on* by stepping anew from the step's start, so
+//! that the state there has the full order of the method. Whoever called decides what follows, and starts the next
+//! stretch. Fixed-size arrays, no allocation, every loop bounded. Must not know what it integrates.
+
+pub mod dop853;
+mod landing;
+pub mod rk4;
+mod tableau;
+
+/// A system y' = f(t, y) of N components.
+pub trait System<const N: usize> {
+    /// f(t, y).
+    fn rate(&mut self, t: f64, y: &[f64; N]) -> [f64; N];
+
+    /// Where the present stretch ends; none unless told.
+    fn boundaries(&self) -> &[Boundary<N>] {
+        &[]
+    }
+}
+
+/// A plane: the stretch ends where `offset + slope . y` falls to zero.
+///
+/// One that is not positive at the start of a step does not count in it, so that one just landed on does not fire again.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Boundary<const N: usize> {
+    /// Constant part.
+    pub offset: f64,
+    /// Weights of the components.
+    pub slope: [f64; N],
+}
+
+impl<const N: usize> Boundary<N> {
+    /// Distance from the plane, in its own measure; the stretch lies on the positive side.
+    pub fn at(&self, y: &[f64; N]) -> f64 {
+        self.offset + self.along(y)
+    }
+
+    /// How fast that changes with the rate `f`.
+    pub fn along(&self, f: &[f64; N]) -> f64 {
+        let mut sum = 0.0;
+        for (slope, f) in self.slope.iter().zip(f) {
+            sum += slope * f;
+        }
+        sum
+    }
+
+    /// The size below which the distance is rounding.
+    fn noise(&self, y: &[f64; N]) -> f64 {
+        let mut size = self.offset.abs();
+        for (slope, y) in self.slope.iter().zip(y) {
+            size += (slope * y).abs();
+        }
+        2.0 * f64::EPSILON * size
+    }
+}
+
+/// Where a stretch begins.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start<const N: usize> {
+    /// Time.
+    pub t: f64,
+    /// State.
+    pub y: [f64; N],
+    /// Step to try first; `None`: chosen from the rates. The fixed-step method does not look at it.
+    pub step: Option<f64>,
+}
+
+/// When to give up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Time at which a stretch ends at the latest.
+    pub until: f64,
+    /// Steps, accepted and rejected, of all stretches that share a [`Count`].
+    pub steps: usize,
+}
+
+/// What was done, over all stretches it was passed to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct Count {
+    /// Steps taken.
+    pub steps: usize,
+    /// Steps thrown away by the error control.
+    pub rejected: usize,
+    /// Evaluations of the rates.
+    pub evaluations: usize,
+}
+
+/// Why a stretch ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// At the boundary of this index.
+    Boundary(usize),
+    /// At the latest time asked for.
+    Until,
+    /// The step budget was used up.
+    StepBudget,
+    /// Steps became too small to move time forward.
+    StepUnderflow,
+    /// A value stopped being finite.
+    NonFinite,
+}
+
+/// The end of a stretch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached<const N: usize> {
+    /// Time.
+    pub t: f64,
+    /// State.
+    pub y: [f64; N],
+    /// Why there.
+    pub stop: Stop,
+    /// The step that would have been tried next.
+    pub step: f64,
+}
+
+fn is_finite<const N: usize>(y: &[f64; N]) -> bool {
+    y.iter().all(|y| y.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// y'' = -y with a count of its own, as (y, y', -) and a plane y = 0.5 from above.
+    struct Swing {
+        calls: usize,
+        planes: Vec<Boundary<2>>,
+    }
+
+    impl System<2> for Swing {
+        fn rate(&mut self, _: f64, y: &[f64; 2]) -> [f64; 2] {
+            self.calls += 1;
+            [y[1], -y[0]]
+        }
+        fn boundaries(&self) -> &[Boundary<2>] {
+            &self.planes
+        }
+    }
+
+    fn swing(planes: &[Boundary<2>]) -> Swing {
+        Swing { calls: 0, planes: planes.to_vec() }
+    }
+
+    const HALF: Boundary<2> = Boundary { offset: -0.5, slope: [1.0, 0.0] };
+    const START: Start<2> = Start { t: 0.0, y: [1.0, 0.0], step: None };
+
+    fn limits(until: f64) -> Limits {
+        Limits { until, steps: 100_000 }
+    }
+
+    /// y' = cos t: fails for a method whose nodes are wrong although its weights are right.
+    struct Driven;
+
+    impl System<1> for Driven {
+        fn rate(&mut self, t: f64, _: &[f64; 1]) -> [f64; 1] {
+            [t.cos()]
+        }
+    }
+
+    #[test]
+    fn a_boundary_is_landed_on_with_the_full_order() {
+        let exact = std::f64::consts::FRAC_PI_3;
+        for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+            let (mut system, mut count) = (swing(&[HALF]), Count::default());
+            let end = dop853::integrate(&mut system, START, tolerance, limits(9.0), &mut count);
+            assert_eq!(end.stop, Stop::Boundary(0));
+            assert!((end.y[0] - 0.5).abs() < 1e-15, "{tolerance}");
+            assert!(
+                (end.t - exact).abs() < 10.0 * tolerance + 1e-15,
+                "{tolerance}: {}",
+                end.t - exact
+            );
+            assert_eq!(count.evaluations, system.calls);
+        }
+        let error = |h: f64| {
+            let mut count = Count::default();
+            let mut system = swing(&[HALF]);
+            let rule = rk4::Crossing::Locate;
+            let end = rk4::integrate(&mut system, START, (h, rule), limits(9.0), &mut count);
+            assert_eq!(end.stop, Stop::Boundary(0));
+            assert_eq!(count.evaluations, system.calls);
+            (end.t - exact).abs()
+        };
+        // Steps of different length at the end, so over a range: four halvings.
+        let order = (error(0.2) / error(0.2 / 16.0)).log2() / 4.0;
+        assert!((order - 4.0).abs() < 0.3, "{order}");
+    }
+
+    #[test]
+    fn without_location_the_stretch_ends_with_the_step_that_crossed() {
+        let (mut system, mut count) = (swing(&[HALF]), Count::default());
+        let rule = rk4::Crossing::Notice;
+        let end = rk4::integrate(&mut system, START, (0.1, rule), limits(9.0), &mut count);
+        assert_eq!(end.stop, Stop::Boundary(0));
+        assert!((end.t - 1.1).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_nearest_of_several_boundaries_counts_and_one_just_left_does_not() {
+        let earlier = Boundary { offset: -0.8, slope: [1.0, 0.0] };
+        let (mut system, mut count) = (swing(&[HALF, earlier]), Count::default());
+        let end = dop853::integrate(&mut system, START, 1e-10, limits(9.0), &mut count);
+        assert_eq!(end.stop, Stop::Boundary(1));
+        let again = Start { t: end.t, y: end.y, step: Some(end.step) };
+        let end = dop853::integrate(&mut system, again, 1e-10, limits(9.0), &mut count);
+        assert_eq!(end.stop, Stop::Boundary(0));
+        assert!((end.t - std::f64::consts::FRAC_PI_3).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_dip_within_one_step_is_not_stepped_over() {
+        // y falls from 1 to its least value -1 at pi; a plane at -0.99 is crossed twice within 0.3.
+        let plane = Boundary { offset: 0.99, slope: [1.0, 0.0] };
+        let (mut system, mut count) = (swing(&[plane]), Count::default());
+        let end = dop853::integrate(&mut system, START, 1e-3, limits(9.0), &mut count);
+        assert_eq!(end.stop, Stop::Boundary(0));
+        assert!((end.t - (-0.99f64).acos()).abs() < 0.03, "{}", end.t);
+    }
+
+    #[test]
+    fn nodes_and_order_are_right_for_a_driven_system() {
+        for tolerance in [1e-4, 1e-7, 1e-10] {
+            let start = Start { t: 0.0, y: [0.0], step: None };
+            let mut count = Count::default();
+            let end = dop853::integrate(&mut Driven, start, tolerance, limits(10.0), &mut count);
+            assert_eq!((end.stop, end.t), (Stop::Until, 10.0));
+            assert!((end.y[0] - 10f64.sin()).abs() < 10.0 * tolerance);
+        }
+    }
+
+    /// Rates that are not a number beyond y = 1.
+    struct Cliff;
+
+    impl System<1> for Cliff {
+        fn rate(&mut self, _: f64, y: &[f64; 1]) -> [f64; 1] {
+            [if y[0] > 1.0 { f64::NAN } else { 1.0 }]
+        }
+    }
+
+    /// A rate that swings 1e9 times a second.
+    struct Fast;
+
+    impl System<2> for Fast {
+        fn rate(&mut self, _: f64, y: &[f64; 2]) -> [f64; 2] {
+            [1e9 * y[1], -1e9 * y[0]]
+        }
+    }
+
+    #[test]
+    fn nan_budget_and_underflow_are_told() {
+        let start = Start { t: 0.0, y: [0.0], step: None };
+        let mut count = Count::default();
+        let end = dop853::integrate(&mut Cliff, start, 1e-6, limits(2.0), &mut count);
+        assert_eq!(end.stop, Stop::NonFinite);
+        assert!(end.y[0] <= 1.0 && end.y[0] > 0.999, "{}", end.y[0]);
+        let rule = (0.1, rk4::Crossing::Locate);
+        let end = rk4::integrate(&mut Cliff, start, rule, limits(2.0), &mut Count::default());
+        assert_eq!(end.stop, Stop::NonFinite);
+        assert!(end.y[0] <= 1.0);
+
+        let mut count = Count::default();
+        let few = Limits { until: 1.0, steps: 500 };
+        let end = dop853::integrate(&mut Fast, START, 1e-6, few, &mut count);
+        assert_eq!(end.stop, Stop::StepBudget);
+        assert_eq!(count.steps + count.rejected, 500);
+
+        let late = Start { t: 1e9, y: [1.0, 0.0], step: None };
+        let end = dop853::integrate(&mut Fast, late, 1e-6, limits(2e9), &mut Count::default());
+        assert_eq!(end.stop, Stop::StepUnderflow);
+        let tiny = (1e-9, rk4::Crossing::Locate);
+        let end = rk4::integrate(&mut Fast, late, tiny, limits(2e9), &mut Count::default());
+        assert_eq!(end.stop, Stop::StepUnderflow);
+    }
+}

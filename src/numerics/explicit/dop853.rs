@@ -1,0 +1,336 @@
+//! DOP853: order eight with twelve stages, error estimates of order five and three, dense output of order seven.
+//!
+//! J. R. Dormand and P. J. Prince's pair in the form of E. Hairer, S. P. Nørsett and G. Wanner, *Solving Ordinary Differential
+//! Equations I*, 2nd ed. (1993), section II.10, with its error measure (10.21), the starting step of section II.4 and a
+//! proportional-integral controller (volume II, section IV.2). Node 12 is 1, as it must be for rates that depend on time.
+
+use std::cmp::Ordering;
+
+use super::landing::{Ends, land};
+use super::tableau::{DENSE, ERROR_3, ERROR_5, NODES, STAGES};
+use super::{Count, Limits, Reached, Start, Stop, System, is_finite};
+
+/// Stages of a step.
+const S: usize = 12;
+const SAFETY: f64 = 0.9;
+const SHRINK_MAX: f64 = 1.0 / 3.0;
+const GROW_MAX: f64 = 6.0;
+/// Weight of the previous error in the controller.
+const BETA: f64 = 0.04;
+/// Exponent of the present error.
+const ALPHA: f64 = 1.0 / 8.0 - 0.2 * BETA;
+
+/// A step computed but not yet accepted: rates at the stages, and the end.
+struct Trial<const N: usize> {
+    k: [[f64; N]; S],
+    y: [f64; N],
+}
+
+/// Integrate from `start` until a boundary or a limit. Errors are kept below `tolerance` relative to the greater of 1 and the
+/// component's own size: scale the system so that 1 is what matters.
+pub fn integrate<const N: usize>(
+    system: &mut impl System<N>,
+    start: Start<N>,
+    tolerance: f64,
+    limits: Limits,
+    count: &mut Count,
+) -> Reached<N> {
+    let (mut t, mut y) = (start.t, start.y);
+    let mut f = system.rate(t, &y);
+    count.evaluations += 1;
+    let mut h = start.step.unwrap_or_else(|| first_step(system, (t, &y, &f), tolerance, count));
+    let (mut error_before, mut was_rejected, mut was_nan) = (1e-4, false, false);
+    loop {
+        let ended = |stop: Stop| Reached { t, y, stop, step: h };
+        if t >= limits.until {
+            return ended(Stop::Until);
+        }
+        if count.steps + count.rejected >= limits.steps {
+            return ended(Stop::StepBudget);
+        }
+        let left = limits.until - t;
+        let (length, t_next) = if h < left { (h, t + h) } else { (left, limits.until) };
+        // A step that is not a number ends here, too.
+        if (t + length).partial_cmp(&t) != Some(Ordering::Greater) {
+            return ended(if was_nan { Stop::NonFinite } else { Stop::StepUnderflow });
+        }
+        let trial = step(system, (t, &y, &f), length, count);
+        let error = error(&trial, &y, length, tolerance);
+        let f_next = system.rate(t_next, &trial.y);
+        count.evaluations += 1;
+        was_nan = !(error.is_finite() && is_finite(&trial.y) && is_finite(&f_next));
+        if was_nan || error > 1.0 {
+            count.rejected += 1;
+            was_rejected = true;
+            h = length * if was_nan { 0.1 } else { limited(SAFETY * error.powf(-ALPHA)) };
+            continue;
+        }
+        count.steps += 1;
+        let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
+        if ends.may_cross(system.boundaries()) {
+            let dense = Dense::of(system, (t, &ends, length), &trial, count);
+            let crossed = ends.first(system.boundaries(), |s| dense.at(s));
+            if let Some((index, guess)) = crossed {
+                let boundary = system.boundaries()[index];
+                let (s, y) = land(&boundary, &y, guess, |s| {
+                    let y = step(system, (t, &y, &f), s * length, count).y;
+                    count.evaluations += 1;
+                    (y, system.rate(t + s * length, &y).map(|f| f * length))
+                });
+                return Reached { t: t + s * length, y, stop: Stop::Boundary(index), step: h };
+            }
+        }
+        let least = if error > 1e-10 { error } else { 1e-10 };
+        let factor = limited(SAFETY * least.powf(-ALPHA) * error_before_power(error_before));
+        h = length * if was_rejected && factor > 1.0 { 1.0 } else { factor };
+        error_before = if error > 1e-4 { error } else { 1e-4 };
+        was_rejected = false;
+        (t, y, f) = (t_next, trial.y, f_next);
+    }
+}
+
+fn error_before_power(error: f64) -> f64 {
+    error.powf(BETA)
+}
+
+fn limited(factor: f64) -> f64 {
+    factor.clamp(SHRINK_MAX, GROW_MAX)
+}
+
+/// The state from which stage I starts (I = 12: the end of the step).
+fn stage<const I: usize, const N: usize>(y: &[f64; N], h: f64, k: &[[f64; N]]) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for j in 0..I {
+        let weight = STAGES[I - 1][j];
+        if weight != 0.0 {
+            for i in 0..N {
+                sum[i] += weight * k[j][i];
+            }
+        }
+    }
+    std::array::from_fn(|i| y[i] + h * sum[i])
+}
+
+fn step<const N: usize>(
+    system: &mut impl System<N>,
+    (t, y, f): (f64, &[f64; N], &[f64; N]),
+    h: f64,
+    count: &mut Count,
+) -> Trial<N> {
+    let mut k = [[0.0; N]; S];
+    k[0] = *f;
+    k[1] = system.rate(t + NODES[1] * h, &stage::<1, N>(y, h, &k));
+    k[2] = system.rate(t + NODES[2] * h, &stage::<2, N>(y, h, &k));
+    k[3] = system.rate(t + NODES[3] * h, &stage::<3, N>(y, h, &k));
+    k[4] = system.rate(t + NODES[4] * h, &stage::<4, N>(y, h, &k));
+    k[5] = system.rate(t + NODES[5] * h, &stage::<5, N>(y, h, &k));
+    k[6] = system.rate(t + NODES[6] * h, &stage::<6, N>(y, h, &k));
+    k[7] = system.rate(t + NODES[7] * h, &stage::<7, N>(y, h, &k));
+    k[8] = system.rate(t + NODES[8] * h, &stage::<8, N>(y, h, &k));
+    k[9] = system.rate(t + NODES[9] * h, &stage::<9, N>(y, h, &k));
+    k[10] = system.rate(t + NODES[10] * h, &stage::<10, N>(y, h, &k));
+    k[11] = system.rate(t + NODES[11] * h, &stage::<11, N>(y, h, &k));
+    count.evaluations += S - 1;
+    Trial { y: stage::<12, N>(y, h, &k), k }
+}
+
+/// The error of a step over the tolerance: Hairer's mixture of the fifth- and third-order estimates.
+fn error<const N: usize>(trial: &Trial<N>, y: &[f64; N], h: f64, tolerance: f64) -> f64 {
+    let (mut fifth, mut third) = (0.0, 0.0);
+    for i in 0..N {
+        let size = if y[i].abs() > trial.y[i].abs() { y[i].abs() } else { trial.y[i].abs() };
+        let scale = tolerance * (1.0 + size);
+        let (mut five, mut three) = (0.0, 0.0);
+        for (j, k) in trial.k.iter().enumerate() {
+            five += ERROR_5[j] * k[i];
+            three += ERROR_3[j] * k[i];
+        }
+        fifth += (five / scale) * (five / scale);
+        third += (three / scale) * (three / scale);
+    }
+    let mix = fifth + 0.01 * third;
+    if mix == 0.0 { 0.0 } else { h * fifth / (mix * N as f64).sqrt() }
+}
+
+/// Hairer's starting step: an Euler step shows the second derivative.
+fn first_step<const N: usize>(
+    system: &mut impl System<N>,
+    (t, y, f): (f64, &[f64; N], &[f64; N]),
+    tolerance: f64,
+    count: &mut Count,
+) -> f64 {
+    let norm = |z: &[f64; N]| {
+        let sum: f64 =
+            z.iter().zip(y).map(|(z, y)| (z / (tolerance * (1.0 + y.abs()))).powi(2)).sum();
+        (sum / N as f64).sqrt()
+    };
+    let (size, speed) = (norm(y), norm(f));
+    let euler = if size < 1e-5 || speed < 1e-5 { 1e-6 } else { 0.01 * size / speed };
+    let ahead = system.rate(t + euler, &std::array::from_fn(|i| y[i] + euler * f[i]));
+    count.evaluations += 1;
+    let bend = norm(&std::array::from_fn(|i| ahead[i] - f[i])) / euler;
+    let most = if bend > speed { bend } else { speed };
+    let step = if most <= 1e-15 { 1e-3 * euler } else { (0.01 / most).powf(1.0 / 8.0) };
+    let step = if step < 100.0 * euler { step } else { 100.0 * euler };
+    if step.is_finite() { step } else { euler }
+}
+
+/// Dense output over one step.
+struct Dense<const N: usize> {
+    y: [f64; N],
+    c: [[f64; N]; 7],
+}
+
+impl<const N: usize> Dense<N> {
+    /// Costs three evaluations.
+    fn of(
+        system: &mut impl System<N>,
+        (t, ends, h): (f64, &Ends<'_, N>, f64),
+        trial: &Trial<N>,
+        count: &mut Count,
+    ) -> Self {
+        let mut k = [[0.0; N]; 16];
+        k[..S].copy_from_slice(&trial.k);
+        k[12] = *ends.f1;
+        k[13] = system.rate(t + NODES[13] * h, &stage::<13, N>(ends.y0, h, &k));
+        k[14] = system.rate(t + NODES[14] * h, &stage::<14, N>(ends.y0, h, &k));
+        k[15] = system.rate(t + NODES[15] * h, &stage::<15, N>(ends.y0, h, &k));
+        count.evaluations += 3;
+        let mut c = [[0.0; N]; 7];
+        for i in 0..N {
+            let rise = ends.y1[i] - ends.y0[i];
+            c[0][i] = rise;
+            c[1][i] = h * ends.f0[i] - rise;
+            c[2][i] = 2.0 * rise - h * (ends.f1[i] + ends.f0[i]);
+            for (row, weights) in DENSE.iter().enumerate() {
+                c[3 + row][i] = h * weights.iter().zip(&k).map(|(d, k)| d * k[i]).sum::<f64>();
+            }
+        }
+        Self { y: *ends.y0, c }
+    }
+
+    /// The state at fraction `s` of the step.
+    fn at(&self, s: f64) -> [f64; N] {
+        std::array::from_fn(|i| {
+            let mut sum = 0.0;
+            for (power, c) in self.c.iter().enumerate().rev() {
+                sum = (sum + c[i]) * if power % 2 == 0 { s } else { 1.0 - s };
+            }
+            self.y[i] + sum
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// y' = -2 t y², solution 1/(1 + t²).
+    struct Bell(usize);
+
+    impl System<1> for Bell {
+        fn rate(&mut self, t: f64, y: &[f64; 1]) -> [f64; 1] {
+            self.0 += 1;
+            [-2.0 * t * y[0] * y[0]]
+        }
+    }
+
+    /// y' = y: nothing hides the first coefficient that is missed, as it does where error constants nearly cancel.
+    struct Growth;
+
+    impl System<1> for Growth {
+        fn rate(&mut self, _: f64, y: &[f64; 1]) -> [f64; 1] {
+            *y
+        }
+    }
+
+    fn bell(t: f64) -> f64 {
+        1.0 / (1.0 + t * t)
+    }
+
+    /// Error of dense output within one step.
+    fn one_step(h: f64) -> f64 {
+        let (mut system, mut count) = (Bell(0), Count::default());
+        let (t, y) = (0.3, [bell(0.3)]);
+        let f = system.rate(t, &y);
+        let trial = step(&mut system, (t, &y, &f), h, &mut count);
+        let f1 = system.rate(t + h, &trial.y);
+        let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f1 };
+        let dense = Dense::of(&mut system, (t, &ends, h), &trial, &mut count);
+        let inside = (dense.at(0.37)[0] - bell(t + 0.37 * h)).abs();
+        assert!((dense.at(1.0)[0] - trial.y[0]).abs() < 1e-15);
+        assert!((dense.at(0.0)[0] - y[0]).abs() < f64::MIN_POSITIVE);
+        inside
+    }
+
+    #[test]
+    fn tableau_satisfies_row_and_quadrature_conditions() {
+        for i in 1..16 {
+            let sum: f64 = STAGES[i - 1].iter().sum();
+            assert!((sum - NODES[i]).abs() < 1e-14, "{i}");
+            for later in &STAGES[i - 1][i..] {
+                assert!(later.abs() < f64::MIN_POSITIVE, "{i}");
+            }
+        }
+        for q in 1..=8 {
+            let sum: f64 = (0..S).map(|j| STAGES[11][j] * NODES[j].powi(q - 1)).sum();
+            assert!((sum - 1.0 / f64::from(q)).abs() < 1e-15, "{q}");
+        }
+        // The embedded formulas: of order 3 and 5, so that the differences vanish on lower powers.
+        for q in 1..=5 {
+            let moment = |w: &[f64; S]| (0..S).map(|j| w[j] * NODES[j].powi(q - 1)).sum::<f64>();
+            assert!(moment(&ERROR_5).abs() < 1e-14, "{q}");
+            assert!(q > 3 || moment(&ERROR_3).abs() < 1e-14, "{q}");
+        }
+    }
+
+    #[test]
+    fn stages_satisfy_the_simplifying_conditions_of_order_eight() {
+        // sum_i b_i c_i^k (sum_j a_ij c_j^(l-1) - c_i^l / l) = 0 for the trees of one branch, k + l + 1 <= 8.
+        for l in 1..=7i32 {
+            for k in 0..=(7 - l) {
+                let mut sum = 0.0;
+                for i in 1..S {
+                    let inner: f64 = (0..i).map(|j| STAGES[i - 1][j] * NODES[j].powi(l - 1)).sum();
+                    let defect = inner - NODES[i].powi(l) / f64::from(l);
+                    sum += STAGES[11][i] * NODES[i].powi(k) * defect;
+                }
+                assert!(sum.abs() < 2e-14, "l {l} k {k}: {sum}");
+            }
+        }
+    }
+
+    /// Slope of log error over log step by two step sizes, of local errors: one order more.
+    #[test]
+    fn observed_orders_are_eight_for_the_step_and_seven_for_dense_output() {
+        let fixed = |steps: usize| {
+            let h = 6.0 / steps as f64;
+            let (mut t, mut y) = (0.0, [1.0]);
+            let mut count = Count::default();
+            for _ in 0..steps {
+                let f = Growth.rate(t, &y);
+                y = step(&mut Growth, (t, &y, &f), h, &mut count).y;
+                t += h;
+            }
+            (y[0] / 6f64.exp() - 1.0).abs()
+        };
+        let order = (fixed(12) / fixed(24)).log2();
+        assert!((order - 8.0).abs() < 0.3, "{order}");
+        let dense = (one_step(0.3) / one_step(0.1)).log(3.0) - 1.0;
+        assert!((dense - 7.0).abs() < 0.7, "{dense}");
+    }
+
+    #[test]
+    fn the_error_follows_the_tolerance_and_evaluations_are_counted() {
+        for tolerance in [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13] {
+            let (mut system, mut count) = (Bell(0), Count::default());
+            let start = Start { t: 0.0, y: [1.0], step: None };
+            let limits = Limits { until: 5.0, steps: 10_000 };
+            let end = integrate(&mut system, start, tolerance, limits, &mut count);
+            assert_eq!(end.stop, Stop::Until);
+            let error = (end.y[0] - bell(5.0)).abs();
+            assert!(error < 10.0 * tolerance, "{tolerance}: {error}");
+            assert_eq!(count.evaluations, system.0);
+        }
+    }
+}

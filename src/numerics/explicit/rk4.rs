@@ -1,0 +1,130 @@
+//! The classical Runge-Kutta method of order four with a fixed step.
+//!
+//! W. Kutta, *Zeitschrift für Mathematik und Physik* 46 (1901) 435-453. Boundaries are either landed on or only noticed after
+//! the step that crossed them, as a program without event location does.
+
+use super::landing::{Ends, land};
+use super::{Count, Limits, Reached, Start, Stop, System, is_finite};
+
+/// What happens at a boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Crossing {
+    /// It is located, and landed on.
+    Locate,
+    /// The stretch ends with the step that crossed it.
+    Notice,
+}
+
+/// Integrate from `start` with steps of `(length, what to do at a boundary)` until a boundary or a limit.
+pub fn integrate<const N: usize>(
+    system: &mut impl System<N>,
+    start: Start<N>,
+    (h, crossing): (f64, Crossing),
+    limits: Limits,
+    count: &mut Count,
+) -> Reached<N> {
+    let (mut t, mut y) = (start.t, start.y);
+    let mut f = system.rate(t, &y);
+    count.evaluations += 1;
+    let ended = |t: f64, y: [f64; N], stop: Stop| Reached { t, y, stop, step: h };
+    // The time of step i is start + i h: a sum of steps would drift.
+    for i in 1..=limits.steps.saturating_add(1) {
+        if t >= limits.until {
+            return ended(t, y, Stop::Until);
+        }
+        if count.steps >= limits.steps {
+            return ended(t, y, Stop::StepBudget);
+        }
+        let t_next = start.t + i as f64 * h;
+        if t_next <= t {
+            return ended(t, y, Stop::StepUnderflow);
+        }
+        let y_next = step(system, (t, &y, &f), h, count);
+        let f_next = system.rate(t_next, &y_next);
+        count.evaluations += 1;
+        count.steps += 1;
+        if !(is_finite(&y_next) && is_finite(&f_next)) {
+            return ended(t, y, Stop::NonFinite);
+        }
+        let ends = Ends { y0: &y, f0: &f, y1: &y_next, f1: &f_next };
+        if ends.may_cross(system.boundaries()) {
+            let inside = |s: f64| hermite(&ends, h, s);
+            if let Some((index, guess)) = ends.first(system.boundaries(), inside) {
+                if crossing == Crossing::Notice {
+                    return ended(t_next, y_next, Stop::Boundary(index));
+                }
+                let boundary = system.boundaries()[index];
+                let (s, y) = land(&boundary, &y, guess, |s| {
+                    let y = step(system, (t, &y, &f), s * h, count);
+                    count.evaluations += 1;
+                    (y, system.rate(t + s * h, &y).map(|f| f * h))
+                });
+                return ended(t + s * h, y, Stop::Boundary(index));
+            }
+        }
+        (t, y, f) = (t_next, y_next, f_next);
+    }
+    ended(t, y, Stop::StepBudget)
+}
+
+/// One step of length `h` from (t, y, f).
+fn step<const N: usize>(
+    system: &mut impl System<N>,
+    (t, y, f): (f64, &[f64; N], &[f64; N]),
+    h: f64,
+    count: &mut Count,
+) -> [f64; N] {
+    let shifted = |k: &[f64; N], h: f64| std::array::from_fn(|i| y[i] + h * k[i]);
+    let k2 = system.rate(t + 0.5 * h, &shifted(f, 0.5 * h));
+    let k3 = system.rate(t + 0.5 * h, &shifted(&k2, 0.5 * h));
+    let k4 = system.rate(t + h, &shifted(&k3, h));
+    count.evaluations += 3;
+    std::array::from_fn(|i| y[i] + h / 6.0 * (f[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
+}
+
+/// The cubic through both ends with their slopes, at fraction `s`.
+fn hermite<const N: usize>(ends: &Ends<'_, N>, h: f64, s: f64) -> [f64; N] {
+    std::array::from_fn(|i| {
+        let rise = ends.y1[i] - ends.y0[i];
+        let (a, b) = (h * ends.f0[i] - rise, rise - h * ends.f1[i]);
+        ends.y0[i] + s * (rise + (1.0 - s) * (a * (1.0 - s) + b * s))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// y' = -2 t y², solution 1/(1 + t²).
+    struct Bell;
+
+    impl System<1> for Bell {
+        fn rate(&mut self, t: f64, y: &[f64; 1]) -> [f64; 1] {
+            [-2.0 * t * y[0] * y[0]]
+        }
+    }
+
+    #[test]
+    fn observed_order_is_four_and_each_step_costs_four() {
+        let error = |steps: usize| {
+            let h = 1.0 / steps as f64;
+            let mut count = Count::default();
+            let start = Start { t: 0.0, y: [1.0], step: None };
+            let limits = Limits { until: 1.0 - 0.5 * h, steps: 10_000 };
+            let end = integrate(&mut Bell, start, (h, Crossing::Locate), limits, &mut count);
+            assert_eq!((count.steps, count.evaluations), (steps, 4 * steps + 1));
+            (end.y[0] - 0.5).abs()
+        };
+        let order = (error(16) / error(64)).log2() / 2.0;
+        assert!((order - 4.0).abs() < 0.3, "{order}");
+    }
+
+    #[test]
+    fn the_interpolant_reproduces_cubics() {
+        let (f, slope) = (|s: f64| 1.0 - s + 2.0 * s * s * s, |s: f64| -1.0 + 6.0 * s * s);
+        let h = 0.7;
+        let (y0, f0, y1, f1) = ([f(0.0)], [slope(0.0)], [f(h)], [slope(h)]);
+        let ends = Ends { y0: &y0, f0: &f0, y1: &y1, f1: &f1 };
+        assert!((hermite(&ends, h, 0.3)[0] - f(0.3 * h)).abs() < 1e-15);
+    }
+}

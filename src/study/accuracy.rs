@@ -1,0 +1,284 @@
+//! Error against run time: every method over its steps or tolerances, judged by a reference it shares no code with.
+//!
+//! The error of a point is the greater of the relative errors of depth and time at the end of the first contact. A method that
+//! gives no answer, or the wrong kind of ending, keeps its place and says why. Time comes from a clock passed in.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::contact_phase::{Answer, Ending, Refusal};
+use crate::model::scene::Scene;
+use crate::model::variables::{self, VariableError};
+
+pub mod method;
+pub mod reference;
+pub mod timing;
+
+use method::{Job, Knob, Ladder, Method};
+use reference::{Reference, references};
+use timing::{Clock, Patience, Timing, time};
+
+/// Fixed-step methods may need this many times the steps of the reference's contact, and this many more.
+const STEPS_BEYOND: (f64, f64) = (2.0, 1_000.0);
+/// Steps of an adaptive method at the most.
+const STEPS_MAX: usize = 100_000;
+/// The observed order is fitted through so many of the finest points...
+const FIT_POINTS: usize = 5;
+/// ...of those whose error is below this, and above [`FIT_FLOOR`] times what the reference can tell.
+const FIT_CEILING: f64 = 0.5;
+const FIT_FLOOR: f64 = 10.0;
+
+/// How thorough a comparison is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort {
+    /// Which values of the knobs.
+    pub ladder: Ladder,
+    /// How much time each may take.
+    pub patience: Patience,
+}
+
+impl Effort {
+    /// A few seconds a scene.
+    pub const FULL: Self =
+        Self { ladder: Ladder::Full, patience: Patience { point_s: 1.2e-2, slow_s: 8e-2 } };
+    /// A fraction of a second a scene.
+    pub const QUICK: Self =
+        Self { ladder: Ladder::Quick, patience: Patience { point_s: 2e-3, slow_s: 1e-2 } };
+}
+
+/// What a method did with one value of its knob.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The value.
+    pub knob: Knob,
+    /// The result, or why there is none.
+    pub result: Result<Measured, Refusal>,
+}
+
+/// A judged and timed result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// What was computed.
+    pub answer: Answer,
+    /// Relative error of the depth.
+    pub depth_error: f64,
+    /// Relative error of the time.
+    pub time_error: f64,
+    /// What the reference cannot tell from zero.
+    pub floor: f64,
+    /// How long it took.
+    pub timing: Timing,
+}
+
+impl Measured {
+    /// The greater of both errors, but not less than the reference can tell: what is drawn and compared.
+    pub fn error(&self) -> f64 {
+        let error =
+            if self.depth_error > self.time_error { self.depth_error } else { self.time_error };
+        if error > self.floor { error } else { self.floor }
+    }
+
+    /// The error an order shows in: of the depth, unless a perforation fixes it. (The thesis's stopping rule leaves an error of
+    /// time that no step makes smaller.)
+    fn order_error(&self) -> f64 {
+        match self.answer.ending {
+            Ending::Arrest => self.depth_error,
+            Ending::Perforation => self.time_error,
+        }
+    }
+
+    /// Whether the error is at or below what the reference can tell.
+    pub fn is_at_floor(&self) -> bool {
+        self.error() <= self.floor
+    }
+}
+
+/// A method with its points, the coarsest first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MethodReport {
+    /// The method.
+    pub method: Method,
+    /// What it was judged by; `None` when nothing independent could be computed.
+    pub reference: Option<Reference>,
+    /// Its points.
+    pub points: Vec<Point>,
+}
+
+/// The comparison for one scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The scene.
+    pub scene: Arc<Scene>,
+    /// All references, the most trustworthy first.
+    pub references: Vec<Reference>,
+    /// One for each method.
+    pub methods: Vec<MethodReport>,
+    /// Whether it was stopped before its end.
+    pub is_complete: bool,
+}
+
+/// The cheapest way to an accuracy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cheapest {
+    /// Which method.
+    pub method: Method,
+    /// With which knob.
+    pub knob: Knob,
+    /// Least time, s.
+    pub min_s: f64,
+}
+
+/// Asked before each point with the points done and to do; `Break` stops, and keeps what is there.
+pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
+
+/// Compare all methods on the contact phase of a scene.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
+pub fn compare(
+    scene: &Arc<Scene>,
+    effort: Effort,
+    clock: Clock<'_>,
+    watch: Watch<'_>,
+) -> Result<Report, VariableError> {
+    variables::validate(scene)?;
+    let references = references(scene);
+    let end_s = references.first().map_or(f64::NAN, |reference| reference.t_s);
+    let plan: Vec<(Method, Vec<Knob>)> =
+        Method::ALL.map(|method| (method, method.knobs(end_s, effort.ladder))).into();
+    let total = plan.iter().map(|(_, knobs)| knobs.len()).sum();
+    let mut report = Report {
+        scene: Arc::clone(scene),
+        references: references.clone(),
+        methods: Vec::new(),
+        is_complete: true,
+    };
+    let mut done = 0;
+    for (method, knobs) in plan {
+        let independent = |reference: &&Reference| !reference.basis.shares_code_with(method);
+        let reference = references.iter().find(independent).copied();
+        let mut points: Vec<Point> = Vec::new();
+        let mut is_slow = false;
+        for knob in knobs {
+            if !report.is_complete || watch(done, total).is_break() {
+                report.is_complete = false;
+                break;
+            }
+            done += 1;
+            let job = Job::new(method, knob, scene, end_s, steps_max(knob, end_s));
+            let result = match reference {
+                None => Err(Refusal::NoReference),
+                Some(_) if is_slow => Err(Refusal::TooSlow),
+                Some(reference) => {
+                    let start = clock();
+                    let result = judged(&job, &reference, effort.patience, clock);
+                    is_slow = match &result {
+                        Ok(measured) => measured.timing.mad_s.is_none(),
+                        Err(_) => clock() - start > effort.patience.slow_s,
+                    };
+                    result
+                }
+            };
+            points.push(Point { knob, result });
+        }
+        report.methods.push(MethodReport { method, reference, points });
+    }
+    Ok(report)
+}
+
+/// Steps a computation may take.
+fn steps_max(knob: Knob, end_s: f64) -> usize {
+    match knob {
+        Knob::Step(dt_s) => {
+            let (times, more) = STEPS_BEYOND;
+            let steps = times * end_s / dt_s + more;
+            // Ladders end well below this.
+            if steps < 1e7 {
+                (0..64).map(|bit| 1usize << bit).find(|s| *s as f64 > steps)
+            } else {
+                None
+            }
+            .unwrap_or(STEPS_MAX)
+        }
+        Knob::None | Knob::Tolerance(_) => STEPS_MAX,
+    }
+}
+
+fn judged(
+    job: &Job,
+    reference: &Reference,
+    patience: Patience,
+    clock: Clock<'_>,
+) -> Result<Measured, Refusal> {
+    let answer = job.run()?;
+    if answer.ending != reference.ending {
+        return Err(Refusal::OtherEnding);
+    }
+    let (depth_error, time_error) = reference.errors(&answer);
+    if !(depth_error.is_finite() && time_error.is_finite()) {
+        return Err(Refusal::NonFinite);
+    }
+    let timing = time(clock, patience, || job.run());
+    let floor = reference.uncertainty.unwrap_or(f64::EPSILON);
+    Ok(Measured { answer, depth_error, time_error, floor, timing })
+}
+
+impl MethodReport {
+    /// The points that gave a result.
+    pub fn measured(&self) -> impl DoubleEndedIterator<Item = (Knob, &Measured)> {
+        self.points
+            .iter()
+            .filter_map(|point| point.result.as_ref().ok().map(|measured| (point.knob, measured)))
+    }
+
+    /// The order that is observed: how fast log error falls with log steps, by least squares through the finest points that
+    /// lie above what the reference can tell. `None` with fewer than three.
+    pub fn observed_order(&self) -> Option<f64> {
+        let points: Vec<(f64, f64)> = self
+            .measured()
+            .filter(|(_, measured)| {
+                let error = measured.order_error();
+                error < FIT_CEILING && error > FIT_FLOOR * measured.floor
+            })
+            .map(|(_, measured)| ((measured.answer.steps as f64).ln(), measured.order_error().ln()))
+            .collect();
+        let points = &points[points.len().saturating_sub(FIT_POINTS)..];
+        if points.len() < 3 {
+            return None;
+        }
+        let count = points.len() as f64;
+        let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0, y + p.1));
+        let (x, y) = (x / count, y / count);
+        let across: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
+        let spread: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
+        (spread > 0.0).then_some(-across / spread)
+    }
+
+    /// The least error reached.
+    pub fn least_error(&self) -> Option<f64> {
+        self.measured().map(|(_, measured)| measured.error()).min_by(f64::total_cmp)
+    }
+
+    /// The cheapest point that meets an accuracy together with all finer ones of this method: a lucky hit does not count.
+    pub fn cheapest(&self, target: f64) -> Option<Cheapest> {
+        let meeting = self.measured().rev().take_while(|(_, measured)| measured.error() <= target);
+        meeting
+            .map(|(knob, measured)| Cheapest {
+                method: self.method,
+                knob,
+                min_s: measured.timing.min_s,
+            })
+            .min_by(|a, b| a.min_s.total_cmp(&b.min_s))
+    }
+}
+
+impl Report {
+    /// The cheapest way of all to an accuracy.
+    pub fn cheapest(&self, target: f64) -> Option<Cheapest> {
+        let each = self.methods.iter().filter_map(|method| method.cheapest(target));
+        each.min_by(|a, b| a.min_s.total_cmp(&b.min_s))
+    }
+}
+
+#[cfg(test)]
+mod tests;

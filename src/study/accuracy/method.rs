@@ -1,0 +1,277 @@
+//! The methods that are compared, each with its letter, its knob and the function that runs it.
+
+use std::fmt;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::appendix::{self, Coupling};
+use crate::model::contact_phase::{Answer, Ending, Explicit, Phase, Refusal, exact};
+use crate::model::impact::forced::{Forced, simulate_by};
+use crate::model::impact::{Settings, simulate};
+use crate::model::run::Run;
+use crate::model::scene::{InterfaceLaw, Scene};
+use crate::numerics::explicit::rk4::Crossing;
+
+/// The run of a scene with a damper ends this much after its contact, relative: rebound is not part of the comparison.
+const BEYOND_CONTACT: f64 = 1.01;
+
+/// A way to compute the contact phase.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Closed form, where nothing but inertia answers.
+    ClosedForm,
+    /// Appendix A as printed.
+    ThesisPrinted,
+    /// Appendix A with its coupling and damper mended.
+    ThesisMended,
+    /// Classical Runge-Kutta, fixed step, events only noticed.
+    Rk4,
+    /// The same with events located and joints restarted at.
+    Rk4Events,
+    /// DOP853 with events located and joints restarted at.
+    Dop853,
+    /// The engine held to its implicit method.
+    Radau,
+    /// The engine held to Taylor steps.
+    Taylor,
+    /// What `simulate` does.
+    Auto,
+}
+
+/// What makes a method more accurate and more expensive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Knob {
+    /// It has none.
+    None,
+    /// Time step, s.
+    Step(f64),
+    /// Tolerance.
+    Tolerance(f64),
+}
+
+impl Knob {
+    /// The column it is listed in: what it is.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "",
+            Self::Step(_) => "dt",
+            Self::Tolerance(_) => "tol",
+        }
+    }
+
+    /// Its value, if it has one.
+    pub fn value(self) -> Option<f64> {
+        match self {
+            Self::None => None,
+            Self::Step(value) | Self::Tolerance(value) => Some(value),
+        }
+    }
+}
+
+impl fmt::Display for Knob {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None => Ok(()),
+            Self::Step(dt_s) => f.pad(&format!("dt {dt_s:.0e} s")),
+            Self::Tolerance(tolerance) => f.pad(&format!("tol {tolerance:.0e}")),
+        }
+    }
+}
+
+/// How finely knobs are turned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ladder {
+    /// Every value.
+    Full,
+    /// Few values, none of them expensive.
+    Quick,
+}
+
+impl Method {
+    /// All of them, in the order of tables.
+    pub const ALL: [Self; 9] = [
+        Self::ThesisPrinted,
+        Self::ThesisMended,
+        Self::Rk4,
+        Self::Rk4Events,
+        Self::Dop853,
+        Self::Radau,
+        Self::Taylor,
+        Self::ClosedForm,
+        Self::Auto,
+    ];
+
+    /// The letter on charts.
+    pub fn letter(self) -> char {
+        match self {
+            Self::ClosedForm => 'C',
+            Self::ThesisPrinted => 'T',
+            Self::ThesisMended => 'M',
+            Self::Rk4 => 'R',
+            Self::Rk4Events => 'E',
+            Self::Dop853 => 'D',
+            Self::Radau => 'I',
+            Self::Taylor => 'S',
+            Self::Auto => 'A',
+        }
+    }
+
+    /// The name in tables and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed form",
+            Self::ThesisPrinted => "thesis as printed",
+            Self::ThesisMended => "thesis, mended",
+            Self::Rk4 => "RK4, no events",
+            Self::Rk4Events => "RK4 + events",
+            Self::Dop853 => "DOP853 + events",
+            Self::Radau => "Radau IIA 5",
+            Self::Taylor => "Taylor series 16",
+            Self::Auto => "auto",
+        }
+    }
+
+    /// The values of its knob for a contact of about `end_s`, the coarsest first.
+    pub fn knobs(self, end_s: f64, ladder: Ladder) -> Vec<Knob> {
+        // Steps per contact at the most; fewer than ten are no computation.
+        let (steps_max, per_decade, tightest) = match (self, ladder) {
+            (Self::ClosedForm, _) => return vec![Knob::None],
+            (Self::ThesisPrinted | Self::ThesisMended, Ladder::Full) => (3e5, 1, 0),
+            (Self::ThesisPrinted | Self::ThesisMended, Ladder::Quick) => (3e3, 1, 0),
+            (Self::Rk4, Ladder::Full) => (3e4, 2, 0),
+            (Self::Rk4Events, Ladder::Full) => (1e4, 2, 0),
+            (Self::Rk4 | Self::Rk4Events, Ladder::Quick) => (1.5e3, 2, 0),
+            (Self::Dop853 | Self::Taylor | Self::Auto, Ladder::Full) => (0.0, 1, 13),
+            (Self::Radau, Ladder::Full) => (0.0, 1, 12),
+            (Self::Dop853 | Self::Taylor | Self::Auto | Self::Radau, Ladder::Quick) => (0.0, 2, 11),
+        };
+        if tightest == 0 {
+            steps(end_s, steps_max, per_decade)
+        } else {
+            tolerances(tightest, per_decade)
+        }
+    }
+}
+
+/// Time steps 1 and 3 times powers of ten (or powers of ten alone) that make 10 to `steps_max` steps.
+fn steps(end_s: f64, steps_max: f64, per_decade: i32) -> Vec<Knob> {
+    let mut list = Vec::new();
+    for power in (-60..20).rev() {
+        for mantissa in [3.0, 1.0] {
+            let dt_s = format!("{mantissa}e{power}").parse().unwrap_or(f64::NAN);
+            let count = end_s / dt_s;
+            if (10.0..=steps_max).contains(&count) && (per_decade == 2 || mantissa < 2.0) {
+                list.push(Knob::Step(dt_s));
+            }
+        }
+    }
+    list
+}
+
+/// Tolerances from 1e-3 down, every power of ten or every second.
+fn tolerances(tightest: i32, every: i32) -> Vec<Knob> {
+    let powers = (3..=tightest).filter(|power| (power - 3) % every == 0);
+    powers.map(|power| Knob::Tolerance(format!("1e-{power}").parse().unwrap_or(f64::NAN))).collect()
+}
+
+/// One computation, ready to be repeated.
+pub struct Job {
+    method: Method,
+    knob: Knob,
+    scene: Arc<Scene>,
+    steps_max: usize,
+}
+
+impl Job {
+    /// Prepare a computation of the contact phase of a valid scene; `end_s` is about when the contact ends.
+    pub fn new(method: Method, knob: Knob, scene: &Scene, end_s: f64, steps_max: usize) -> Self {
+        let mut own = scene.clone();
+        own.interface.law = InterfaceLaw::Fused;
+        // Without a damper energy says what follows the contact; with one it would be integrated.
+        let horizon_s = Some(BEYOND_CONTACT * end_s).filter(|horizon_s| horizon_s.is_finite());
+        own.run.horizon_s = horizon_s.filter(|_| scene.mechanism.damper.coefficient > 0.0);
+        if let Knob::Tolerance(tolerance) = knob {
+            own.run.tolerance = tolerance;
+        }
+        Self { method, knob, scene: Arc::new(own), steps_max }
+    }
+
+    /// Do it.
+    ///
+    /// # Errors
+    /// A [`Refusal`] when the method gives no answer.
+    pub fn run(&self) -> Result<Answer, Refusal> {
+        let scene = &self.scene;
+        let knob = self.knob.value().unwrap_or(f64::NAN);
+        let steps_max = self.steps_max;
+        let phase = |method: Explicit| Phase::of(scene).solve(method, steps_max);
+        match self.method {
+            Method::ClosedForm => exact::solve(scene),
+            Method::ThesisPrinted => appendix::contact(scene, knob, Coupling::Printed, steps_max),
+            Method::ThesisMended => appendix::contact(scene, knob, Coupling::Mended, steps_max),
+            Method::Rk4 => phase(Explicit::Rk4 { dt_s: knob, crossing: Crossing::Notice }),
+            Method::Rk4Events => phase(Explicit::Rk4 { dt_s: knob, crossing: Crossing::Locate }),
+            Method::Dop853 => phase(Explicit::Dop853 { tolerance: knob }),
+            Method::Radau => forced(Forced::Radau, scene),
+            Method::Taylor => forced(Forced::Taylor, scene),
+            Method::Auto => {
+                let settings = Settings { series: false, estimate: false };
+                let observer = &mut |_| ControlFlow::Continue(());
+                let run = simulate(scene, &settings, observer);
+                answer_of(&run.map_err(|_invalid| Refusal::EndedEarly)?)
+            }
+        }
+    }
+}
+
+fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
+    let run = simulate_by(method, scene).map_err(|_invalid| Refusal::EndedEarly)?;
+    answer_of(&run.ok_or(Refusal::TooStiff)?)
+}
+
+/// The contact phase of a run.
+fn answer_of(run: &Run) -> Result<Answer, Refusal> {
+    let (ending, t_s, depth_m) = match (run.first_arrest, run.exit_time_s, run.final_penetration_m)
+    {
+        (Some(arrest), _, _) => (Ending::Arrest, arrest.t_s, arrest.penetration_m),
+        (None, Some(t_s), Some(depth_m)) => (Ending::Perforation, t_s, depth_m),
+        (None, _, _) => return Err(Refusal::EndedEarly),
+    };
+    let cost = run.cost;
+    Ok(Answer {
+        ending,
+        t_s,
+        depth_m,
+        steps: cost.steps,
+        rejected: cost.rejected,
+        evaluations: cost.rhs_evaluations,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn knobs_go_from_coarse_to_fine() {
+        for method in Method::ALL {
+            for ladder in [Ladder::Full, Ladder::Quick] {
+                let knobs = method.knobs(1.1e-4, ladder);
+                assert!(!knobs.is_empty(), "{method:?}");
+                assert!(knobs.windows(2).all(|pair| pair[0].value() > pair[1].value()));
+            }
+        }
+        let thesis = Method::ThesisPrinted.knobs(1.1e-4, Ladder::Full);
+        assert!(thesis.contains(&Knob::Step(1e-6)), "the thesis's own step");
+        assert_eq!(thesis.len(), 5);
+        assert!(!Method::Rk4.knobs(1e3, Ladder::Quick).is_empty());
+    }
+
+    #[test]
+    fn letters_are_unique() {
+        let mut letters = Method::ALL.map(Method::letter).to_vec();
+        letters.sort_unstable();
+        letters.dedup();
+        assert_eq!(letters.len(), Method::ALL.len());
+    }
+}
