@@ -59,6 +59,8 @@ pub enum ReportBody {
     Progress {
         /// Simulated time reached, s.
         t_s: f64,
+        /// How long it has been running.
+        elapsed: Duration,
     },
     /// It is done.
     Done {

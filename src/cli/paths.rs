@@ -9,9 +9,10 @@ use crate::files::paths::Paths;
 pub(super) fn run() -> Result<ExitCode, CliError> {
     let paths = Paths::of_user()?;
     output::print(&format!(
-        "presets  {}\nsession  {}\nlog      {}\n",
+        "presets   {}\nsession   {}\nprevious  {}\nlog       {}\n",
         paths.presets.display(),
         paths.session_file().display(),
+        paths.previous_session_file().display(),
         paths.log_file().display()
     ))?;
     Ok(ExitCode::SUCCESS)

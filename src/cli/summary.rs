@@ -74,17 +74,17 @@ fn sentence(run: &Run) -> String {
             };
             format!("arrested: the projectile stays in the plate, {depth} deep{share}")
         }
-        Outcome::Perforated => {
-            let left = run.residual_velocity_m_s.map_or_else(String::new, |speed| {
-                let shown = short(speed.abs(), "m/s");
-                if speed < 0.0 {
-                    format!(" and is left moving backwards at {shown}")
-                } else {
-                    format!(" and goes on at {shown}")
-                }
-            });
-            format!("perforated: the projectile passes through the plate{left}")
-        }
+        Outcome::Perforated => match run.residual_velocity_m_s {
+            Some(speed) if speed < 0.0 => format!(
+                "perforated: the plate swings back over the projectile, which is left moving backwards at {}",
+                short(speed.abs(), "m/s")
+            ),
+            Some(speed) => format!(
+                "perforated: the projectile passes through the plate and goes on at {}",
+                short(speed, "m/s")
+            ),
+            None => "perforated: the projectile passes through the plate".to_owned(),
+        },
         Outcome::Separated => {
             let left = run
                 .separation

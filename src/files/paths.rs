@@ -39,6 +39,11 @@ impl Paths {
         self.state.join("session.toml")
     }
 
+    /// A session put aside because the program was started on something else.
+    pub fn previous_session_file(&self) -> PathBuf {
+        self.state.join("session.previous.toml")
+    }
+
     /// The log.
     pub fn log_file(&self) -> PathBuf {
         self.state.join("cmra.log")

@@ -125,6 +125,15 @@ pub fn load(path: &Path) -> Loaded {
     Loaded { session, notice }
 }
 
+/// Copy a session aside before another one takes its place.
+///
+/// # Errors
+/// [`FileError::Write`].
+pub fn put_aside(from: &Path, to: &Path) -> Result<(), FileError> {
+    let text = fs::read(from).map_err(|source| FileError::write(to, source))?;
+    atomic::write(to, &text, Existing::Replace)
+}
+
 /// What can be read of a session, and what cannot.
 fn parse(text: &str) -> (Option<Session>, Vec<String>) {
     let file: SessionFile = match toml::from_str(text) {

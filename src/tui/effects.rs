@@ -13,17 +13,14 @@ use std::time::{Duration, Instant};
 
 use super::Incoming;
 use crate::files::atomic::{self, Existing};
-use crate::files::csv::Rows;
 use crate::files::error::FileError;
-use crate::files::export;
+use crate::files::export::{self, ExportRequest};
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Session};
 use crate::model::scene::Scene;
 use crate::tui::complete;
-use crate::tui::message::{
-    EffectReport, ExportOutcome, ExportRequest, ExportRows, Message, PresetEntry,
-};
+use crate::tui::message::{EffectReport, ExportOutcome, Message, PresetEntry};
 
 /// How long a changed session may stay unsaved.
 const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -171,7 +168,7 @@ impl Desk {
             Task::SavePreset { name, scene, overwrite } => {
                 EffectReport::Saved(save_preset(paths, name, &scene, overwrite))
             }
-            Task::Export(request) => EffectReport::Exported(write_export(*request)),
+            Task::Export(request) => EffectReport::Exported(write_export(&request)),
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
                 preset::from_file(&path)
@@ -202,20 +199,8 @@ fn save_preset(
         .map_err(|error| error.to_string())
 }
 
-fn write_export(request: ExportRequest) -> ExportOutcome {
-    let request = export::ExportRequest {
-        path: request.path,
-        overwrite: request.overwrite,
-        rows: match request.rows {
-            ExportRows::Series => Rows::Series,
-            ExportRows::Grid(rows) => Rows::Grid(rows),
-            ExportRows::Results => Rows::Results,
-            ExportRows::Events => Rows::Events,
-        },
-        runs: request.runs,
-        columns: request.columns,
-    };
-    match export::write(&request) {
+fn write_export(request: &ExportRequest) -> ExportOutcome {
+    match export::write(request) {
         Ok(files) => ExportOutcome::Written(files),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
         Err(error) => ExportOutcome::Failed(error.to_string()),

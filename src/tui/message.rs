@@ -4,11 +4,11 @@
 //! in one place.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use crate::files::export::ExportRequest;
 use crate::model::scene::Scene;
 use crate::worker::{Job, Report};
 
@@ -27,6 +27,8 @@ pub enum Message {
     Report(Report),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
+    /// A job has been running for so long that leaving must not drop it unasked: its number.
+    LongJob(u64),
     /// An effect has been carried out, or has failed.
     Done(EffectReport),
     /// A line of the program's own log, for the Log tab (not for the message row).
@@ -74,34 +76,6 @@ pub struct PresetEntry {
     pub scene: Scene,
     /// The comment block at the head of its file: source and what to expect.
     pub comment: String,
-}
-
-/// What an export contains and where it goes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExportRequest {
-    /// Target file of the CSV; the sidecar TOML goes beside it.
-    pub path: PathBuf,
-    /// Replace an existing file.
-    pub overwrite: bool,
-    /// Which rows.
-    pub rows: ExportRows,
-    /// The runs, each with its name (`now`, `A`, ...).
-    pub runs: Vec<(String, Arc<crate::model::run::Run>)>,
-    /// Names of the columns to write, in order; empty: all.
-    pub columns: Vec<String>,
-}
-
-/// Which rows an export has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ExportRows {
-    /// The solver's steps and enough between them to draw from.
-    Series,
-    /// A uniform grid of this many rows.
-    Grid(usize),
-    /// One row per run: its results.
-    Results,
-    /// The events.
-    Events,
 }
 
 /// What the workbench asks the outside to do.
@@ -219,6 +193,8 @@ pub enum Action {
     FitVertical,
     Window,
     Quantity,
+    SecondAxis,
+    NoSecondAxis,
     LogX,
     LogY,
     FullPane,
@@ -395,6 +371,8 @@ pub static BINDINGS: &[Binding] = &[
     bind(Charts, &[plain(']')], A::PanRight, "pan right", "pan right", 0),
     bind(Charts, &[plain('f')], A::FitVertical, "y-fit", "fit the vertical axis to what is in view, or to everything", 0),
     bind(Charts, &[plain('v')], A::Quantity, "quantity", "another quantity in this chart", 6),
+    bind(Charts, &[plain('w')], A::SecondAxis, "2nd axis", "another quantity of the same run on an axis at the right", 13),
+    bind(Charts, &[plain('W')], A::NoSecondAxis, "no 2nd axis", "take the axis at the right away", 0),
     bind(Charts, &[plain('X')], A::LogX, "log time", "logarithmic or linear time axis", 0),
     bind(Charts, &[plain('Y')], A::LogY, "log value", "logarithmic or linear value axis", 0),
     bind(Charts, &[plain('D')], A::Difference, "difference", "curves as differences to the first pinned run", 0),

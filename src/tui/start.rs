@@ -24,11 +24,18 @@ const AUTO_RUN: &str = "auto_run";
 pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>) {
     let theme = Theme::detect(options.glyphs, environment);
     let directory = std::env::current_dir().unwrap_or_default();
-    let loaded = match paths {
-        Some(paths) if !options.fresh => session::load(&paths.session_file()),
-        Some(_) | None => session::Loaded::default(),
-    };
+    let mut loaded =
+        paths.map_or_else(session::Loaded::default, |paths| session::load(&paths.session_file()));
     let mut recent = loaded.session.as_ref().map(|last| last.recent.clone()).unwrap_or_default();
+    let kept = match (paths, &loaded.session) {
+        (Some(paths), Some(last)) if options.fresh || options.scene.is_some() => {
+            keep_previous(last, paths)
+        }
+        _ => None,
+    };
+    if options.fresh {
+        loaded.session = None;
+    }
     let mut app = match (options.scene, loaded.session) {
         (Some(preset), _) => {
             if let preset::Origin::File(path) = &preset.origin {
@@ -47,7 +54,33 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     if let Some(text) = loaded.notice {
         app.say(Severity::Warning, text);
     }
+    if let Some((severity, text)) = kept {
+        app.say(severity, text);
+    }
     (app, recent)
+}
+
+/// Put the last session aside where another start would lose something of it: pins, or an edited scene. What to say of it.
+fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
+    let untouched = *base_of_session(last, Some(paths)).scene == last.scene
+        && last.preset.as_deref().is_some_and(|name| preset::resolve(name, Some(paths)).is_ok());
+    if untouched && last.pins.is_empty() {
+        return None;
+    }
+    let to = paths.previous_session_file();
+    let pins = match last.pins.len() {
+        0 => String::new(),
+        1 => ", 1 pinned run".to_owned(),
+        count => format!(", {count} pinned runs"),
+    };
+    Some(match session::put_aside(&paths.session_file(), &to) {
+        Ok(()) => {
+            let name = last.preset.as_deref().unwrap_or("a scene");
+            let text = format!("the last session ({name}{pins}) is kept as {}", to.display());
+            (Severity::Note, text)
+        }
+        Err(error) => (Severity::Warning, format!("the last session is not kept: {error}")),
+    })
 }
 
 /// What the session file keeps of the state.
@@ -205,6 +238,31 @@ mod tests {
         let mut fixed = state();
         restore(&mut fixed, kept, GlyphChoice::Fixed(GlyphSet::Ascii));
         assert_eq!(fixed.theme.glyphs, state().theme.glyphs);
+    }
+
+    #[test]
+    fn another_start_keeps_a_session_that_would_be_lost() {
+        let place = tempfile::tempdir().unwrap();
+        let paths = Paths::below(place.path());
+        let fresh = || Options { scene: None, fresh: true, glyphs: GlyphChoice::Auto };
+        let mut last = Session { preset: Some("thesis-baseline".to_owned()), ..Session::default() };
+        last.scene = preset::baseline().unwrap().scene;
+        last.recent.push(PathBuf::from("a.toml"));
+        // Nothing in it that a preset does not have: nothing to keep.
+        session::save(&paths.session_file(), &last).unwrap();
+        let (state, recent) = app(fresh(), Some(&paths));
+        assert!(state.notice.is_none());
+        assert_eq!(recent, last.recent);
+        assert!(!paths.previous_session_file().exists());
+        // A pin would be lost.
+        last.pins.push(("A".to_owned(), last.scene.clone()));
+        session::save(&paths.session_file(), &last).unwrap();
+        let (state, _) = app(fresh(), Some(&paths));
+        assert_eq!(state.pins.len(), 0);
+        let said = state.log.last().unwrap().text.clone();
+        assert!(said.contains("1 pinned run") && said.contains("session.previous.toml"), "{said}");
+        let kept = session::load(&paths.previous_session_file()).session;
+        assert_eq!(kept, Some(last));
     }
 
     #[test]

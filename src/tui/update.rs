@@ -39,6 +39,10 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
         Message::Act(action) => act::act(app, action),
         Message::Report(report) => jobs::report(app, report),
         Message::RunDue(serial) => jobs::run_due(app, serial),
+        Message::LongJob(id) => {
+            jobs::long(app, id);
+            Vec::new()
+        }
         Message::Done(report) => done::done(app, report),
         Message::Logged(level, text) => {
             app.note(level, text);

@@ -47,7 +47,7 @@ impl Pulse {
             return None;
         }
         self.last_progress = now;
-        Some(ReportBody::Progress { t_s })
+        Some(ReportBody::Progress { t_s, elapsed: now.duration_since(self.started) })
     }
 }
 

@@ -125,7 +125,7 @@ fn a_job_of_another_slot_does_not_cancel() {
     // Still alive long enough to make progress.
     let report = next(&reports);
     assert_eq!(report.id, 1);
-    assert!(matches!(report.body, ReportBody::Progress { t_s } if t_s > 0.0), "{report:?}");
+    assert!(matches!(report.body, ReportBody::Progress { t_s, .. } if t_s > 0.0), "{report:?}");
     worker.cancel();
     let mut ended = [next_last(&reports).id, next_last(&reports).id];
     ended.sort_unstable();

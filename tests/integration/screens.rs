@@ -2,6 +2,7 @@
 
 mod bench;
 mod keys;
+mod readme;
 
 use bench::{Bench, made};
 use cmra::model::scene::Scene;
@@ -162,4 +163,16 @@ proptest! {
 fn made_up_runs_are_runs_of_their_scene() {
     let scene = std::sync::Arc::new(Scene::default());
     assert_eq!(made(&scene).scene, scene);
+}
+
+#[test]
+fn a_second_axis() {
+    for (columns, rows) in [(80, 24), (120, 40)] {
+        for glyphs in BOTH {
+            let mut bench = Bench::open(glyphs, (columns, rows));
+            bench.keys("<Tab>www<Right>");
+            let name = format!("second_axis_{columns}x{rows}_{glyphs}");
+            assert_snapshot!(name, bench.screen());
+        }
+    }
 }

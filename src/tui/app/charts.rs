@@ -29,6 +29,8 @@ pub enum Fit {
 pub struct Charts {
     /// What each shows, from top to bottom.
     pub quantities: [Quantity; 3],
+    /// What each shows on a second axis at the right, if anything.
+    pub second: [Option<Quantity>; 3],
     /// The chart the keys act on.
     pub selected: usize,
     /// The crosshair, s since first contact.
@@ -55,6 +57,7 @@ impl Default for Charts {
                 Quantity::PlateDisplacement,
                 Quantity::ContactForce,
             ],
+            second: [None; 3],
             selected: 0,
             cursor_s: None,
             window: Window::Contact,
@@ -115,6 +118,21 @@ impl App {
             .filter(|_| self.charts.difference)
             .and_then(|pin| pin.run.as_deref());
         self.visible_runs().iter().map(|view| curve(view, quantity, reference)).collect()
+    }
+
+    /// The curve of the second axis of a chart: the current run's where it is drawn, else the last visible one's.
+    pub fn second_curve(&self, chart: usize) -> Option<(Quantity, Curve)> {
+        let quantity = self.charts.second[chart]?;
+        Some((quantity, self.curves(quantity).pop()?))
+    }
+
+    /// Put the next quantity on the second axis of the selected chart, at last none; gives what is there now.
+    pub fn next_second(&mut self) -> Option<Quantity> {
+        let chart = self.charts.selected;
+        let first = self.charts.quantities[chart];
+        let next = self.charts.second[chart].unwrap_or(first).next();
+        self.charts.second[chart] = (next != first).then_some(next);
+        self.charts.second[chart]
     }
 
     /// The range of values to show, over the curves; a little room is left to the chart itself.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Base;
+use super::runs::Pin;
 use crate::model::scene::Scene;
 
 /// The scene and what it is compared with, at one moment.
@@ -23,6 +24,8 @@ pub struct Edit {
     pub before: Snapshot,
     /// After it.
     pub after: Snapshot,
+    /// The pin it took away: then the scene is the same before and after.
+    pub unpinned: Option<Pin>,
     /// The variable it was stepped with, while further steps still belong to it.
     pub stepping: Option<usize>,
 }
@@ -63,6 +66,12 @@ impl History {
     pub fn undo(&mut self) -> Option<&Edit> {
         self.done = self.done.checked_sub(1)?;
         self.edits.get(self.done)
+    }
+
+    /// The pins that some of the edits took away.
+    pub fn unpinned(&self, edits: std::ops::Range<usize>) -> Vec<Pin> {
+        let edits = self.edits.get(edits).unwrap_or_default();
+        edits.iter().filter_map(|edit| edit.unpinned.clone()).collect()
     }
 
     /// Do the last undone edit again; gives it.

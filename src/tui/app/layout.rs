@@ -8,6 +8,8 @@ pub const SMALLEST: (u16, u16) = (60, 16);
 
 /// From this width on: three stacked charts.
 const WIDE: u16 = 100;
+/// From this width on: names of runs in full beside their results.
+const ROOMY: u16 = 120;
 /// From this width on: events and energy beside the charts.
 const WIDEST: u16 = 160;
 /// From this height on: the table of runs is always there.
@@ -176,7 +178,7 @@ fn narrow(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
 }
 
 fn wide(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
-    let (left, mut right) = body.split_left(if body.width >= WIDEST { 46 } else { 38 });
+    let (left, mut right) = body.split_left(if body.width >= ROOMY { 46 } else { 38 });
     let mut panes = Panes::default();
     if height >= TALL || focus == Place::Runs {
         let wanted = runs_height(pins).min(body.height / 2);

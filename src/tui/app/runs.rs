@@ -22,7 +22,7 @@ pub struct Shown {
 }
 
 /// A frozen scene with its result.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Pin {
     /// A to H.
     pub letter: char,
@@ -60,8 +60,10 @@ pub struct InFlight {
     pub id: u64,
     /// What it runs.
     pub scene: Arc<Scene>,
-    /// Simulated time reached, s.
-    pub reached_s: Option<f64>,
+    /// Simulated time reached, s, and how long that took.
+    pub reached: Option<(f64, Duration)>,
+    /// It has been running for so long that leaving asks first.
+    pub long: bool,
 }
 
 /// What the worker has been asked, and what it said last.
@@ -75,6 +77,8 @@ pub struct Jobs {
     pub current: Option<InFlight>,
     /// The quiet time after the last edit is over and its result has not landed.
     pub overdue: bool,
+    /// The person was asked whether to leave while a long job runs.
+    pub asked_to_quit: bool,
     /// Why the last job gave no result.
     pub failure: Option<String>,
     /// The last job was cancelled.

@@ -136,11 +136,14 @@ impl App {
         if let Some(job) = &self.jobs.current
             && (self.jobs.overdue || self.shown.is_none())
         {
-            let text = job.reached_s.map_or_else(
+            let text = job.reached.map_or_else(
                 || "running".to_owned(),
-                |t_s| format!("running, at t = {}", engineering(t_s, "s")),
+                |(t_s, elapsed)| {
+                    let (seconds, t) = (elapsed.as_secs_f64(), engineering(t_s, "s"));
+                    format!("running for {seconds:.1} s, at t = {t}")
+                },
             );
-            return (Severity::Note, format!("{text} (Esc stops)"), text);
+            return same(Severity::Note, &format!("{text} (Esc stops)"));
         }
         if self.jobs.failure.is_some() {
             return same(Severity::Error, "failed: see 6:Log");
@@ -176,6 +179,20 @@ impl App {
     }
 }
 
+/// A warning with the key that acts on it, where there is one.
+pub fn warning_text(warning: &Warning) -> String {
+    match warning {
+        Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
+            format!("{warning} (key i)")
+        }
+        Warning::InterfaceWithoutStrength
+        | Warning::PenetrationResumed { .. }
+        | Warning::EnergyDrift { .. }
+        | Warning::EndedEarly(_)
+        | Warning::NoBaseline => warning.to_string(),
+    }
+}
+
 /// The results of a run in words, one a line.
 pub fn results(run: &Run) -> Vec<String> {
     let mut lines = vec![format!("outcome       {} ({})", run.outcome, run.end.words())];
@@ -188,10 +205,12 @@ pub fn results(run: &Run) -> Vec<String> {
         .percent_of_baseline()
         .map_or_else(String::new, |percent| format!(", {percent:.1} % of a rigid mount's"));
     if run.outcome == Outcome::Perforated {
-        let speed = run.residual_velocity_m_s.map(|speed| engineering(speed, "m/s"));
         let time = run.exit_time_s.map(|t_s| engineering(t_s, "s"));
-        let word = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
-        add("leaves with", format!("{} at {}", word(speed), word(time)));
+        add("perforation", format!("at {}", time.unwrap_or_else(|| "-".to_owned())));
+        if let Some(speed) = run.residual_velocity_m_s {
+            let way = if speed < 0.0 { " backwards: the plate swung over it" } else { "" };
+            add("goes on at", format!("{}{way}", engineering(speed.abs(), "m/s")));
+        }
     } else {
         add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)));
     }

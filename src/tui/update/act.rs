@@ -12,6 +12,9 @@ use super::{charts, dialogs, edit, export, field, jobs, runs};
 /// Do it, in the pane that has the keys.
 pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     use Action as A;
+    if !matches!(action, A::Quit | A::QuitWithSummary) {
+        app.jobs.asked_to_quit = false;
+    }
     if !is_step(action) {
         app.history.seal();
         app.editor.stride = None;
@@ -62,6 +65,8 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         | A::FitVertical
         | A::Window
         | A::Quantity
+        | A::SecondAxis
+        | A::NoSecondAxis
         | A::LogX
         | A::LogY => return charts::act(app, action),
         A::FullPane | A::Glyphs | A::Theme | A::Mouse | A::Redraw | A::Suspend => {
@@ -155,7 +160,16 @@ fn auto_run(app: &mut App) -> Vec<Effect> {
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let quit = |summary| vec![Effect::SaveSession, Effect::Quit { summary }];
     let running = app.jobs.current.is_some();
+    let long = app.jobs.current.as_ref().is_some_and(|job| job.long);
     match action {
+        Action::Quit | Action::QuitWithSummary if long && !app.jobs.asked_to_quit => {
+            app.jobs.asked_to_quit = true;
+            app.say(
+                Severity::Warning,
+                "a run has been going on for more than 5 s: q again leaves without it, Esc stops it",
+            );
+            Vec::new()
+        }
         Action::Cancel | Action::Back if running => vec![Effect::CancelJob],
         Action::Back => {
             if app.full_pane {

@@ -33,7 +33,16 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         A::FitVertical => fit(app),
         A::Window => window(app),
         A::Quantity => {
-            app.charts.quantities[selected] = app.charts.quantities[selected].next();
+            let next = app.charts.quantities[selected].next();
+            app.charts.quantities[selected] = next;
+            if app.charts.second[selected] == Some(next) {
+                app.charts.second[selected] = None;
+            }
+        }
+        A::SecondAxis => second_axis(app),
+        A::NoSecondAxis => {
+            app.charts.second[selected] = None;
+            app.say(Severity::Note, "no second axis: w puts a quantity there");
         }
         A::LogX => {
             app.charts.time_scale = app.charts.time_scale.toggled();
@@ -49,6 +58,17 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         _ => difference(app),
     }
     Vec::new()
+}
+
+fn second_axis(app: &mut App) {
+    let text = match app.next_second() {
+        Some(quantity) => format!(
+            "at the right: {} (w: the next quantity, W: none)",
+            quantity.title().to_lowercase()
+        ),
+        None => "no second axis: w puts a quantity there".to_owned(),
+    };
+    app.say(Severity::Note, text);
 }
 
 fn word(scale: Scale) -> &'static str {

@@ -7,11 +7,12 @@ use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::dialog::wrap;
 use crate::tui::app::history::{Edit, Snapshot};
 use crate::tui::app::notice::Severity;
+use crate::tui::app::runs::Pin;
 use crate::tui::app::steps::{self, Size};
 use crate::tui::app::{App, Base};
 use crate::tui::message::Effect;
 
-use super::jobs;
+use super::{jobs, runs};
 
 /// Set a variable. `stepping` joins it with the steps just before.
 ///
@@ -70,7 +71,7 @@ pub(super) fn load(app: &mut App, base: Base) -> Vec<Effect> {
 
 fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>) -> Vec<Effect> {
     let before = Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() };
-    app.history.push(Edit { label, before, after: after.clone(), stepping });
+    app.history.push(Edit { label, before, after: after.clone(), unpinned: None, stepping });
     install(app, after)
 }
 
@@ -82,6 +83,14 @@ fn install(app: &mut App, snapshot: Snapshot) -> Vec<Effect> {
     effects
 }
 
+/// Note that a pin was taken away, as one edit.
+pub(super) fn note_unpinned(app: &mut App, pin: Pin) {
+    let here = Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() };
+    let label = format!("unpin {}: {}", pin.letter, pin.name);
+    let (before, after) = (here.clone(), here);
+    app.history.push(Edit { label, before, after, unpinned: Some(pin), stepping: None });
+}
+
 /// Take the last edit back.
 pub(super) fn undo(app: &mut App) -> Vec<Effect> {
     let Some(edit) = app.history.undo().cloned() else {
@@ -89,7 +98,10 @@ pub(super) fn undo(app: &mut App) -> Vec<Effect> {
         return Vec::new();
     };
     app.say(Severity::Note, format!("undone: {} (Ctrl-r redoes)", edit.label));
-    install(app, edit.before)
+    match edit.unpinned {
+        Some(pin) => runs::put_back(app, pin),
+        None => install(app, edit.before),
+    }
 }
 
 /// Do the last undone edit again.
@@ -99,7 +111,10 @@ pub(super) fn redo(app: &mut App) -> Vec<Effect> {
         return Vec::new();
     };
     app.say(Severity::Note, format!("redone: {}", edit.label));
-    install(app, edit.after)
+    match edit.unpinned {
+        Some(pin) => runs::take_away(app, &pin),
+        None => install(app, edit.after),
+    }
 }
 
 /// Go to the state after the first `done` edits.
@@ -112,9 +127,16 @@ pub(super) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
         Some(edit) => edit.after.clone(),
         None => app.history.edits[0].before.clone(),
     };
+    let mut effects = Vec::new();
+    let here = app.history.done;
+    let back = app.history.unpinned(done.min(here)..here);
+    effects.extend(back.into_iter().flat_map(|pin| runs::put_back(app, pin)));
+    let gone = app.history.unpinned(here.min(done)..done);
+    effects.extend(gone.into_iter().flat_map(|pin| runs::take_away(app, &pin)));
     app.history.done = done;
     app.say(Severity::Note, format!("back to the state after edit {done}"));
-    install(app, snapshot)
+    effects.extend(install(app, snapshot));
+    effects
 }
 
 /// Reset the selected variable to the preset's value.

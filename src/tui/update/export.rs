@@ -6,11 +6,12 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent};
 use tui_input::Input;
 
-use crate::model::run::Run;
+use crate::files::csv::{self, NamedRun, Rows};
+use crate::files::export::ExportRequest;
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Export, ExportRow, What};
 use crate::tui::app::notice::Severity;
-use crate::tui::message::{Effect, ExportRequest, ExportRows};
+use crate::tui::message::Effect;
 
 use super::input;
 
@@ -30,10 +31,7 @@ pub(super) fn open(app: &mut App) {
         what: What::Series,
         grid: Input::new(GRID_ROWS.0.to_string()),
         runs: runs.into_iter().map(|(name, _)| (name, true)).collect(),
-        columns: crate::files::csv::columns(crate::files::csv::Rows::Series, false)
-            .into_iter()
-            .map(|name| (name, true))
-            .collect(),
+        columns: csv::columns(Rows::Series, false).into_iter().map(|name| (name, true)).collect(),
         path: Input::new(format!("{stem}.csv")),
         row: ExportRow::Path,
         question: false,
@@ -43,7 +41,7 @@ pub(super) fn open(app: &mut App) {
 }
 
 /// The runs that can be exported: the current one and the pins, those with a result.
-fn available(app: &App) -> Vec<(String, Arc<Run>)> {
+fn available(app: &App) -> Vec<NamedRun> {
     let now = app.shown.iter().map(|shown| ("now".to_owned(), Arc::clone(&shown.run)));
     let pins = app.pins.iter().filter_map(|pin| {
         let run = pin.run.as_ref()?;
@@ -158,7 +156,7 @@ fn request(app: &App, state: &Export, overwrite: bool) -> Result<ExportRequest, 
     if text.is_empty() || text.ends_with('/') {
         return Err("the path needs a file name, for example `run.csv`".to_owned());
     }
-    let runs: Vec<(String, Arc<Run>)> = available(app)
+    let runs: Vec<NamedRun> = available(app)
         .into_iter()
         .filter(|(name, _)| state.runs.iter().any(|(listed, on)| *on && listed == name))
         .collect();
@@ -166,10 +164,10 @@ fn request(app: &App, state: &Export, overwrite: bool) -> Result<ExportRequest, 
         return Err("no run is chosen: Space on a run ticks it".to_owned());
     }
     let rows = match state.what {
-        What::Series => ExportRows::Series,
-        What::Grid => ExportRows::Grid(grid_rows(state.grid.value())?),
-        What::Results => ExportRows::Results,
-        What::Events => ExportRows::Events,
+        What::Series => Rows::Series,
+        What::Grid => Rows::Grid(grid_rows(state.grid.value())?),
+        What::Results => Rows::Results,
+        What::Events => Rows::Events,
     };
     let series = matches!(state.what, What::Series | What::Grid);
     let ticked = state.columns.iter().filter(|(_, on)| *on);

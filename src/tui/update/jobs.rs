@@ -7,11 +7,15 @@ use crate::model::run::{Run, Warning};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::{InFlight, Shown};
+use crate::tui::app::status::warning_text;
 use crate::tui::message::{Effect, Message};
 use crate::worker::{Job, Report, ReportBody, Slot};
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);
+
+/// From this on, counted from its first report, a job is too long to be dropped unasked.
+const LONG: Duration = Duration::from_secs(5);
 
 /// After an edit: run at once when nothing is in flight, else when the edits have paused.
 pub(super) fn after_edit(app: &mut App) -> Vec<Effect> {
@@ -46,7 +50,8 @@ pub(super) fn submit_now(app: &mut App) -> Vec<Effect> {
 
 fn submit(app: &mut App) -> Vec<Effect> {
     let id = app.jobs.next_id();
-    app.jobs.current = Some(InFlight { id, scene: Arc::clone(&app.scene), reached_s: None });
+    app.jobs.current =
+        Some(InFlight { id, scene: Arc::clone(&app.scene), reached: None, long: false });
     vec![Effect::Submit(Job { id, slot: Slot::Current, scene: Arc::clone(&app.scene) })]
 }
 
@@ -76,6 +81,13 @@ pub(super) fn run_due(app: &mut App, serial: u64) -> Vec<Effect> {
     if job.scene == app.scene { Vec::new() } else { submit(app) }
 }
 
+/// A job has been running for a long time; of one that has ended nothing is said.
+pub(super) fn long(app: &mut App, id: u64) {
+    if let Some(job) = app.jobs.current.as_mut().filter(|job| job.id == id) {
+        job.long = true;
+    }
+}
+
 /// A report from the worker; those of replaced jobs are dropped.
 pub(super) fn report(app: &mut App, report: Report) -> Vec<Effect> {
     match report.slot {
@@ -90,10 +102,16 @@ pub(super) fn report(app: &mut App, report: Report) -> Vec<Effect> {
 
 fn current(app: &mut App, body: ReportBody) -> Vec<Effect> {
     match body {
-        ReportBody::Started => return Vec::new(),
-        ReportBody::Progress { t_s } => {
+        ReportBody::Started => {
+            let job = app.jobs.current.as_ref();
+            return job
+                .map(|job| Effect::After(LONG, Message::LongJob(job.id)))
+                .into_iter()
+                .collect();
+        }
+        ReportBody::Progress { t_s, elapsed } => {
             if let Some(job) = &mut app.jobs.current {
-                job.reached_s = Some(t_s);
+                job.reached = Some((t_s, elapsed));
             }
             return Vec::new();
         }
@@ -131,7 +149,7 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
         .warnings
         .iter()
         .filter(|warning| !known.iter().any(|old| same_kind(old, warning)))
-        .map(ToString::to_string)
+        .map(warning_text)
         .collect();
     for text in fresh {
         // A message about the edit itself stays; the warning is in the status row and the Log tab.

@@ -69,13 +69,36 @@ fn unpin(app: &mut App) -> Vec<Effect> {
     let Some(at) = selected(app) else {
         return Vec::new();
     };
-    let pin = app.pins.remove(at);
+    let pin = app.pins[at].clone();
+    let effects = take_away(app, &pin);
+    app.say(Severity::Note, format!("unpinned {}: {} (u undoes)", pin.letter, pin.name));
+    edit::note_unpinned(app, pin);
+    effects
+}
+
+/// Remove the pin of this letter.
+pub(super) fn take_away(app: &mut App, gone: &Pin) -> Vec<Effect> {
+    app.pins.retain(|pin| pin.letter != gone.letter);
     app.selected_run = app.selected_run.min(app.pins.len());
     if app.pins.is_empty() {
         app.charts.difference = false;
     }
-    app.say(Severity::Note, format!("unpinned {}: {}", pin.letter, pin.name));
     vec![Effect::SaveSession]
+}
+
+/// Put a pin back that had been taken away, under its letter or, if that is taken, the first free one.
+pub(super) fn put_back(app: &mut App, pin: Pin) -> Vec<Effect> {
+    let free = |letter: &char| app.pins.iter().all(|other| other.letter != *letter);
+    let Some(letter) = std::iter::once(pin.letter).chain(LETTERS).find(free) else {
+        app.say(Severity::Error, "all eight pins A to H are taken: nothing was put back");
+        return Vec::new();
+    };
+    // A job under way when it was taken away has reported to nobody.
+    app.pins.push(Pin { letter, job: None, ..pin });
+    app.pins.sort_by_key(|pin| pin.letter);
+    let mut effects = jobs::submit_pins(app);
+    effects.push(Effect::SaveSession);
+    effects
 }
 
 fn adopt(app: &mut App) -> Vec<Effect> {

@@ -13,13 +13,16 @@ use crate::tui::app::quantity::Quantity;
 use crate::tui::app::runs::{RunView, engineering};
 use crate::tui::app::status::{clip, short_name, value_at};
 use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Unit,
+    Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Side, Unit,
     ViewRange, align_gutters,
 };
 use crate::tui::theme::{Pane, Role};
 
 /// Rows of readout below a single chart, without the line that closes the box.
 const READOUT_ROWS: u16 = 2;
+/// How the curve of a second axis is told from the runs.
+const SECOND: char = '~';
+const SECOND_COLOUR: usize = 9;
 /// Most event lines in one chart.
 const EVENT_LINES: usize = 24;
 
@@ -36,7 +39,8 @@ fn single(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) {
     let inner = Pane::new("").focused(focused).render(area, buffer, app.theme);
     let data = app.curves(app.charts.quantities[app.charts.selected]);
     let below = if area.height >= 12 { READOUT_ROWS } else { 0 };
-    let mut chart = chart(app, app.charts.selected, &data);
+    let second = app.second_curve(app.charts.selected);
+    let mut chart = chart(app, app.charts.selected, (&data, second.as_ref()));
     chart.frame = Frame::OpenBelow;
     chart.focused = focused;
     let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
@@ -51,12 +55,15 @@ fn single(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) {
 fn stacked(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buffer) {
     let data: Vec<Vec<Data>> =
         (0..areas.len()).map(|index| app.curves(app.charts.quantities[index])).collect();
+    let second: Vec<Option<(Quantity, Data)>> =
+        (0..areas.len()).map(|index| app.second_curve(index)).collect();
+    let both = data.iter().zip(&second).enumerate();
     let mut charts: Vec<Chart<'_>> =
-        data.iter().enumerate().map(|(index, data)| chart(app, index, data)).collect();
+        both.map(|(index, (data, second))| chart(app, index, (data, second.as_ref()))).collect();
     let last = charts.len() - 1;
     for (index, chart) in charts.iter_mut().enumerate() {
         chart.focused = focused && app.charts.selected == index;
-        if index > 0 {
+        if index > 0 && second[index].is_none() {
             chart.legend = Legend::Hidden;
         }
         if index < last && areas[index].height < 11 {
@@ -84,12 +91,52 @@ fn nothing_yet(app: &App, area: Rect, buffer: &mut Buffer) {
     put(buffer, area, (column, area.height / 2), text, app.theme.style(Role::Dim));
 }
 
-fn chart<'a>(app: &'a App, index: usize, data: &'a [Data]) -> Chart<'a> {
+/// The curves of a chart, and the quantity and curve of its second axis.
+type Drawn<'a> = (&'a [Data], Option<&'a (Quantity, Data)>);
+
+fn chart<'a>(app: &'a App, index: usize, (data, second): Drawn<'a>) -> Chart<'a> {
     let quantity = app.charts.quantities[index];
     let (from, to) = app.time_range_s();
     let scale = app.charts.value_scales[index];
     let time = ViewRange::new(from, to);
     let x = Axis::new("t", time).unit(Unit::with_prefix(time, "s")).scale(app.charts.time_scale);
+    let y = value_axis(app, data, (quantity, scale)).scale(scale);
+    let right = second.map(|(quantity, curve)| {
+        let axis = value_axis(app, std::slice::from_ref(curve), (*quantity, Scale::Linear));
+        Axis { label: quantity.symbol().into(), ..axis }
+    });
+    let views = app.visible_runs();
+    let curves = data.iter().zip(&views).map(|(curve, view)| {
+        Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
+            .colour(curve.index)
+            .emphasis(match (curve.old, curve.letter) {
+                (true, _) => Emphasis::Stale,
+                (false, None) => Emphasis::Selected,
+                (false, Some(_)) => Emphasis::Normal,
+            })
+    });
+    let overlay = second.map(|(quantity, curve)| {
+        let run = curve.letter.map_or_else(|| "now".to_owned(), String::from);
+        Curve::new(SECOND, format!("{} {run}", quantity.symbol()), &curve.points)
+            .colour(SECOND_COLOUR)
+            .emphasis(if curve.old { Emphasis::Stale } else { Emphasis::Normal })
+            .side(Side::Right)
+    });
+    let events = app
+        .shown
+        .iter()
+        .filter(|_| app.current_visible)
+        .flat_map(|shown| event_lines(&shown.run, (from, to)));
+    Chart {
+        events: events.collect(),
+        crosshair: app.charts.cursor_s,
+        right,
+        ..Chart::new(title(app, quantity), x, y, overlay.into_iter().chain(curves).collect())
+    }
+}
+
+/// A vertical axis that shows all of some curves.
+fn value_axis(app: &App, data: &[Data], (quantity, scale): (Quantity, Scale)) -> Axis<'static> {
     let (low, high) = app.value_range(data, scale);
     let values = match scale {
         Scale::Linear => ViewRange::new(low, high).padded(scale, 0.04),
@@ -101,27 +148,7 @@ fn chart<'a>(app: &'a App, index: usize, data: &'a [Data]) -> Chart<'a> {
     } else {
         values
     };
-    let y = Axis::new("", values).unit(Unit::with_prefix(values, quantity.unit())).scale(scale);
-    let views = app.visible_runs();
-    let curves = data.iter().zip(&views).map(|(curve, view)| {
-        Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
-            .colour(curve.index)
-            .emphasis(match (curve.old, curve.letter) {
-                (true, _) => Emphasis::Stale,
-                (false, None) => Emphasis::Selected,
-                (false, Some(_)) => Emphasis::Normal,
-            })
-    });
-    let events = app
-        .shown
-        .iter()
-        .filter(|_| app.current_visible)
-        .flat_map(|shown| event_lines(&shown.run, (from, to)));
-    Chart {
-        events: events.collect(),
-        crosshair: app.charts.cursor_s,
-        ..Chart::new(title(app, quantity), x, y, curves.collect())
-    }
+    Axis::new("", values).unit(Unit::with_prefix(values, quantity.unit()))
 }
 
 /// The events in view with their letters; of very many (a plate rattling on its stop) only the first ones.
@@ -164,7 +191,11 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
     let first = if let Some(t_s) = app.charts.cursor_s {
         let name = app.event_at_cursor().map_or_else(String::new, |words| format!(" {words}"));
         line(format!("t {}{name}", engineering(t_s, "s")), &|view| {
-            value_at(view.run, quantity, t_s)
+            let second = app.charts.second[app.charts.selected];
+            let second = second.filter(|_| view.letter.is_none()).map_or_else(String::new, |one| {
+                format!("  {} {}", one.symbol(), value_at(view.run, one, t_s))
+            });
+            value_at(view.run, quantity, t_s) + &second
         })
     } else {
         let text = events_in_view(app, usize::from(area.width.saturating_sub(1)));

@@ -232,7 +232,7 @@ impl Shape {
             mode: if after > 0.0 { Mode::Fused } else { Mode::Penetrating },
             penetration_m,
             projectile_displacement_m: penetration_m + travel + rebound,
-            projectile_velocity_m_s: plate_m_s + (self.speed_m_s - self.together_m_s) * phase.cos(),
+            projectile_velocity_m_s: plate_m_s + self.speed_m_s * phase.cos(),
             plate_displacement_m: travel + rebound - self.cocking_m,
             plate_velocity_m_s: plate_m_s,
             contact_force_n: if after > 0.0 { 2e3 * turn.sin() } else { 17_745.0 * phase.sin() },

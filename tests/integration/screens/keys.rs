@@ -6,14 +6,14 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
+use cmra::files::csv::Rows;
 use cmra::model::scene::{InterfaceLaw, Mount};
 use cmra::tui::app::Tab;
 use cmra::tui::app::charts::Window;
 use cmra::tui::app::dialog::Dialog;
 use cmra::tui::app::notice::Severity;
-use cmra::tui::message::{
-    BINDINGS, Effect, EffectReport, ExportOutcome, ExportRows, Message, Place,
-};
+use cmra::tui::app::quantity::Quantity;
+use cmra::tui::message::{BINDINGS, Effect, EffectReport, ExportOutcome, Message, Place};
 use cmra::worker::{ReportBody, Slot};
 use crossterm::event::KeyEvent;
 
@@ -469,7 +469,7 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     });
     let request = request.unwrap();
     assert_eq!(request.path.to_str(), Some("/home/ada/work/thesis-baseline-x.csv"));
-    assert_eq!(request.rows, ExportRows::Series);
+    assert_eq!(request.rows, Rows::Series);
     let names: Vec<&str> = request.runs.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["now"]);
     assert!(!request.overwrite);
@@ -573,4 +573,93 @@ fn popups_close_by_q_and_escape() {
             "{keys}"
         );
     }
+}
+
+#[test]
+fn the_second_axis_goes_through_the_other_quantities_and_off() {
+    let mut bench = bench();
+    bench.keys("<Tab>");
+    let first = bench.app.charts.quantities[0];
+    let mut seen = HashSet::new();
+    for _ in 1..Quantity::ALL.len() {
+        bench.keys("w");
+        let second = bench.app.charts.second[0].expect("a quantity");
+        assert_ne!(second, first);
+        assert!(seen.insert(second.symbol()));
+        assert!(bench.message().contains("W: none"), "{}", bench.message());
+    }
+    bench.keys("w");
+    assert_eq!(bench.app.charts.second[0], None);
+    bench.keys("wW");
+    assert_eq!(bench.app.charts.second[0], None);
+    // The same quantity never stands on both axes.
+    bench.keys("wv");
+    assert_eq!(bench.app.charts.second[0], None);
+}
+
+#[test]
+fn leaving_asks_only_while_a_run_has_been_going_on_for_long() {
+    let quits = |bench: &Bench| bench.effects.iter().any(|one| matches!(one, Effect::Quit { .. }));
+    let mut bench = bench();
+    bench.press("jjl");
+    let job = bench.jobs().remove(0);
+    // Not long yet: the session is safe, so nothing is asked.
+    let mut quick = Bench { app: bench.app.clone(), effects: Vec::new() };
+    quick.press("q");
+    assert!(quits(&quick));
+    // Its first report sets the clock; a job that ends in time is forgotten.
+    bench.report(job.id, Slot::Current, ReportBody::Started);
+    let due = bench.effects.iter().find_map(|effect| match effect {
+        Effect::After(delay, message @ Message::LongJob(id)) if *id == job.id => {
+            Some((*delay, message.clone()))
+        }
+        _ => None,
+    });
+    let (delay, message) = due.expect("a clock");
+    assert_eq!(delay.as_secs(), 5);
+    bench.send(message);
+    bench.press("q");
+    assert!(!quits(&bench));
+    assert!(bench.message().contains("q again leaves"), "{}", bench.message());
+    // Another key takes the question back.
+    bench.press("jq");
+    assert!(!quits(&bench));
+    bench.press("q");
+    assert!(quits(&bench));
+}
+
+#[test]
+fn a_run_that_goes_on_says_how_far_it_is() {
+    let mut bench = bench();
+    bench.press("jjl");
+    let job = bench.jobs().remove(0);
+    let elapsed = std::time::Duration::from_millis(2500);
+    bench.report(job.id, Slot::Current, ReportBody::Progress { t_s: 1e-3, elapsed });
+    let serial = bench.app.jobs.serial;
+    bench.send(Message::RunDue(serial));
+    let screen = bench.screen();
+    assert!(screen.contains("running for 2.5 s, at t = 1.000 ms (Esc stops)"), "{screen}");
+}
+
+#[test]
+fn unpinning_is_undone_and_redone_like_any_edit() {
+    let mut bench = bench();
+    bench.keys(" /gamma<Enter><Enter>2<Enter> ");
+    let pins = bench.app.pins.clone();
+    assert_eq!(pins.len(), 2);
+    bench.keys("<Tab><Tab>jx");
+    assert_eq!(bench.app.pins.len(), 1);
+    assert!(bench.message().contains("(u undoes)"), "{}", bench.message());
+    bench.keys("u");
+    assert_eq!(bench.app.pins, pins);
+    assert_eq!(gamma(&bench), 2.0);
+    bench.keys("<C-r>");
+    assert_eq!(bench.app.pins.len(), 1);
+    // Through the list of edits, too: back to the start, and to the end again.
+    bench.keys("Ug<Enter>");
+    assert_eq!(bench.app.pins, pins);
+    assert_eq!(gamma(&bench), 1.0);
+    bench.keys("UG<Enter>");
+    assert_eq!(bench.app.pins.len(), 1);
+    assert_eq!(gamma(&bench), 2.0);
 }
