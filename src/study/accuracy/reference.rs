@@ -85,11 +85,19 @@ impl Basis {
     pub fn shares_code_with(self, method: Method) -> bool {
         match self {
             Self::Stored(_) => false,
-            Self::ClosedForm => matches!(method, Method::ClosedForm | Method::Auto),
-            Self::Dop853 => matches!(method, Method::Rk4 | Method::Rk4Events | Method::Dop853),
-            Self::Engine => {
+            // The engine's methods share its areas.
+            Self::ClosedForm | Self::Engine => {
                 matches!(method, Method::ClosedForm | Method::Radau | Method::Taylor | Method::Auto)
             }
+            // The thesis's scheme shares its areas.
+            Self::Dop853 => matches!(
+                method,
+                Method::ThesisPrinted
+                    | Method::ThesisMended
+                    | Method::Rk4
+                    | Method::Rk4Events
+                    | Method::Dop853
+            ),
         }
     }
 
