@@ -20,6 +20,7 @@ mod plain;
 mod presets;
 mod run;
 mod scene;
+mod stability;
 mod summary;
 mod workbench;
 
@@ -51,6 +52,8 @@ enum Command {
     Run(run::RunArguments),
     /// Compare every method's error with its run time
     Accuracy(accuracy::AccuracyArguments),
+    /// Hold the engine to a battery of stiff and extreme scenes, or map where a fixed step is stable
+    Stability(stability::StabilityArguments),
     /// List the presets, or show one
     Presets(presets::PresetsArguments),
     /// Print where this program keeps presets, session and log
@@ -97,6 +100,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         None => workbench::run(&arguments.workbench),
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Accuracy(arguments)) => accuracy::run(&arguments),
+        Some(Command::Stability(arguments)) => stability::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Paths) => paths::run(),
         Some(Command::Completions(arguments)) => completions::run(arguments.shell),

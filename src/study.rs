@@ -4,3 +4,4 @@
 //! passes the clock in.
 
 pub mod accuracy;
+pub mod stability;

@@ -130,7 +130,7 @@ fn plate_of(scene: &Scene, coupling: Coupling) -> Plate {
 mod tests {
     use super::*;
 
-    /// The constants of the listing on a plate of the thesis: 2024 aluminium, 75.8 MPa twice.
+    /// The constants of the listing on a plate of the thesis: 2024 aluminium, twice 75.8 `MPa`.
     fn listing() -> Scene {
         let mut scene = Scene::default();
         scene.target.density_kg_m3 = 2780.0;

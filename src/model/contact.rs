@@ -10,7 +10,6 @@ use std::f64::consts::PI;
 
 use crate::model::scene::Scene;
 use crate::numerics::quadrature::gauss;
-use crate::numerics::root::in_bracket;
 
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
 /// differs from it by the 5/2 power of this, far below rounding, and its derivatives are singular there.
@@ -236,9 +235,7 @@ impl Geometry {
         for piece in &self.pieces {
             let whole = piece.swept_m3(&self.nose, piece.from_m, piece.to_m);
             if volume_m3 < before + whole {
-                let rest = volume_m3 - before;
-                let gap = |q: f64| piece.swept_m3(&self.nose, piece.from_m, q) - rest;
-                return Some(in_bracket(piece.from_m, piece.to_m, gap));
+                return Some(piece.travel_at_volume_m(&self.nose, volume_m3 - before, whole));
             }
             before += whole;
         }
@@ -308,6 +305,28 @@ impl Geometry {
 }
 
 impl Piece {
+    /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`: Newton's method, whose slope is
+    /// the area itself, kept inside the bracket by bisection.
+    fn travel_at_volume_m(&self, nose: &Nose, volume_m3: f64, whole_m3: f64) -> f64 {
+        let (mut low, mut high) = (self.from_m, self.to_m);
+        let mut q = low + (high - low) * (volume_m3 / whole_m3);
+        for _ in 0..100 {
+            let gap = self.swept_m3(nose, self.from_m, q) - volume_m3;
+            if gap > 0.0 {
+                high = q
+            } else {
+                low = q
+            }
+            let newton = q - gap / self.law.area_m2(nose, q);
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - q).abs() <= 2.0 * f64::EPSILON * q.abs() {
+                return next;
+            }
+            q = next;
+        }
+        q
+    }
+
     /// Integral of the area from `from_m` to `to_m` within the piece, m³.
     pub fn swept_m3(&self, nose: &Nose, from_m: f64, to_m: f64) -> f64 {
         self.swept_before_m3(nose, to_m, to_m - from_m)

@@ -17,6 +17,7 @@ mod contact;
 mod events;
 pub mod forced;
 mod guard;
+pub mod lean;
 mod problem;
 mod record;
 mod report;

@@ -1,6 +1,8 @@
 //! The one integration test binary. Tests beside the code see its inside; these see what a user or a reader of the source sees.
 
 #[cfg(test)]
+mod accuracy;
+#[cfg(test)]
 mod charts;
 #[cfg(test)]
 mod cli;
@@ -14,6 +16,8 @@ mod presets;
 mod pty;
 #[cfg(test)]
 mod screens;
+#[cfg(test)]
+mod stability;
 #[cfg(test)]
 mod support;
 #[cfg(test)]

@@ -31,12 +31,12 @@ pub(super) enum Answer {
 
 impl Problem {
     /// How the plate answers during the contact.
-    pub(super) fn answer(&self) -> Answer {
+    pub(super) fn find_answer(&self, rigid: Ending) -> Answer {
         if self.rigid {
             Answer::Rigid
         } else if self.mechanism.is_absent() && self.mechanism.stop.is_none() {
             Answer::Free
-        } else if self.mechanism_is_immobile() {
+        } else if self.mechanism_is_immobile(rigid) {
             Answer::Immobile
         } else {
             Answer::Mechanism
@@ -46,14 +46,11 @@ impl Problem {
     /// A bound on the plate's motion within the contact. The contact force never exceeds pi R² (S + c v²); against it the
     /// spring yields at most to where its energy equals the work, k x^(n+1)/(n+1) = F x, and the damper at most at
     /// the speed (F/b)^(1/m).
-    fn mechanism_is_immobile(&self) -> bool {
+    fn mechanism_is_immobile(&self, rigid: Ending) -> bool {
         if self.start_m != 0.0 || self.mechanism.stop_at_m <= 0.0 {
             return false;
         }
-        let passage = self.passage(false);
-        let Ending::Arrest { travel_m } = passage.ending() else {
-            return false;
-        };
+        let Ending::Arrest { travel_m } = rigid else { return false };
         let v = self.velocity_m_s;
         let radius = self.geometry.nose.radius_m;
         let force = std::f64::consts::PI
@@ -63,8 +60,8 @@ impl Problem {
             * self.cos;
         let spring = self.mechanism.spring;
         let yields = spring.at_force((spring.exponent + 1.0) * force);
-        let last = passage.history(passage.ending(), 1).last().map_or(f64::INFINITY, |m| m.t_s);
-        let creeps = self.mechanism.damper.at_force(force) * last;
+        // The contact lasts less than three times as long as at constant deceleration.
+        let creeps = self.mechanism.damper.at_force(force) * 6.0 * travel_m / v;
         smaller(yields, creeps) <= IMMOBILE * travel_m
     }
 }
@@ -72,7 +69,7 @@ impl Problem {
 impl Track<'_> {
     /// Begin: with the whole contact in closed form if there is one, else with the first moments.
     pub(super) fn begin(&mut self) {
-        let answer = self.problem.answer();
+        let answer = self.problem.answer;
         let done = match answer {
             Answer::Rigid | Answer::Immobile | Answer::Free => self.contact_in_closed_form(answer),
             Answer::Mechanism => false,

@@ -264,7 +264,7 @@ impl Track<'_> {
         self.record.work.stop_j += 0.5 * mass * (before - after) * (before + after);
         self.state.plate_m_s = after;
         self.side_w = -1.0;
-        if !joined && self.mode != Mode::Perforated {
+        if !joined {
             self.state.slip_m_s += (before - after) * self.problem.cos;
             self.slip_has_jumped();
         }

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::model::closed_form::Passage;
+use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
+use crate::model::impact::contact::Answer;
 use crate::model::mechanism::Mechanism;
 use crate::model::scene::{InterfaceLaw, Mount, Scene};
 
@@ -39,6 +40,10 @@ pub(super) struct Problem {
     pub(super) start_m: f64,
     /// When the run ends at the latest, s.
     pub(super) horizon_s: f64,
+    /// How the plate answers during the contact.
+    pub(super) answer: Answer,
+    /// Penetration on a rigid mount, m; `None` when that perforates.
+    pub(super) baseline_m: Option<f64>,
     /// The horizon was asked for: the run goes on to it.
     pub(super) horizon_is_asked: bool,
 }
@@ -68,8 +73,16 @@ impl Problem {
             plastic: scene.interface.law == InterfaceLaw::Plastic,
             start_m: if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m },
             horizon_s: 0.0,
+            answer: Answer::Mechanism,
+            baseline_m: None,
             horizon_is_asked: scene.run.horizon_s.is_some(),
         };
+        let rigid_ending = problem.passage(false).ending();
+        problem.baseline_m = match rigid_ending {
+            Ending::Arrest { travel_m } => Some(problem.geometry.depth_m(travel_m)),
+            Ending::Exit { .. } => None,
+        };
+        problem.answer = problem.find_answer(rigid_ending);
         problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
         problem
     }

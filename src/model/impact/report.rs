@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use crate::model::closed_form::Ending;
 use crate::model::impact::contact::Answer;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::track::Track;
@@ -41,7 +40,7 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         end,
         first_arrest: record.first_arrest,
         final_penetration_m,
-        baseline_penetration_m: baseline_m(problem),
+        baseline_penetration_m: problem.baseline_m,
         peak_contact_force_n: record.peak_contact_n,
         max_plate_displacement_m: farthest,
         residual_velocity_m_s: record.exit.map(|exit| exit.1),
@@ -55,14 +54,6 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         cost,
         omitted,
         warnings,
-    }
-}
-
-/// Penetration on a rigid mount, m.
-fn baseline_m(problem: &Problem) -> Option<f64> {
-    match problem.passage(false).ending() {
-        Ending::Arrest { travel_m } => Some(problem.geometry.depth_m(travel_m)),
-        Ending::Exit { .. } => None,
     }
 }
 
@@ -113,14 +104,14 @@ fn warnings(
     if residual.is_nan() || residual.abs() >= DRIFT {
         list.push(Warning::EnergyDrift { residual });
     }
-    if baseline_m(problem).is_none() {
+    if problem.baseline_m.is_none() {
         list.push(Warning::NoBaseline);
     }
     list
 }
 
 fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
-    let closed = matches!(problem.answer(), Answer::Rigid | Answer::Immobile | Answer::Free);
+    let closed = matches!(problem.answer, Answer::Rigid | Answer::Immobile | Answer::Free);
     let (method, reason) = match (closed, track.steps, track.stiff_steps) {
         (true, 0, _) => ("closed form", "nothing but inertia answers the projectile"),
         (true, _, 0) => ("closed form + Taylor 16", "contact in closed form, the rest integrated"),
@@ -140,7 +131,7 @@ fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
 fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
     let (spring, damper) = (problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
-    let answer = problem.answer();
+    let answer = problem.answer;
     let rows = [
         (problem.rigid, Omission::PlateMotion),
         (spring.kind() == PowerKind::Absent, Omission::Spring),

@@ -4,7 +4,6 @@
 //! that the plate rides on it: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
 //! the start is placed so early that the momentum in question is below the tolerance.
 
-use crate::model::closed_form::Ending;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::motion::{Expansion, Motion};
@@ -88,11 +87,9 @@ impl Track<'_> {
         let problem = self.problem;
         let (spring, damper) = (problem.mechanism.spring, problem.mechanism.damper);
         let (v, m_2) = (problem.velocity_m_s, problem.plate_kg);
-        let passage = problem.passage(false);
-        let travel = match passage.ending() {
-            Ending::Arrest { travel_m } => travel_m,
-            Ending::Exit { .. } => problem.geometry.exit_m,
-        };
+        let travel = problem
+            .baseline_m
+            .map_or(problem.geometry.exit_m, |depth| problem.geometry.travel_m(depth));
         let mut contact_s = 2.0 * travel / v;
         let contact_n = problem.geometry.area_m2(0.9 * travel)
             * (problem.strength_pa + problem.drag_kg_m3 * v * v);

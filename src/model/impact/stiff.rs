@@ -102,14 +102,19 @@ impl Unknowns<'_> {
             let t = node * h;
             stage[0] += y[1] * t;
             let state = State { travel_m: stage[0], ..self.state(y) };
-            let drive = self.motion.contact_force(&state) * self.motion.coupling;
-            let mut speed = 0.0;
+            let motion = self.motion;
+            let others = motion.spring.force(state.plate_m) + motion.stop.force(&state);
+            let drive = motion.contact_force(&state) * motion.coupling - others;
+            let mut speed = drive * motion.plate_mobility * t;
             if let (Carrier::Force(law), true) = (self.spring, y[2] == 0.0) {
                 stage[2] = drive;
                 speed = law.at_force(drive) / (law.exponent * t);
             }
-            if let (Carrier::Force(law), true) = (self.damper, y[3] == 0.0) {
-                stage[3] = if speed > 0.0 { law.force(speed) } else { drive };
+            if let Carrier::Force(law) = self.damper {
+                // By inertia, but not beyond where the damper alone holds against the drive.
+                let by_inertia = law.force(state.plate_m_s + speed);
+                let held = smaller(by_inertia.abs(), drive.abs()) * sign(by_inertia);
+                stage[3] = if by_inertia * drive > 0.0 { held } else { y[3] };
             }
             stage
         })

@@ -206,7 +206,8 @@ impl Track<'_> {
         if self.slips_since_deeper > RATTLES && energy < pull_out {
             return true;
         }
-        if mechanism.rigid_stop().is_some() && self.reach_m() >= mechanism.stop_at_m {
+        let returns = mechanism.spring.coefficient > 0.0 || self.state.plate_m_s > 0.0;
+        if mechanism.rigid_stop().is_some() && returns && self.reach_m() >= mechanism.stop_at_m {
             return false;
         }
         self.push_at(energy) <= push && self.pull_at(energy) <= pull

@@ -28,7 +28,7 @@ pub fn integrate<const N: usize>(
     count.evaluations += 1;
     let ended = |t: f64, y: [f64; N], stop: Stop| Reached { t, y, stop, step: h };
     // The time of step i is start + i h: a sum of steps would drift.
-    for i in 1.. {
+    for i in 1..=limits.steps.saturating_add(1) {
         if t >= limits.until {
             return ended(t, y, Stop::Until);
         }

@@ -45,7 +45,7 @@ const STORED: [Stored; 10] = [
     row("S7", "b=1000", (0.000_159_594_820_947_785_5, 0.005_836_233_349_205_975), 18),
     row("S8", "b=2000 k=100000", (0.000_172_186_175_510_781_18, 0.006_358_209_064_563_398), 18),
     row("S10", "d=0.5 k=100000", (0.000_047_606_806_905_173_61, 0.001_658_338_066_423_099), 18),
-    row("S13", "k=1e+06 n=0.1", (0.000_185_011_646_060_482_18, 0.007_113_054_853_423_405), 14),
+    row("S13", "k=1e+06 n=0.1", (0.000_185_011_646_060_482_2, 0.007_113_054_853_423_405), 14),
     row("S15", "k=1e+09", (0.000_184_567_176_552_508_06, 0.007_107_818_207_444_599), 18),
     Stored {
         name: "S17",
@@ -85,11 +85,19 @@ impl Basis {
     pub fn shares_code_with(self, method: Method) -> bool {
         match self {
             Self::Stored(_) => false,
-            Self::ClosedForm => matches!(method, Method::ClosedForm | Method::Auto),
-            Self::Dop853 => matches!(method, Method::Rk4 | Method::Rk4Events | Method::Dop853),
-            Self::Engine => {
+            // The engine's methods share its areas.
+            Self::ClosedForm | Self::Engine => {
                 matches!(method, Method::ClosedForm | Method::Radau | Method::Taylor | Method::Auto)
             }
+            // The thesis's scheme shares its areas.
+            Self::Dop853 => matches!(
+                method,
+                Method::ThesisPrinted
+                    | Method::ThesisMended
+                    | Method::Rk4
+                    | Method::Rk4Events
+                    | Method::Dop853
+            ),
         }
     }
 

@@ -115,7 +115,7 @@ fn a_lucky_hit_is_not_the_answer() {
     let measured = |error: f64, min_s: f64| {
         let timing = Timing { min_s, median_s: min_s, mad_s: None, repeats: 1 };
         let answer = Answer {
-            ending: crate::model::contact_phase::Ending::Arrest,
+            ending: Ending::Arrest,
             t_s: 1.0,
             depth_m: 1.0,
             steps: 1,

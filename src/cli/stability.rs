@@ -1,0 +1,147 @@
+//! `cmra stability`: the battery of stiff and extreme scenes, or the map of a fixed-step method.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::{CliError, output};
+use crate::files::atomic::{self, Existing};
+use crate::files::error::FileError;
+use crate::study::stability::map::{self, Axis, Method};
+use crate::study::stability::{self, Clock, Row};
+
+mod table;
+mod values;
+
+/// Seconds after which other methods than `auto` are no longer started.
+const OTHERS_UNTIL_S: f64 = 15.0;
+/// Columns of a map, and rows.
+const MAP_CELLS: (usize, usize) = (19, 61);
+const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Exit status 1 if auto falls short on any scene of the battery. SCENE and --set are for --map."
+)]
+pub(super) struct StabilityArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+    /// Write the rows to this file; `-` writes them to standard output instead
+    #[arg(long, value_name = "FILE", conflicts_with = "map")]
+    csv: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long, requires = "csv")]
+    force: bool,
+    /// Map where a fixed-step method is stable on SCENE, over its step and this variable
+    #[arg(long, value_enum, value_name = "k|n|b")]
+    map: Option<MapAxis>,
+    /// The method of the map
+    #[arg(long, value_enum, default_value = "thesis", requires = "map")]
+    method: MapMethod,
+    /// A fifth of the battery, or a coarser map
+    #[arg(long)]
+    quick: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum MapAxis {
+    /// Spring coefficient
+    K,
+    /// Spring exponent
+    N,
+    /// Damper coefficient
+    B,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum MapMethod {
+    /// Appendix A with its depth mended
+    Thesis,
+    /// Classical Runge-Kutta
+    Rk4,
+}
+
+/// Run the battery, or draw the map.
+pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
+    if let Some(axis) = arguments.map {
+        return draw_map(arguments, axis);
+    }
+    let start = Instant::now();
+    let rows = battery(arguments.quick)?;
+    let took_s = start.elapsed().as_secs_f64();
+    let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
+    if let Some(path) = &arguments.csv {
+        let text = values::csv(&rows)?;
+        if to_stdout {
+            output::print(&text)?;
+        } else {
+            let existing = if arguments.force { Existing::Replace } else { Existing::Keep };
+            atomic::write(path, text.as_bytes(), existing).map_err(|error| match error {
+                FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
+                other => CliError::File(other),
+            })?;
+            output::note(&format!("wrote {}", path.display()));
+        }
+    }
+    if arguments.json && !to_stdout {
+        output::print(&values::json(&rows))?;
+    } else if !to_stdout {
+        output::print(&table::battery(&rows, took_s, table::width()))?;
+    }
+    let short = rows.iter().any(|row| row.shortfall.is_some());
+    Ok(if short { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// The rows, computed on all cores, in the order of the battery.
+fn battery(quick: bool) -> Result<Vec<Row>, CliError> {
+    let cases = stability::battery(quick);
+    let start = Instant::now();
+    let now_s = || start.elapsed().as_secs_f64();
+    let clock = Clock { now_s: &now_s, until_s: OTHERS_UNTIL_S };
+    let next = AtomicUsize::new(0);
+    let rows = Mutex::new(Vec::new());
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let row = stability::examine(case, clock);
+                    if let Ok(mut rows) = rows.lock() {
+                        rows.push(row);
+                    }
+                }
+            });
+        }
+    });
+    let found = rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let mut rows = found.into_iter().collect::<Result<Vec<_>, _>>()?;
+    rows.sort_by_key(|row| cases.iter().position(|case| case.name == row.case.name));
+    Ok(rows)
+}
+
+fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, CliError> {
+    let preset = arguments.scene.load()?;
+    crate::model::variables::validate(&preset.scene)?;
+    let axis = match axis {
+        MapAxis::K => Axis::K,
+        MapAxis::N => Axis::N,
+        MapAxis::B => Axis::B,
+    };
+    let method = match arguments.method {
+        MapMethod::Thesis => Method::Thesis,
+        MapMethod::Rk4 => Method::Rk4,
+    };
+    let cells = if arguments.quick { MAP_CELLS_QUICK } else { MAP_CELLS };
+    let map = map::map(&preset.scene, method, axis, cells);
+    let text = if arguments.json { values::map_json(&map) } else { table::map(&map, &preset.name) };
+    output::print(&text)?;
+    Ok(ExitCode::SUCCESS)
+}

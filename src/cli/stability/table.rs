@@ -1,0 +1,209 @@
+//! The battery and the map as text.
+
+use std::fmt::Write as _;
+use std::io::{self, IsTerminal as _};
+
+use crate::model::run::Outcome;
+use crate::model::units::{Engineering, significant};
+use crate::study::stability::map::{Cell, Map};
+use crate::study::stability::others::Verdict;
+use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
+
+/// From this width on there is room for what makes a scene hard.
+const WIDE: u16 = 118;
+
+/// Width to write for: the terminal's, or 80 where there is none.
+pub(super) fn width() -> u16 {
+    if io::stdout().is_terminal() {
+        crossterm::terminal::size().map_or(80, |size| size.0)
+    } else {
+        80
+    }
+}
+
+/// The table of the battery, what it means, and one line that sums it up.
+pub(super) fn battery(rows: &[Row], took_s: f64, width: u16) -> String {
+    let wide = width >= WIDE;
+    let mut text = format!(
+        "{:<23} {:<4} {:>6} {:>6} {:>6} {:>6} {:>5}  {:<5}{:<5}{:<5}{:<4}",
+        "scene",
+        "ends",
+        "energy",
+        "error",
+        "steps",
+        "time",
+        "stiff",
+        "expl",
+        "impl",
+        "th-6",
+        "th-7"
+    );
+    text.push_str(if wide { " reference    what makes it hard\n" } else { "\n" });
+    for row in rows {
+        line(&mut text, row, wide);
+    }
+    text.push('\n');
+    legend(&mut text);
+    summary(&mut text, rows, took_s);
+    text
+}
+
+fn line(text: &mut String, row: &Row, wide: bool) {
+    let run = &row.run;
+    let ends = if run.end.is_complete() {
+        match run.outcome {
+            Outcome::Arrested => "arr",
+            Outcome::Perforated => "perf",
+            Outcome::Separated => "sep",
+            Outcome::Moving => "mov",
+        }
+    } else {
+        "CUT"
+    };
+    // The reference's first letter stands behind the error: s(tored), D(OP853), t(ighter).
+    let mark = match row.basis {
+        Basis::Stored => "s",
+        Basis::Dop853 => "D",
+        Basis::Tighter => "t",
+        Basis::None => " ",
+    };
+    let error = row.error.map_or_else(|| "-".to_owned(), brief);
+    let _ = write!(
+        text,
+        "{:<23} {ends:<4} {:>6} {error:>5}{mark} {:>6} {:>6} {:>5}  {:<5}{:<5}{:<5}{:<4}",
+        row.case.name,
+        brief(run.ledger.residual().abs()),
+        run.cost.steps,
+        seconds(row.took_s),
+        brief(row.stiffness.largest()),
+        verdict(row.others[0]),
+        verdict(row.others[1]),
+        verdict(row.others[2]),
+        verdict(row.others[3]),
+    );
+    if wide {
+        let _ = write!(text, " {:<12} {}", row.basis.words(), row.case.why);
+    }
+    while text.ends_with(' ') {
+        text.pop();
+    }
+    text.push('\n');
+    if let Some(shortfall) = row.shortfall {
+        let _ = writeln!(text, "  falls short: {} ({})", shortfall.words(), run.end.words());
+    }
+}
+
+/// A size in five characters: `2e-13`, `4e5`.
+fn brief(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
+}
+
+fn seconds(took_s: f64) -> String {
+    let (value, unit) = if took_s < 1e-3 {
+        (took_s * 1e6, "us")
+    } else if took_s < 1.0 {
+        (took_s * 1e3, "ms")
+    } else {
+        (took_s, "s")
+    };
+    if value < 10.0 { format!("{value:.1}{unit}") } else { format!("{value:.0}{unit}") }
+}
+
+fn verdict(verdict: Verdict) -> String {
+    match verdict {
+        Verdict::Accurate(_) => "ok".to_owned(),
+        Verdict::Inaccurate(error) => format!("{error:.0e}"),
+        Verdict::WrongEnding => "end!".to_owned(),
+        Verdict::BlownUp => "BLOW".to_owned(),
+        Verdict::Stuck => "stuk".to_owned(),
+        Verdict::TooManySteps => "many".to_owned(),
+        Verdict::NotApplicable | Verdict::NoReference => "-".to_owned(),
+        Verdict::CutOff => "late".to_owned(),
+    }
+}
+
+fn legend(text: &mut String) {
+    text.push_str(
+        "ends   arrested, perforated, separated, moving (undecided at the horizon), or CUT\n\
+         error  of final depth (exit time, perforated), against s stored digits, D DOP853\n\
+         \x20      at 1e-13 on equations written a second time, t the engine at 1e-12\n\
+         stiff  largest rate of spring or damper times the contact's duration\n\
+         expl   DOP853 at 1e-9, at most 20000 steps     impl  Radau IIA at 1e-9\n\
+         th-6, th-7  the thesis's Appendix A as printed with dt = 1e-6 and 1e-7 s\n\
+         \x20      ok (1e-6, thesis 1e-2), else the error, or: end! another ending,\n\
+         \x20      BLOW blown up, stuk stuck, many too many steps, late out of time,\n\
+         \x20      - no equations for this scene, or nothing to compare with\n\n",
+    );
+}
+
+fn summary(text: &mut String, rows: &[Row], took_s: f64) {
+    let short: Vec<&str> =
+        rows.iter().filter(|row| row.shortfall.is_some()).map(|row| row.case.name).collect();
+    let without = rows.iter().filter(|row| row.basis == Basis::None).count();
+    let _ = writeln!(
+        text,
+        "{} of {} scenes hold (energy and error within {RESIDUAL_MAX:e} and {ERROR_MAX:e}; {without} without a reference); {:.1} s",
+        rows.len() - short.len(),
+        rows.len(),
+        took_s
+    );
+    if !short.is_empty() {
+        let _ = writeln!(text, "auto falls short on: {}", short.join("; "));
+    }
+}
+
+/// The map, rows from the greatest value down, the analytic limit as `|`, the present point as `+`.
+pub(super) fn map(map: &Map, scene: &str) -> String {
+    let mut text =
+        format!("{} on {scene}: time step against {}\n\n", map.method.name(), map.axis.symbol());
+    let columns = map.dt_s.len();
+    let present_row = nearest(&map.values, map.present.0);
+    let present_column = nearest(&map.dt_s, map.present.1);
+    for row in (0..map.values.len()).rev() {
+        let limit = map.limit_s[row].map(|limit| map.dt_s.partition_point(|dt_s| *dt_s < limit));
+        let _ = write!(text, "{:>9} ", significant(map.values[row], 2));
+        for column in 0..columns {
+            let here = Some(row) == present_row && Some(column) == present_column;
+            text.push(if here {
+                '+'
+            } else if limit == Some(column) && column > 0 {
+                '|'
+            } else {
+                map.cell(row, column).letter()
+            });
+        }
+        text.push('\n');
+    }
+    let first = significant(map.dt_s[0], 2);
+    let last = significant(map.dt_s[columns - 1], 2);
+    let gap = columns.saturating_sub(first.len() + last.len());
+    let _ = writeln!(text, "{:>10}{first}{:gap$}{last}   dt, s\n", "", "");
+    let word = |cell: Cell, what: &str| format!("{} {what}", cell.letter());
+    let _ = writeln!(
+        text,
+        "{}, {}, {}, {},\n{}, {}",
+        word(Cell::Accurate, "accurate (1 %)"),
+        word(Cell::Inaccurate, "inaccurate"),
+        word(Cell::Oscillating, "oscillating"),
+        word(Cell::BlownUp, "blown up"),
+        word(Cell::TooManySteps, "too many steps"),
+        word(Cell::Unknown, "nothing to compare with"),
+    );
+    let _ = writeln!(text, "| analytic limit of stability, + the scene with dt = 1e-6 s");
+    let _ = match map.largest_stable_dt_s {
+        Some(value) => {
+            let largest = Engineering { value, unit: "s", digits: 3 };
+            writeln!(text, "largest stable dt of this scene: {largest}")
+        }
+        None => writeln!(text, "largest stable dt of this scene: nothing limits it"),
+    };
+    text
+}
+
+/// The nearest of rising values; `None` for one outside them.
+fn nearest(values: &[f64], value: f64) -> Option<usize> {
+    let inside = value >= *values.first()? * 0.99 && value <= *values.last()? * 1.01;
+    let distance = |other: f64| (other / value).ln().abs();
+    let all = 0..values.len();
+    all.min_by(|a, b| distance(values[*a]).total_cmp(&distance(values[*b]))).filter(|_| inside)
+}

@@ -1,0 +1,305 @@
+//! Numerical stability: a battery of stiff and extreme scenes, and a map of where a fixed-step method is stable.
+//!
+//! What `auto` is held to stands in the constants below. Must not know files, threads, screens or the clock itself.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::contact_phase::Ending;
+use crate::model::impact::{Settings, simulate};
+use crate::model::mechanism::Mechanism;
+use crate::model::run::{EndReason, Mode, Outcome, Run};
+use crate::model::scene::Scene;
+use crate::numerics::larger;
+use cases::Case;
+use others::{Contact, Other, Verdict};
+
+pub mod cases;
+pub mod map;
+pub mod others;
+
+/// Greatest relative energy residual a row of `auto` may have.
+pub const RESIDUAL_MAX: f64 = 1e-8;
+/// Greatest relative error of final depth (or exit time) a row of `auto` may have.
+pub const ERROR_MAX: f64 = 1e-8;
+/// Tolerance of the DOP853 reference.
+const REFERENCE_TOLERANCE: f64 = 1e-13;
+/// Steps it may take.
+const REFERENCE_STEPS_MAX: usize = 200_000;
+/// Tolerance of the engine's own reference, where DOP853 cannot follow.
+const TIGHTER_TOLERANCE: f64 = 1e-12;
+/// Part of the plate's greatest displacement, or speed, from which on its tangent counts: at zero it may be infinite.
+const COUNTS_FROM: f64 = 1e-2;
+
+/// What the error of a row is measured against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// Stored digits of an 80-bit Taylor series and 30-digit arithmetic.
+    Stored,
+    /// DOP853 on the contact phase written a second time, at 1e-13.
+    Dop853,
+    /// The engine at 1e-12, itself within 1e-9 of its computation by another order at 1e-15.
+    Tighter,
+    /// Nothing: the outcome is undecided, or no other computation got through.
+    None,
+}
+
+impl Basis {
+    /// A short text.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Stored => "stored",
+            Self::Dop853 => "DOP853 1e-13",
+            Self::Tighter => "auto 1e-12",
+            Self::None => "none",
+        }
+    }
+}
+
+/// Why a row falls short.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shortfall {
+    /// The run ended early.
+    Incomplete,
+    /// A result is not finite.
+    NotFinite,
+    /// The energy residual is above [`RESIDUAL_MAX`].
+    Energy,
+    /// The error is above [`ERROR_MAX`].
+    Error,
+}
+
+impl Shortfall {
+    /// A short text.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Incomplete => "ended early",
+            Self::NotFinite => "not finite",
+            Self::Energy => "energy",
+            Self::Error => "error",
+        }
+    }
+}
+
+/// How stiff a contact is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stiffness {
+    /// The spring's greatest angular frequency times the contact's duration, rad.
+    pub swings_rad: f64,
+    /// The damper's greatest decay rate times the contact's duration.
+    pub decays: f64,
+}
+
+impl Stiffness {
+    /// The largest mechanism rate times the contact's duration.
+    pub fn largest(self) -> f64 {
+        larger(self.swings_rad, self.decays)
+    }
+}
+
+/// One scene of the battery, run.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The scene.
+    pub case: &'static Case,
+    /// What `auto` made of it.
+    pub run: Run,
+    /// Time of that run, s.
+    pub took_s: f64,
+    /// Relative error of final depth, or of the exit time of a perforation.
+    pub error: Option<f64>,
+    /// What it is measured against.
+    pub basis: Basis,
+    /// How stiff the contact is.
+    pub stiffness: Stiffness,
+    /// How the other methods fare, in the order of [`Other::ALL`].
+    pub others: [Verdict; 4],
+    /// Why `auto` falls short, if it does.
+    pub shortfall: Option<Shortfall>,
+}
+
+/// What times are measured with and how long the other methods may take, s on that clock.
+#[derive(Clone, Copy)]
+pub struct Clock<'a> {
+    /// The time now, s.
+    pub now_s: &'a (dyn Fn() -> f64 + Sync),
+    /// After this no other method is started, s.
+    pub until_s: f64,
+}
+
+/// The cases of a battery; the quick one has every fifth.
+pub fn battery(quick: bool) -> Vec<&'static Case> {
+    cases::CASES.iter().step_by(if quick { 5 } else { 1 }).collect()
+}
+
+/// Run one scene of the battery.
+///
+/// # Errors
+/// A [`crate::model::variables::VariableError`] when the case is not a scene, which a test rules out.
+pub fn examine(
+    case: &'static Case,
+    clock: Clock<'_>,
+) -> Result<Row, crate::model::variables::VariableError> {
+    let scene = case.scene()?;
+    let start_s = (clock.now_s)();
+    let run = bare(&scene, false)?;
+    let took_s = (clock.now_s)() - start_s;
+    let (reference, contact) = reference(case, &scene, &run);
+    let error = reference.and_then(|(value, _)| {
+        let found = measure(&run)?;
+        Some((found / value - 1.0).abs())
+    });
+    let basis = reference.filter(|_| error.is_some()).map_or(Basis::None, |(_, basis)| basis);
+    let others = Other::ALL.map(|other| {
+        if (clock.now_s)() > clock.until_s {
+            Verdict::CutOff
+        } else {
+            others::judge(other, &scene, contact)
+        }
+    });
+    let stiffness = stiffness(&scene);
+    let shortfall = shortfall(&run, error);
+    Ok(Row { case, run, took_s, error, basis, stiffness, others, shortfall })
+}
+
+fn bare(scene: &Arc<Scene>, estimate: bool) -> Result<Run, crate::model::variables::VariableError> {
+    let settings = Settings { series: false, estimate };
+    simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
+}
+
+/// Final depth, or exit time; nothing while undecided.
+fn measure(run: &Run) -> Option<f64> {
+    match run.outcome {
+        Outcome::Perforated => run.exit_time_s,
+        Outcome::Arrested | Outcome::Separated => run.final_penetration_m,
+        Outcome::Moving => None,
+    }
+}
+
+/// What the run's measure should be and how that is known; and how the first contact should end.
+fn reference(
+    case: &Case,
+    scene: &Arc<Scene>,
+    run: &Run,
+) -> (Option<(f64, Basis)>, Option<Contact>) {
+    let explicit = Contact::by_dop853(scene, REFERENCE_TOLERANCE, REFERENCE_STEPS_MAX).ok();
+    let contact_decides = run.outcome == Outcome::Perforated && run.first_arrest.is_none()
+        || run.first_arrest.is_some_and(|arrest| {
+            run.final_penetration_m.is_some_and(|p| p <= arrest.penetration_m)
+        });
+    if let Some(value) = case.stored {
+        let ending = if run.exit_time_s.is_some() { Ending::Perforation } else { Ending::Arrest };
+        return (Some((value, Basis::Stored)), Some(Contact { ending, value }));
+    }
+    if let Some(contact) = explicit.filter(|_| contact_decides) {
+        let ends_alike = (contact.ending == Ending::Perforation) == run.exit_time_s.is_some();
+        let value = if ends_alike { contact.value } else { f64::NAN };
+        return (Some((value, Basis::Dop853)), explicit);
+    }
+    let tighter = tighter(scene);
+    let contact = explicit.or_else(|| tighter.as_ref().and_then(Contact::of));
+    let value = tighter.filter(|tight| tight.outcome == run.outcome);
+    (value.and_then(|tight| measure(&tight)).map(|value| (value, Basis::Tighter)), contact)
+}
+
+/// The engine at a far tighter tolerance, where its check by another order agrees.
+fn tighter(scene: &Arc<Scene>) -> Option<Run> {
+    let mut own = Scene::clone(scene);
+    own.run.tolerance = TIGHTER_TOLERANCE;
+    let run = bare(&Arc::new(own), true).ok()?;
+    let agrees = run.error_estimate.is_some_and(|estimate| estimate.relative < 0.1 * ERROR_MAX);
+    (run.end.is_complete() && agrees).then_some(run)
+}
+
+fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
+    let residual = run.ledger.residual();
+    let results = [
+        run.final_penetration_m,
+        run.exit_time_s,
+        run.residual_velocity_m_s,
+        run.max_plate_displacement_m,
+        Some(run.peak_contact_force_n),
+        Some(residual),
+    ];
+    if !run.end.is_complete() {
+        Some(Shortfall::Incomplete)
+    } else if results.iter().flatten().any(|value| !value.is_finite()) {
+        Some(Shortfall::NotFinite)
+    } else if residual.abs() > RESIDUAL_MAX {
+        Some(Shortfall::Energy)
+    } else {
+        // A reference that ends otherwise makes the error NaN, which is no less short.
+        error.filter(|error| error.is_nan() || *error > ERROR_MAX).map(|_| Shortfall::Error)
+    }
+}
+
+/// The largest rates of spring and damper within the contact times its duration.
+fn stiffness(scene: &Arc<Scene>) -> Stiffness {
+    let mut peaks = Peaks::default();
+    if let Ok(found) = Peaks::of(scene) {
+        peaks = found;
+    }
+    Stiffness {
+        swings_rad: peaks.swing_per_s * peaks.contact_s,
+        decays: peaks.decay_per_s * peaks.contact_s,
+    }
+}
+
+/// What the contact reaches at the most, from a run with its series.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+struct Peaks {
+    contact_s: f64,
+    swing_per_s: f64,
+    decay_per_s: f64,
+    /// Rate at which the contact force's dependence on velocity slows the slip, 1/s.
+    drag_per_s: f64,
+    speed_m_s: f64,
+    /// Times the plate turns round.
+    reversals: usize,
+}
+
+impl Peaks {
+    fn of(scene: &Arc<Scene>) -> Result<Self, EndReason> {
+        let settings = Settings { series: true, estimate: false };
+        let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
+            .map_err(|_invalid| EndReason::NonFinite)?;
+        let contact_s =
+            run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s).ok_or(run.end)?;
+        let mechanism = Mechanism::of(scene);
+        let mass_kg = scene.plate_mass_kg();
+        let rows: Vec<_> = run
+            .series
+            .iter()
+            .filter(|row| row.mode == Mode::Penetrating && row.t_s <= contact_s)
+            .collect();
+        let mut peaks = Self { contact_s, ..Self::default() };
+        let mut far_m = 0.0;
+        for row in &rows {
+            far_m = larger(row.plate_displacement_m.abs(), far_m);
+            peaks.speed_m_s = larger(row.plate_velocity_m_s.abs(), peaks.speed_m_s);
+        }
+        let (drag, cos) = (scene.drag_kg_m3(), scene.cos_obliquity());
+        let mobility = 1.0 / scene.projectile.mass_kg + cos * cos / mass_kg;
+        let mut last_w = 0.0;
+        for row in rows {
+            let (x, w) = (row.plate_displacement_m.abs(), row.plate_velocity_m_s);
+            if x > COUNTS_FROM * far_m {
+                let swing = (mechanism.spring.tangent(x) / mass_kg).sqrt();
+                peaks.swing_per_s = larger(swing, peaks.swing_per_s);
+            }
+            if w.abs() > COUNTS_FROM * peaks.speed_m_s {
+                let decay = mechanism.damper.tangent(w) / mass_kg;
+                peaks.decay_per_s = larger(decay, peaks.decay_per_s);
+            }
+            let slip = row.projectile_velocity_m_s - w * cos;
+            let pressure = scene.target.flow_strength_pa + drag * slip * slip;
+            if pressure > 0.0 {
+                let slope = 2.0 * drag * slip * row.contact_force_n / pressure;
+                peaks.drag_per_s = larger(slope * mobility, peaks.drag_per_s);
+            }
+            peaks.reversals += usize::from(w * last_w < 0.0);
+            last_w = w;
+        }
+        Ok(peaks)
+    }
+}

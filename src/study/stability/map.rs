@@ -1,0 +1,429 @@
+//! Where a fixed-step method is stable: a map over its step and one variable of the scene.
+//!
+//! The analytic limit is that of the linearised plate. Its eigenvalues are the roots of z² + (b'/m_2) z + k'/m_2 with the
+//! tangents where the contact takes the plate; Runge-Kutta's factor |R(z dt)| = 1 bounds the step: z dt = 2.828 i for the undamped
+//! spring, z dt = -2.785 for the damper alone. The force's own dependence on velocity, rate L = 2 c A u (1/m_p + cos²/m_2), adds
+//! L dt = 2.785 for Runge-Kutta. The thesis's scheme holds the force over the plate's step (forward Euler) and averages it with the last
+//! one for the projectile: r² - (1 + z (a/2 + e)) r - z a/2 = 0 with z = -L dt, and shares a of the projectile, e = 1 - a of the plate,
+//! so that L dt < 2/max(a, e).
+
+use std::sync::Arc;
+
+use crate::model::contact_phase::Ending;
+use crate::model::contact_phase::section::Faces;
+use crate::model::mechanism::{Mechanism, PowerLaw};
+use crate::model::scene::Scene;
+use crate::numerics::{larger, smaller};
+use crate::study::stability::Peaks;
+use crate::study::stability::others::Contact;
+
+/// Relative error up to which a cell is accurate.
+pub const ACCURATE: f64 = 1e-2;
+/// A plate this many times faster than it should be oscillates by the method's doing.
+const SWINGS_FROM: f64 = 2.0;
+/// Plate speed, in impact velocities, from which on the computation has blown up.
+const BLOWN_UP_FROM: f64 = 1e3;
+/// Steps a cell may take.
+const STEPS_MAX: usize = 200_000;
+/// Relative velocity, of the impact velocity, that counts as arrest: the thesis's 0.01 m/s of its 100 m/s.
+const ARREST: f64 = 1e-4;
+/// Real and imaginary extent of Runge-Kutta's region of stability.
+const RK4_REAL: f64 = 2.785_293_563_405_282;
+/// The thesis's own step, s.
+pub const THESIS_DT_S: f64 = 1e-6;
+
+/// The method of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Appendix A, its depth taken from the relative travel.
+    Thesis,
+    /// Classical Runge-Kutta on the whole system.
+    Rk4,
+}
+
+impl Method {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Thesis => "the thesis's scheme",
+            Self::Rk4 => "classical Runge-Kutta",
+        }
+    }
+}
+
+/// The variable of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Spring coefficient.
+    K,
+    /// Spring exponent.
+    N,
+    /// Damper coefficient.
+    B,
+}
+
+impl Axis {
+    /// Its symbol.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::K => "k",
+            Self::N => "n",
+            Self::B => "b",
+        }
+    }
+
+    /// Its value in a scene.
+    pub fn get(self, scene: &Scene) -> f64 {
+        match self {
+            Self::K => scene.mechanism.spring.coefficient,
+            Self::N => scene.mechanism.spring.exponent,
+            Self::B => scene.mechanism.damper.coefficient,
+        }
+    }
+
+    fn set(self, scene: &mut Scene, value: f64) {
+        match self {
+            Self::K => scene.mechanism.spring.coefficient = value,
+            Self::N => scene.mechanism.spring.exponent = value,
+            Self::B => scene.mechanism.damper.coefficient = value,
+        }
+    }
+
+    /// From the smallest to the greatest value, at equal ratios.
+    fn range(self) -> (f64, f64) {
+        match self {
+            Self::K => (1e3, 1e12),
+            Self::N => (0.05, 6.0),
+            Self::B => (1.0, 1e8),
+        }
+    }
+}
+
+/// What a method makes of one step and one value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cell {
+    /// Within 1 %.
+    Accurate,
+    /// It ends, but not there.
+    Inaccurate,
+    /// The plate swings as it should not.
+    Oscillating,
+    /// Values grow without bound.
+    BlownUp,
+    /// The step budget was used up.
+    TooManySteps,
+    /// There is nothing to compare with.
+    Unknown,
+}
+
+impl Cell {
+    /// Its letter.
+    pub fn letter(self) -> char {
+        match self {
+            Self::Accurate => 'S',
+            Self::Inaccurate => 'i',
+            Self::Oscillating => 'o',
+            Self::BlownUp => 'X',
+            Self::TooManySteps => '.',
+            Self::Unknown => '?',
+        }
+    }
+}
+
+/// A map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Map {
+    /// The method.
+    pub method: Method,
+    /// The variable of the rows.
+    pub axis: Axis,
+    /// Steps, rising, s: the columns.
+    pub dt_s: Vec<f64>,
+    /// Values, rising: the rows.
+    pub values: Vec<f64>,
+    /// Cells, row by row.
+    pub cells: Vec<Cell>,
+    /// The analytic limit of the step in each row, s; `None` where nothing limits it or the contact is unknown.
+    pub limit_s: Vec<Option<f64>>,
+    /// The present point: the scene's value and the thesis's step.
+    pub present: (f64, f64),
+    /// The largest step the analytic limit allows at the present point, s.
+    pub largest_stable_dt_s: Option<f64>,
+}
+
+impl Map {
+    /// The cell of a row and a column.
+    pub fn cell(&self, row: usize, column: usize) -> Cell {
+        self.cells[row * self.dt_s.len() + column]
+    }
+}
+
+/// Draw up the map of a valid scene with `(rows, columns)` cells, both at least 2.
+pub fn map(scene: &Scene, method: Method, axis: Axis, (rows, columns): (usize, usize)) -> Map {
+    let present = Target::of(scene);
+    // Around the present contact: from a hundred-thousandth of it to all of it.
+    let contact_s = present.map_or_else(
+        || scene.projectile.tip_radius_m / scene.projectile.velocity_m_s,
+        |target| target.peaks.contact_s,
+    );
+    let dt_s = ratios((1e-5 * contact_s, contact_s), columns);
+    let values = ratios(axis.range(), rows);
+    let (mut cells, mut limit_s) = (Vec::new(), Vec::new());
+    for value in &values {
+        let mut own = scene.clone();
+        axis.set(&mut own, *value);
+        let target = Target::of(&own);
+        limit_s.push(target.and_then(|target| limit(&own, method, &target.peaks)));
+        cells.extend(dt_s.iter().map(|dt_s| cell(&own, method, *dt_s, target.as_ref())));
+    }
+    let present_limit = present.and_then(|target| limit(scene, method, &target.peaks));
+    Map {
+        method,
+        axis,
+        dt_s,
+        values,
+        cells,
+        limit_s,
+        present: (axis.get(scene), THESIS_DT_S),
+        largest_stable_dt_s: present_limit,
+    }
+}
+
+fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
+    let step = |i: usize| i as f64 / (count - 1) as f64;
+    (0..count).map(|i| low * (high / low).powf(step(i))).collect()
+}
+
+/// What a row should come to.
+#[derive(Clone, Copy)]
+struct Target {
+    peaks: Peaks,
+    contact: Contact,
+}
+
+impl Target {
+    fn of(scene: &Scene) -> Option<Self> {
+        let scene = Arc::new(scene.clone());
+        let peaks = Peaks::of(&scene).ok()?;
+        let run = super::bare(&scene, false).ok()?;
+        Some(Self { peaks, contact: Contact::of(&run)? })
+    }
+}
+
+/// The largest stable step of a method, s.
+fn limit(scene: &Scene, method: Method, peaks: &Peaks) -> Option<f64> {
+    let plate = rk4_limit(peaks.swing_per_s, peaks.decay_per_s);
+    let force = match method {
+        Method::Rk4 => RK4_REAL,
+        Method::Thesis => {
+            let own = 1.0 / scene.projectile.mass_kg;
+            let plate = scene.cos_obliquity().powi(2) / scene.plate_mass_kg();
+            2.0 * (own + plate) / larger(own, plate)
+        }
+    } / peaks.drag_per_s;
+    let least = smaller(plate, force);
+    least.is_finite().then_some(least)
+}
+
+/// The step at which Runge-Kutta of order four stops being stable for z² + decay z + swing² = 0; infinite without both.
+pub fn rk4_limit(swing_per_s: f64, decay_per_s: f64) -> f64 {
+    let half = 0.5 * decay_per_s;
+    let under = half * half - swing_per_s * swing_per_s;
+    // The eigenvalue of the greatest modulus: z = -half +- sqrt(under).
+    let (re, im) =
+        if under >= 0.0 { (-half - under.sqrt(), 0.0) } else { (-half, (-under).sqrt()) };
+    let size = re.hypot(im);
+    if size == 0.0 {
+        return f64::INFINITY;
+    }
+    let (re, im) = (re / size, im / size);
+    let excess = |s: f64| growth(re * s, im * s) - 1.0;
+    // The region reaches farthest, 3.2, off the axes; on every ray into the left half-plane it is left just once beyond 2.
+    let (mut low, mut high) = (2.0, 4.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 { high = middle } else { low = middle }
+    }
+    low / size
+}
+
+/// |1 + z + z²/2 + z³/6 + z⁴/24|.
+fn growth(re: f64, im: f64) -> f64 {
+    let (mut r, mut i) = (1.0, 0.0);
+    for order in [4.0, 3.0, 2.0, 1.0] {
+        (r, i) = (1.0 + (re * r - im * i) / order, (re * i + im * r) / order);
+    }
+    r.hypot(i)
+}
+
+/// The contact phase for a fixed step: (travel, slip, plate displacement, plate velocity), SI.
+struct Fixed {
+    faces: Faces,
+    radius_m: f64,
+    strength_pa: f64,
+    drag_kg_m3: f64,
+    projectile_kg: f64,
+    plate_kg: f64,
+    cos: f64,
+    spring: PowerLaw,
+    damper: PowerLaw,
+    moves: bool,
+}
+
+impl Fixed {
+    fn force(&self, q: f64, u: f64) -> f64 {
+        let depth = self.faces.depth(q / self.radius_m);
+        self.faces.area_at_depth(depth)
+            * self.radius_m
+            * self.radius_m
+            * (self.strength_pa + self.drag_kg_m3 * u * u)
+    }
+
+    fn push(&self, force_n: f64, x: f64, w: f64) -> f64 {
+        if !self.moves {
+            return 0.0;
+        }
+        (force_n * self.cos - self.spring.force(x) - self.damper.force(w)) / self.plate_kg
+    }
+
+    /// All four by Runge-Kutta.
+    fn rk4(&self, y: [f64; 4], dt: f64) -> [f64; 4] {
+        let rate = |y: [f64; 4]| {
+            let f = self.force(y[0], y[1]);
+            let plate = self.push(f, y[2], y[3]);
+            [y[1], -f / self.projectile_kg - self.cos * plate, y[3], plate]
+        };
+        let ahead = |k: [f64; 4], part: f64| std::array::from_fn(|i| y[i] + part * dt * k[i]);
+        let k1 = rate(y);
+        let k2 = rate(ahead(k1, 0.5));
+        let k3 = rate(ahead(k2, 0.5));
+        let k4 = rate(ahead(k3, 1.0));
+        std::array::from_fn(|i| y[i] + dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
+    }
+
+    /// The thesis's step: the force held for the plate, averaged with the last one for the projectile.
+    fn thesis(&self, y: [f64; 4], before: &mut f64, dt: f64) -> [f64; 4] {
+        let [q, u, x, w] = y;
+        let q = q + dt * u;
+        let force = self.force(q, u);
+        let v = u + w * self.cos - 0.5 * dt * (force + *before) / self.projectile_kg;
+        *before = force;
+        let rate = |[x, w]: [f64; 2]| [w, self.push(force, x, w)];
+        let ahead = |k: [f64; 2], part: f64| [x + part * dt * k[0], w + part * dt * k[1]];
+        let k1 = rate([x, w]);
+        let k2 = rate(ahead(k1, 0.5));
+        let k3 = rate(ahead(k2, 0.5));
+        let k4 = rate(ahead(k3, 1.0));
+        let next: [f64; 2] =
+            std::array::from_fn(|i| [x, w][i] + dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
+        [q, v - next[1] * self.cos, next[0], next[1]]
+    }
+}
+
+fn cell(scene: &Scene, method: Method, dt_s: f64, target: Option<&Target>) -> Cell {
+    let Some(target) = target else {
+        return Cell::Unknown;
+    };
+    let mechanism = Mechanism::of(scene);
+    let moves = scene.plate.mount == crate::model::scene::Mount::Sprung;
+    let fixed = Fixed {
+        faces: Faces::of(scene),
+        radius_m: scene.projectile.tip_radius_m,
+        strength_pa: scene.target.flow_strength_pa,
+        drag_kg_m3: scene.drag_kg_m3(),
+        projectile_kg: scene.projectile.mass_kg,
+        plate_kg: scene.plate_mass_kg(),
+        cos: scene.cos_obliquity(),
+        spring: mechanism.spring,
+        damper: mechanism.damper,
+        moves,
+    };
+    let speed = scene.projectile.velocity_m_s;
+    let start_m = if moves { -scene.plate.cocking_m } else { 0.0 };
+    let (mut y, mut before) = ([0.0, speed, start_m, 0.0], 0.0);
+    let (mut fastest, mut reversals) = (0.0, 0);
+    for step in 1..=STEPS_MAX {
+        let last = y;
+        y = match method {
+            Method::Rk4 => fixed.rk4(y, dt_s),
+            Method::Thesis => fixed.thesis(y, &mut before, dt_s),
+        };
+        fastest = larger(y[3].abs(), fastest);
+        reversals += usize::from(y[3] * last[3] < 0.0);
+        let scale = BLOWN_UP_FROM * larger(speed, target.peaks.speed_m_s);
+        if y.iter().any(|y| !y.is_finite())
+            || y[0].abs() > BLOWN_UP_FROM * fixed.exit_m()
+            || fastest > scale
+        {
+            return Cell::BlownUp;
+        }
+        let perforated = y[0] >= fixed.exit_m();
+        if perforated || y[1] <= ARREST * speed {
+            let ending = if perforated { Ending::Perforation } else { Ending::Arrest };
+            let value = match ending {
+                Ending::Arrest => fixed.faces.depth(y[0] / fixed.radius_m) * fixed.radius_m,
+                Ending::Perforation => step as f64 * dt_s,
+            };
+            let swings = fastest > SWINGS_FROM * target.peaks.speed_m_s
+                || reversals > 2 * target.peaks.reversals + 4;
+            return rate_cell(Contact { ending, value }, target, swings);
+        }
+    }
+    Cell::TooManySteps
+}
+
+impl Fixed {
+    fn exit_m(&self) -> f64 {
+        self.faces.exit() * self.radius_m
+    }
+}
+
+fn rate_cell(found: Contact, target: &Target, swings: bool) -> Cell {
+    let error = (found.value / target.contact.value - 1.0).abs();
+    if found.ending == target.contact.ending && error <= ACCURATE {
+        Cell::Accurate
+    } else if swings {
+        Cell::Oscillating
+    } else {
+        Cell::Inaccurate
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn valid_limits_of_runge_kutta_on_the_axes() {
+        // Hairer and Wanner II, section IV.2: 2.785 on the real axis, 2 sqrt(2) on the imaginary one.
+        assert!((rk4_limit(1.0, 0.0) - 8f64.sqrt()).abs() < 1e-12);
+        assert!((rk4_limit(0.0, 1.0) - RK4_REAL).abs() < 1e-12);
+        assert!((growth(-RK4_REAL, 0.0) - 1.0).abs() < 1e-12);
+        assert!((rk4_limit(5.0, 0.0) - 8f64.sqrt() / 5.0).abs() < 1e-12);
+        assert!(rk4_limit(0.0, 0.0).is_infinite());
+    }
+
+    #[test]
+    fn a_plate_on_its_spring_blows_up_beyond_the_limit_and_not_below() {
+        let mut scene = Scene::default();
+        scene.mechanism.spring.coefficient = 1e11;
+        let target = Target::of(&scene).unwrap();
+        let limit_s = limit(&scene, Method::Rk4, &target.peaks).unwrap();
+        let omega = (1e11f64 / 0.0295).sqrt();
+        assert!((limit_s * omega / 8f64.sqrt() - 1.0).abs() < 1e-6, "{}", limit_s * omega);
+        for method in [Method::Rk4, Method::Thesis] {
+            let below = cell(&scene, method, 0.9 * limit_s, Some(&target));
+            let beyond = cell(&scene, method, 1.1 * limit_s, Some(&target));
+            assert_eq!((below, beyond), (Cell::Accurate, Cell::BlownUp), "{method:?}");
+        }
+    }
+
+    #[test]
+    fn a_map_has_a_cell_for_every_row_and_column() {
+        let map = map(&Scene::default(), Method::Rk4, Axis::B, (4, 5));
+        assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
+        assert_eq!(map.cell(0, 0), Cell::Accurate);
+        assert!(map.limit_s[3] < map.limit_s[1]);
+        assert!(map.largest_stable_dt_s.is_some());
+    }
+}

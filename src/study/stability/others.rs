@@ -1,0 +1,208 @@
+//! Whether other methods get through a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
+
+use std::sync::Arc;
+
+use crate::model::appendix::{self, Coupling};
+use crate::model::contact_phase::{Ending, Explicit, Phase, Refusal};
+use crate::model::impact::forced::{Forced, simulate_by};
+use crate::model::run::Run;
+use crate::model::scene::{InterfaceLaw, Scene};
+
+/// Tolerance the adaptive methods are asked for.
+pub const TOLERANCE: f64 = 1e-9;
+/// Relative error up to which an adaptive method counts as accurate there.
+pub const ACCURATE_ADAPTIVE: f64 = 1e-6;
+/// Relative error up to which a fixed-step method counts as accurate.
+pub const ACCURATE_FIXED: f64 = 1e-2;
+/// Relative error from which an answer counts as blown up.
+pub const BLOWN_UP: f64 = 10.0;
+/// Steps an explicit adaptive method may take.
+pub const EXPLICIT_STEPS_MAX: usize = 20_000;
+/// Steps the thesis's scheme may take.
+pub const FIXED_STEPS_MAX: usize = 300_000;
+
+/// A method that is looked at beside `auto`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Other {
+    /// DOP853 with events located, at [`TOLERANCE`].
+    Explicit,
+    /// The engine held to Radau IIA, at [`TOLERANCE`].
+    Implicit,
+    /// Appendix A as printed, dt = 1e-6 s.
+    ThesisCoarse,
+    /// Appendix A as printed, dt = 1e-7 s.
+    ThesisFine,
+}
+
+impl Other {
+    /// All of them, in the order of columns.
+    pub const ALL: [Self; 4] =
+        [Self::Explicit, Self::Implicit, Self::ThesisCoarse, Self::ThesisFine];
+
+    /// The key of its column in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Explicit => "explicit",
+            Self::Implicit => "implicit",
+            Self::ThesisCoarse => "thesis_1e-6",
+            Self::ThesisFine => "thesis_1e-7",
+        }
+    }
+}
+
+/// How a method fares on a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// With this relative error.
+    Accurate(f64),
+    /// It ends, with this relative error.
+    Inaccurate(f64),
+    /// It ends in another way than the reference.
+    WrongEnding,
+    /// Values grow without bound.
+    BlownUp,
+    /// Steps too small to move time, or no end.
+    Stuck,
+    /// The step budget was used up.
+    TooManySteps,
+    /// It has no equations for this scene.
+    NotApplicable,
+    /// There is no answer to compare with.
+    NoReference,
+    /// Left out: time was up.
+    CutOff,
+}
+
+impl Verdict {
+    /// One word for files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Accurate(_) => "accurate",
+            Self::Inaccurate(_) => "inaccurate",
+            Self::WrongEnding => "wrong-ending",
+            Self::BlownUp => "blown-up",
+            Self::Stuck => "stuck",
+            Self::TooManySteps => "too-many-steps",
+            Self::NotApplicable => "not-applicable",
+            Self::NoReference => "no-reference",
+            Self::CutOff => "cut-off",
+        }
+    }
+
+    /// The relative error, where there is one.
+    pub fn error(self) -> Option<f64> {
+        match self {
+            Self::Accurate(error) | Self::Inaccurate(error) => Some(error),
+            Self::WrongEnding
+            | Self::BlownUp
+            | Self::Stuck
+            | Self::TooManySteps
+            | Self::NotApplicable
+            | Self::NoReference
+            | Self::CutOff => None,
+        }
+    }
+}
+
+/// The contact to compare with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// How it ends.
+    pub ending: Ending,
+    /// Depth then, m; of a perforation the time, s.
+    pub value: f64,
+}
+
+impl Contact {
+    /// The contact phase of a run, if it came to its end.
+    pub fn of(run: &Run) -> Option<Self> {
+        let arrest = run.first_arrest;
+        let arrested =
+            arrest.map(|arrest| Self { ending: Ending::Arrest, value: arrest.penetration_m });
+        let exit = run.exit_time_s;
+        arrested.or_else(|| exit.map(|t_s| Self { ending: Ending::Perforation, value: t_s }))
+    }
+
+    /// The contact phase by DOP853.
+    ///
+    /// # Errors
+    /// A [`Refusal`] when it cannot be followed.
+    pub fn by_dop853(scene: &Scene, tolerance: f64, steps_max: usize) -> Result<Self, Refusal> {
+        let answer = Phase::of(scene).solve(Explicit::Dop853 { tolerance }, steps_max)?;
+        Ok(Self::new(answer.ending, answer.depth_m, answer.t_s))
+    }
+
+    fn new(ending: Ending, depth_m: f64, t_s: f64) -> Self {
+        let value = match ending {
+            Ending::Arrest => depth_m,
+            Ending::Perforation => t_s,
+        };
+        Self { ending, value }
+    }
+}
+
+/// How a method fares on the contact of a scene that should end like `reference`.
+pub fn judge(other: Other, scene: &Arc<Scene>, reference: Option<Contact>) -> Verdict {
+    let Some(reference) = reference else {
+        return Verdict::NoReference;
+    };
+    let (found, accurate) = match other {
+        Other::Explicit => {
+            (Contact::by_dop853(scene, TOLERANCE, EXPLICIT_STEPS_MAX), ACCURATE_ADAPTIVE)
+        }
+        Other::Implicit => (by_radau(scene), ACCURATE_ADAPTIVE),
+        Other::ThesisCoarse => (by_thesis(scene, 1e-6), ACCURATE_FIXED),
+        Other::ThesisFine => (by_thesis(scene, 1e-7), ACCURATE_FIXED),
+    };
+    match found {
+        Ok(contact) if contact.ending != reference.ending => Verdict::WrongEnding,
+        Ok(contact) => {
+            let error = (contact.value / reference.value - 1.0).abs();
+            if error <= accurate {
+                Verdict::Accurate(error)
+            } else if error < BLOWN_UP {
+                Verdict::Inaccurate(error)
+            } else {
+                Verdict::BlownUp
+            }
+        }
+        Err(refusal) => of_refusal(refusal),
+    }
+}
+
+fn of_refusal(refusal: Refusal) -> Verdict {
+    if matches!(refusal, Refusal::NonFinite) {
+        Verdict::BlownUp
+    } else if matches!(refusal, Refusal::Separated | Refusal::OtherEnding) {
+        Verdict::WrongEnding
+    } else if matches!(refusal, Refusal::StepBudget) {
+        Verdict::TooManySteps
+    } else if matches!(refusal, Refusal::StopWithinContact | Refusal::NoClosedForm) {
+        Verdict::NotApplicable
+    } else {
+        Verdict::Stuck
+    }
+}
+
+fn by_thesis(scene: &Scene, dt_s: f64) -> Result<Contact, Refusal> {
+    let answer = appendix::contact(scene, dt_s, Coupling::Printed, FIXED_STEPS_MAX)?;
+    Ok(Contact::new(answer.ending, answer.depth_m, answer.t_s))
+}
+
+/// The engine held to its implicit method; what follows the contact is none of its business here.
+fn by_radau(scene: &Arc<Scene>) -> Result<Contact, Refusal> {
+    let mut own = Scene::clone(scene);
+    own.interface.law = InterfaceLaw::Fused;
+    own.run.tolerance = TOLERANCE;
+    let run = simulate_by(Forced::Radau, &Arc::new(own));
+    let run = run.ok().flatten().ok_or(Refusal::EndedEarly)?;
+    Contact::of(&run).ok_or(match run.end {
+        crate::model::run::EndReason::StepBudget => Refusal::StepBudget,
+        crate::model::run::EndReason::NonFinite => Refusal::NonFinite,
+        crate::model::run::EndReason::Decided
+        | crate::model::run::EndReason::Horizon
+        | crate::model::run::EndReason::StepUnderflow
+        | crate::model::run::EndReason::EventBudget
+        | crate::model::run::EndReason::Cancelled => Refusal::EndedEarly,
+    })
+}

@@ -1,0 +1,97 @@
+//! `cmra accuracy` as a user meets it: page, CSV, JSON, exit status. What is asserted are errors and rows, never a time.
+
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn cmra(arguments: &[&str]) -> std::process::Output {
+    Command::cargo_bin("cmra").unwrap().args(arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+#[test]
+fn the_page_has_chart_table_answers_and_reasons() {
+    let output = cmra(&["accuracy", "--quick"]);
+    assert!(output.status.success());
+    let page = text(&output.stdout);
+    for part in [
+        "thesis-baseline: error against run time",
+        "relative error",
+        "thesis as printed",
+        "DOP853 + events",
+        "1e-6 costs ",
+        "stored digits, row S2",
+        "C no closed form: a mechanism acts",
+    ] {
+        assert!(page.contains(part), "{part} is missing from\n{page}");
+    }
+    assert!(page.lines().all(|line| line.chars().count() <= 120), "{page}");
+    assert!(page.is_ascii());
+}
+
+#[test]
+fn csv_keeps_a_row_for_each_point_and_says_why_there_is_no_result() {
+    let output = cmra(&["accuracy", "thesis-baseline", "rigid-mount", "--quick", "--csv", "-"]);
+    assert!(output.status.success());
+    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let headers = reader.headers().unwrap().clone();
+    let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
+    let (mut closed, mut refused, mut points) = (0, 0, 0);
+    for row in reader.records() {
+        let row = row.unwrap();
+        points += 1;
+        let failed = !row[place("refused")].is_empty();
+        assert_eq!(row[place("error")].is_empty(), failed);
+        assert_eq!(row[place("run_time_s_min")].is_empty(), failed);
+        refused += usize::from(failed);
+        if !failed {
+            let error: f64 = row[place("error")].parse().unwrap();
+            let floor: f64 = row[place("reference_uncertainty")].parse().unwrap();
+            assert!(error >= floor);
+        }
+        if &row[place("letter")] == "C" && &row[place("scene")] == "rigid-mount" {
+            closed += 1;
+            assert!(row[place("error")].parse::<f64>().unwrap() < 1e-12);
+            assert_ne!(&row[place("reference")], "closed form");
+        }
+    }
+    assert_eq!(closed, 1);
+    assert!(refused >= 1 && points > 40);
+}
+
+#[test]
+fn json_is_a_list_with_references_answers_and_points() {
+    let output = cmra(&["accuracy", "--quick", "--json", "--set", "k=1e6", "--set", "n=0.5"]);
+    assert!(output.status.success());
+    let list: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let scene = &list[0];
+    assert_eq!(scene["references"][0]["basis"], "stored digits, row S4");
+    assert_eq!(scene["answers"][1]["error"], 1e-6);
+    assert!(scene["answers"][1]["method"].is_string());
+    let points = scene["points"].as_array().unwrap();
+    let auto = points.iter().filter(|point| point["letter"] == "A");
+    let least = auto.filter_map(|point| point["error"].as_f64()).fold(1.0, f64::min);
+    assert!(least < 1e-9, "{least}");
+}
+
+#[test]
+fn a_file_is_written_once_and_bad_input_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("accuracy.csv");
+    let path = path.to_str().unwrap();
+    let write = ["accuracy", "rigid-mount", "--quick", "--csv", path];
+    assert!(cmra(&write).status.success());
+    let again = cmra(&write);
+    assert_eq!(again.status.code(), Some(2));
+    assert!(text(&again.stderr).contains("was left alone"));
+    assert!(Path::new(path).exists());
+    let unknown = cmra(&["accuracy", "no-such-scene"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    let refused = cmra(&["accuracy", "--set", "gamma=-1"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("gamma"));
+}
