@@ -20,6 +20,7 @@ pub mod log;
 pub mod notice;
 pub mod quantity;
 pub mod runs;
+pub mod stability;
 pub mod status;
 pub mod steps;
 
@@ -31,6 +32,7 @@ use history::History;
 use layout::Layout;
 use notice::{Notice, Severity};
 use runs::{Jobs, Pin, Shown};
+use stability::Stability;
 
 /// The tabs, in the order of the title row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,19 +41,22 @@ pub enum Tab {
     Run,
     /// Error against run time of every method, for the scene on the screen.
     Accuracy,
+    /// Where fixed-step methods fail, and the battery of stiff and extreme scenes.
+    Stability,
     /// Warnings, events, energy, cost and messages.
     Log,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Self; 3] = [Self::Run, Self::Accuracy, Self::Log];
+    pub const ALL: [Self; 4] = [Self::Run, Self::Accuracy, Self::Stability, Self::Log];
 
     /// The text in the title row, with the key that leads there.
     pub fn title(self) -> &'static str {
         match self {
             Self::Run => "1:Run",
             Self::Accuracy => "4:Accuracy",
+            Self::Stability => "5:Stability",
             Self::Log => "6:Log",
         }
     }
@@ -120,6 +125,8 @@ pub struct App {
     pub charts: Charts,
     /// The Accuracy tab.
     pub accuracy: Accuracy,
+    /// The Stability tab.
+    pub stability: Stability,
     /// The dialog on top, if any.
     pub dialog: Option<Dialog>,
     /// The newest message, until the next key.
@@ -159,6 +166,7 @@ impl App {
             current_visible: true,
             charts: Charts::default(),
             accuracy: Accuracy::default(),
+            stability: Stability::default(),
             dialog: None,
             notice: None,
             log: Vec::new(),
@@ -196,6 +204,8 @@ impl App {
         match self.tab {
             Tab::Run => self.focus,
             Tab::Accuracy => Place::Accuracy,
+            Tab::Stability if self.stability.battery_shown => Place::Battery,
+            Tab::Stability => Place::Map,
             Tab::Log => Place::Log,
         }
     }

@@ -151,6 +151,10 @@ pub enum Place {
     Runs,
     /// The Accuracy tab.
     Accuracy,
+    /// The map of the Stability tab.
+    Map,
+    /// The battery of the Stability tab.
+    Battery,
     /// The Log tab.
     Log,
 }
@@ -161,6 +165,9 @@ pub enum Place {
 pub enum Action {
     TabRun,
     TabAccuracy,
+    TabStability,
+    MapVariable,
+    MapMethod,
     TabLog,
     TabNext,
     TabPrevious,
@@ -324,7 +331,7 @@ const fn bind(
 
 use Action as A;
 use KeyCode as C;
-use Place::{Accuracy, Anywhere, Charts, Log, Runs, Variables};
+use Place::{Accuracy, Anywhere, Battery, Charts, Log, Map, Runs, Variables};
 
 /// THE key table.
 #[rustfmt::skip]
@@ -345,7 +352,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[plain('y')], A::Copy, "copy", "copy the run's results to the clipboard (OSC 52)", 0),
     bind(Anywhere, &[plain('i')], A::Interface, "interface", "switch the interface law: fused or plastic", 0),
     bind(Anywhere, &[plain('c')], A::Window, "window", "contact window or whole response", 10),
-    bind(Anywhere, &[plain('r')], A::Run, "run", "run now; in the Accuracy tab, measure again", 0),
+    bind(Anywhere, &[plain('r')], A::Run, "run", "run now; in the tabs Accuracy and Stability, compute again", 0),
     bind(Anywhere, &[plain('a')], A::AutoRun, "auto-run", "run after every edit: on or off", 0),
     bind(Anywhere, &[ctrl('c')], A::Cancel, "cancel", "cancel the running job; without one, quit", 0),
     bind(Anywhere, &[plain('z')], A::FullPane, "full", "the focused pane fills the body", 11),
@@ -356,6 +363,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[plain(':')], A::Palette, "palette", "find any action by name", 12),
     bind(Anywhere, &[plain('1')], A::TabRun, "Run", "the Run tab", 0),
     bind(Anywhere, &[plain('4')], A::TabAccuracy, "Accuracy", "the Accuracy tab: error against run time of every method", 0),
+    bind(Anywhere, &[plain('5')], A::TabStability, "Stability", "the Stability tab: where fixed steps fail, and the battery of stiff scenes", 0),
     bind(Anywhere, &[plain('6')], A::TabLog, "Log", "the Log tab: warnings, events, energy, paths", 0),
     bind(Anywhere, &[plain('}')], A::TabNext, "next tab", "next tab", 0),
     bind(Anywhere, &[plain('{')], A::TabPrevious, "previous tab", "previous tab", 0),
@@ -416,6 +424,22 @@ pub static BINDINGS: &[Binding] = &[
     bind(Accuracy, &[plain('H'), shifted(C::Left)], A::CursorLeftFar, "far left", "crosshair ten columns left", 0),
     bind(Accuracy, &[plain('L'), shifted(C::Right)], A::CursorRightFar, "far right", "crosshair ten columns right", 0),
     bind(Accuracy, &[plain('V'), plain('x')], A::ShowHide, "show/hide", "draw this method or leave it out", 4),
+
+    bind(Map, &[plain('h'), special(C::Left)], A::CursorLeft, "left", "crosshair left: a smaller step", 0),
+    bind(Map, &[plain('l'), special(C::Right)], A::CursorRight, "crosshair", "crosshair right: a greater step", 2),
+    bind(Map, &[plain('H'), shifted(C::Left)], A::CursorLeftFar, "far left", "crosshair ten columns left", 0),
+    bind(Map, &[plain('L'), shifted(C::Right)], A::CursorRightFar, "far right", "crosshair ten columns right", 0),
+    bind(Map, &[plain('k'), special(C::Up)], A::Up, "up", "crosshair up", 0),
+    bind(Map, &[plain('j'), special(C::Down)], A::Down, "row", "crosshair down", 5),
+    bind(Map, &[plain('v')], A::MapVariable, "k, n or b", "the other variable of the map: k, n or b", 3),
+    bind(Map, &[plain('w')], A::MapMethod, "method", "the method of the map: the thesis's or classical Runge-Kutta", 4),
+
+    bind(Battery, &[plain('k'), special(C::Up)], A::Up, "up", "scene above", 0),
+    bind(Battery, &[plain('j'), special(C::Down)], A::Down, "scene", "scene below", 2),
+    bind(Battery, &[plain('g'), special(C::Home)], A::First, "first", "first scene", 0),
+    bind(Battery, &[plain('G'), special(C::End)], A::Last, "last", "last scene", 0),
+    bind(Battery, &[special(C::PageUp)], A::PageUp, "page up", "a page up", 0),
+    bind(Battery, &[special(C::PageDown)], A::PageDown, "page down", "a page down", 0),
 
     bind(Log, &[plain('k'), special(C::Up)], A::Up, "up", "scroll up", 0),
     bind(Log, &[plain('j'), special(C::Down)], A::Down, "scroll", "scroll down", 2),

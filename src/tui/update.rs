@@ -3,9 +3,11 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use crate::tui::app::App;
+use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::layout::Body;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::message::{self, Action, Effect, Message, Place};
+use crate::worker::studies::StudyReport;
 
 mod accuracy;
 mod act;
@@ -18,6 +20,7 @@ mod field;
 mod input;
 mod jobs;
 mod runs;
+mod stability;
 
 /// What to ask for first: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
@@ -39,7 +42,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
         }
         Message::Act(action) => act::act(app, action),
         Message::Report(report) => jobs::report(app, report),
-        Message::Study(report) => accuracy::report(app, report),
+        Message::Study(report) => studied(app, report),
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => {
             jobs::long(app, id);
@@ -51,6 +54,17 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
             Vec::new()
         }
     }
+}
+
+/// A report of a study goes to the tab that asked for it; those of replaced ones are dropped.
+fn studied(app: &mut App, report: StudyReport) -> Vec<Effect> {
+    let of = |study: &Option<Measuring>| study.as_ref().is_some_and(|it| it.id == report.id);
+    if of(&app.accuracy.measuring) {
+        accuracy::report(app, report.body);
+    } else if of(&app.stability.mapping) || of(&app.stability.running) {
+        stability::report(app, report);
+    }
+    Vec::new()
 }
 
 fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {

@@ -22,6 +22,7 @@ mod rows;
 mod runs;
 mod save;
 mod side;
+mod stability;
 mod text;
 mod variables;
 
@@ -47,6 +48,7 @@ fn draw(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
         Body::TooSmall => return too_small(app, area, buffer),
         Body::Run(panes) => run_tab(app, panes, buffer, cursor),
         Body::Accuracy(panes) => accuracy::render(app, panes, buffer),
+        Body::Stability(area) => stability::render(app, rect(*area), buffer),
         Body::Log(area) => log::render(app, rect(*area), buffer),
     }
     rows::title(app, rect(layout.title), buffer);

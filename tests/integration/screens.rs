@@ -4,6 +4,7 @@ mod accuracy;
 mod bench;
 mod keys;
 mod readme;
+mod stability;
 
 use bench::{Bench, made};
 use cmra::model::scene::Scene;
@@ -149,11 +150,17 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn every_size_can_be_drawn(columns in 0u16..300, rows in 0u16..300, state in 0usize..8, full in any::<bool>()) {
-        let keys = ["", "<Tab>l", "<Tab><Tab>", "?", "p", "e", "6", "<Enter>abc<Enter>"];
+    fn every_size_can_be_drawn(columns in 0u16..300, rows in 0u16..300, state in 0usize..11, full in any::<bool>()) {
+        let keys = [
+            "", "<Tab>l", "<Tab><Tab>", "?", "p", "e", "6", "<Enter>abc<Enter>", "4", "5", "5<Tab>",
+        ];
         let mut bench = Bench::ascii(80, 24);
         bench.keys(if full { "z" } else { "" });
         bench.keys(keys[state]);
+        if state == 8 {
+            accuracy::answer(&mut bench, 9);
+        }
+        stability::answer(&mut bench);
         bench.app = anywhere(&bench.app, (columns, rows));
         let drawn = bench.screen();
         prop_assert!(drawn.lines().count() <= usize::from(rows) || rows == 0);
@@ -205,4 +212,18 @@ fn a_method_that_refuses_says_why() {
     assert_snapshot!("accuracy_refusals", bench.screen());
     bench.keys("e");
     assert_snapshot!("accuracy_export", bench.screen());
+}
+
+#[test]
+fn the_stability_tab_at_every_size() {
+    for glyphs in BOTH {
+        for (columns, rows) in [(60, 16), (80, 24), (120, 40)] {
+            let mut bench = stability::open(glyphs, (columns, rows));
+            assert_snapshot!(format!("map_{columns}x{rows}_{glyphs}"), bench.screen());
+            bench.keys("<Tab>");
+            stability::answer(&mut bench);
+            bench.keys("j");
+            assert_snapshot!(format!("battery_{columns}x{rows}_{glyphs}"), bench.screen());
+        }
+    }
 }

@@ -6,7 +6,6 @@ use std::io::{self, IsTerminal as _};
 use crate::model::run::Outcome;
 use crate::model::units::{Engineering, significant};
 use crate::study::stability::map::{Cell, Map};
-use crate::study::stability::others::Verdict;
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 
 /// From this width on there is room for what makes a scene hard.
@@ -76,10 +75,10 @@ fn line(text: &mut String, row: &Row, wide: bool) {
         run.cost.steps,
         seconds(row.took_s),
         brief(row.stiffness.largest()),
-        verdict(row.others[0]),
-        verdict(row.others[1]),
-        verdict(row.others[2]),
-        verdict(row.others[3]),
+        row.others[0].brief(),
+        row.others[1].brief(),
+        row.others[2].brief(),
+        row.others[3].brief(),
     );
     if wide {
         let _ = write!(text, " {:<12} {}", row.basis.words(), row.case.why);
@@ -107,19 +106,6 @@ fn seconds(took_s: f64) -> String {
         (took_s, "s")
     };
     if value < 10.0 { format!("{value:.1}{unit}") } else { format!("{value:.0}{unit}") }
-}
-
-fn verdict(verdict: Verdict) -> String {
-    match verdict {
-        Verdict::Accurate(_) => "ok".to_owned(),
-        Verdict::Inaccurate(error) => format!("{error:.0e}"),
-        Verdict::WrongEnding => "end!".to_owned(),
-        Verdict::BlownUp => "BLOW".to_owned(),
-        Verdict::Stuck => "stuk".to_owned(),
-        Verdict::TooManySteps => "many".to_owned(),
-        Verdict::NotApplicable | Verdict::NoReference => "-".to_owned(),
-        Verdict::CutOff => "late".to_owned(),
-    }
 }
 
 fn legend(text: &mut String) {

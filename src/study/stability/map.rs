@@ -117,6 +117,18 @@ pub enum Cell {
 }
 
 impl Cell {
+    /// What it means.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Accurate => "accurate (1 %)",
+            Self::Inaccurate => "inaccurate",
+            Self::Oscillating => "oscillating",
+            Self::BlownUp => "blown up",
+            Self::TooManySteps => "too many steps",
+            Self::Unknown => "nothing to compare with",
+        }
+    }
+
     /// Its letter.
     pub fn letter(self) -> char {
         match self {

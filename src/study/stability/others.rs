@@ -74,6 +74,20 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// At most four characters for tables: `ok`, the error, or what went wrong.
+    pub fn brief(self) -> String {
+        match self {
+            Self::Accurate(_) => "ok".to_owned(),
+            Self::Inaccurate(error) => format!("{error:.0e}"),
+            Self::WrongEnding => "end!".to_owned(),
+            Self::BlownUp => "BLOW".to_owned(),
+            Self::Stuck => "stuk".to_owned(),
+            Self::TooManySteps => "many".to_owned(),
+            Self::NotApplicable | Self::NoReference => "-".to_owned(),
+            Self::CutOff => "late".to_owned(),
+        }
+    }
+
     /// One word for files.
     pub fn word(self) -> &'static str {
         match self {

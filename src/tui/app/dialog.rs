@@ -163,7 +163,15 @@ pub fn wrap(at: usize, by: isize, count: usize) -> usize {
 
 /// The bindings the help overlay lists: the focused pane first, then those that work anywhere, then the other panes.
 pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
-    let order = [Place::Variables, Place::Charts, Place::Runs, Place::Accuracy, Place::Log];
+    let order = [
+        Place::Variables,
+        Place::Charts,
+        Place::Runs,
+        Place::Accuracy,
+        Place::Map,
+        Place::Battery,
+        Place::Log,
+    ];
     let others = order.into_iter().filter(|place| *place != focus);
     let places = [focus, Place::Anywhere].into_iter().chain(others);
     let wanted = filter.to_lowercase();

@@ -67,6 +67,8 @@ pub enum Body {
     Run(Panes),
     /// The Accuracy tab.
     Accuracy(AccuracyPanes),
+    /// The Stability tab.
+    Stability(Area),
     /// The Log tab.
     Log(Area),
 }
@@ -105,7 +107,7 @@ impl Layout {
                 panes.charts.first().map_or(40, |area| area.width.saturating_sub(12))
             }
             Body::Accuracy(panes) => panes.chart.width.saturating_sub(12),
-            Body::TooSmall | Body::Log(_) => 40,
+            Body::TooSmall | Body::Stability(_) | Body::Log(_) => 40,
         }
     }
 
@@ -115,14 +117,14 @@ impl Layout {
             Body::Run(panes) => {
                 panes.variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
             }
-            Body::TooSmall | Body::Accuracy(_) | Body::Log(_) => 10,
+            Body::TooSmall | Body::Accuracy(_) | Body::Stability(_) | Body::Log(_) => 10,
         }
     }
 
     /// Rows of the Log tab.
     pub fn log_rows(&self) -> usize {
         match &self.body {
-            Body::Log(area) => usize::from(area.height.saturating_sub(2)),
+            Body::Log(area) | Body::Stability(area) => usize::from(area.height.saturating_sub(2)),
             Body::TooSmall | Body::Run(_) | Body::Accuracy(_) => 10,
         }
     }
@@ -149,6 +151,7 @@ pub fn layout(
     } else {
         match tab {
             Tab::Accuracy => Body::Accuracy(accuracy(body)),
+            Tab::Stability => Body::Stability(body),
             Tab::Log => Body::Log(body),
             Tab::Run if full_pane => Body::Run(full(body, focus)),
             Tab::Run if width < WIDE => Body::Run(narrow(body, height, focus, pins)),
@@ -169,9 +172,12 @@ pub fn layout(
 
 fn full(body: Area, focus: Place) -> Panes {
     match focus {
-        Place::Variables | Place::Anywhere | Place::Accuracy | Place::Log => {
-            Panes { variables: Some(body), ..Panes::default() }
-        }
+        Place::Variables
+        | Place::Anywhere
+        | Place::Accuracy
+        | Place::Map
+        | Place::Battery
+        | Place::Log => Panes { variables: Some(body), ..Panes::default() },
         Place::Charts => Panes { charts: stacked(body), ..Panes::default() },
         Place::Runs => Panes { runs: Some(body), ..Panes::default() },
     }

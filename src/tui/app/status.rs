@@ -45,6 +45,17 @@ impl App {
         {
             return (Severity::Note, clip(&text, width.saturating_sub(4)));
         }
+        let room = width.saturating_sub(4);
+        if self.place() == Place::Map
+            && let Some(text) = self.map_readout()
+        {
+            return (Severity::Note, clip(&text, room));
+        }
+        if self.place() == Place::Battery
+            && let Some((severity, text)) = self.battery_readout()
+        {
+            return (severity, clip(&text, room));
+        }
         if self.place() == Place::Variables {
             let variable = self.editor.variable();
             let text = format!("{}: {}", variable.symbol, variable.meaning);
@@ -92,6 +103,9 @@ impl App {
     pub fn status(&self) -> Vec<(Severity, String, String)> {
         if self.tab == Tab::Accuracy {
             return self.accuracy_status();
+        }
+        if self.tab == Tab::Stability {
+            return self.stability_status();
         }
         let same = |severity, text: String| (severity, text.clone(), text);
         let mut parts = vec![self.state_words()];

@@ -13,7 +13,7 @@ use crate::tui::app::dialog::{Dialog, Save};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::name_of;
 use crate::tui::message::{Action, Effect, Message};
-use crate::worker::studies::{Study, StudyBody, StudyKind, StudyReport};
+use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
 
 /// The tab is shown: measure, unless this scene has been or is being measured.
 pub(super) fn enter(app: &mut App) -> Vec<Effect> {
@@ -73,18 +73,17 @@ fn show_or_hide(app: &mut App) {
     }
 }
 
-/// A report of the study under way; those of replaced ones are dropped.
-pub(super) fn report(app: &mut App, report: StudyReport) -> Vec<Effect> {
+/// What is said of the study under way.
+pub(super) fn report(app: &mut App, body: StudyBody) {
     let tab = &mut app.accuracy;
-    let Some(measuring) = tab.measuring.as_mut().filter(|study| study.id == report.id) else {
-        return Vec::new();
-    };
-    match report.body {
-        StudyBody::Part { done, total, part } => {
-            measuring.points = Some((done, total));
+    match body {
+        StudyBody::Part { done, total, part: Finding::Accuracy(part) } => {
+            if let Some(measuring) = &mut tab.measuring {
+                measuring.points = Some((done, total));
+            }
             tab.report = Some(part);
         }
-        StudyBody::Ended(found) => {
+        StudyBody::Ended(Finding::Accuracy(found)) => {
             tab.measuring = None;
             let stopped = !found.is_complete;
             tab.report = Some(found);
@@ -96,8 +95,9 @@ pub(super) fn report(app: &mut App, report: StudyReport) -> Vec<Effect> {
             tab.measuring = None;
             app.say(Severity::Error, text);
         }
+        // Findings of other kinds carry other numbers.
+        StudyBody::Part { .. } | StudyBody::Ended(_) => {}
     }
-    Vec::new()
 }
 
 fn export(app: &mut App) {

@@ -8,7 +8,7 @@ use crate::tui::app::steps::Size;
 use crate::tui::app::{App, Tab, runs as run_words};
 use crate::tui::message::{Action, Effect, Place};
 
-use super::{accuracy, charts, dialogs, edit, export, field, jobs, runs};
+use super::{accuracy, charts, dialogs, edit, export, field, jobs, runs, stability};
 
 /// Do it, in the pane that has the keys.
 pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
@@ -24,7 +24,12 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         _ if app.tab == Tab::Accuracy && accuracy::is_own(action) => {
             return accuracy::act(app, action);
         }
-        A::TabRun | A::TabAccuracy | A::TabLog | A::TabNext | A::TabPrevious => {
+        _ if app.tab == Tab::Stability && stability::is_own(action) => {
+            return stability::act(app, action);
+        }
+        // Only the Stability tab has a map.
+        A::MapVariable | A::MapMethod => {}
+        A::TabRun | A::TabAccuracy | A::TabStability | A::TabLog | A::TabNext | A::TabPrevious => {
             return tabs(app, action);
         }
         A::FocusNext | A::FocusPrevious if app.tab != Tab::Run => app.tab = Tab::Run,
@@ -100,12 +105,17 @@ fn tabs(app: &mut App, action: Action) -> Vec<Effect> {
     app.tab = match action {
         Action::TabRun => Tab::Run,
         Action::TabAccuracy => Tab::Accuracy,
+        Action::TabStability => Tab::Stability,
         Action::TabLog => Tab::Log,
         Action::TabPrevious => Tab::ALL[(at + count - 1) % count],
         _ => Tab::ALL[(at + 1) % count],
     };
     app.log_scroll = 0;
-    if app.tab == Tab::Accuracy { accuracy::enter(app) } else { Vec::new() }
+    match app.tab {
+        Tab::Accuracy => accuracy::enter(app),
+        Tab::Stability => stability::enter(app),
+        Tab::Run | Tab::Log => Vec::new(),
+    }
 }
 
 fn focus(app: &mut App, forward: bool) {
@@ -152,6 +162,13 @@ fn movement(app: &mut App, action: Action) {
             let selected = app.accuracy.selected;
             app.accuracy.selected = selected.saturating_add_signed(by(8)).min(last);
         }
+        Place::Map => app.stability.move_cursor(-by(8).clamp(-100, 100), 0),
+        Place::Battery => {
+            let last = app.stability.rows().len().saturating_sub(1);
+            let selected = app.stability.selected;
+            let page = app.layout().log_rows();
+            app.stability.selected = selected.saturating_add_signed(by(page)).min(last);
+        }
         Place::Log => {
             let rows = app.layout().log_rows();
             let most = app.log_lines(usize::from(app.size.0)).len().saturating_sub(rows);
@@ -173,9 +190,11 @@ fn auto_run(app: &mut App) -> Vec<Effect> {
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let quit = |summary| vec![Effect::SaveSession, Effect::Quit { summary }];
     let running = app.jobs.current.is_some();
-    let study = app.accuracy.measuring.as_ref();
+    let (accuracy, stability) = (&app.accuracy, &app.stability);
+    let studies = [&accuracy.measuring, &stability.mapping, &stability.running];
+    let studying = studies.iter().any(|study| study.is_some());
     let long = app.jobs.current.as_ref().is_some_and(|job| job.long)
-        || study.is_some_and(|study| study.long);
+        || studies.iter().any(|study| study.as_ref().is_some_and(|it| it.long));
     match action {
         Action::Quit | Action::QuitWithSummary if long && !app.jobs.asked_to_quit => {
             app.jobs.asked_to_quit = true;
@@ -186,7 +205,7 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
             Vec::new()
         }
         Action::Cancel | Action::Back if running => vec![Effect::CancelJob],
-        Action::Cancel | Action::Back if study.is_some() => vec![Effect::CancelStudy],
+        Action::Cancel | Action::Back if studying => vec![Effect::CancelStudy],
         Action::Back => {
             if app.full_pane {
                 app.full_pane = false;

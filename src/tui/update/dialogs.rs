@@ -151,6 +151,10 @@ fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
     match row.place {
         Place::Anywhere => {}
         Place::Accuracy => app.tab = crate::tui::app::Tab::Accuracy,
+        Place::Map | Place::Battery => {
+            app.tab = crate::tui::app::Tab::Stability;
+            app.stability.battery_shown = row.place == Place::Battery;
+        }
         Place::Log => app.tab = crate::tui::app::Tab::Log,
         Place::Variables | Place::Charts | Place::Runs => {
             app.tab = crate::tui::app::Tab::Run;

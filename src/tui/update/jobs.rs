@@ -86,8 +86,11 @@ pub(super) fn long(app: &mut App, id: u64) {
     if let Some(job) = app.jobs.current.as_mut().filter(|job| job.id == id) {
         job.long = true;
     }
-    if let Some(study) = app.accuracy.measuring.as_mut().filter(|study| study.id == id) {
-        study.long = true;
+    let (accuracy, stability) = (&mut app.accuracy, &mut app.stability);
+    for study in [&mut accuracy.measuring, &mut stability.mapping, &mut stability.running] {
+        if let Some(study) = study.as_mut().filter(|study| study.id == id) {
+            study.long = true;
+        }
     }
 }
 

@@ -85,6 +85,8 @@ fn place(place: Place) -> &'static str {
         Place::Charts => "Charts",
         Place::Runs => "Runs",
         Place::Accuracy => "Accuracy",
+        Place::Map => "Map",
+        Place::Battery => "Battery",
         Place::Log => "Log",
     }
 }

@@ -98,9 +98,16 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
         .filter(|row| row.footer > 0 && (row.place == place || row.place == Place::Anywhere))
         // These tabs have one pane.
         .filter(|row| {
-            let single = matches!(place, Place::Log | Place::Accuracy);
-            let elsewhere = [Action::FocusNext, Action::Pin, Action::Window, Action::FullPane];
-            !single || !elsewhere.contains(&row.action)
+            let elsewhere = [Action::Pin, Action::Window, Action::FullPane];
+            match place {
+                Place::Log | Place::Accuracy => {
+                    row.action != Action::FocusNext && !elsewhere.contains(&row.action)
+                }
+                Place::Map | Place::Battery => {
+                    row.action != Action::Export && !elsewhere.contains(&row.action)
+                }
+                Place::Anywhere | Place::Variables | Place::Charts | Place::Runs => true,
+            }
         })
         .collect();
     rows.sort_by_key(|row| (row.footer, row.place == Place::Anywhere));

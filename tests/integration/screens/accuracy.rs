@@ -12,7 +12,7 @@ use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
 use cmra::tui::app::Tab;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{Study, StudyBody, StudyReport};
+use cmra::worker::studies::{Finding, Study, StudyBody, StudyReport};
 
 /// When the made-up contact ends, s, and how deep it is then, m.
 const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
@@ -91,7 +91,7 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
 }
 
 /// The studies that have been asked for and not been looked at.
-fn studies(bench: &mut Bench) -> Vec<Study> {
+pub(super) fn studies(bench: &mut Bench) -> Vec<Study> {
     let mut found = Vec::new();
     bench.effects.retain(|effect| match effect {
         Effect::Study(study) => {
@@ -107,9 +107,9 @@ pub(super) fn answer(bench: &mut Bench, methods: usize) {
     for study in studies(bench) {
         let found = Arc::new(measured(&study.scene, methods));
         let body = if methods == Method::ALL.len() {
-            StudyBody::Ended(found)
+            StudyBody::Ended(Finding::Accuracy(found))
         } else {
-            StudyBody::Part { done: 30, total: 79, part: found }
+            StudyBody::Part { done: 30, total: 79, part: Finding::Accuracy(found) }
         };
         bench.send(Message::Study(StudyReport { id: study.id, body }));
     }
@@ -158,7 +158,10 @@ fn escape_stops_and_what_there_is_stays() {
     bench.keys("<Esc>");
     assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
     let found = Arc::new(measured(&study.scene, 3));
-    bench.send(Message::Study(StudyReport { id: study.id, body: StudyBody::Ended(found) }));
+    bench.send(Message::Study(StudyReport {
+        id: study.id,
+        body: StudyBody::Ended(Finding::Accuracy(found)),
+    }));
     assert!(bench.message().contains("what was measured is shown"), "{}", bench.message());
     assert!(bench.screen().contains("stopped after"));
 }

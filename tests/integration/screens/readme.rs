@@ -4,12 +4,14 @@ use std::fmt::Write as _;
 
 use cmra::tui::message::{BINDINGS, Place};
 
-const PLACES: [(Place, &str); 6] = [
+const PLACES: [(Place, &str); 8] = [
     (Place::Anywhere, "anywhere"),
     (Place::Variables, "Variables"),
     (Place::Charts, "Charts"),
     (Place::Runs, "Runs"),
     (Place::Accuracy, "Accuracy"),
+    (Place::Map, "Map"),
+    (Place::Battery, "Battery"),
     (Place::Log, "Log"),
 ];
 

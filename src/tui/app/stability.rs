@@ -1,0 +1,179 @@
+//! The Stability tab: the map and the battery, what is selected in them, and both in words. No drawing.
+
+use std::sync::Arc;
+
+use super::App;
+use super::accuracy::{Measuring, seconds};
+use super::notice::Severity;
+use crate::model::scene::Scene;
+use crate::model::units::significant;
+use crate::study::stability::Row;
+use crate::study::stability::map::{Axis, Map, Method};
+
+/// The state of the tab.
+#[derive(Clone, Debug)]
+pub struct Stability {
+    /// The method of the map.
+    pub method: Method,
+    /// Its variable.
+    pub axis: Axis,
+    /// The map with the scene it belongs to.
+    pub map: Option<(Arc<Scene>, Arc<Map>)>,
+    /// The map that is being drawn up.
+    pub mapping: Option<Measuring>,
+    /// The crosshair: row and column of the map; `None` at the present point.
+    pub cursor: Option<(usize, usize)>,
+    /// The battery is shown in place of the map.
+    pub battery_shown: bool,
+    /// The rows of the battery, and whether these are all.
+    pub battery: Option<(Arc<Vec<Row>>, bool)>,
+    /// The battery that is being run.
+    pub running: Option<Measuring>,
+    /// The selected row of the battery.
+    pub selected: usize,
+}
+
+impl Default for Stability {
+    fn default() -> Self {
+        Self {
+            method: Method::Thesis,
+            axis: Axis::K,
+            map: None,
+            mapping: None,
+            cursor: None,
+            battery_shown: false,
+            battery: None,
+            running: None,
+            selected: 0,
+        }
+    }
+}
+
+impl Stability {
+    /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
+    pub fn present(&self) -> Option<(usize, usize)> {
+        let (_, map) = self.map.as_ref()?;
+        Some((nearest(&map.values, map.present.0)?, nearest(&map.dt_s, map.present.1)?))
+    }
+
+    /// Where the crosshair stands: the middle of the map where nothing else is known.
+    pub fn cursor(&self) -> Option<(usize, usize)> {
+        let (_, map) = self.map.as_ref()?;
+        let middle = (map.values.len() / 2, map.dt_s.len() / 2);
+        self.cursor.or_else(|| self.present()).or(Some(middle))
+    }
+
+    /// Move the crosshair by rows (up is positive) and columns.
+    pub fn move_cursor(&mut self, rows: isize, columns: isize) {
+        if let (Some((row, column)), Some((_, map))) = (self.cursor(), &self.map) {
+            let row = row.saturating_add_signed(rows).min(map.values.len().saturating_sub(1));
+            let column =
+                column.saturating_add_signed(columns).min(map.dt_s.len().saturating_sub(1));
+            self.cursor = Some((row, column));
+        }
+    }
+
+    /// The rows of the battery there are.
+    pub fn rows(&self) -> &[Row] {
+        self.battery.as_ref().map_or(&[], |(rows, _)| rows)
+    }
+}
+
+/// The nearest of rising values by ratio; `None` for a value outside them.
+fn nearest(values: &[f64], value: f64) -> Option<usize> {
+    let inside = value >= 0.99 * values.first()? && value <= 1.01 * values.last()?;
+    let distance = |other: f64| (other / value).ln().abs();
+    let all = 0..values.len();
+    all.min_by(|a, b| distance(values[*a]).total_cmp(&distance(values[*b]))).filter(|_| inside)
+}
+
+impl App {
+    /// Whether the map belongs to another scene than the one on the screen.
+    pub fn map_is_old(&self) -> bool {
+        self.stability.map.as_ref().is_some_and(|(scene, _)| **scene != *self.scene)
+    }
+
+    /// The cell at the crosshair in words.
+    pub fn map_readout(&self) -> Option<String> {
+        let (_, map) = self.stability.map.as_ref()?;
+        let (row, column) = self.stability.cursor()?;
+        let here = if self.stability.present() == Some((row, column)) {
+            "; the scene, thesis's step"
+        } else {
+            ""
+        };
+        let limit = map.limit_s[row]
+            .map_or_else(|| "none".to_owned(), |limit_s| significant(limit_s, 2) + " s");
+        Some(format!(
+            "dt {} s, {} {}: {}; analytic limit {limit}{here}",
+            significant(map.dt_s[column], 2),
+            map.axis.symbol(),
+            significant(map.values[row], 2),
+            map.cell(row, column).words(),
+        ))
+    }
+
+    /// The selected row of the battery in words.
+    pub fn battery_readout(&self) -> Option<(Severity, String)> {
+        let row = self.stability.rows().get(self.stability.selected)?;
+        Some(match row.shortfall {
+            None => (Severity::Note, format!("{}: {}", row.case.name, row.case.why)),
+            Some(shortfall) => (
+                Severity::Error,
+                format!(
+                    "{}: falls short: {}; {}",
+                    row.case.name,
+                    shortfall.words(),
+                    row.run.end.words()
+                ),
+            ),
+        })
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn stability_status(&self) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let tab = &self.stability;
+        let mut parts = Vec::new();
+        if tab.battery_shown {
+            let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
+            let holds = format!("{} of {} scenes hold", tab.rows().len() - short, tab.rows().len());
+            let severity = if short > 0 { Severity::Warning } else { Severity::Note };
+            match (&tab.running, &tab.battery) {
+                (Some(running), _) => {
+                    let (done, total) = running.points.unwrap_or_default();
+                    let of = if total > 0 { format!(": {done} of {total}") } else { String::new() };
+                    parts
+                        .push(same(Severity::Note, format!("running the battery{of} (Esc stops)")));
+                }
+                (None, None) => {
+                    parts.push(same(Severity::Note, "not run yet: r runs it".to_owned()))
+                }
+                (None, Some((_, false))) => {
+                    parts.push(same(Severity::Warning, "stopped: r runs all".to_owned()));
+                }
+                (None, Some((_, true))) => {}
+            }
+            if tab.battery.is_some() {
+                parts.push(same(severity, holds));
+            }
+            return parts;
+        }
+        if tab.mapping.is_some() {
+            parts.push(same(Severity::Note, "drawing up the map".to_owned()));
+        } else if self.map_is_old() {
+            parts.push(same(Severity::Warning, "old: r maps the changed scene".to_owned()));
+        }
+        if let Some((_, map)) = &tab.map {
+            parts.push(same(
+                Severity::Note,
+                match map.largest_stable_dt_s {
+                    Some(dt_s) => format!("largest stable dt of this scene: {}", seconds(dt_s)),
+                    None => "largest stable dt of this scene: nothing limits it".to_owned(),
+                },
+            ));
+            parts.push(same(Severity::Note, map.method.name().to_owned()));
+        }
+        parts
+    }
+}

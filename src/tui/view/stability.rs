@@ -1,0 +1,218 @@
+//! The Stability tab: the map of a fixed-step method in letters and colours, or the battery as a table.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::text::{columns, first_row, paint_row, put};
+use crate::model::run::Outcome;
+use crate::model::units::significant;
+use crate::study::stability::Row;
+use crate::study::stability::map::{Cell, Map};
+use crate::tui::app::App;
+use crate::tui::app::accuracy::seconds;
+use crate::tui::theme::{Pane, Role};
+
+/// Columns left of the map, for the values of its rows.
+const GUTTER: u16 = 9;
+/// Rows below it: axis, steps, legend.
+const FOOT: u16 = 3;
+
+/// Draw the tab.
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    if app.stability.battery_shown {
+        battery(app, area, buffer);
+    } else {
+        map(app, area, buffer);
+    }
+}
+
+fn role(cell: Cell) -> Role {
+    match cell {
+        Cell::Accurate => Role::Text,
+        Cell::Inaccurate => Role::Warning,
+        Cell::Oscillating => Role::Curve(1),
+        Cell::BlownUp => Role::Error,
+        Cell::TooManySteps | Cell::Unknown => Role::Dim,
+    }
+}
+
+fn map(app: &App, area: Rect, buffer: &mut Buffer) {
+    let tab = &app.stability;
+    let old = if app.map_is_old() { ", old" } else { "" };
+    let title = match &tab.map {
+        Some((_, map)) => {
+            format!("Map: {}, dt against {}{old}", map.method.name(), map.axis.symbol())
+        }
+        None => "Map".to_owned(),
+    };
+    let pane = Pane::new(title).right("Tab: battery").focused(app.dialog.is_none());
+    let inner = pane.render(area, buffer, app.theme);
+    let Some((_, map)) = &tab.map else {
+        let text = if tab.mapping.is_some() { "drawing up the map" } else { "r draws up the map" };
+        let column = inner.width.saturating_sub(columns(text)) / 2;
+        put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+        return;
+    };
+    let plot = Rect {
+        x: inner.x + GUTTER.min(inner.width),
+        width: inner.width.saturating_sub(GUTTER + 1),
+        height: inner.height.saturating_sub(FOOT),
+        ..inner
+    };
+    if plot.width < 10 || plot.height < 4 {
+        return;
+    }
+    cells(app, map, plot, buffer);
+    values(app, map, (inner, plot), buffer);
+    let mut column = 1;
+    for cell in [Cell::Accurate, Cell::Inaccurate, Cell::Oscillating, Cell::BlownUp] {
+        let letter = cell.letter().to_string();
+        put(buffer, inner, (column, inner.height - 1), &letter, app.theme.style(role(cell)));
+        let text = cell.words();
+        let style = app.theme.style(Role::Text);
+        column = put(buffer, inner, (column + 2, inner.height - 1), text, style) + 2;
+    }
+    let text = "| limit  + 1e-6 s";
+    put(buffer, inner, (column, inner.height - 1), text, app.theme.style(Role::Text));
+}
+
+/// The index of what a cell of the screen shows, of `count` spread over `cells`.
+fn spread(cell: u16, cells: u16, count: usize) -> usize {
+    (usize::from(cell) * count) / usize::from(cells.max(1))
+}
+
+/// The first cell of the screen that shows an index, or would; the inverse of [`spread`].
+fn place(index: usize, cells: u16, count: usize) -> u16 {
+    let cell = (index * usize::from(cells)).div_ceil(count.max(1));
+    u16::try_from(cell).unwrap_or(u16::MAX).min(cells.saturating_sub(1))
+}
+
+fn cells(app: &App, map: &Map, plot: Rect, buffer: &mut Buffer) {
+    let tab = &app.stability;
+    let (rows, steps) = (map.values.len(), map.dt_s.len());
+    for y in 0..plot.height {
+        let row = rows - 1 - spread(y, plot.height, rows);
+        for x in 0..plot.width {
+            let cell = map.cell(row, spread(x, plot.width, steps));
+            put(buffer, plot, (x, y), &cell.letter().to_string(), app.theme.style(role(cell)));
+        }
+        let limit = map.limit_s[row].map(|limit| map.dt_s.partition_point(|dt_s| *dt_s < limit));
+        if let Some(column) = limit.filter(|column| (1..steps).contains(column)) {
+            let x = place(column, plot.width, steps);
+            put(buffer, plot, (x, y), "|", app.theme.style(Role::Event));
+        }
+    }
+    let at = |(row, column): (usize, usize)| {
+        (place(column, plot.width, steps), place(rows - 1 - row, plot.height, rows))
+    };
+    if let Some(present) = tab.present() {
+        put(buffer, plot, at(present), "+", app.theme.style(Role::Title));
+    }
+    if let Some(cursor) = tab.cursor() {
+        let (x, y) = at(cursor);
+        let cell = Rect { x: plot.x + x, y: plot.y + y, width: 1, height: 1 };
+        paint_row(buffer, cell, 0, app.theme.style(Role::Selection));
+    }
+}
+
+/// The values of rows and columns.
+fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), buffer: &mut Buffer) {
+    let style = app.theme.style(Role::Text);
+    let rows = map.values.len();
+    let every = if plot.height < 24 { 3 } else { 6 };
+    for y in (0..plot.height).step_by(every) {
+        let row = rows - 1 - spread(y, plot.height, rows);
+        let text = significant(map.values[row], 2);
+        let column = GUTTER.saturating_sub(columns(&text) + 1);
+        put(buffer, inner, (column, y), &text, style);
+    }
+    let below = plot.height;
+    let every = usize::from((plot.width / 6).max(9));
+    for x in (0..plot.width).step_by(every) {
+        put(buffer, inner, (GUTTER + x, below), "|", app.theme.style(Role::Border));
+        let text = significant(map.dt_s[spread(x, plot.width, map.dt_s.len())], 2);
+        if GUTTER + x + columns(&text) <= inner.width {
+            put(buffer, inner, (GUTTER + x, below + 1), &text, style);
+        }
+    }
+    put(buffer, inner, (1, below + 1), "dt [s]", style);
+    put(buffer, inner, (1, below), map.axis.symbol(), style);
+}
+
+/// A column of the battery: heading, width, value.
+type Column = (&'static str, u16, fn(&Row) -> String);
+
+const BATTERY: [Column; 10] = [
+    ("pass", 5, |row| if row.shortfall.is_some() { "FAIL" } else { "ok" }.to_owned()),
+    ("ends", 7, ends),
+    ("energy", 7, |row| brief(row.run.ledger.residual().abs())),
+    ("error", 7, |row| row.error.map_or_else(|| "-".to_owned(), brief)),
+    ("steps", 7, |row| row.run.cost.steps.to_string()),
+    ("time", 8, |row| seconds(row.took_s)),
+    ("expl", 5, |row| row.others[0].brief()),
+    ("impl", 5, |row| row.others[1].brief()),
+    ("th-6", 6, |row| row.others[2].brief()),
+    ("th-7", 6, |row| row.others[3].brief()),
+];
+/// How a scene of the battery ends, in six characters.
+fn ends(row: &Row) -> String {
+    match row.run.outcome {
+        Outcome::Arrested => "arrest",
+        Outcome::Perforated => "perf",
+        Outcome::Separated => "sep",
+        Outcome::Moving => "moving",
+    }
+    .to_owned()
+}
+
+/// Columns of the name.
+const NAME: u16 = 24;
+
+/// A size in five characters: `2e-13`.
+fn brief(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
+}
+
+fn battery(app: &App, area: Rect, buffer: &mut Buffer) {
+    let tab = &app.stability;
+    let title = "Battery of stiff and extreme scenes";
+    let pane = Pane::new(title).right("Tab: map").focused(app.dialog.is_none());
+    let inner = pane.render(area, buffer, app.theme);
+    let dim = app.theme.style(Role::Dim);
+    put(buffer, inner, (0, 0), "scene", dim);
+    let mut shown = 0;
+    let mut end = NAME;
+    for (heading, width, _) in &BATTERY {
+        if end + width > inner.width {
+            break;
+        }
+        end += width;
+        put(buffer, inner, (end - columns(heading), 0), heading, dim);
+        shown += 1;
+    }
+    let why = end + 2;
+    let rows = tab.rows();
+    if rows.is_empty() {
+        let text = if tab.running.is_some() { "running the first scenes" } else { "r runs it" };
+        put(buffer, inner, (1, 2), text, dim);
+    }
+    let height = usize::from(inner.height.saturating_sub(1));
+    let first = first_row(tab.selected, height, rows.len());
+    for (y, (index, row)) in (1..inner.height).zip(rows.iter().enumerate().skip(first)) {
+        let failed = row.shortfall.is_some();
+        let style = app.theme.style(if failed { Role::Error } else { Role::Text });
+        put(buffer, inner, (0, y), row.case.name, style);
+        let mut end = NAME;
+        for (_, width, value) in &BATTERY[..shown] {
+            end += width;
+            let text = value(row);
+            put(buffer, inner, (end.saturating_sub(columns(&text)), y), &text, style);
+        }
+        if why + 20 < inner.width {
+            put(buffer, inner, (why, y), row.case.why, dim);
+        }
+        if index == tab.selected && app.dialog.is_none() {
+            paint_row(buffer, inner, y, app.theme.style(Role::Selection));
+        }
+    }
+}

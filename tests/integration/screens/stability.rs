@@ -1,0 +1,142 @@
+//! The Stability tab: keys, on a made-up map and battery whose digits never change a picture.
+
+use std::sync::Arc;
+
+use super::accuracy::studies;
+use super::bench::{Bench, made};
+use cmra::model::scene::Scene;
+use cmra::study::stability::cases::CASES;
+use cmra::study::stability::map::{Axis, Cell, Map, Method};
+use cmra::study::stability::others::Verdict;
+use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
+use cmra::tui::message::{Effect, Message};
+use cmra::tui::theme::GlyphSet;
+use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
+
+/// A map with a limit that falls with the square root of the value.
+pub(super) fn map(method: Method, axis: Axis) -> Map {
+    let ratios = |low: f64, high: f64, count: i32| -> Vec<f64> {
+        let step = (high / low).ln() / f64::from(count - 1);
+        (0..count).map(|i| low * (step * f64::from(i)).exp()).collect()
+    };
+    let (dt_s, values) = (ratios(1e-9, 1e-4, 61), ratios(1e3, 1e12, 19));
+    let limit = |value: f64| 2.83 / (value / 0.0295).sqrt();
+    let cell = |value: f64, dt_s: f64| match dt_s / limit(value) {
+        ratio if ratio < 0.5 && dt_s < 3e-6 => Cell::Accurate,
+        ratio if ratio < 0.7 => Cell::Inaccurate,
+        ratio if ratio < 1.5 => Cell::Oscillating,
+        _ => Cell::BlownUp,
+    };
+    Map {
+        method,
+        axis,
+        cells: values.iter().flat_map(|k| dt_s.iter().map(|dt| cell(*k, *dt))).collect(),
+        limit_s: values.iter().map(|k| Some(limit(*k))).collect(),
+        present: (1e5, 1e-6),
+        largest_stable_dt_s: Some(limit(1e5)),
+        dt_s,
+        values,
+    }
+}
+
+/// Rows of the battery; the third falls short.
+pub(super) fn rows(count: usize) -> Vec<Row> {
+    let row = |(index, case)| Row {
+        case,
+        run: made(&Arc::new(Scene::default())),
+        took_s: 120e-6,
+        error: (index != 3).then_some(2e-13),
+        basis: Basis::Dop853,
+        stiffness: Stiffness { swings_rad: 40.0, decays: 2.0 },
+        others: [
+            Verdict::Accurate(1e-9),
+            Verdict::Stuck,
+            Verdict::Inaccurate(0.2),
+            Verdict::BlownUp,
+        ],
+        shortfall: (index == 2).then_some(Shortfall::Energy),
+    };
+    CASES.iter().take(count).enumerate().map(row).collect()
+}
+
+/// Answer what was asked for.
+pub(super) fn answer(bench: &mut Bench) {
+    for study in studies(bench) {
+        let found = match study.kind {
+            StudyKind::Map(method, axis) => Finding::Map(Arc::new(map(method, axis))),
+            StudyKind::Battery => Finding::Battery(Arc::new(rows(12)), true),
+            StudyKind::Accuracy(_) => continue,
+        };
+        bench.send(Message::Study(StudyReport { id: study.id, body: StudyBody::Ended(found) }));
+    }
+}
+
+/// The tab with its map.
+pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+    let mut bench = Bench::open(glyphs, size);
+    bench.keys("5");
+    answer(&mut bench);
+    bench
+}
+
+#[test]
+fn the_crosshair_starts_at_the_present_point_and_tells_each_cell() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    assert!(
+        bench
+            .message()
+            .contains("accurate (1 %); analytic limit 0.0015 s; the scene, thesis's step")
+    );
+    bench.keys("kkkkkkkkkkkkLL");
+    assert!(bench.message().contains(": blown up;"), "{}", bench.message());
+    bench.keys("HHHHHHHHjjjjjjjjjjjjjjjjjjjjjjjj");
+    assert!(bench.message().starts_with("dt 1e-9 s, k 1000: accurate"), "{}", bench.message());
+}
+
+#[test]
+fn variable_and_method_are_chosen_and_mapped_anew() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("v");
+    assert_eq!(studies(&mut bench)[0].kind, StudyKind::Map(Method::Thesis, Axis::N));
+    bench.keys("vw");
+    assert_eq!(studies(&mut bench)[1].kind, StudyKind::Map(Method::Rk4, Axis::B));
+    // A map that came back belongs to what was asked for last.
+    bench.keys("14");
+    bench.effects.clear();
+    bench.keys("5");
+    assert_eq!(studies(&mut bench)[0].kind, StudyKind::Map(Method::Rk4, Axis::B));
+}
+
+#[test]
+fn an_edited_scene_is_mapped_when_the_tab_opens() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("15");
+    assert!(studies(&mut bench).is_empty());
+    bench.keys("1jjl5");
+    assert!(bench.screen().contains(", old"));
+    assert_eq!(studies(&mut bench)[0].scene, bench.app.scene);
+}
+
+#[test]
+fn the_battery_runs_once_can_be_stopped_and_says_what_falls_short() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("<Tab>");
+    let study = studies(&mut bench).remove(0);
+    assert_eq!(study.kind, StudyKind::Battery);
+    let part = Finding::Battery(Arc::new(rows(4)), false);
+    let body = StudyBody::Part { done: 4, total: 62, part };
+    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    assert!(bench.screen().contains("running the battery: 4 of 62 (Esc stops)"));
+    bench.keys("<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
+    let body = StudyBody::Ended(Finding::Battery(Arc::new(rows(5)), false));
+    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    assert!(bench.screen().contains("stopped: r runs all | 4 of 5 scenes hold"));
+    bench.keys("jj");
+    assert!(bench.message().contains("falls short: energy"), "{}", bench.message());
+    // Whoever comes back to a part of it gets all of it.
+    bench.keys("<Tab><Tab>");
+    answer(&mut bench);
+    bench.keys("<Tab><Tab>");
+    assert!(studies(&mut bench).is_empty());
+}
