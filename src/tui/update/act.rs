@@ -20,20 +20,25 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         app.history.seal();
         app.editor.stride = None;
     }
+    if app.tab == Tab::Accuracy && accuracy::is_own(action) {
+        return accuracy::act(app, action);
+    }
+    if app.tab == Tab::Stability && stability::is_own(action) {
+        return stability::act(app, action);
+    }
+    anywhere(app, action)
+}
+
+/// What an action does where no tab has its own meaning for it.
+fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
+    use Action as A;
     match action {
-        _ if app.tab == Tab::Accuracy && accuracy::is_own(action) => {
-            return accuracy::act(app, action);
-        }
-        _ if app.tab == Tab::Stability && stability::is_own(action) => {
-            return stability::act(app, action);
-        }
         // Only the Stability tab has a map.
         A::MapVariable | A::MapMethod => {}
         A::TabRun | A::TabAccuracy | A::TabStability | A::TabLog | A::TabNext | A::TabPrevious => {
             return tabs(app, action);
         }
-        A::FocusNext | A::FocusPrevious if app.tab != Tab::Run => app.tab = Tab::Run,
-        A::FocusNext | A::FocusPrevious => focus(app, action == A::FocusNext),
+        A::FocusNext | A::FocusPrevious => focus(app, action),
         A::Up | A::Down | A::First | A::Last | A::PageUp | A::PageDown => movement(app, action),
         A::Edit => return field::open(app),
         A::StepDown => return edit::step(app, false, Size::Plain),
@@ -118,7 +123,13 @@ fn tabs(app: &mut App, action: Action) -> Vec<Effect> {
     }
 }
 
-fn focus(app: &mut App, forward: bool) {
+/// The next pane; tabs with one pane give way to the Run tab.
+fn focus(app: &mut App, action: Action) {
+    if app.tab != Tab::Run {
+        app.tab = Tab::Run;
+        return;
+    }
+    let forward = action == Action::FocusNext;
     let places = [Place::Variables, Place::Charts, Place::Runs];
     let at = places.iter().position(|place| *place == app.focus);
     let step = if forward { 1 } else { places.len() - 1 };
