@@ -147,7 +147,7 @@ impl App {
                         .push(same(Severity::Note, format!("running the battery{of} (Esc stops)")));
                 }
                 (None, None) => {
-                    parts.push(same(Severity::Note, "not run yet: r runs it".to_owned()))
+                    parts.push(same(Severity::Note, "not run yet: r runs it".to_owned()));
                 }
                 (None, Some((_, false))) => {
                     parts.push(same(Severity::Warning, "stopped: r runs all".to_owned()));
