@@ -2,7 +2,6 @@
 
 mod bench;
 mod keys;
-mod readme;
 
 use bench::{Bench, made};
 use cmra::model::scene::Scene;
