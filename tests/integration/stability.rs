@@ -1,39 +1,86 @@
 //! Stability: what is promised for stiff and extreme scenes, held over ten thousand of them.
+//!
+//! Shortfalls that are known are listed by class with the count they may not exceed; the list may only shrink. All scenes that fall
+//! short are printed (`--nocapture`) as the changes a person would type.
 
-use std::fmt::Write as _;
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
+use std::panic::catch_unwind;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use cmra::model::impact::{Settings, simulate};
-use cmra::model::run::{Outcome, Run};
+use cmra::model::run::{EndReason, Outcome, Run};
 use cmra::model::scene::Scene;
 
 mod draw;
 
 const SCENES: u64 = 10_000;
+/// Greatest relative energy residual.
 const RESIDUAL_MAX: f64 = 1e-8;
-const STEPS_MAX: usize = 100_100;
+/// Steps a run may take here.
+const STEPS_MAX: usize = 2_500;
+/// Every so many scenes are run at two tolerances.
+const COMPARED: u64 = 20;
+/// How far the two may differ, relative, unless the error estimate says so.
+const DIFFERENCE_MAX: f64 = 1e-7;
 
+/// Known shortfalls: class, and how many of the scenes at the most.
+const KNOWN: &[(Class, usize)] = &[
+    (Class::SilentlyWrong, 2),
+    (Class::ToldWrong, 2),
+    (Class::Energy, 73),
+    (Class::StepUnderflow, 468),
+    (Class::ManySteps, 1_708),
+];
+
+/// In what a run falls short.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    Panic,
+    NotFinite,
+    /// Two tolerances give different outcomes, or results further apart than the estimate says.
+    SilentlyWrong,
+    /// Two tolerances differ, and the estimate says so.
+    ToldWrong,
+    Energy,
+    TimeRunsBack,
+    StepUnderflow,
+    StepBudget,
+    EventBudget,
+    NonFiniteEnd,
+    /// More steps than this test allows; the engine's own budget may be larger.
+    ManySteps,
+}
+
+/// A scene that falls short.
 #[derive(Clone, Debug)]
 struct Shortfall {
-    class: String,
+    class: Class,
     index: u64,
     detail: String,
 }
 
-fn run_of(scene: &Arc<Scene>, estimate: bool) -> (Run, bool) {
-    let mut last = 0.0;
-    let mut monotone = true;
-    let run = simulate(scene, &Settings { series: false, estimate }, &mut |t_s: f64| {
-        monotone &= t_s >= last || estimate;
-        last = t_s;
-        ControlFlow::Continue(())
-    })
-    .unwrap();
-    (run, monotone)
+/// A run, and whether time only went forward; `None` when it needs too many steps.
+fn run_of(scene: &Arc<Scene>) -> (Run, bool) {
+    let (mut last_s, mut steps, mut forward) = (0.0, 0, true);
+    let settings = Settings { series: false, estimate: false };
+    let run = simulate(scene, &settings, &mut |t_s| {
+        forward &= t_s >= last_s;
+        last_s = t_s;
+        steps += 1;
+        if steps > STEPS_MAX { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    (run.unwrap(), forward)
 }
 
+fn estimate_of(scene: &Arc<Scene>) -> f64 {
+    let settings = Settings { series: false, estimate: true };
+    let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+    run.error_estimate.map_or(0.0, |estimate| estimate.relative)
+}
+
+/// Final depth, or exit time; nothing while undecided.
 fn measure(run: &Run) -> Option<f64> {
     match run.outcome {
         Outcome::Perforated => run.exit_time_s,
@@ -42,122 +89,166 @@ fn measure(run: &Run) -> Option<f64> {
     }
 }
 
-fn check(index: u64) -> Option<Shortfall> {
-    let changes = draw::changes(index);
-    let scene = draw::scene(&changes);
-    let fail =
-        |class: &str, detail: String| Some(Shortfall { class: class.to_owned(), index, detail });
-    let clock = std::time::Instant::now();
-    let Ok((run, monotone)) = std::panic::catch_unwind(|| run_of(&scene, false)) else {
-        return fail("panic", String::new());
-    };
-    let took = clock.elapsed().as_secs_f64();
-    let residual = run.ledger.residual();
-    let what = format!(
-        "{} {:?} steps {} rej {} res {residual:.1e} {:.3}s {}",
-        run.outcome.word(),
-        run.end,
-        run.cost.steps,
-        run.cost.rejected,
-        took,
-        run.cost.method
-    );
-    if !run.end.is_complete() {
-        return fail(&format!("end {:?}", run.end), what);
+fn class_of_end(end: EndReason) -> Option<Class> {
+    match end {
+        EndReason::Decided | EndReason::Horizon => None,
+        EndReason::StepBudget => Some(Class::StepBudget),
+        EndReason::StepUnderflow => Some(Class::StepUnderflow),
+        EndReason::NonFinite => Some(Class::NonFiniteEnd),
+        EndReason::EventBudget => Some(Class::EventBudget),
+        EndReason::Cancelled => Some(Class::ManySteps),
     }
-    if run.outcome == Outcome::Moving {
-        return fail("moving at horizon", what);
-    }
-    let numbers = [
-        run.final_penetration_m,
-        run.exit_time_s,
-        run.max_plate_displacement_m,
-        run.residual_velocity_m_s,
-        Some(run.peak_contact_force_n),
-    ];
-    if numbers.iter().flatten().any(|z| !z.is_finite()) {
-        return fail("not finite", what);
-    }
-    if !(residual.abs() < RESIDUAL_MAX) {
-        return fail("energy", what);
-    }
-    if !monotone {
-        return fail("time runs back", what);
-    }
-    if run.cost.steps + run.cost.rejected > STEPS_MAX {
-        return fail("steps", what);
-    }
-    if index % 20 == 0 {
-        let mut tight = (*scene).clone();
-        tight.run.tolerance = 1e-11;
-        let (second, _) = run_of(&Arc::new(tight), false);
-        if second.outcome != run.outcome {
-            return fail(
-                "outcome by tolerance",
-                format!("{what} / {} {:?}", second.outcome.word(), second.end),
-            );
-        }
-        if let (Some(a), Some(b)) = (measure(&run), measure(&second)) {
-            let differ = (a / b - 1.0).abs();
-            if !(differ < 1e-7) {
-                let (told, _) = run_of(&scene, true);
-                let estimate = told.error_estimate.map_or(0.0, |e| e.relative);
-                if !(estimate * 10.0 >= differ) {
-                    return fail(
-                        "tolerances differ silently",
-                        format!("{what} differ {differ:.1e} estimate {estimate:.1e}"),
-                    );
-                }
-                return fail(
-                    "tolerances differ, told",
-                    format!("{what} differ {differ:.1e} estimate {estimate:.1e}"),
-                );
-            }
-        }
-    }
-    if took > 0.05 {
-        return fail("slow", what);
-    }
-    None
 }
 
+fn class_of(run: &Run, forward: bool) -> Option<Class> {
+    let results = [
+        run.final_penetration_m,
+        run.exit_time_s,
+        run.residual_velocity_m_s,
+        run.max_plate_displacement_m,
+        run.separation.map(|separation| separation.1),
+        Some(run.peak_contact_force_n),
+    ];
+    let residual = run.ledger.residual();
+    if let Some(class) = class_of_end(run.end) {
+        Some(class)
+    } else if !residual.is_finite() || results.iter().flatten().any(|value| !value.is_finite()) {
+        Some(Class::NotFinite)
+    } else if residual.abs() >= RESIDUAL_MAX {
+        Some(Class::Energy)
+    } else {
+        (!forward).then_some(Class::TimeRunsBack)
+    }
+}
+
+/// Two tolerances must agree, or the estimate must say that they do not.
+fn compare(scene: &Arc<Scene>, run: &Run) -> Option<(Class, String)> {
+    let mut tight = Scene::clone(scene);
+    tight.run.tolerance = 1e-11;
+    let (second, _) = run_of(&Arc::new(tight));
+    if let Some(class) = class_of_end(second.end) {
+        return Some((class, "at 1e-11".to_owned()));
+    }
+    if second.outcome != run.outcome {
+        return Some((Class::SilentlyWrong, format!("{} at 1e-11", second.outcome)));
+    }
+    let difference = (measure(run)? / measure(&second)? - 1.0).abs();
+    if difference <= DIFFERENCE_MAX {
+        return None;
+    }
+    let estimate = estimate_of(scene);
+    let told = 10.0 * estimate >= difference;
+    let class = if told { Class::ToldWrong } else { Class::SilentlyWrong };
+    Some((class, format!("differ by {difference:.1e}, estimate {estimate:.1e}")))
+}
+
+fn check(index: u64) -> Option<Shortfall> {
+    let scene = draw::scene(&draw::changes(index));
+    let short = |class, detail: String| Some(Shortfall { class, index, detail });
+    let Ok((run, forward)) = catch_unwind(|| run_of(&scene)) else {
+        return short(Class::Panic, String::new());
+    };
+    if let Some(class) = class_of(&run, forward) {
+        let Run { outcome, cost, ledger, .. } = &run;
+        let (steps, rejected, method) = (cost.steps, cost.rejected, cost.method);
+        let residual = ledger.residual();
+        let detail = format!("{outcome}, {steps}+{rejected} steps, {residual:.1e}, {method}");
+        return short(class, detail);
+    }
+    let (class, detail) = (index % COMPARED == 0).then(|| compare(&scene, &run)).flatten()?;
+    short(class, detail)
+}
+
+/// Every scene that falls short, on as many threads as there are cores.
 fn sweep() -> Vec<Shortfall> {
     let next = AtomicU64::new(1);
+    let work = || {
+        let mut list = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index > SCENES {
+                return list;
+            }
+            list.extend(check(index));
+        }
+    };
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let mut all: Vec<Shortfall> = std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..2)
-            .map(|_| {
-                scope.spawn(|| {
-                    let mut list = Vec::new();
-                    loop {
-                        let index = next.fetch_add(1, Ordering::Relaxed);
-                        if index > SCENES {
-                            return list;
-                        }
-                        list.extend(check(index));
-                    }
-                })
-            })
-            .collect();
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
         workers.into_iter().flat_map(|worker| worker.join().unwrap()).collect()
     });
-    all.sort_by(|a, b| (&a.class, a.index).cmp(&(&b.class, b.index)));
+    all.sort_by_key(|short| (short.class, short.index));
     all
 }
 
 #[test]
-fn ten_thousand() {
+fn ten_thousand_scenes_end_in_a_named_outcome_with_their_energy_in_balance() {
     let all = sweep();
-    let mut text = String::new();
-    for s in &all {
-        let _ = writeln!(
-            text,
-            "{} | {} | {} |{}",
-            s.class,
-            s.index,
-            s.detail,
-            draw::typed(&draw::changes(s.index))
+    let mut counts: BTreeMap<Class, usize> = BTreeMap::new();
+    for short in &all {
+        *counts.entry(short.class).or_default() += 1;
+        let typed = draw::typed(&draw::changes(short.index));
+        println!("{:?} | {} | {} |{typed}", short.class, short.index, short.detail);
+    }
+    for (class, count) in &counts {
+        let known = KNOWN.iter().find(|known| known.0 == *class).map_or(0, |known| known.1);
+        let first = all.iter().find(|short| short.class == *class).map(|short| short.index);
+        let typed = first.map(|index| draw::typed(&draw::changes(index))).unwrap_or_default();
+        assert!(
+            *count <= known,
+            "{class:?}: {count} scenes of {SCENES}, known {known}, all {counts:?}; for example{typed}"
         );
     }
-    std::fs::write("/tmp/w/T/sweep.txt", &text)
-        .unwrap_or_else(|_| std::fs::write("/tmp/w/stability-sweep.txt", &text).unwrap());
+}
+
+#[test]
+fn the_sequence_fills_every_range_and_reads_back_as_typed() {
+    let (mut light, mut singular, mut stops, mut plastic) = (0, 0, 0, 0);
+    for index in 1..=1_000 {
+        let scene = draw::scene(&draw::changes(index));
+        light += usize::from(scene.plate.mass_ratio < 0.1);
+        singular += usize::from(scene.mechanism.spring.exponent < 1.0);
+        stops += usize::from(scene.mechanism.stop.position_m.is_some());
+        plastic += usize::from(scene.interface.law == cmra::model::scene::InterfaceLaw::Plastic);
+    }
+    for (share, low, high) in
+        [(light, 250, 350), (singular, 450, 650), (stops, 350, 450), (plastic, 450, 550)]
+    {
+        assert!((low..high).contains(&share), "{share} is not within {low}..{high}");
+    }
+}
+
+fn json_of(arguments: &[&str]) -> (serde_json::Value, Option<i32>) {
+    let mut command = assert_cmd::Command::cargo_bin("cmra").unwrap();
+    let output = command.arg("stability").args(arguments).output().unwrap();
+    (serde_json::from_slice(&output.stdout).unwrap(), output.status.code())
+}
+
+#[test]
+fn the_exit_status_of_the_battery_says_whether_a_row_falls_short() {
+    let (value, code) = json_of(&["--quick", "--json"]);
+    let rows = value["rows"].as_array().unwrap();
+    assert!(rows.len() >= 10);
+    let short = rows.iter().filter(|row| !row["shortfall"].is_null()).count();
+    assert_eq!(value["short"], short);
+    assert_eq!(code, Some(i32::from(short > 0)));
+    for row in rows {
+        assert!(row["energy_residual"].is_number() && row["explicit"].is_string(), "{row}");
+    }
+}
+
+#[test]
+fn a_map_comes_with_its_limit_and_every_cell() {
+    let (value, code) = json_of(&["--map", "b", "--method", "rk4", "--quick", "--json"]);
+    assert_eq!(code, Some(0));
+    let columns = value["dt_s"].as_array().unwrap().len();
+    let rows = value["cells"].as_array().unwrap();
+    assert_eq!(rows.len(), value["values"].as_array().unwrap().len());
+    for row in rows {
+        let row = row.as_str().unwrap();
+        assert!(row.len() == columns && row.chars().all(|cell| "SioX.?".contains(cell)), "{row}");
+    }
+    // The stiffest damper blows up at the longest step, and nothing does at the shortest.
+    assert!(rows[rows.len() - 1].as_str().unwrap().ends_with('X'));
+    assert!(!rows.iter().any(|row| row.as_str().unwrap().starts_with('X')));
 }

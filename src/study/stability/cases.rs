@@ -139,6 +139,36 @@ pub const CASES: &[Case] = &[
     case("gamma 0.8, plastic", "gamma=0.8 k=7.5e6 interface=plastic", "pulls out on the rebound"),
     case("k 1e9, plastic", "k=1e9 interface=plastic", "interface gives way at every swing"),
     case(
+        "plastic, n 0.22, g 0",
+        "n=0.224606 k=3.69828e6 d=4.23982e-5 gamma=1.60596 v_i=5.85981 h=0.00155542 S_y=2.96422e7 C_d=0.401782 interface=plastic g=0",
+        "slips at every pass of a singular zero",
+    ),
+    case(
+        "held, then perforated",
+        "n=3 k=23231.6 gamma=2.86964 v_i=994.013 h=0.00629821 S_y=4.55128e7 C_d=0.458388 dishing=false x_stop=3.69573e-4",
+        "stop takes the plate within the contact",
+    ),
+    case(
+        "b 20, m 0.29, no drag",
+        "m=0.290733 b=19.6376 gamma=2.51221 v_i=288.844 h=0.0173945 theta=23.5572deg S_y=3.75715e6 C_d=0 dishing=false",
+        "a start whose smallness misleads",
+    ),
+    case(
+        "b 39, m 0.36, foil",
+        "m=0.358358 b=38.5484 gamma=0.0909033 v_i=150.388 h=1.83202e-4 theta=28.2262deg S_y=9.95406e8 C_d=1.4367 interface=plastic",
+        "light foil on a singular damper",
+    ),
+    case(
+        "n 0.19, m 0.22, light",
+        "n=0.188339 m=0.216286 k=835039 b=1.3593 gamma=0.0412862 v_i=718.078 h=0.00573461 S_y=8.02754e8 C_d=0.0235985",
+        "both laws singular, fast plate",
+    ),
+    case(
+        "elastic stop, n 0.4",
+        "n=0.398867 k=1.4128e6 d=4.77061e-5 gamma=0.286063 v_i=109.674 h=0.0851212 S_y=6.74302e7 interface=plastic g=0 x_stop=-4.77061e-5 stop_kind=elastic k_stop=2.86321e9",
+        "rattles on a stop without gap",
+    ),
+    case(
         "all at once",
         "n=0.3 k=1e7 b=1e4 m=0.5 gamma=0.01 theta=60deg h=0.004 v_i=300 interface=plastic",
         "singular, light, oblique, thin, plastic",

@@ -1,8 +1,8 @@
 //! Where a fixed-step method is stable: a map over its step and one variable of the scene.
 //!
-//! The analytic limit is that of the linearised plate. Its eigenvalues are the roots of z² + (b'/m_2) z + k'/m_2 with the
+//! The analytic limit is that of the linearised plate. Its eigenvalues are the roots of z² + (b'/m2) z + k'/m2 with the
 //! tangents where the contact takes the plate; Runge-Kutta's factor |R(z dt)| = 1 bounds the step: z dt = 2.828 i for the undamped
-//! spring, z dt = -2.785 for the damper alone. The force's own dependence on velocity, rate L = 2 c A u (1/m_p + cos²/m_2), adds
+//! spring, z dt = -2.785 for the damper alone. The force's own dependence on velocity, rate L = 2 c A u times the slip's mobility, adds
 //! L dt = 2.785 for Runge-Kutta. The thesis's scheme holds the force over the plate's step (forward Euler) and averages it with the last
 //! one for the projectile: r² - (1 + z (a/2 + e)) r - z a/2 = 0 with z = -L dt, and shares a of the projectile, e = 1 - a of the plate,
 //! so that L dt < 2/max(a, e).
