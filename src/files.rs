@@ -4,6 +4,7 @@
 //! written is written whole or not at all. TOML, CSV and serde stay inside this module (and JSON in `cli`): the
 //! model knows none of them. No screen, no thread and no standard output is known here.
 
+pub mod accuracy;
 pub mod atomic;
 pub mod bundled;
 pub mod csv;

@@ -7,6 +7,7 @@
 
 pub mod cache;
 mod job;
+pub mod studies;
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;

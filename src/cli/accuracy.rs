@@ -1,7 +1,6 @@
 //! `cmra accuracy [SCENE]...`: error against run time of every method, as a chart with a table and answers, CSV or JSON.
 
 mod page;
-mod rows;
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -13,10 +12,11 @@ use clap::Args;
 
 use crate::cli::scene;
 use crate::cli::{CliError, output};
+use crate::files::accuracy::{self as rows, Named};
 use crate::files::atomic::{self, Existing};
 use crate::files::bundled;
 use crate::files::error::FileError;
-use crate::study::accuracy::{Effort, Report, compare};
+use crate::study::accuracy::{Effort, compare};
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
@@ -43,9 +43,6 @@ pub(super) struct AccuracyArguments {
     #[arg(long, requires = "csv")]
     force: bool,
 }
-
-/// A scene's name and its comparison.
-pub(super) type Named = (String, Report);
 
 /// Compare the methods on each scene; exit status 1 when `auto` gave no answer somewhere.
 pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {

@@ -131,6 +131,9 @@ pub struct Cheapest {
 /// Asked before each point with the points done and to do; `Break` stops, and keeps what is there.
 pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 
+/// As [`Watch`], with what there is so far.
+pub type Onlooker<'a> = &'a mut dyn FnMut(&Report, usize, usize) -> ControlFlow<()>;
+
 /// Compare all methods on the contact phase of a scene.
 ///
 /// # Errors
@@ -140,6 +143,19 @@ pub fn compare(
     effort: Effort,
     clock: Clock<'_>,
     watch: Watch<'_>,
+) -> Result<Report, VariableError> {
+    compare_openly(scene, effort, clock, &mut |_, done, total| watch(done, total))
+}
+
+/// As [`compare`], with the report shown to the onlooker as it grows.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
+pub fn compare_openly(
+    scene: &Arc<Scene>,
+    effort: Effort,
+    clock: Clock<'_>,
+    watch: Onlooker<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     let references = references(scene);
@@ -157,10 +173,10 @@ pub fn compare(
     for (method, knobs) in plan {
         let independent = |reference: &&Reference| !reference.basis.shares_code_with(method);
         let reference = references.iter().find(independent).copied();
-        let mut points: Vec<Point> = Vec::new();
+        report.methods.push(MethodReport { method, reference, points: Vec::new() });
         let mut is_slow = false;
         for knob in knobs {
-            if !report.is_complete || watch(done, total).is_break() {
+            if !report.is_complete || watch(&report, done, total).is_break() {
                 report.is_complete = false;
                 break;
             }
@@ -179,9 +195,10 @@ pub fn compare(
                     result
                 }
             };
-            points.push(Point { knob, result });
+            if let Some(method) = report.methods.last_mut() {
+                method.points.push(Point { knob, result });
+            }
         }
-        report.methods.push(MethodReport { method, reference, points });
     }
     Ok(report)
 }

@@ -10,6 +10,7 @@ use crate::model::scene::Scene;
 use crate::tui::message::{Place, PresetEntry};
 use crate::tui::theme::{ColourDepth, Theme};
 
+pub mod accuracy;
 pub mod charts;
 pub mod dialog;
 pub mod editor;
@@ -22,6 +23,7 @@ pub mod runs;
 pub mod status;
 pub mod steps;
 
+use accuracy::Accuracy;
 use charts::Charts;
 use dialog::Dialog;
 use editor::Editor;
@@ -35,18 +37,21 @@ use runs::{Jobs, Pin, Shown};
 pub enum Tab {
     /// One impact: variables, charts, runs.
     Run,
+    /// Error against run time of every method, for the scene on the screen.
+    Accuracy,
     /// Warnings, events, energy, cost and messages.
     Log,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Self; 2] = [Self::Run, Self::Log];
+    pub const ALL: [Self; 3] = [Self::Run, Self::Accuracy, Self::Log];
 
     /// The text in the title row, with the key that leads there.
     pub fn title(self) -> &'static str {
         match self {
             Self::Run => "1:Run",
+            Self::Accuracy => "4:Accuracy",
             Self::Log => "6:Log",
         }
     }
@@ -113,6 +118,8 @@ pub struct App {
     pub current_visible: bool,
     /// The charts.
     pub charts: Charts,
+    /// The Accuracy tab.
+    pub accuracy: Accuracy,
     /// The dialog on top, if any.
     pub dialog: Option<Dialog>,
     /// The newest message, until the next key.
@@ -151,6 +158,7 @@ impl App {
             selected_run: 0,
             current_visible: true,
             charts: Charts::default(),
+            accuracy: Accuracy::default(),
             dialog: None,
             notice: None,
             log: Vec::new(),
@@ -187,6 +195,7 @@ impl App {
     pub fn place(&self) -> Place {
         match self.tab {
             Tab::Run => self.focus,
+            Tab::Accuracy => Place::Accuracy,
             Tab::Log => Place::Log,
         }
     }

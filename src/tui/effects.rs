@@ -12,6 +12,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::Incoming;
+use crate::files::accuracy::{self, Named};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::{self, ExportRequest};
@@ -31,6 +32,8 @@ pub(super) enum Task {
     SavePreset { name: String, scene: Box<Scene>, overwrite: bool },
     /// Write an export.
     Export(Box<ExportRequest>),
+    /// Write what was measured of the methods.
+    ExportAccuracy { path: PathBuf, overwrite: bool, found: Box<Named> },
     /// Tell which presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     /// Read a scene file.
@@ -169,6 +172,9 @@ impl Desk {
                 EffectReport::Saved(save_preset(paths, name, &scene, overwrite))
             }
             Task::Export(request) => EffectReport::Exported(write_export(&request)),
+            Task::ExportAccuracy { path, overwrite, found } => {
+                EffectReport::Exported(write_accuracy(path, overwrite, &found))
+            }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
                 preset::from_file(&path)
@@ -202,6 +208,16 @@ fn save_preset(
 fn write_export(request: &ExportRequest) -> ExportOutcome {
     match export::write(request) {
         Ok(files) => ExportOutcome::Written(files),
+        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
+        Err(error) => ExportOutcome::Failed(error.to_string()),
+    }
+}
+
+fn write_accuracy(path: PathBuf, overwrite: bool, found: &Named) -> ExportOutcome {
+    let written = accuracy::csv(std::slice::from_ref(found))
+        .and_then(|table| atomic::write(&path, table.as_bytes(), existing(overwrite)));
+    match written {
+        Ok(()) => ExportOutcome::Written(vec![path]),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
         Err(error) => ExportOutcome::Failed(error.to_string()),
     }

@@ -8,8 +8,10 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
+use crate::files::accuracy::Named;
 use crate::files::export::ExportRequest;
 use crate::model::scene::Scene;
+use crate::worker::studies::{Study, StudyReport};
 use crate::worker::{Job, Report};
 
 /// What can happen.
@@ -25,6 +27,8 @@ pub enum Message {
     Act(Action),
     /// A report from the worker.
     Report(Report),
+    /// A report from the thread for studies.
+    Study(StudyReport),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
     /// A job has been running for so long that leaving must not drop it unasked: its number.
@@ -98,6 +102,19 @@ pub enum Effect {
     },
     /// Write an export.
     Export(Box<ExportRequest>),
+    /// Make a study; a newer one replaces an older one.
+    Study(Study),
+    /// Stop the study that is being made.
+    CancelStudy,
+    /// Write what was measured of the methods as a table.
+    ExportAccuracy {
+        /// The CSV file.
+        path: PathBuf,
+        /// Replace an existing file.
+        overwrite: bool,
+        /// The scene's name and what was measured.
+        found: Box<Named>,
+    },
     /// Save the session soon (edits in quick succession are saved once).
     SaveSession,
     /// List presets.
@@ -132,6 +149,8 @@ pub enum Place {
     Charts,
     /// The table of runs.
     Runs,
+    /// The Accuracy tab.
+    Accuracy,
     /// The Log tab.
     Log,
 }
@@ -141,6 +160,7 @@ pub enum Place {
 #[expect(missing_docs, reason = "each action is described once, in BINDINGS, for people")]
 pub enum Action {
     TabRun,
+    TabAccuracy,
     TabLog,
     TabNext,
     TabPrevious,
@@ -304,7 +324,7 @@ const fn bind(
 
 use Action as A;
 use KeyCode as C;
-use Place::{Anywhere, Charts, Log, Runs, Variables};
+use Place::{Accuracy, Anywhere, Charts, Log, Runs, Variables};
 
 /// THE key table.
 #[rustfmt::skip]
@@ -315,7 +335,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[special(C::Tab)], A::FocusNext, "pane", "next pane", 3),
     bind(Anywhere, &[special(C::BackTab), shifted(C::BackTab)], A::FocusPrevious, "previous pane", "previous pane", 0),
     bind(Anywhere, &[plain('p')], A::Presets, "preset", "choose a preset", 5),
-    bind(Anywhere, &[plain('e')], A::Export, "export", "export runs to CSV", 6),
+    bind(Anywhere, &[plain('e')], A::Export, "export", "export to CSV: runs or, in the Accuracy tab, what was measured", 6),
     bind(Anywhere, &[plain('u')], A::Undo, "undo", "undo the last edit", 7),
     bind(Anywhere, &[ctrl('r')], A::Redo, "redo", "redo", 0),
     bind(Anywhere, &[plain('U')], A::History, "history", "list of edits, old and new", 0),
@@ -325,7 +345,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[plain('y')], A::Copy, "copy", "copy the run's results to the clipboard (OSC 52)", 0),
     bind(Anywhere, &[plain('i')], A::Interface, "interface", "switch the interface law: fused or plastic", 0),
     bind(Anywhere, &[plain('c')], A::Window, "window", "contact window or whole response", 10),
-    bind(Anywhere, &[plain('r')], A::Run, "run", "run now", 0),
+    bind(Anywhere, &[plain('r')], A::Run, "run", "run now; in the Accuracy tab, measure again", 0),
     bind(Anywhere, &[plain('a')], A::AutoRun, "auto-run", "run after every edit: on or off", 0),
     bind(Anywhere, &[ctrl('c')], A::Cancel, "cancel", "cancel the running job; without one, quit", 0),
     bind(Anywhere, &[plain('z')], A::FullPane, "full", "the focused pane fills the body", 11),
@@ -335,6 +355,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[ctrl('l')], A::Redraw, "redraw", "clear and redraw the screen", 0),
     bind(Anywhere, &[plain(':')], A::Palette, "palette", "find any action by name", 12),
     bind(Anywhere, &[plain('1')], A::TabRun, "Run", "the Run tab", 0),
+    bind(Anywhere, &[plain('4')], A::TabAccuracy, "Accuracy", "the Accuracy tab: error against run time of every method", 0),
     bind(Anywhere, &[plain('6')], A::TabLog, "Log", "the Log tab: warnings, events, energy, paths", 0),
     bind(Anywhere, &[plain('}')], A::TabNext, "next tab", "next tab", 0),
     bind(Anywhere, &[plain('{')], A::TabPrevious, "previous tab", "previous tab", 0),
@@ -385,6 +406,16 @@ pub static BINDINGS: &[Binding] = &[
     bind(Runs, &[plain('='), special(C::Enter)], A::Adopt, "adopt", "make this pinned run's scene the current one", 2),
     bind(Runs, &[plain('V')], A::ShowHide, "show/hide", "draw this run or leave it out", 4),
     bind(Runs, &[plain('D')], A::Difference, "difference", "curves as differences to the first pinned run", 0),
+
+    bind(Accuracy, &[plain('k'), special(C::Up)], A::Up, "up", "method above", 0),
+    bind(Accuracy, &[plain('j'), special(C::Down)], A::Down, "method", "method below", 3),
+    bind(Accuracy, &[plain('g'), special(C::Home)], A::First, "first", "first method", 0),
+    bind(Accuracy, &[plain('G'), special(C::End)], A::Last, "last", "last method", 0),
+    bind(Accuracy, &[plain('h'), special(C::Left)], A::CursorLeft, "left", "crosshair left: less run time", 0),
+    bind(Accuracy, &[plain('l'), special(C::Right)], A::CursorRight, "crosshair", "crosshair right: more run time", 2),
+    bind(Accuracy, &[plain('H'), shifted(C::Left)], A::CursorLeftFar, "far left", "crosshair ten columns left", 0),
+    bind(Accuracy, &[plain('L'), shifted(C::Right)], A::CursorRightFar, "far right", "crosshair ten columns right", 0),
+    bind(Accuracy, &[plain('V'), plain('x')], A::ShowHide, "show/hide", "draw this method or leave it out", 4),
 
     bind(Log, &[plain('k'), special(C::Up)], A::Up, "up", "scroll up", 0),
     bind(Log, &[plain('j'), special(C::Down)], A::Down, "scroll", "scroll down", 2),

@@ -17,6 +17,7 @@ use crate::files::paths::Paths;
 use crate::tui::app::App;
 use crate::tui::message::{Effect, EffectReport, Message};
 use crate::tui::{update, view};
+use crate::worker::studies::Studies;
 use crate::worker::{Report, Slot, Worker};
 
 /// Idle, the loop looks this often whether the terminal is still there.
@@ -56,6 +57,7 @@ pub(super) struct Shell {
     guard: Guard,
     inbox: Receiver<Incoming>,
     worker: Worker,
+    studies: Studies,
     clerk: Clerk,
     pace: Pace,
     timers: Vec<(Instant, Message)>,
@@ -84,6 +86,11 @@ impl Shell {
             // The loop may be over already.
             let _ = for_reports.send(Incoming::Message(Message::Report(report)));
         })?;
+        let for_studies = sender.clone();
+        let studies = Studies::spawn(move |report| {
+            // The loop may be over already.
+            let _ = for_studies.send(Incoming::Message(Message::Study(report)));
+        })?;
         let (mut app, recent) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
         let clerk = Clerk::spawn(paths, sender.clone())?;
@@ -100,6 +107,7 @@ impl Shell {
             guard,
             inbox,
             worker,
+            studies,
             clerk,
             pace: Pace::new(now),
             timers: Vec::new(),
@@ -280,6 +288,11 @@ impl Shell {
                 self.clerk.ask(Task::SavePreset { name, scene, overwrite });
             }
             Effect::Export(request) => self.clerk.ask(Task::Export(request)),
+            Effect::Study(study) => self.studies.submit(study),
+            Effect::CancelStudy => self.studies.cancel(),
+            Effect::ExportAccuracy { path, overwrite, found } => {
+                self.clerk.ask(Task::ExportAccuracy { path, overwrite, found });
+            }
             Effect::SaveSession => {
                 self.clerk.session_changed(start::session(&self.app, &self.recent));
             }

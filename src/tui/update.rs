@@ -7,6 +7,7 @@ use crate::tui::app::layout::Body;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::message::{self, Action, Effect, Message, Place};
 
+mod accuracy;
 mod act;
 mod charts;
 mod dialogs;
@@ -38,6 +39,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
         }
         Message::Act(action) => act::act(app, action),
         Message::Report(report) => jobs::report(app, report),
+        Message::Study(report) => accuracy::report(app, report),
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => {
             jobs::long(app, id);

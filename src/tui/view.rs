@@ -9,6 +9,7 @@ use crate::tui::app::layout::{Area, Body, Panes, SMALLEST};
 use crate::tui::message::Place;
 use crate::tui::theme::{GlyphSet, Role, ascii_pass};
 
+mod accuracy;
 mod charts;
 mod export;
 mod help;
@@ -45,6 +46,7 @@ fn draw(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
     match &layout.body {
         Body::TooSmall => return too_small(app, area, buffer),
         Body::Run(panes) => run_tab(app, panes, buffer, cursor),
+        Body::Accuracy(panes) => accuracy::render(app, panes, buffer),
         Body::Log(area) => log::render(app, rect(*area), buffer),
     }
     rows::title(app, rect(layout.title), buffer);

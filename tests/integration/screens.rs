@@ -1,5 +1,6 @@
 //! Whole screens, as a person sees them. Each was looked at before it was kept.
 
+mod accuracy;
 mod bench;
 mod keys;
 
@@ -174,4 +175,33 @@ fn a_second_axis() {
             assert_snapshot!(name, bench.screen());
         }
     }
+}
+
+#[test]
+fn the_accuracy_tab_at_every_size() {
+    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
+        for (columns, rows) in [(60, 16), (80, 24), (120, 40), (200, 60)] {
+            let mut bench = accuracy::open(glyphs, (columns, rows));
+            bench.keys("jjjlll");
+            assert_snapshot!(format!("accuracy_{columns}x{rows}_{glyphs}"), bench.screen());
+        }
+    }
+}
+
+#[test]
+fn while_accuracy_is_being_measured() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("4");
+    assert_snapshot!("accuracy_begins", bench.screen());
+    accuracy::answer(&mut bench, 4);
+    assert_snapshot!("accuracy_grows", bench.screen());
+}
+
+#[test]
+fn a_method_that_refuses_says_why() {
+    let mut bench = accuracy::open(GlyphSet::Ascii, (120, 40));
+    bench.keys("jjjjjV");
+    assert_snapshot!("accuracy_refusals", bench.screen());
+    bench.keys("e");
+    assert_snapshot!("accuracy_export", bench.screen());
 }

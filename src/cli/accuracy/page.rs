@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::cli::accuracy::Named;
+use crate::files::accuracy::Named;
 use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
 use crate::study::accuracy::method::Method;

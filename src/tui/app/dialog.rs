@@ -19,6 +19,8 @@ pub enum Dialog {
     Save(Save),
     /// What to export and where.
     Export(Box<Export>),
+    /// Where to write what was measured of the methods: a path.
+    ExportAccuracy(Save),
 }
 
 /// A list with a filter.
@@ -44,16 +46,16 @@ impl Picker {
     }
 }
 
-/// The dialog for saving a preset.
+/// A dialog for one text: a preset's name, or a path.
 #[derive(Clone, Debug)]
 pub struct Save {
-    /// The name.
+    /// The text.
     pub input: Input,
-    /// The name is the proposed one: the first character replaces it.
+    /// The text is the proposed one: the first character replaces it.
     pub fresh: bool,
-    /// A preset of this name exists: the answer to "overwrite?" is awaited.
+    /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
     pub question: bool,
-    /// Why the name is no good, or saving failed.
+    /// Why the text is no good, or saving failed.
     pub error: Option<String>,
 }
 
@@ -161,7 +163,7 @@ pub fn wrap(at: usize, by: isize, count: usize) -> usize {
 
 /// The bindings the help overlay lists: the focused pane first, then those that work anywhere, then the other panes.
 pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
-    let order = [Place::Variables, Place::Charts, Place::Runs, Place::Log];
+    let order = [Place::Variables, Place::Charts, Place::Runs, Place::Accuracy, Place::Log];
     let others = order.into_iter().filter(|place| *place != focus);
     let places = [focus, Place::Anywhere].into_iter().chain(others);
     let wanted = filter.to_lowercase();

@@ -65,6 +65,8 @@ pub enum Body {
     TooSmall,
     /// The Run tab.
     Run(Panes),
+    /// The Accuracy tab.
+    Accuracy(AccuracyPanes),
     /// The Log tab.
     Log(Area),
 }
@@ -84,6 +86,17 @@ pub struct Panes {
     pub ledger: Option<Area>,
 }
 
+/// The panes of the Accuracy tab.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AccuracyPanes {
+    /// Error against run time.
+    pub chart: Area,
+    /// The methods, and what is to be said of the selected one.
+    pub methods: Area,
+    /// What some accuracies cost here.
+    pub answers: Area,
+}
+
 impl Layout {
     /// Columns of a chart that stand for time.
     pub fn chart_columns(&self) -> u16 {
@@ -91,6 +104,7 @@ impl Layout {
             Body::Run(panes) => {
                 panes.charts.first().map_or(40, |area| area.width.saturating_sub(12))
             }
+            Body::Accuracy(panes) => panes.chart.width.saturating_sub(12),
             Body::TooSmall | Body::Log(_) => 40,
         }
     }
@@ -101,7 +115,7 @@ impl Layout {
             Body::Run(panes) => {
                 panes.variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
             }
-            Body::TooSmall | Body::Log(_) => 10,
+            Body::TooSmall | Body::Accuracy(_) | Body::Log(_) => 10,
         }
     }
 
@@ -109,7 +123,7 @@ impl Layout {
     pub fn log_rows(&self) -> usize {
         match &self.body {
             Body::Log(area) => usize::from(area.height.saturating_sub(2)),
-            Body::TooSmall | Body::Run(_) => 10,
+            Body::TooSmall | Body::Run(_) | Body::Accuracy(_) => 10,
         }
     }
 }
@@ -134,6 +148,7 @@ pub fn layout(
         Body::TooSmall
     } else {
         match tab {
+            Tab::Accuracy => Body::Accuracy(accuracy(body)),
             Tab::Log => Body::Log(body),
             Tab::Run if full_pane => Body::Run(full(body, focus)),
             Tab::Run if width < WIDE => Body::Run(narrow(body, height, focus, pins)),
@@ -154,7 +169,7 @@ pub fn layout(
 
 fn full(body: Area, focus: Place) -> Panes {
     match focus {
-        Place::Variables | Place::Anywhere | Place::Log => {
+        Place::Variables | Place::Anywhere | Place::Accuracy | Place::Log => {
             Panes { variables: Some(body), ..Panes::default() }
         }
         Place::Charts => Panes { charts: stacked(body), ..Panes::default() },
@@ -197,6 +212,18 @@ fn wide(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
     }
     panes.charts = stacked(right);
     panes
+}
+
+/// The chart beside the methods, and a row for each answer below.
+fn accuracy(body: Area) -> AccuracyPanes {
+    let (top, answers) = body.split_bottom(2);
+    let wanted = match body.width {
+        0..72 => 29,
+        72..WIDE => 35,
+        WIDE.. => 54,
+    };
+    let (chart, methods) = top.split_left(top.width - wanted.min(top.width));
+    AccuracyPanes { chart, methods, answers }
 }
 
 /// Header, the current run, the pins, and what differs from the first pin.

@@ -1,10 +1,10 @@
 //! The texts of the message row and the status row, and the summary printed after leaving. No drawing.
 
-use super::App;
 use super::notice::Severity;
 use super::quantity::Quantity;
 use super::runs::{RunView, engineering, millimetres, name_of};
 use super::show_duration;
+use super::{App, Tab};
 use crate::model::run::{EstimateBasis, Outcome, Run, Warning};
 use crate::tui::message::Place;
 
@@ -39,6 +39,11 @@ impl App {
         }
         if self.place() == Place::Charts && self.charts.cursor_s.is_some() {
             return (Severity::Note, clip(&self.readout(), width.saturating_sub(4)));
+        }
+        if self.place() == Place::Accuracy
+            && let Some(text) = self.accuracy_readout()
+        {
+            return (Severity::Note, clip(&text, width.saturating_sub(4)));
         }
         if self.place() == Place::Variables {
             let variable = self.editor.variable();
@@ -85,6 +90,9 @@ impl App {
 
     /// The parts of the status row, the most important first; the second of a pair is a shorter form.
     pub fn status(&self) -> Vec<(Severity, String, String)> {
+        if self.tab == Tab::Accuracy {
+            return self.accuracy_status();
+        }
         let same = |severity, text: String| (severity, text.clone(), text);
         let mut parts = vec![self.state_words()];
         let Some(shown) = &self.shown else {

@@ -1,13 +1,14 @@
 //! One action of the key table.
 
 use crate::model::units;
+use crate::study::accuracy::method::Method;
 use crate::tui::app::dialog::{Dialog, Picker};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::steps::Size;
 use crate::tui::app::{App, Tab, runs as run_words};
 use crate::tui::message::{Action, Effect, Place};
 
-use super::{charts, dialogs, edit, export, field, jobs, runs};
+use super::{accuracy, charts, dialogs, edit, export, field, jobs, runs};
 
 /// Do it, in the pane that has the keys.
 pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
@@ -20,8 +21,13 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         app.editor.stride = None;
     }
     match action {
-        A::TabRun | A::TabLog | A::TabNext | A::TabPrevious => tabs(app, action),
-        A::FocusNext | A::FocusPrevious if app.tab == Tab::Log => app.tab = Tab::Run,
+        _ if app.tab == Tab::Accuracy && accuracy::is_own(action) => {
+            return accuracy::act(app, action);
+        }
+        A::TabRun | A::TabAccuracy | A::TabLog | A::TabNext | A::TabPrevious => {
+            return tabs(app, action);
+        }
+        A::FocusNext | A::FocusPrevious if app.tab != Tab::Run => app.tab = Tab::Run,
         A::FocusNext | A::FocusPrevious => focus(app, action == A::FocusNext),
         A::Up | A::Down | A::First | A::Last | A::PageUp | A::PageDown => movement(app, action),
         A::Edit => return field::open(app),
@@ -88,16 +94,18 @@ fn is_step(action: Action) -> bool {
     )
 }
 
-fn tabs(app: &mut App, action: Action) {
+fn tabs(app: &mut App, action: Action) -> Vec<Effect> {
     let at = Tab::ALL.iter().position(|tab| *tab == app.tab).unwrap_or(0);
     let count = Tab::ALL.len();
     app.tab = match action {
         Action::TabRun => Tab::Run,
+        Action::TabAccuracy => Tab::Accuracy,
         Action::TabLog => Tab::Log,
         Action::TabPrevious => Tab::ALL[(at + count - 1) % count],
         _ => Tab::ALL[(at + 1) % count],
     };
     app.log_scroll = 0;
+    if app.tab == Tab::Accuracy { accuracy::enter(app) } else { Vec::new() }
 }
 
 fn focus(app: &mut App, forward: bool) {
@@ -139,6 +147,11 @@ fn movement(app: &mut App, action: Action) {
             let last = app.pins.len();
             app.selected_run = app.selected_run.saturating_add_signed(by(8)).min(last);
         }
+        Place::Accuracy => {
+            let last = Method::ALL.len() - 1;
+            let selected = app.accuracy.selected;
+            app.accuracy.selected = selected.saturating_add_signed(by(8)).min(last);
+        }
         Place::Log => {
             let rows = app.layout().log_rows();
             let most = app.log_lines(usize::from(app.size.0)).len().saturating_sub(rows);
@@ -160,17 +173,20 @@ fn auto_run(app: &mut App) -> Vec<Effect> {
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let quit = |summary| vec![Effect::SaveSession, Effect::Quit { summary }];
     let running = app.jobs.current.is_some();
-    let long = app.jobs.current.as_ref().is_some_and(|job| job.long);
+    let study = app.accuracy.measuring.as_ref();
+    let long = app.jobs.current.as_ref().is_some_and(|job| job.long)
+        || study.is_some_and(|study| study.long);
     match action {
         Action::Quit | Action::QuitWithSummary if long && !app.jobs.asked_to_quit => {
             app.jobs.asked_to_quit = true;
             app.say(
                 Severity::Warning,
-                "a run has been going on for more than 5 s: q again leaves without it, Esc stops it",
+                "a job has been going on for more than 5 s: q again leaves without it, Esc stops it",
             );
             Vec::new()
         }
         Action::Cancel | Action::Back if running => vec![Effect::CancelJob],
+        Action::Cancel | Action::Back if study.is_some() => vec![Effect::CancelStudy],
         Action::Back => {
             if app.full_pane {
                 app.full_pane = false;

@@ -7,13 +7,14 @@ use crate::tui::app::dialog::{self, Dialog, Picker, Save};
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::message::{Binding, Effect, Place, PresetEntry};
 
-use super::{act, edit, export, input, runs};
+use super::{accuracy, act, edit, export, input, runs};
 
 /// A key while a dialog is open.
 pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     match app.dialog.take() {
         Some(Dialog::Save(state)) => save_key(app, state, key),
         Some(Dialog::Export(state)) => export::press(app, *state, key),
+        Some(Dialog::ExportAccuracy(state)) => accuracy::press(app, state, key),
         Some(Dialog::Help(picker)) => in_list(app, picker, key, Kind::Help),
         Some(Dialog::Palette(picker)) => in_list(app, picker, key, Kind::Palette),
         Some(Dialog::Presets(picker)) => in_list(app, picker, key, Kind::Presets),
@@ -109,7 +110,7 @@ pub(super) fn after_typing(app: &mut App) {
         Some(Dialog::Help(picker) | Dialog::Palette(picker) | Dialog::Presets(picker)) => {
             picker.selected = 0;
         }
-        Some(Dialog::Save(save)) => {
+        Some(Dialog::Save(save) | Dialog::ExportAccuracy(save)) => {
             save.question = false;
             save.error = None;
         }
@@ -149,6 +150,7 @@ fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
 fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
     match row.place {
         Place::Anywhere => {}
+        Place::Accuracy => app.tab = crate::tui::app::Tab::Accuracy,
         Place::Log => app.tab = crate::tui::app::Tab::Log,
         Place::Variables | Place::Charts | Place::Runs => {
             app.tab = crate::tui::app::Tab::Run;

@@ -47,13 +47,17 @@ fn saved(app: &mut App, name: String, path: &Path) -> Vec<Effect> {
 fn exported(app: &mut App, outcome: ExportOutcome) {
     match (outcome, &mut app.dialog) {
         (ExportOutcome::Written(files), dialog) => {
-            if matches!(dialog, Some(Dialog::Export(_))) {
+            if matches!(dialog, Some(Dialog::Export(_) | Dialog::ExportAccuracy(_))) {
                 *dialog = None;
             }
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.say(Severity::Note, format!("written: {}", names.join(" and ")));
         }
         (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
+        (ExportOutcome::Exists(_), Some(Dialog::ExportAccuracy(save))) => save.question = true,
+        (ExportOutcome::Failed(text), Some(Dialog::ExportAccuracy(save))) => {
+            save.error = Some(text);
+        }
         (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
         (ExportOutcome::Exists(path), _) => {
             app.say(Severity::Error, format!("{} exists and was left alone", path.display()));

@@ -15,7 +15,7 @@ use crate::worker::{Job, Report, ReportBody, Slot};
 const QUIET: Duration = Duration::from_millis(30);
 
 /// From this on, counted from its first report, a job is too long to be dropped unasked.
-const LONG: Duration = Duration::from_secs(5);
+pub(super) const LONG: Duration = Duration::from_secs(5);
 
 /// After an edit: run at once when nothing is in flight, else when the edits have paused.
 pub(super) fn after_edit(app: &mut App) -> Vec<Effect> {
@@ -85,6 +85,9 @@ pub(super) fn run_due(app: &mut App, serial: u64) -> Vec<Effect> {
 pub(super) fn long(app: &mut App, id: u64) {
     if let Some(job) = app.jobs.current.as_mut().filter(|job| job.id == id) {
         job.long = true;
+    }
+    if let Some(study) = app.accuracy.measuring.as_mut().filter(|study| study.id == id) {
+        study.long = true;
     }
 }
 

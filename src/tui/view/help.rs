@@ -84,6 +84,7 @@ fn place(place: Place) -> &'static str {
         Place::Variables => "Variables",
         Place::Charts => "Charts",
         Place::Runs => "Runs",
+        Place::Accuracy => "Accuracy",
         Place::Log => "Log",
     }
 }

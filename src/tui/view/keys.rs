@@ -72,6 +72,10 @@ fn in_dialog(dialog: &Dialog) -> Keys {
         Dialog::Save(save) if save.question => {
             &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
         }
+        Dialog::ExportAccuracy(save) if save.question => {
+            &[("y", "overwrite"), ("n", "another name")]
+        }
+        Dialog::ExportAccuracy(_) => &[("Enter", "write"), ("Esc", "close")],
         Dialog::Save(_) => &[("Enter", "save"), ("Esc", "do not save")],
         Dialog::Export(export) if export.question => {
             &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]
@@ -92,8 +96,12 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
     let mut rows: Vec<&Binding> = BINDINGS
         .iter()
         .filter(|row| row.footer > 0 && (row.place == place || row.place == Place::Anywhere))
-        // The Log tab has one pane.
-        .filter(|row| place != Place::Log || row.action != Action::FocusNext)
+        // These tabs have one pane.
+        .filter(|row| {
+            let single = matches!(place, Place::Log | Place::Accuracy);
+            let elsewhere = [Action::FocusNext, Action::Pin, Action::Window, Action::FullPane];
+            !single || !elsewhere.contains(&row.action)
+        })
         .collect();
     rows.sort_by_key(|row| (row.footer, row.place == Place::Anywhere));
     let mut used = 1;
@@ -122,6 +130,7 @@ fn entry(row: &Binding) -> (String, &'static str) {
     let Some(other) = other else {
         return (key, short);
     };
+    let short = if short.is_empty() { row.short } else { short };
     (if first { format!("{key}/{other}") } else { format!("{other}/{key}") }, short)
 }
 
@@ -132,7 +141,7 @@ fn opposite(action: Action) -> Option<(Action, &'static str, bool)> {
         Action::CursorRight => Some((Action::CursorLeft, "crosshair", false)),
         Action::ZoomIn => Some((Action::ZoomOut, "zoom", true)),
         Action::EventNext => Some((Action::EventPrevious, "event", true)),
-        Action::Down => Some((Action::Up, "scroll", true)),
+        Action::Down => Some((Action::Up, "", true)),
         _ => None,
     }
 }

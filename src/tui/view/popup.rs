@@ -18,6 +18,9 @@ pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer, cursor: &mut 
         Some(Dialog::Presets(picker)) => presets::render(app, picker, screen, buffer, cursor),
         Some(Dialog::History(picker)) => history::render(app, picker, screen, buffer),
         Some(Dialog::Save(state)) => save::render(app, state, screen, buffer, cursor),
+        Some(Dialog::ExportAccuracy(state)) => {
+            save::path(app, state, screen, buffer, cursor);
+        }
         Some(Dialog::Export(state)) => export::render(app, state, screen, buffer, cursor),
         None => {}
     }

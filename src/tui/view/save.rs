@@ -1,4 +1,4 @@
-//! The dialog for saving the scene as a preset.
+//! The dialogs for one text: a preset's name, and the path of a table.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -20,14 +20,7 @@ pub(super) fn render(
     cursor: &mut Cursor,
 ) {
     let inner = frame(app, screen, (64, 9), ("Save the scene as a preset", ""), buffer);
-    let lead = put(buffer, inner, (0, 1), "name  ", app.theme.style(Role::Title));
-    let room = usize::from(inner.width.saturating_sub(lead + 1));
-    let scroll = state.input.visual_scroll(room);
-    let shown: String = state.input.value().chars().skip(scroll).take(room).collect();
-    let style = app.theme.style(if state.fresh { Role::Selection } else { Role::Text });
-    put(buffer, inner, (lead, 1), &shown, style);
-    let at = u16::try_from(state.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
-    *cursor = Some((inner.x + lead + at, inner.y + 1));
+    field(app, state, ("name  ", inner), buffer, cursor);
     let (text, role) = if state.question {
         let name = state.input.value().trim();
         (
@@ -39,7 +32,51 @@ pub(super) fn render(
     } else {
         ("kept with your own presets; `cmra NAME` opens it".to_owned(), Role::Dim)
     };
-    for (row, line) in (3..inner.height).zip(wrap(&text, usize::from(inner.width))) {
+    below(app, (&text, role), inner, buffer);
+}
+
+/// Draw the dialog for the path of what was measured.
+pub(super) fn path(
+    app: &App,
+    state: &Save,
+    screen: Rect,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let titles = ("Export what was measured to CSV", "Enter writes");
+    let inner = frame(app, screen, (76, 9), titles, buffer);
+    field(app, state, ("file  ", inner), buffer, cursor);
+    let target = app.directory.join(state.input.value().trim());
+    let (text, role) = if state.question {
+        (format!("{} exists: overwrite it? y / n", target.display()), Role::Warning)
+    } else if let Some(error) = &state.error {
+        (format!("x {error}"), Role::Error)
+    } else {
+        (format!("one row a point, as {}", target.display()), Role::Dim)
+    };
+    below(app, (&text, role), inner, buffer);
+}
+
+/// The text being typed, after its name.
+fn field(
+    app: &App,
+    state: &Save,
+    (name, inner): (&str, Rect),
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let lead = put(buffer, inner, (0, 1), name, app.theme.style(Role::Title));
+    let room = usize::from(inner.width.saturating_sub(lead + 1));
+    let scroll = state.input.visual_scroll(room);
+    let shown: String = state.input.value().chars().skip(scroll).take(room).collect();
+    let style = app.theme.style(if state.fresh { Role::Selection } else { Role::Text });
+    put(buffer, inner, (lead, 1), &shown, style);
+    let at = u16::try_from(state.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
+    *cursor = Some((inner.x + lead + at, inner.y + 1));
+}
+
+fn below(app: &App, (text, role): (&str, Role), inner: Rect, buffer: &mut Buffer) {
+    for (row, line) in (3..inner.height).zip(wrap(text, usize::from(inner.width))) {
         put(buffer, inner, (0, row), &line, app.theme.style(role));
     }
 }

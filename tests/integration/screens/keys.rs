@@ -33,7 +33,7 @@ fn select(bench: &mut Bench, symbol: &str) {
 
 #[test]
 fn no_key_does_two_things_in_one_place() {
-    for place in [Place::Variables, Place::Charts, Place::Runs, Place::Log] {
+    for place in [Place::Variables, Place::Charts, Place::Runs, Place::Accuracy, Place::Log] {
         let mut seen = HashSet::new();
         for binding in BINDINGS.iter().filter(|row| row.place == place) {
             for key in binding.keys {
@@ -63,6 +63,7 @@ fn every_key_works_in_its_place_and_draws() {
                 Place::Anywhere | Place::Variables => {}
                 Place::Charts => bench.keys("<Tab>"),
                 Place::Runs => bench.keys("<Tab><Tab>j"),
+                Place::Accuracy => bench.keys("4"),
                 Place::Log => bench.keys("6"),
             }
             bench.send(Message::Key(KeyEvent::new(key.0, key.1)));

@@ -1,14 +1,15 @@
-//! The comparison as rows for machines: CSV with one row a point, JSON with the same keys.
+//! A comparison of methods as rows for machines: CSV with one row a point, JSON with the same keys.
 
 use serde_json::{Map, Value};
 
-use crate::cli::CliError;
-use crate::cli::accuracy::Named;
 use crate::files::error::FileError;
 use crate::model::units;
 use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::reference::Reference;
 use crate::study::accuracy::{MethodReport, Point, Report};
+
+/// A scene's name and its comparison.
+pub type Named = (String, Report);
 
 /// Columns of the CSV and keys of a point.
 const COLUMNS: [&str; 20] = [
@@ -38,7 +39,7 @@ const COLUMNS: [&str; 20] = [
 const JUDGE: [&str; 2] = ["reference", "reference_uncertainty"];
 
 /// Whether `auto` gave an answer, whatever its knob.
-pub(super) fn auto_answers(report: &Report) -> bool {
+pub fn auto_answers(report: &Report) -> bool {
     report.methods.iter().all(|method| {
         method.method != Method::Auto || method.points.iter().all(|point| point.result.is_ok())
     })
@@ -79,10 +80,13 @@ fn values(scene: &str, method: &MethodReport, point: &Point) -> [Value; COLUMNS.
     ]
 }
 
-/// One row a point.
-pub(super) fn csv(reports: &[Named]) -> Result<String, CliError> {
+/// CSV text, one row a point.
+///
+/// # Errors
+/// [`FileError::Csv`] should a row be malformed.
+pub fn csv(reports: &[Named]) -> Result<String, FileError> {
     let mut writer = ::csv::Writer::from_writer(Vec::new());
-    let table = |error: ::csv::Error| CliError::File(FileError::Csv(error));
+    let table = FileError::Csv;
     writer.write_record(COLUMNS.iter().chain(&JUDGE)).map_err(table)?;
     for (name, report) in reports {
         for method in &report.methods {
@@ -104,7 +108,7 @@ fn judge(reference: Option<&Reference>) -> [Value; JUDGE.len()] {
 }
 
 /// A list with one object a scene.
-pub(super) fn json(reports: &[Named]) -> String {
+pub fn json(reports: &[Named]) -> String {
     let list: Vec<Value> = reports.iter().map(|(name, report)| scene(name, report)).collect();
     // Keys are strings and every number is finite, so nothing can be refused.
     serde_json::to_string_pretty(&list).unwrap_or_default() + "\n"

@@ -1,0 +1,260 @@
+//! The Accuracy tab: what was measured, what is selected, and its rows and readouts in words. No drawing.
+
+use std::sync::Arc;
+
+use super::App;
+use super::notice::Severity;
+use crate::model::contact_phase::Ending;
+use crate::model::scene::Scene;
+use crate::model::units::Engineering;
+use crate::study::accuracy::method::{Knob, Method};
+use crate::study::accuracy::{Cheapest, Measured, MethodReport, Report};
+
+/// The accuracies asked for in the table and in the answers.
+pub const TARGETS: [f64; 2] = [1e-6, 1e-9];
+
+/// A study that has not ended.
+#[derive(Clone, Debug)]
+pub struct Measuring {
+    /// Its number.
+    pub id: u64,
+    /// Of which scene.
+    pub scene: Arc<Scene>,
+    /// Points done and in all, once known.
+    pub points: Option<(usize, usize)>,
+    /// It has been running for so long that leaving asks first.
+    pub long: bool,
+}
+
+/// The state of the tab.
+#[derive(Clone, Debug, Default)]
+pub struct Accuracy {
+    /// What was measured so far.
+    pub report: Option<Arc<Report>>,
+    /// What is being measured.
+    pub measuring: Option<Measuring>,
+    /// Row of the selected method in [`Method::ALL`].
+    pub selected: usize,
+    /// Methods that are not drawn.
+    pub hidden: Vec<Method>,
+    /// Where the crosshair stands: a run time, s.
+    pub cursor_s: Option<f64>,
+}
+
+impl Accuracy {
+    /// The selected method.
+    pub fn method(&self) -> Method {
+        Method::ALL[self.selected.min(Method::ALL.len() - 1)]
+    }
+
+    /// What was measured of a method.
+    pub fn of(&self, method: Method) -> Option<&MethodReport> {
+        self.report.as_ref()?.methods.iter().find(|one| one.method == method)
+    }
+
+    /// Run time and error of every drawn point, s and relative, method by method.
+    pub fn curves(&self) -> Vec<(Method, Vec<(f64, f64)>)> {
+        let methods = self.report.iter().flat_map(|report| &report.methods);
+        methods
+            .filter(|one| !self.hidden.contains(&one.method))
+            .map(|one| {
+                let points = one.measured().map(|(_, it)| (it.timing.min_s, it.error())).collect();
+                (one.method, points)
+            })
+            .collect()
+    }
+
+    /// The least and greatest run time of all that is drawn, s.
+    pub fn times_s(&self) -> Option<(f64, f64)> {
+        let curves = self.curves();
+        let mut times: Vec<f64> = curves.iter().flat_map(|one| &one.1).map(|it| it.0).collect();
+        times.retain(|time| time.is_finite() && *time > 0.0);
+        times.sort_by(f64::total_cmp);
+        Some((*times.first()?, *times.last()?))
+    }
+
+    /// Move the crosshair by a share of the decades in view.
+    pub fn move_cursor(&mut self, share: f64) {
+        let Some((least, most)) = self.times_s() else {
+            return;
+        };
+        let here = self.cursor_s.unwrap_or((least * most).sqrt());
+        self.cursor_s = Some((here * (most / least).powf(share)).clamp(least, most));
+    }
+
+    /// The best a method gives within a run time.
+    pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Knob, &Measured)> {
+        let report = self.of(method)?;
+        let affordable = report.measured().filter(|(_, it)| it.timing.min_s <= time_s);
+        affordable.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
+    }
+
+    /// What is to be shown of the selected method: the best within the crosshair's time, or its quickest where that is too
+    /// short; without a crosshair its most accurate point.
+    pub fn example(&self) -> Option<(Knob, &Measured)> {
+        let method = self.method();
+        let time_s = self.cursor_s.unwrap_or(f64::INFINITY);
+        self.best_within(method, time_s).or_else(|| {
+            let all = self.of(method)?.measured();
+            all.min_by(|a, b| a.1.timing.min_s.total_cmp(&b.1.timing.min_s))
+        })
+    }
+}
+
+impl App {
+    /// Whether what was measured belongs to another scene than the one on the screen.
+    pub fn accuracy_is_old(&self) -> bool {
+        self.accuracy.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
+    }
+
+    /// What every method gives at the crosshair, in one line.
+    pub fn accuracy_readout(&self) -> Option<String> {
+        let time_s = self.accuracy.cursor_s?;
+        let shown = Method::ALL.into_iter().filter(|one| !self.accuracy.hidden.contains(one));
+        let values: Vec<String> = shown
+            .filter_map(|method| {
+                let (_, best) = self.accuracy.best_within(method, time_s)?;
+                Some(format!("{} {:.0e}", method.letter(), best.error()))
+            })
+            .collect();
+        Some(format!("within {}: {}", seconds(time_s), values.join("  ")))
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn accuracy_status(&self) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let tab = &self.accuracy;
+        let count = tab
+            .report
+            .as_ref()
+            .map_or(0, |report| report.methods.iter().map(|one| one.points.len()).sum());
+        let mut parts = Vec::new();
+        if let Some(measuring) = &tab.measuring {
+            let (done, total) = measuring.points.unwrap_or_default();
+            let text = match total {
+                0 => "measuring (Esc stops)".to_owned(),
+                _ => format!("measuring: {done} of {total} points (Esc stops)"),
+            };
+            parts.push(same(Severity::Note, text));
+        } else if self.accuracy_is_old() {
+            let text = "old: r measures the changed scene".to_owned();
+            parts.push(same(Severity::Warning, text));
+        } else if let Some(report) = &tab.report {
+            parts.push(same(
+                if report.is_complete { Severity::Note } else { Severity::Warning },
+                format!(
+                    "{} {count} points",
+                    if report.is_complete { "measured" } else { "stopped after" }
+                ),
+            ));
+        } else {
+            parts.push(same(Severity::Note, "not measured yet: r measures".to_owned()));
+        }
+        if let Some(first) = tab.report.as_ref().and_then(|report| report.references.first()) {
+            let sure = first.uncertainty.map_or_else(
+                || "uncertainty unknown".to_owned(),
+                |uncertainty| format!("good to {uncertainty:.0e}"),
+            );
+            let words = first.basis.words();
+            parts.push((
+                Severity::Note,
+                format!("judged by {words}, {sure}"),
+                format!("by {words}"),
+            ));
+            parts.push(same(
+                Severity::Note,
+                match first.ending {
+                    Ending::Arrest => format!("{} deep", engineering(first.depth_m, "m", 7)),
+                    Ending::Perforation => "perforated".to_owned(),
+                },
+            ));
+        }
+        if let Some(unsteady) =
+            tab.report.as_ref().map(|report| unsteady(report)).filter(|it| *it > 0)
+        {
+            parts.push(same(
+                Severity::Warning,
+                format!("{unsteady} timings unsteady: busy machine"),
+            ));
+        }
+        parts
+    }
+
+    /// What some accuracies cost here, one line each.
+    pub fn accuracy_answers(&self) -> Vec<String> {
+        let Some(report) = &self.accuracy.report else {
+            return Vec::new();
+        };
+        TARGETS
+            .iter()
+            .map(|target| match report.cheapest(*target) {
+                Some(found) => {
+                    format!("{target:.0e} costs {} here, {}", seconds(found.min_s), by(&found))
+                }
+                None => format!("{target:.0e}: no method gets there"),
+            })
+            .collect()
+    }
+
+    /// All about the selected method: its example point, then what it refused and why.
+    pub fn accuracy_details(&self) -> Vec<(Severity, String)> {
+        let method = self.accuracy.method();
+        let mut lines = vec![(Severity::Note, format!("{} {}", method.letter(), method.name()))];
+        let mut add = |severity, text: String| lines.push((severity, text));
+        let Some(report) = self.accuracy.of(method) else {
+            add(Severity::Note, "not measured yet".to_owned());
+            return lines;
+        };
+        if let Some((knob, it)) = self.accuracy.example() {
+            let floor = if it.is_at_floor() { " (floor)" } else { "" };
+            let spread = it.timing.mad_s.map_or_else(
+                || "one run".to_owned(),
+                |mad_s| format!("+-{:.0} %", 100.0 * mad_s / it.timing.median_s),
+            );
+            let knob = knob.to_string();
+            let lead = if knob.is_empty() { String::new() } else { format!("{knob}: ") };
+            add(Severity::Note, format!("{lead}error {:.1e}{floor}", it.error()));
+            add(Severity::Note, format!("{} {spread}", seconds(it.timing.min_s)));
+            let answer = &it.answer;
+            add(
+                Severity::Note,
+                format!("{} steps, {} evaluations", answer.steps, answer.evaluations),
+            );
+        }
+        let mut reasons: Vec<(&str, usize)> = Vec::new();
+        for refusal in report.points.iter().filter_map(|point| point.result.err()) {
+            match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
+                Some((_, count)) => *count += 1,
+                None => reasons.push((refusal.words(), 1)),
+            }
+        }
+        let total = report.points.len();
+        for (words, count) in reasons {
+            add(Severity::Warning, format!("{count} of {total}: {words}"));
+        }
+        lines
+    }
+}
+
+/// Points whose times spread by more than a fifth.
+fn unsteady(report: &Report) -> usize {
+    let measured = report.methods.iter().flat_map(MethodReport::measured);
+    measured
+        .filter(|(_, it)| it.timing.mad_s.is_some_and(|mad_s| mad_s > 0.2 * it.timing.median_s))
+        .count()
+}
+
+fn by(found: &Cheapest) -> String {
+    let knob = found.knob.to_string();
+    let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };
+    format!("by {}{with}", found.method.name())
+}
+
+/// A run time, in a few characters.
+pub fn seconds(value: f64) -> String {
+    engineering(value, "s", 2)
+}
+
+fn engineering(value: f64, unit: &'static str, digits: usize) -> String {
+    Engineering { value, unit, digits }.to_string()
+}

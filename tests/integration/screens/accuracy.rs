@@ -1,0 +1,213 @@
+//! The Accuracy tab: keys and whole screens, on made-up measurements whose digits never change a picture.
+
+use std::sync::Arc;
+
+use super::bench::Bench;
+use cmra::model::contact_phase::{Answer, Ending, Refusal};
+use cmra::model::scene::Scene;
+use cmra::study::accuracy::method::{Knob, Ladder, Method};
+use cmra::study::accuracy::reference::{Basis, Reference};
+use cmra::study::accuracy::timing::Timing;
+use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
+use cmra::tui::app::Tab;
+use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::theme::GlyphSet;
+use cmra::worker::studies::{Study, StudyBody, StudyReport};
+
+/// When the made-up contact ends, s, and how deep it is then, m.
+const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
+
+/// Order, error at ten steps (or at a tolerance of one), and cost of a step, s, of a made-up method.
+fn character(method: Method) -> (f64, f64, f64) {
+    match method {
+        Method::ThesisPrinted => (0.0, 0.2, 40e-9),
+        Method::ThesisMended => (1.0, 0.05, 42e-9),
+        Method::Rk4 => (1.5, 0.02, 50e-9),
+        Method::Rk4Events => (4.0, 1e-3, 60e-9),
+        Method::Dop853 => (8.0, 0.5, 200e-9),
+        Method::Radau => (5.0, 0.8, 2e-6),
+        Method::Taylor => (16.0, 0.1, 100e-9),
+        Method::ClosedForm => (0.0, 0.0, 0.0),
+        Method::Auto => (16.0, 0.05, 110e-9),
+    }
+}
+
+fn point(method: Method, knob: Knob) -> Point {
+    let (order, lead, cost_s) = character(method);
+    let steps = match knob {
+        Knob::None => 1.0,
+        Knob::Step(dt_s) => END.0 / dt_s,
+        Knob::Tolerance(tolerance) => 4.0 + (lead / tolerance).powf(1.0 / order),
+    };
+    let error = match knob {
+        Knob::None => 0.0,
+        Knob::Step(_) => lead * (10.0 / steps).powf(order),
+        Knob::Tolerance(tolerance) => 0.3 * tolerance,
+    };
+    let refused = match method {
+        Method::ClosedForm => Some(Refusal::NoClosedForm),
+        Method::Radau if error < 1e-11 => Some(Refusal::TooSlow),
+        _ => None,
+    };
+    let min_s = steps * cost_s;
+    let whole: usize = format!("{steps:.0}").parse().expect("a whole number");
+    let measured = Measured {
+        answer: Answer {
+            ending: Ending::Arrest,
+            t_s: END.0,
+            depth_m: END.1,
+            steps: whole,
+            rejected: 0,
+            evaluations: 4 * whole,
+        },
+        depth_error: error,
+        time_error: error,
+        floor: 1e-15,
+        timing: Timing { min_s, median_s: 1.02 * min_s, mad_s: Some(0.01 * min_s), repeats: 992 },
+    };
+    Point { knob, result: refused.map_or(Ok(measured), Err) }
+}
+
+/// Made-up measurements of the first so many methods.
+fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
+    let reference = Reference {
+        basis: Basis::Stored("S2"),
+        ending: Ending::Arrest,
+        t_s: END.0,
+        depth_m: END.1,
+        uncertainty: Some(1e-15),
+    };
+    let of = |method: Method| {
+        let knobs = method.knobs(END.0, Ladder::Full);
+        let points = knobs.into_iter().map(|knob| point(method, knob)).collect();
+        MethodReport { method, reference: Some(reference), points }
+    };
+    Report {
+        scene: Arc::clone(scene),
+        references: vec![reference],
+        methods: Method::ALL.into_iter().take(methods).map(of).collect(),
+        is_complete: methods == Method::ALL.len(),
+    }
+}
+
+/// The studies that have been asked for and not been looked at.
+fn studies(bench: &mut Bench) -> Vec<Study> {
+    let mut found = Vec::new();
+    bench.effects.retain(|effect| match effect {
+        Effect::Study(study) => {
+            found.push(study.clone());
+            false
+        }
+        _ => true,
+    });
+    found
+}
+
+pub(super) fn answer(bench: &mut Bench, methods: usize) {
+    for study in studies(bench) {
+        let found = Arc::new(measured(&study.scene, methods));
+        let body = if methods == Method::ALL.len() {
+            StudyBody::Ended(found)
+        } else {
+            StudyBody::Part { done: 30, total: 79, part: found }
+        };
+        bench.send(Message::Study(StudyReport { id: study.id, body }));
+    }
+}
+
+/// The tab with everything measured.
+pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+    let mut bench = Bench::open(glyphs, size);
+    bench.keys("4");
+    answer(&mut bench, Method::ALL.len());
+    bench
+}
+
+#[test]
+fn opening_the_tab_measures_once_a_scene() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    assert_eq!(bench.app.tab, Tab::Accuracy);
+    bench.keys("14");
+    assert!(studies(&mut bench).is_empty());
+    // Another scene is measured again; what belongs to the old one says so meanwhile.
+    bench.keys("1jjl4");
+    assert_eq!(studies(&mut bench).len(), 1);
+    assert!(bench.screen().contains("Relative error, old"));
+    // And by r at any time.
+    bench.keys("r");
+    assert_eq!(studies(&mut bench)[0].scene, bench.app.scene);
+}
+
+#[test]
+fn reports_of_replaced_studies_are_dropped() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("4");
+    let first = studies(&mut bench).remove(0);
+    bench.keys("r");
+    let body = StudyBody::Failed("no longer wanted".to_owned());
+    bench.send(Message::Study(StudyReport { id: first.id, body }));
+    assert!(bench.app.accuracy.measuring.is_some());
+    assert!(!bench.message().contains("no longer wanted"));
+}
+
+#[test]
+fn escape_stops_and_what_there_is_stays() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("4");
+    let study = studies(&mut bench).remove(0);
+    bench.keys("<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
+    let found = Arc::new(measured(&study.scene, 3));
+    bench.send(Message::Study(StudyReport { id: study.id, body: StudyBody::Ended(found) }));
+    assert!(bench.message().contains("what was measured is shown"), "{}", bench.message());
+    assert!(bench.screen().contains("stopped after"));
+}
+
+#[test]
+fn the_crosshair_tells_what_a_run_time_buys() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    bench.keys("LLLL");
+    assert!(bench.message().starts_with("within "), "{}", bench.message());
+    assert!(bench.message().contains("A 3e-14"), "{}", bench.message());
+    // At the left end only the quickest have an answer.
+    bench.keys("HHHHHHHHHH");
+    assert!(!bench.message().contains("I "), "{}", bench.message());
+    // What is hidden is not told.
+    bench.keys("LLLLLLLLGV");
+    assert!(!bench.message().contains("A "), "{}", bench.message());
+}
+
+#[test]
+fn the_table_is_written_and_never_over_a_file_unasked() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("e<Enter>");
+    let sent = |bench: &mut Bench| {
+        bench.effects.drain(..).rev().find_map(|effect| match effect {
+            Effect::ExportAccuracy { path, overwrite, found } => Some((path, overwrite, found)),
+            _ => None,
+        })
+    };
+    let (path, overwrite, found) = sent(&mut bench).expect("an export");
+    assert_eq!(path, std::path::Path::new("/home/ada/work/thesis-baseline-accuracy.csv"));
+    assert!(!overwrite);
+    assert_eq!(found.0, "thesis-baseline");
+    let points: usize = found.1.methods.iter().map(|method| method.points.len()).sum();
+    let csv = cmra::files::accuracy::csv(std::slice::from_ref(&*found)).unwrap();
+    assert_eq!(csv.lines().count(), points + 1);
+    let done = |outcome| Message::Done(EffectReport::Exported(outcome));
+    bench.send(done(ExportOutcome::Exists(path.clone())));
+    bench.keys("y");
+    assert!(sent(&mut bench).expect("asked again").1);
+    bench.send(done(ExportOutcome::Written(vec![path])));
+    assert!(bench.app.dialog.is_none());
+}
+
+#[test]
+fn leaving_asks_while_a_study_has_been_going_on_for_long() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("4");
+    let study = studies(&mut bench).remove(0);
+    bench.send(Message::LongJob(study.id));
+    bench.keys("q");
+    assert!(bench.message().contains("q again leaves"), "{}", bench.message());
+}
