@@ -155,7 +155,7 @@ fn check(index: u64) -> Option<Shortfall> {
         let detail = format!("{outcome}, {steps}+{rejected} steps, {residual:.1e}, {method}");
         return short(class, detail);
     }
-    let (class, detail) = (index % COMPARED == 0).then(|| compare(&scene, &run)).flatten()?;
+    let (class, detail) = index.is_multiple_of(COMPARED).then(|| compare(&scene, &run)).flatten()?;
     short(class, detail)
 }
 

@@ -21,6 +21,8 @@ use crate::study::stability::others::Contact;
 pub const ACCURATE: f64 = 1e-2;
 /// A plate this many times faster than it should be oscillates by the method's doing.
 const SWINGS_FROM: f64 = 2.0;
+/// One this many times faster has run away, even where that ends the contact before values overflow.
+const RUNS_AWAY_FROM: f64 = 1e2;
 /// Plate speed, in impact velocities, from which on the computation has blown up.
 const BLOWN_UP_FROM: f64 = 1e3;
 /// Steps a cell may take.
@@ -364,6 +366,9 @@ fn cell(scene: &Scene, method: Method, dt_s: f64, target: Option<&Target>) -> Ce
                 Ending::Arrest => fixed.faces.depth(y[0] / fixed.radius_m) * fixed.radius_m,
                 Ending::Perforation => step as f64 * dt_s,
             };
+            if fastest > RUNS_AWAY_FROM * target.peaks.speed_m_s && moves {
+                return Cell::BlownUp;
+            }
             let swings = fastest > SWINGS_FROM * target.peaks.speed_m_s
                 || reversals > 2 * target.peaks.reversals + 4;
             return rate_cell(Contact { ending, value }, target, swings);
