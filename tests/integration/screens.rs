@@ -3,6 +3,7 @@
 mod accuracy;
 mod bench;
 mod keys;
+mod readme;
 
 use bench::{Bench, made};
 use cmra::model::scene::Scene;
