@@ -46,7 +46,7 @@ enum Independent {
     Slip,
 }
 
-/// The contact phase, nondimensional: lengths by R, velocities by v_i; y = (q, u, x, w, t).
+/// The contact phase, nondimensional: lengths by R, velocities by `v_i`; the state is `(q, u, x, w, t)`.
 #[derive(Clone, Copy)]
 struct Peer {
     strength: f64,
@@ -215,7 +215,7 @@ fn track(scene: &Arc<Scene>) -> (f64, f64) {
     let run =
         simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).expect("a legal scene");
     let arrest = run.first_arrest.map(|arrest| (arrest.t_s, arrest.penetration_m));
-    arrest.or(run.exit_time_s.zip(run.final_penetration_m)).unwrap_or((f64::NAN, f64::NAN))
+    arrest.or_else(|| run.exit_time_s.zip(run.final_penetration_m)).unwrap_or((f64::NAN, f64::NAN))
 }
 
 /// Minimum time of a call, s.
@@ -238,7 +238,10 @@ fn cheapest(
     mut time: impl FnMut(f64) -> f64,
 ) -> Option<(f64, f64, f64)> {
     let tolerances: Vec<f64> = (3..=13).map(|digits| 10f64.powi(-digits)).collect();
-    let keeps = tolerances.iter().rposition(|tolerance| !(error(*tolerance) <= TARGET));
+    let keeps = tolerances.iter().rposition(|tolerance| {
+        let error = error(*tolerance);
+        error.is_nan() || error > TARGET
+    });
     let first = keeps.map_or(0, |last_miss| last_miss + 1);
     let tolerance = *tolerances.get(first)?;
     Some((time(tolerance), tolerance, error(tolerance)))
@@ -303,9 +306,12 @@ fn main() {
             },
         );
         let show = |cell: Option<(f64, f64, f64)>| {
-            cell.map_or("   none reaches it        ".to_owned(), |(time, tolerance, error)| {
-                format!("{:9.2}  {tolerance:7.0e}  {error:8.1e}", time * 1e6)
-            })
+            cell.map_or_else(
+                || "   none reaches it        ".to_owned(),
+                |(time, tolerance, error)| {
+                    format!("{:9.2}  {tolerance:7.0e}  {error:8.1e}", time * 1e6)
+                },
+            )
         };
         let ratio = ours.zip(theirs).map_or(f64::NAN, |(ours, theirs)| theirs.0 / ours.0);
         let path = if lean { "lean" } else { "full" };

@@ -72,7 +72,7 @@ struct Linear(f64);
 
 impl<const N: usize> Law<N> for Linear {
     const SMOOTH: bool = true;
-    #[inline(always)]
+    #[inline]
     fn term(&mut self, z: &[f64; N], j: usize) -> f64 {
         self.0 * z[j]
     }
@@ -86,15 +86,15 @@ struct Power<const N: usize> {
 
 impl<const N: usize> Law<N> for Power<N> {
     const SMOOTH: bool = false;
-    #[inline(always)]
+    #[inline]
     fn term(&mut self, z: &[f64; N], j: usize) -> f64 {
         self.series[j] = if j == 0 {
             self.law.coefficient * z[0].abs().powf(self.law.exponent) * sign(z[0])
         } else {
             let (rise, n) = (self.law.exponent + 1.0, j as f64);
             let mut sum = 0.0;
-            for i in 1..=j {
-                sum += (i as f64 * rise - n) * z[i] * self.series[j - i];
+            for (i, z) in z.iter().enumerate().take(j + 1).skip(1) {
+                sum += (i as f64 * rise - n) * z * self.series[j - i];
             }
             sum / (n * z[0])
         };
@@ -221,7 +221,7 @@ impl Contact {
         (unit > 0.0 && unit.is_finite()).then_some(unit)
     }
 
-    #[inline(always)]
+    #[inline]
     fn expand<const N: usize>(
         &self,
         (mut spring, mut damper): (impl Law<N>, impl Law<N>),
@@ -281,17 +281,17 @@ impl Contact {
 }
 
 /// Coefficient J of a², with a constant index so that the loop is unrolled.
-#[inline(always)]
+#[inline]
 fn square_at<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
     let mut twice = 0.0;
     for i in 0..J.div_ceil(2) {
         twice += a[i] * a[J - i];
     }
-    if J % 2 == 0 { 2.0 * twice + a[J / 2] * a[J / 2] } else { 2.0 * twice }
+    if J.is_multiple_of(2) { 2.0 * twice + a[J / 2] * a[J / 2] } else { 2.0 * twice }
 }
 
 /// Coefficient J of a·b.
-#[inline(always)]
+#[inline]
 fn product_at<const N: usize, const J: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let mut sum = 0.0;
     for i in 0..=J {
@@ -324,9 +324,9 @@ fn root(end: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64
     for _ in 0..60 {
         let at = value(s);
         if at > 0.0 {
-            high = s
+            high = s;
         } else {
-            low = s
+            low = s;
         }
         let newton = s - at / slope(s);
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };

@@ -78,7 +78,7 @@ impl Accuracy {
         let Some((least, most)) = self.times_s() else {
             return;
         };
-        let here = self.cursor_s.unwrap_or((least * most).sqrt());
+        let here = self.cursor_s.unwrap_or_else(|| (least * most).sqrt());
         self.cursor_s = Some((here * (most / least).powf(share)).clamp(least, most));
     }
 
