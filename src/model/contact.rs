@@ -313,9 +313,9 @@ impl Piece {
         for _ in 0..100 {
             let gap = self.swept_m3(nose, self.from_m, q) - volume_m3;
             if gap > 0.0 {
-                high = q
+                high = q;
             } else {
-                low = q
+                low = q;
             }
             let newton = q - gap / self.law.area_m2(nose, q);
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };

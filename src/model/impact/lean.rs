@@ -72,7 +72,7 @@ struct Linear(f64);
 
 impl<const N: usize> Law<N> for Linear {
     const SMOOTH: bool = true;
-    #[inline(always)]
+    #[inline]
     fn term(&mut self, z: &[f64; N], j: usize) -> f64 {
         self.0 * z[j]
     }
@@ -86,15 +86,15 @@ struct Power<const N: usize> {
 
 impl<const N: usize> Law<N> for Power<N> {
     const SMOOTH: bool = false;
-    #[inline(always)]
+    #[inline]
     fn term(&mut self, z: &[f64; N], j: usize) -> f64 {
         self.series[j] = if j == 0 {
             self.law.coefficient * z[0].abs().powf(self.law.exponent) * sign(z[0])
         } else {
             let (rise, n) = (self.law.exponent + 1.0, j as f64);
             let mut sum = 0.0;
-            for i in 1..=j {
-                sum += (i as f64 * rise - n) * z[i] * self.series[j - i];
+            for (i, z) in z.iter().enumerate().take(j + 1).skip(1) {
+                sum += (i as f64 * rise - n) * z * self.series[j - i];
             }
             sum / (n * z[0])
         };
@@ -221,7 +221,7 @@ impl Contact {
         (unit > 0.0 && unit.is_finite()).then_some(unit)
     }
 
-    #[inline(always)]
+    #[inline]
     fn expand<const N: usize>(
         &self,
         (mut spring, mut damper): (impl Law<N>, impl Law<N>),
@@ -233,10 +233,10 @@ impl Contact {
         let mut s = Series { travel: zero, slip: zero, plate: zero, speed: zero };
         let (mut offset, mut area, mut pressure) = (zero, zero, zero);
         (s.travel[0], s.slip[0], s.plate[0], s.speed[0]) = (state[0], state[1], state[2], state[3]);
-        offset[0] = state[0] - origin_m;
         macro_rules! order {
             ($($j:literal)*) => { $( if $j < N {
                 const J: usize = $j;
+                offset[J] = s.travel[J] - if J == 0 { origin_m } else { 0.0 };
                 let squared = square_at::<N, J>(&offset);
                 area[J] = a[1] * offset[J] + a[2] * squared + if J == 0 { a[0] } else { 0.0 };
                 pressure[J] = self.drag_kg_m3 * square_at::<N, J>(&s.slip)
@@ -247,7 +247,6 @@ impl Contact {
                     let h = unit_s / (J + 1) as f64;
                     let plate = g * self.plate_mobility;
                     s.travel[J + 1] = h * s.slip[J];
-                    offset[J + 1] = s.travel[J + 1];
                     s.slip[J + 1] = h * (self.cos * plate - f * self.slip_mobility);
                     s.plate[J + 1] = h * s.speed[J];
                     s.speed[J + 1] = h * (self.cos * f * self.plate_mobility - plate);
@@ -282,17 +281,17 @@ impl Contact {
 }
 
 /// Coefficient J of a², with a constant index so that the loop is unrolled.
-#[inline(always)]
+#[inline]
 fn square_at<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
     let mut twice = 0.0;
     for i in 0..J.div_ceil(2) {
         twice += a[i] * a[J - i];
     }
-    if J % 2 == 0 { 2.0 * twice + a[J / 2] * a[J / 2] } else { 2.0 * twice }
+    if J.is_multiple_of(2) { 2.0 * twice + a[J / 2] * a[J / 2] } else { 2.0 * twice }
 }
 
 /// Coefficient J of a·b.
-#[inline(always)]
+#[inline]
 fn product_at<const N: usize, const J: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let mut sum = 0.0;
     for i in 0..=J {
@@ -325,9 +324,9 @@ fn root(end: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64
     for _ in 0..60 {
         let at = value(s);
         if at > 0.0 {
-            high = s
+            high = s;
         } else {
-            low = s
+            low = s;
         }
         let newton = s - at / slope(s);
         let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
@@ -348,4 +347,83 @@ fn dips(c: &[f64; TERMS], end: f64) -> bool {
         below -= c.abs() * power;
     }
     below <= 0.0 && c[1] < 0.0 && evaluate_slope(c, end) > 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::impact::{Settings, simulate};
+    use crate::model::units::Bare;
+    use crate::model::variables::set_by_name;
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
+    fn scene(pairs: &str) -> Scene {
+        let mut scene = Scene::default();
+        scene.mechanism.spring.coefficient = 0.0;
+        for pair in pairs.split_whitespace() {
+            let (name, value) = pair.split_once('=').unwrap();
+            set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+        }
+        scene
+    }
+
+    /// (time, depth) by the full track.
+    fn full(scene: &Scene) -> (f64, f64) {
+        let settings = Settings { series: false, estimate: false };
+        let go_on = &mut |_: f64| ControlFlow::Continue(());
+        let run = simulate(&Arc::new(scene.clone()), &settings, go_on).unwrap();
+        let arrest = run.first_arrest.map(|arrest| (arrest.t_s, arrest.penetration_m));
+        arrest.unwrap_or_else(|| (run.exit_time_s.unwrap(), run.final_penetration_m.unwrap()))
+    }
+
+    const SCENES: [&str; 9] = [
+        "gamma=1",
+        "k=1e5",
+        "gamma=3 k=1e6",
+        "b=1000",
+        "b=2000 k=1e5",
+        "d=0.5 k=1e5",
+        "k=1e9",
+        "h=0.003 v_i=400 k=1e5",
+        "d=0.1 k=1e5 n=1.4",
+    ];
+
+    #[test]
+    fn the_lean_contact_agrees_with_the_full_track() {
+        for pairs in SCENES {
+            let scene = scene(pairs);
+            let (t_s, depth_m) = full(&scene);
+            let end = Contact::of(&scene).run(1e-11).unwrap();
+            assert!((end.t_s / t_s - 1.0).abs() < 1e-11, "{pairs}: {} {t_s}", end.t_s);
+            assert!((end.penetration_m / depth_m - 1.0).abs() < 1e-11, "{pairs}");
+        }
+    }
+
+    #[test]
+    fn the_error_stays_below_the_tolerance() {
+        for pairs in SCENES {
+            let scene = scene(pairs);
+            let (t_s, depth_m) = full(&scene);
+            for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+                let end = Contact::of(&scene).run(tolerance).unwrap();
+                let error =
+                    larger((end.t_s / t_s - 1.0).abs(), (end.penetration_m / depth_m - 1.0).abs());
+                assert!(
+                    error < tolerance,
+                    "{pairs} {tolerance:e}: {error:e} in {} steps",
+                    end.steps
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn scenes_it_is_not_made_for_are_left_to_the_full_track() {
+        for pairs in
+            ["k=1e5 x_stop=0.01", "k=1e6 n=0.5", "b=1000 m=0.5", "theta=30deg k=1e5 v_i=150"]
+        {
+            assert_eq!(Contact::of(&scene(pairs)).run(1e-9), None, "{pairs}");
+        }
+    }
 }

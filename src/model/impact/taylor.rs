@@ -19,6 +19,9 @@ const DEFECT_ROUNDING: f64 = 1e-12;
 /// An expansion of which less than this part of its time unit can be used is made anew with a shorter unit.
 const UNIT_FITS: f64 = 0.02;
 
+/// First step, relative to the time reached, of the implicit method when it takes over.
+const RESUME: f64 = 1e-9;
+
 impl Track<'_> {
     /// One Taylor step, shortened to the first event.
     pub(super) fn taylor_step<const N: usize>(
@@ -33,12 +36,12 @@ impl Track<'_> {
             // The unit is far too long for what happens now: sizes measured with it mean nothing.
             self.unit_s = h * larger(2.0 * trusted, 1e-3);
             self.rejected += 1;
-            let hopeless = self.unit_s <= 0.5 * f64::EPSILON * self.t_s;
-            return if hopeless {
-                ControlFlow::Break(EndReason::StepUnderflow)
-            } else {
-                ControlFlow::Continue(None)
-            };
+            if self.unit_s <= 0.5 * f64::EPSILON * self.t_s {
+                // Faster than the clock ticks: a plate that creeps against its damper. The implicit method steps over it.
+                self.stiff = true;
+                self.unit_s = RESUME * self.t_s;
+            }
+            return ControlFlow::Continue(None);
         }
         let left = (self.until_s() - self.t_s) / h;
         let mut span = self.checked(&motion, &e, smaller(left, trusted));
@@ -54,7 +57,9 @@ impl Track<'_> {
         }
         let t_s = self.t_s + span * h;
         if t_s <= self.t_s && fired.is_none() {
-            return ControlFlow::Break(EndReason::StepUnderflow);
+            self.stiff = true;
+            self.unit_s = RESUME * self.t_s;
+            return ControlFlow::Continue(None);
         }
         let mut record = std::mem::take(&mut self.record);
         record.step(&self.setting(&motion), &e, (self.t_s, h, span));

@@ -1,8 +1,8 @@
 //! Where a fixed-step method is stable: a map over its step and one variable of the scene.
 //!
-//! The analytic limit is that of the linearised plate. Its eigenvalues are the roots of z² + (b'/m_2) z + k'/m_2 with the
+//! The analytic limit is that of the linearised plate. Its eigenvalues are the roots of z² + (b'/m2) z + k'/m2 with the
 //! tangents where the contact takes the plate; Runge-Kutta's factor |R(z dt)| = 1 bounds the step: z dt = 2.828 i for the undamped
-//! spring, z dt = -2.785 for the damper alone. The force's own dependence on velocity, rate L = 2 c A u (1/m_p + cos²/m_2), adds
+//! spring, z dt = -2.785 for the damper alone. The force's own dependence on velocity, rate L = 2 c A u times the slip's mobility, adds
 //! L dt = 2.785 for Runge-Kutta. The thesis's scheme holds the force over the plate's step (forward Euler) and averages it with the last
 //! one for the projectile: r² - (1 + z (a/2 + e)) r - z a/2 = 0 with z = -L dt, and shares a of the projectile, e = 1 - a of the plate,
 //! so that L dt < 2/max(a, e).
@@ -21,6 +21,8 @@ use crate::study::stability::others::Contact;
 pub const ACCURATE: f64 = 1e-2;
 /// A plate this many times faster than it should be oscillates by the method's doing.
 const SWINGS_FROM: f64 = 2.0;
+/// One this many times faster has run away, even where that ends the contact before values overflow.
+const RUNS_AWAY_FROM: f64 = 1e2;
 /// Plate speed, in impact velocities, from which on the computation has blown up.
 const BLOWN_UP_FROM: f64 = 1e3;
 /// Steps a cell may take.
@@ -376,6 +378,9 @@ fn cell(scene: &Scene, method: Method, dt_s: f64, target: Option<&Target>) -> Ce
                 Ending::Arrest => fixed.faces.depth(y[0] / fixed.radius_m) * fixed.radius_m,
                 Ending::Perforation => step as f64 * dt_s,
             };
+            if fastest > RUNS_AWAY_FROM * target.peaks.speed_m_s && moves {
+                return Cell::BlownUp;
+            }
             let swings = fastest > SWINGS_FROM * target.peaks.speed_m_s
                 || reversals > 2 * target.peaks.reversals + 4;
             return rate_cell(Contact { ending, value }, target, swings);

@@ -63,10 +63,10 @@ pub(super) fn changes(index: u64) -> Vec<(&'static str, String)> {
     let number = |value: f64| format!("{value:e}");
     let exponent = |dimension: usize, low: f64, high: f64| {
         let drawn = point.at(dimension);
-        let chosen = (drawn * 4.0 * ROUND.len() as f64).floor() as usize;
-        ROUND
-            .get(chosen)
-            .copied()
+        // The first quarter of the dimension is dealt out among the round ones.
+        let dealt = |index: &usize| drawn < 0.25 * (index + 1) as f64 / ROUND.len() as f64;
+        let chosen = (0..ROUND.len()).find(dealt).map(|index| ROUND[index]);
+        chosen
             .filter(|z| *z >= low && *z <= high)
             .unwrap_or_else(|| rounded(low * (high / low).powf((drawn - 0.25).abs() / 0.75)))
     };
