@@ -228,7 +228,7 @@ impl Track<'_> {
         if self.problem.mechanism.spring.exponent.fract() == 0.0 {
             self.side_x = -self.side_x;
         } else {
-            self.spring_omitted = true;
+            self.omit_spring();
         }
     }
 
@@ -237,7 +237,7 @@ impl Track<'_> {
             self.record.event(self.t_s, EventKind::GreatestDisplacement);
         }
         if self.damper_is_singular() && !self.stiff {
-            self.damper_omitted = true;
+            self.omit_damper();
         } else {
             self.side_w = -self.side_w;
         }

@@ -43,6 +43,9 @@ pub(super) struct Track<'a> {
     /// The singular spring, or damper, is left out close to its zero.
     pub(super) spring_omitted: bool,
     pub(super) damper_omitted: bool,
+    /// How far from zero they come back, fixed when they are left out, m and m/s.
+    pub(super) clear_m: f64,
+    pub(super) clear_m_s: f64,
     pub(super) side_x: f64,
     pub(super) side_w: f64,
     /// Greatest |x| and |w| seen, m and m/s.
@@ -94,6 +97,8 @@ impl<'a> Track<'a> {
                 && problem.start_m >= problem.mechanism.stop_at_m,
             spring_omitted: false,
             damper_omitted: false,
+            clear_m: 0.0,
+            clear_m_s: 0.0,
             side_x: if problem.start_m < 0.0 { -1.0 } else { 1.0 },
             side_w: if pull < 0.0 { -1.0 } else { 1.0 },
             plate_scale_m: problem.start_m.abs(),
@@ -241,10 +246,10 @@ impl<'a> Track<'a> {
         }
         let mechanism = &self.problem.mechanism;
         if mechanism.spring.kind() == PowerKind::General && self.state.plate_m == 0.0 {
-            self.spring_omitted = true;
+            self.omit_spring();
         }
         if mechanism.damper.kind() == PowerKind::General && self.state.plate_m_s == 0.0 {
-            self.damper_omitted = true;
+            self.omit_damper();
         }
     }
 

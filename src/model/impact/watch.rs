@@ -12,6 +12,9 @@ const CLEAR_OF_SPRING: f64 = 1e-6;
 const CLEAR_OF_DAMPER: f64 = 1e-9;
 /// Part of the plate's energy, or of the other forces, that a law may have where it is left out.
 const PASSING: f64 = 1e-3;
+/// The least distance, relative to the tip's radius and the impact velocity: where nothing drives the plate yet, there is no
+/// other measure.
+const LEAST: f64 = 1e-13;
 /// The neighbourhood takes at least this part of the time reached to cross: the clock has no finer ticks.
 const CLOCK: f64 = 1e-13;
 
@@ -101,7 +104,7 @@ impl Track<'_> {
     }
 
     fn watch_zero_of_x(&self, guards: &mut Guards, singular: bool) {
-        let near = self.near_zero_m();
+        let near = if self.spring_omitted { self.clear_m } else { self.near_zero_m() };
         if self.spring_omitted {
             for side in [1.0, -1.0] {
                 let form = Form { offset: near, plate: -side, ..Form::default() };
@@ -115,7 +118,7 @@ impl Track<'_> {
     }
 
     fn watch_zero_of_w(&self, guards: &mut Guards, singular: bool) {
-        let near = self.near_zero_m_s();
+        let near = if self.damper_omitted { self.clear_m_s } else { self.near_zero_m_s() };
         if self.damper_omitted {
             for side in [1.0, -1.0] {
                 let form = Form { offset: near, plate_speed: -side, ..Form::default() };
@@ -126,6 +129,28 @@ impl Track<'_> {
         let offset = if singular { -near } else { 0.0 };
         let form = Form { offset, plate_speed: self.side_w, ..Form::default() };
         guards.watch(Trigger::PlateSpeedZero, form);
+    }
+
+    /// Leave the singular spring out until the plate is clear of zero. The distance is fixed now: one that shrank on the way
+    /// would never be reached.
+    pub(super) fn omit_spring(&mut self) {
+        let least = LEAST * self.problem.geometry.nose.radius_m;
+        let (x, w) = (self.state.plate_m, self.state.plate_m_s);
+        self.clear_m = if x * w < 0.0 {
+            // As far on the other side as on this one: then what the spring takes it also gives.
+            x.abs()
+        } else {
+            larger(larger(self.near_zero_m(), 2.0 * x.abs()), least)
+        };
+        self.spring_omitted = true;
+    }
+
+    /// The same for the singular damper.
+    pub(super) fn omit_damper(&mut self) {
+        let least = LEAST * self.problem.velocity_m_s;
+        let near = larger(self.near_zero_m_s(), 2.0 * self.state.plate_m_s.abs());
+        self.clear_m_s = larger(near, least);
+        self.damper_omitted = true;
     }
 
     /// How close to zero displacement the singular spring is left out: so close that it holds little of the plate's energy.
