@@ -355,8 +355,6 @@ pub enum Omission {
     ExitFace,
     /// Closed form instead of integration.
     Integration,
-    /// Greatest displacement from an energy balance.
-    ReboundIntegration,
     /// The interface is fused: no law to watch.
     InterfaceLaw,
     /// No drag: the contact force does not depend on velocity.
@@ -378,7 +376,6 @@ impl Omission {
             Self::Obliquity => "obliquity",
             Self::ExitFace => "exit face",
             Self::Integration => "integration (closed form)",
-            Self::ReboundIntegration => "integration after arrest (energy balance)",
             Self::InterfaceLaw => "interface law",
             Self::Drag => "drag",
             Self::MechanismWithinContact => {

@@ -283,14 +283,4 @@ impl Scene {
     pub fn drag_kg_m3(&self) -> f64 {
         0.5 * self.target.drag_coefficient * self.target.density_kg_m3
     }
-
-    /// The same shot into the same plate on a rigid mount, without stop or cocking.
-    #[must_use]
-    pub fn on_rigid_mount(&self) -> Self {
-        let mut scene = self.clone();
-        scene.plate.mount = Mount::Rigid;
-        scene.plate.cocking_m = 0.0;
-        scene.mechanism = Mechanism::default();
-        scene
-    }
 }

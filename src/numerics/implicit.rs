@@ -61,7 +61,7 @@ const NEWTON_MAX: usize = 25;
 
 /// Solve one step of length `h` from `y`; `None` when Newton's method does not converge.
 ///
-/// `guess` are the stages to start from (the constant `y`, or an extrapolation of the last step).
+/// `guess` are the stages to start from (the constant `y`, or a better guess).
 pub fn step<const N: usize, const M: usize>(
     system: &impl ImplicitSystem<N>,
     y: &[f64; N],
@@ -185,11 +185,6 @@ pub fn step_factor(error: f64, tolerance: f64) -> f64 {
     }
     let factor = 0.9 * (tolerance / error).powf(0.25);
     factor.clamp(0.125, 8.0)
-}
-
-/// The stages of the next step, of length `h_next`, extrapolated from the collocation polynomial of the last.
-pub fn extrapolate<const N: usize>(y: &[f64; N], step: &Step<N>, ratio: f64) -> [[f64; N]; STAGES] {
-    NODES.map(|node| interpolate(y, step, 1.0 + ratio * node))
 }
 
 /// The collocation polynomial at fraction `s` of the step (0: its start, 1: its end).
