@@ -10,19 +10,27 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 mod accuracy;
+mod compare;
 mod completions;
+mod design;
 mod error;
 mod json;
+mod limit;
 mod man;
 mod output;
 mod paths;
 mod plain;
 mod presets;
+mod reproduce;
 mod run;
 mod scene;
+mod sensitivity;
 mod stability;
 mod summary;
+mod sweep;
+mod table;
 mod workbench;
+mod worth;
 
 pub use error::CliError;
 pub use output::report;
@@ -50,10 +58,22 @@ pub(crate) struct Arguments {
 enum Command {
     /// Run one scene and print what happened
     Run(run::RunArguments),
+    /// Run a scene at every point of one or more axes
+    Sweep(sweep::SweepArguments),
     /// Compare every method's error with its run time
     Accuracy(accuracy::AccuracyArguments),
     /// Hold the engine to a battery of stiff and extreme scenes, or map where a fixed step is stable
     Stability(stability::StabilityArguments),
+    /// Find the ballistic limit, the velocity left beyond it, and how both scatter
+    Limit(limit::LimitArguments),
+    /// Check every claim of the thesis against what is computed
+    Reproduce(reproduce::ReproduceArguments),
+    /// Formulas, the screening matrix, and the design principles of the thesis
+    Design(design::DesignArguments),
+    /// Compare the scene with a rigid mount, a free plate and a solid plate of equal areal mass
+    Worth(worth::WorthArguments),
+    /// Tell which variables matter: one at a time, Morris's elementary effects and Sobol's indices
+    Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
     Presets(presets::PresetsArguments),
     /// Print where this program keeps presets, session and log
@@ -99,8 +119,14 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
     match arguments.command {
         None => workbench::run(&arguments.workbench),
         Some(Command::Run(arguments)) => run::run(&arguments),
+        Some(Command::Sweep(arguments)) => sweep::run(&arguments),
         Some(Command::Accuracy(arguments)) => accuracy::run(&arguments),
         Some(Command::Stability(arguments)) => stability::run(&arguments),
+        Some(Command::Limit(arguments)) => limit::run(&arguments),
+        Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
+        Some(Command::Design(arguments)) => design::run(&arguments),
+        Some(Command::Worth(arguments)) => worth::run(&arguments),
+        Some(Command::Sensitivity(arguments)) => sensitivity::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Paths) => paths::run(),
         Some(Command::Completions(arguments)) => completions::run(arguments.shell),

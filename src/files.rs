@@ -10,10 +10,17 @@ pub mod bundled;
 pub mod csv;
 pub mod error;
 pub mod export;
+pub mod limit;
 pub mod paths;
 pub mod preset;
 pub mod read;
+pub mod rows;
+pub mod sensitivity;
 pub mod session;
+pub mod stability;
+pub mod sweep;
+pub mod thesis;
+pub mod worth;
 pub mod write;
 
 mod read_sweep;

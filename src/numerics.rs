@@ -6,10 +6,13 @@
 //! with; [`root`] locates events; [`quadrature`] integrates.
 //! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
 
+pub mod double_double;
 pub mod explicit;
 pub mod implicit;
 pub mod linear;
+pub mod minimum;
 pub mod quadrature;
+pub mod random;
 pub mod root;
 pub mod series;
 pub mod taylor;

@@ -1,7 +1,15 @@
 //! Work made of many runs.
 //!
-//! Knows the model and its methods; must not know files, threads, screens or the command line. Whoever wants a time measured
-//! passes the clock in.
+//! Knows the model and its methods; must not know files, screens or the command line, and threads only in `sweep/crew.rs`.
+//! Whoever wants a time measured passes the clock in.
 
 pub mod accuracy;
+pub mod limit;
+pub mod models;
+pub mod principles;
+pub mod screening;
+pub mod sensitivity;
 pub mod stability;
+pub mod sweep;
+pub mod thesis;
+pub mod worth;

@@ -8,6 +8,7 @@
 pub mod cache;
 mod job;
 pub mod studies;
+pub mod sweeps;
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;

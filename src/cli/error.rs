@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use crate::files::error::FileError;
 use crate::model::variables::VariableError;
+use crate::study::sweep::SweepError;
 use crate::tui::TuiError;
 
 /// Why a command could not be carried out.
@@ -36,6 +37,36 @@ pub enum CliError {
         argument: String,
         /// Why it is refused.
         source: Box<VariableError>,
+    },
+    /// `--over` that cannot be read.
+    #[error("--over {argument}: {problem}")]
+    Over {
+        /// What was written.
+        argument: String,
+        /// What is wrong, and what to write.
+        problem: String,
+    },
+    /// The sweep is refused before it begins.
+    #[error(transparent)]
+    Sweep(#[from] SweepError),
+    /// A sweep of a scene that has none, without `--over`.
+    #[error("{scene} has no [sweep] of its own: name an axis, for example --over gamma=0.8..7:101")]
+    NothingToSweep {
+        /// The scene.
+        scene: String,
+    },
+    /// An option that needs another.
+    #[error("{0}")]
+    Option(String),
+    /// A weight of the screening matrix that is none.
+    #[error(
+        "--weight {argument}: write CRITERION=PERCENT with 0 to 100, for example --weight analysis=0; the criteria are {criteria}"
+    )]
+    Weight {
+        /// What was written.
+        argument: String,
+        /// What there is.
+        criteria: String,
     },
     /// The scene as a whole makes no sense.
     #[error(transparent)]
@@ -80,7 +111,12 @@ impl CliError {
             Self::File(_)
             | Self::Exists { .. }
             | Self::NotAnAssignment { .. }
+            | Self::Weight { .. }
             | Self::Set { .. }
+            | Self::Over { .. }
+            | Self::Sweep(_)
+            | Self::NothingToSweep { .. }
+            | Self::Option(_)
             | Self::Scene(_)
             | Self::Subcommand { .. } => ExitCode::from(2),
         }

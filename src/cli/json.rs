@@ -49,6 +49,7 @@ pub(super) fn text(computed: &Computed) -> String {
                 Value::from(match estimate.basis {
                     EstimateBasis::ClosedForm => "closed form",
                     EstimateBasis::SecondComputation => "second computation",
+                    EstimateBasis::HalfStep => "half the step",
                 })
             }),
         ),

@@ -11,6 +11,18 @@ pub(super) fn print(text: &str) -> Result<(), CliError> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
 }
 
+/// Write a piece of a result that goes on.
+pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), CliError> {
+    io::stdout().lock().write_all(bytes).map_err(CliError::Stdout)
+}
+
+/// Show how far a long computation is, in the place of what was shown before; an empty text takes it away.
+pub(super) fn progress(text: &str) {
+    let mut error = io::stderr().lock();
+    // As with notes: where it is lost, there is nowhere else to show it.
+    let _ = write!(error, "\r\x1b[K{text}").and_then(|()| error.flush());
+}
+
 /// Say something beside the result, on standard error. If nobody can hear it, it is lost: there is nowhere else to say it.
 pub(super) fn note(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");

@@ -8,8 +8,9 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
+use crate::cli::compare::{self, Compare};
 use crate::cli::scene::SceneArguments;
-use crate::cli::{CliError, Glyphs, json, output, plain, summary};
+use crate::cli::{CliError, Glyphs, json, output, plain, summary, table};
 use crate::files::csv::{self, NamedRun, Rows};
 use crate::files::error::FileError;
 use crate::files::export::{self, ExportRequest};
@@ -25,6 +26,9 @@ pub(super) struct RunArguments {
     /// Print one JSON object, SI units, null where a quantity does not exist
     #[arg(long, conflicts_with = "plain")]
     json: bool,
+    /// Compare on this scene instead: the interaction models, or the quirks of Appendix A
+    #[arg(long, value_enum, value_name = "WHAT", conflicts_with = "plain")]
+    compare: Option<Compare>,
     /// Print charts as plain text below the summary
     #[arg(long)]
     plain: bool,
@@ -71,6 +75,11 @@ pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
 
 /// Run one scene.
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
+    if let Some(what) = arguments.compare {
+        let (page, rows) = compare::compute(&arguments.scene.load()?, what)?;
+        let options = (arguments.json, arguments.csv.as_deref(), arguments.force);
+        return table::deliver(&page, &rows, options).map(|()| ExitCode::SUCCESS);
+    }
     let computed = compute(arguments.scene.load()?)?;
     let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
     match &arguments.csv {

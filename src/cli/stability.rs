@@ -1,5 +1,6 @@
 //! `cmra stability`: the battery of stiff and extreme scenes, or the map of a fixed-step method.
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -12,11 +13,11 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::{CliError, output};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
+use crate::files::stability as values;
 use crate::study::stability::map::{self, Axis, Method};
 use crate::study::stability::{self, Clock, Row};
 
 mod table;
-mod values;
 
 /// Seconds after which other methods than `auto` are no longer started.
 const OTHERS_UNTIL_S: f64 = 15.0;
@@ -130,6 +131,7 @@ fn battery(quick: bool) -> Result<Vec<Row>, CliError> {
 fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     crate::model::variables::validate(&preset.scene)?;
+    crate::model::variables::require_hydrodynamic(&preset.scene)?;
     let axis = match axis {
         MapAxis::K => Axis::K,
         MapAxis::N => Axis::N,
@@ -140,7 +142,10 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
         MapMethod::Rk4 => Method::Rk4,
     };
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { MAP_CELLS };
-    let map = map::map(&preset.scene, method, axis, cells);
+    let go_on = &mut || ControlFlow::Continue(());
+    let ControlFlow::Continue(map) = map::map(&preset.scene, (method, axis), cells, go_on) else {
+        return Ok(ExitCode::FAILURE);
+    };
     let text = if arguments.json { values::map_json(&map) } else { table::map(&map, &preset.name) };
     output::print(&text)?;
     Ok(ExitCode::SUCCESS)

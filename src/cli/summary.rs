@@ -61,7 +61,10 @@ fn sentence(run: &Run) -> String {
     let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
     match run.outcome {
         Outcome::Arrested => {
-            let depth = depth.unwrap_or_else(|| "an unknown depth".to_owned());
+            let Some(depth) = depth else {
+                return "arrested: the projectile stays in the plate; this model knows no depth"
+                    .to_owned();
+            };
             let share = match (run.percent_of_baseline(), run.baseline_penetration_m) {
                 (Some(percent), Some(baseline)) if run.scene.plate.mount == Mount::Sprung => {
                     format!(
@@ -130,7 +133,7 @@ fn numbers(page: &mut String, run: &Run) {
     line(page, "residual velocity", run.residual_velocity_m_s, "m/s");
     line(page, "separation, time", run.separation.map(|it| it.0), "s");
     line(page, "  projectile velocity", run.separation.map(|it| it.1), "m/s");
-    line(page, "peak contact force", Some(run.peak_contact_force_n), "N");
+    line(page, "peak contact force", run.peak_contact_force_n, "N");
     match run.max_plate_displacement_m {
         Some(_) => line(page, "greatest displacement", run.max_plate_displacement_m, "m"),
         None => {
@@ -232,6 +235,7 @@ fn cost(page: &mut String, computed: &Computed) {
         let basis = match estimate.basis {
             EstimateBasis::ClosedForm => "closed form, rounding only",
             EstimateBasis::SecondComputation => "from a second, tighter computation",
+            EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
         };
         let _ = writeln!(page, "error estimate {:.1e} of the depth ({basis})", estimate.relative);
     }

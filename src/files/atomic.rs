@@ -54,6 +54,55 @@ pub fn write_all(files: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), F
     Ok(())
 }
 
+/// A file that grows piece by piece and takes its name when it is finished; until then it is a temporary one beside it.
+pub struct Growing {
+    path: PathBuf,
+    ready: Ready<'static>,
+    device: Option<File>,
+}
+
+impl Growing {
+    /// Begin.
+    ///
+    /// # Errors
+    /// [`FileError::Exists`] or [`FileError::Write`].
+    pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
+        let ready = prepare(path, b"", existing)?;
+        let device = match &ready.place {
+            Place::Beside(_) => None,
+            Place::Direct(_) => {
+                let opened = OpenOptions::new().write(true).open(&ready.target);
+                Some(opened.map_err(|source| FileError::write(path, source))?)
+            }
+        };
+        Ok(Self { path: path.to_owned(), ready, device })
+    }
+
+    /// Add a piece.
+    ///
+    /// # Errors
+    /// [`FileError::Write`].
+    pub fn add(&mut self, content: &[u8]) -> Result<(), FileError> {
+        let written = match (&mut self.device, &mut self.ready.place) {
+            (Some(device), _) => device.write_all(content),
+            (None, Place::Beside(file)) => file.write_all(content),
+            (None, Place::Direct(_)) => Ok(()),
+        };
+        written.map_err(|source| FileError::write(&self.path, source))
+    }
+
+    /// Give it its name.
+    ///
+    /// # Errors
+    /// [`FileError::Exists`] when another file has taken the name meanwhile, or [`FileError::Write`].
+    pub fn finish(self, existing: Existing) -> Result<(), FileError> {
+        if let Place::Beside(file) = &self.ready.place {
+            file.as_file().sync_all().map_err(|source| FileError::write(&self.path, source))?;
+        }
+        self.ready.finish(existing)
+    }
+}
+
 /// Content that waits for its name.
 struct Ready<'c> {
     target: PathBuf,
@@ -178,6 +227,22 @@ mod tests {
         assert!(write_all(&files, Existing::Keep).is_err());
         assert_eq!(names(place.path()), ["a.toml"]);
         assert_eq!(fs::read(&second).unwrap(), b"mine");
+    }
+
+    #[test]
+    fn a_growing_file_has_its_name_only_when_it_is_finished() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("a.csv");
+        let mut file = Growing::begin(&path, Existing::Keep).unwrap();
+        file.add(b"one ").unwrap();
+        assert!(!path.exists());
+        file.add(b"two").unwrap();
+        file.finish(Existing::Keep).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"one two");
+        assert!(matches!(Growing::begin(&path, Existing::Keep), Err(FileError::Exists(_))));
+        drop(Growing::begin(&path, Existing::Replace).unwrap());
+        assert_eq!(fs::read(&path).unwrap(), b"one two");
+        assert_eq!(names(place.path()), ["a.csv"]);
     }
 
     #[test]

@@ -125,8 +125,9 @@ fn table(rows: Rows, runs: &[NamedRun]) -> Table {
     table
 }
 
+/// A number; an empty field for one that does not exist.
 fn number(value: f64) -> String {
-    units::shortest(value)
+    if value.is_nan() { String::new() } else { units::shortest(value) }
 }
 
 /// One text row per sample; an event stands in the first row at or after its time.

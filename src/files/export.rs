@@ -14,6 +14,7 @@ use crate::files::error::FileError;
 use crate::files::write;
 use crate::model::results::RESULTS;
 use crate::model::run::Run;
+use crate::model::scene::Scene;
 use crate::model::units;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
@@ -71,7 +72,10 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
 }
 
 /// A sidecar may replace an older sidecar, never a scene that someone wrote.
-fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
+///
+/// # Errors
+/// [`FileError::Target`] when the CSV's name or what lies beside it forbids one.
+pub fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     let refuse = |problem: &str| {
         Err(FileError::Target { path: csv.to_owned(), problem: problem.to_owned() })
     };
@@ -91,6 +95,14 @@ fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
             sidecar.display()
         ),
     })
+}
+
+/// The scene of a sweep as a file that makes it again; `again` is the command line for that.
+pub fn sweep_sidecar(csv: &Path, scene: &Scene, again: &str) -> String {
+    let name = csv.file_name().unwrap_or(csv.as_os_str()).to_string_lossy();
+    let name = name.replace(|c: char| c.is_control(), "?");
+    let version = env!("CARGO_PKG_VERSION");
+    format!("{MARK} {version} with {name}\n# again: {again}\n\n") + &write::fresh(scene)
 }
 
 /// The scene of a run as a file, with what came out as comments.

@@ -1,19 +1,19 @@
-//! The algorithm of the thesis's Appendix A: as printed, and with its coupling mended.
+//! The algorithm of the thesis's Appendix A, one step of it at a time, with each of its quirks a switch.
 //!
 //! The scripts m50, m200 and m300 are read as one loop. Each step: depth from the projectile's travel, area, one force; the
 //! projectile by the trapezoid of old and new force (its travel by forward Euler); the plate by one Runge-Kutta step with the
 //! force held. It ends when the relative velocity falls below 0.01 m/s or the area vanishes. What is wrong with it is on the
-//! model page, section 6: depth subtracts only the plate's last increment, and the damper has no sign. Only the contact
-//! is done here.
+//! model page, section 6, and named in [`Listing`]. Here is the contact; the whole run is in `interaction/listing.rs`.
 
 use crate::model::contact_phase::section::Faces;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
-use crate::model::scene::{Mount, Scene};
+use crate::model::mechanism::sign;
+use crate::model::scene::{Jumps, Listing, Mount, Reading, Scene};
 
 /// Relative velocity at which the listing stops, m/s.
 const SLOW_M_S: f64 = 0.01;
 
-/// Which reading of the listing.
+/// Which reading of the whole listing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coupling {
     /// As printed.
@@ -22,37 +22,248 @@ pub enum Coupling {
     Mended,
 }
 
+impl Coupling {
+    /// The listing with steps of `step_s`.
+    pub fn listing(self, step_s: f64) -> Listing {
+        let reading = match self {
+            Self::Printed => Reading::Printed,
+            Self::Mended => Reading::Mended,
+        };
+        Listing {
+            step_s,
+            coupling: reading,
+            damper: reading,
+            obliquity: reading,
+            ..Listing::default()
+        }
+    }
+}
+
+/// Where the scheme is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// The projectile's own travel, the listing's `Pen`, m.
+    pub pen_m: f64,
+    /// Relative travel, m.
+    pub travel_m: f64,
+    /// Projectile velocity, m/s.
+    pub velocity_m_s: f64,
+    /// Plate displacement, m, and velocity, m/s.
+    pub plate: [f64; 2],
+    /// The same before the last step.
+    pub plate_before: [f64; 2],
+    /// Relative velocity, m/s.
+    pub slip_m_s: f64,
+    /// Depth, m.
+    pub depth_m: f64,
+    /// Engaged area, m².
+    pub area_m2: f64,
+    /// Contact force of this step, N.
+    pub force_n: f64,
+    /// Contact force of the step before, N.
+    pub force_before_n: f64,
+}
+
+/// The scheme, made ready for one scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Scheme {
+    listing: Listing,
+    faces: Faces,
+    radius_m: f64,
+    projectile_kg: f64,
+    strength_pa: f64,
+    drag_kg_m3: f64,
+    velocity_m_s: f64,
+    /// Of the coupling between force, plate and slip.
+    cos: f64,
+    start_m: f64,
+    plate: Option<Plate>,
+}
+
 /// The plate, and how it is carried.
-struct Plate {
+#[derive(Clone, Copy, Debug)]
+pub struct Plate {
     mass_kg: f64,
     spring: (f64, f64),
     damper: (f64, f64),
-    coupling: Coupling,
+    signed: bool,
 }
 
 impl Plate {
-    /// A.9: d/dt of (displacement, velocity) under the force.
-    fn rate(&self, [x, w]: [f64; 2], force_n: f64) -> [f64; 2] {
+    /// The same with the mass of `other_kg` joined to it.
+    #[must_use]
+    pub fn joined(self, other_kg: f64) -> Self {
+        Self { mass_kg: self.mass_kg + other_kg, ..self }
+    }
+
+    /// Spring and damper force at a state, N, with the signs the listing gives them.
+    pub fn forces_n(&self, [x, w]: [f64; 2]) -> (f64, f64) {
         let power = |(coefficient, exponent): (f64, f64), z: f64| {
             if coefficient == 0.0 { 0.0 } else { coefficient * z.abs().powf(exponent) }
         };
-        let sign = |z: f64| if z == 0.0 { 0.0 } else { 1f64.copysign(z) };
-        let damper = power(self.damper, w)
-            * match self.coupling {
-                Coupling::Printed => 1.0,
-                Coupling::Mended => sign(w),
-            };
-        [w, (force_n - damper - sign(x) * power(self.spring, x)) / self.mass_kg]
+        let damper = power(self.damper, w) * if self.signed { sign(w) } else { 1.0 };
+        (sign(x) * power(self.spring, x), damper)
     }
 
-    /// A.8: one Runge-Kutta step.
-    fn step(&self, y: [f64; 2], force_n: f64, dt_s: f64) -> [f64; 2] {
-        let ahead = |k: [f64; 2], part: f64| [y[0] + part * k[0], y[1] + part * k[1]];
-        let k1 = self.rate(y, force_n);
-        let k2 = self.rate(ahead(k1, 0.5 * dt_s), force_n);
-        let k3 = self.rate(ahead(k2, 0.5 * dt_s), force_n);
-        let k4 = self.rate(ahead(k3, dt_s), force_n);
-        std::array::from_fn(|i| y[i] + dt_s * ((k1[i] + k4[i]) / 6.0 + (k2[i] + k3[i]) / 3.0))
+    /// A.9: d/dt of (displacement, velocity) under the force.
+    fn rate(&self, y: [f64; 2], force_n: f64) -> [f64; 2] {
+        let (spring, damper) = self.forces_n(y);
+        [y[1], (force_n - damper - spring) / self.mass_kg]
+    }
+
+    /// A.8, and A.6 with no force: one Runge-Kutta step.
+    pub fn step(&self, y: [f64; 2], force_n: f64, dt_s: f64) -> [f64; 2] {
+        runge_kutta(y, dt_s, |y| self.rate(y, force_n))
+    }
+}
+
+/// One classical Runge-Kutta step.
+fn runge_kutta<const N: usize>(
+    y: [f64; N],
+    dt_s: f64,
+    rate: impl Fn([f64; N]) -> [f64; N],
+) -> [f64; N] {
+    let ahead = |k: [f64; N], part: f64| std::array::from_fn(|i| y[i] + part * k[i]);
+    let k1 = rate(y);
+    let k2 = rate(ahead(k1, 0.5 * dt_s));
+    let k3 = rate(ahead(k2, 0.5 * dt_s));
+    let k4 = rate(ahead(k3, dt_s));
+    std::array::from_fn(|i| y[i] + dt_s * ((k1[i] + k4[i]) / 6.0 + (k2[i] + k3[i]) / 3.0))
+}
+
+impl Scheme {
+    /// The scheme of a valid scene under one reading of the listing.
+    pub fn of(scene: &Scene, listing: Listing) -> Self {
+        let faces = Faces::of(scene);
+        let plate = (scene.plate.mount == Mount::Sprung).then(|| plate_of(scene, listing.damper));
+        Self {
+            listing,
+            faces,
+            radius_m: scene.projectile.tip_radius_m,
+            projectile_kg: scene.projectile.mass_kg,
+            strength_pa: scene.target.flow_strength_pa,
+            drag_kg_m3: scene.drag_kg_m3(),
+            velocity_m_s: scene.projectile.velocity_m_s,
+            cos: match listing.obliquity {
+                Reading::Printed => 1.0,
+                Reading::Mended => faces.cos,
+            },
+            start_m: if plate.is_some() { 0.0 - scene.plate.cocking_m } else { 0.0 },
+            plate,
+        }
+    }
+
+    /// How the plate is carried; `None` when it is rigid.
+    pub fn plate(&self) -> Option<Plate> {
+        self.plate
+    }
+
+    /// First contact.
+    pub fn start(&self) -> State {
+        State {
+            pen_m: 0.0,
+            travel_m: 0.0,
+            velocity_m_s: self.velocity_m_s,
+            plate: [self.start_m, 0.0],
+            plate_before: [self.start_m, 0.0],
+            slip_m_s: self.velocity_m_s,
+            depth_m: 0.0,
+            area_m2: 0.0,
+            force_n: 0.0,
+            force_before_n: 0.0,
+        }
+    }
+
+    /// One step.
+    ///
+    /// # Errors
+    /// [`Refusal::Separated`] where the listing breaks off, [`Refusal::NonFinite`] where it blows up.
+    pub fn step(&self, state: &mut State) -> Result<(), Refusal> {
+        match self.listing.scheme {
+            Reading::Printed => self.step_as_printed(state)?,
+            Reading::Mended => self.step_by_runge_kutta(state)?,
+        }
+        let finite =
+            state.force_n.is_finite() && state.slip_m_s.is_finite() && state.plate[0].is_finite();
+        if finite { Ok(()) } else { Err(Refusal::NonFinite) }
+    }
+
+    fn step_as_printed(&self, state: &mut State) -> Result<(), Refusal> {
+        let dt_s = self.listing.step_s;
+        let increment = state.plate[0] - state.plate_before[0];
+        state.pen_m += state.velocity_m_s * dt_s;
+        state.travel_m += state.slip_m_s * dt_s;
+        self.load(state, increment)?;
+        state.velocity_m_s -=
+            dt_s * 0.5 * (state.force_n + state.force_before_n) / self.projectile_kg;
+        state.plate_before = state.plate;
+        if let Some(plate) = &self.plate {
+            state.plate = plate.step(state.plate, state.force_n * self.cos, dt_s);
+        }
+        state.slip_m_s = state.velocity_m_s - self.cos * state.plate[1];
+        Ok(())
+    }
+
+    /// Both bodies by one Runge-Kutta step; the force is evaluated at its stages.
+    fn step_by_runge_kutta(&self, state: &mut State) -> Result<(), Refusal> {
+        let increment = state.plate[0] - state.plate_before[0];
+        let rate = |[pen, travel, v, x, w]: [f64; 5]| {
+            let slip = v - self.cos * w;
+            let force = self.force_n(self.depth_m(pen, travel, increment), slip).1;
+            let [x_rate, w_rate] =
+                self.plate.map_or([0.0; 2], |plate| plate.rate([x, w], force * self.cos));
+            [v, slip, -force / self.projectile_kg, x_rate, w_rate]
+        };
+        let [x, w] = state.plate;
+        let y = [state.pen_m, state.travel_m, state.velocity_m_s, x, w];
+        let [pen_m, travel_m, velocity_m_s, x, w] = runge_kutta(y, self.listing.step_s, rate);
+        state.plate_before = state.plate;
+        state.plate = [x, w];
+        (state.pen_m, state.travel_m, state.velocity_m_s) = (pen_m, travel_m, velocity_m_s);
+        state.slip_m_s = velocity_m_s - self.cos * w;
+        self.load(state, x - state.plate_before[0])
+    }
+
+    /// Depth, area and force at the present travels.
+    fn load(&self, state: &mut State, increment_m: f64) -> Result<(), Refusal> {
+        state.depth_m = self.depth_m(state.pen_m, state.travel_m, increment_m);
+        if state.depth_m < 0.0 {
+            return Err(Refusal::Separated);
+        }
+        state.force_before_n = state.force_n;
+        (state.area_m2, state.force_n) = self.force_n(state.depth_m, state.slip_m_s);
+        Ok(())
+    }
+
+    fn depth_m(&self, pen_m: f64, travel_m: f64, increment_m: f64) -> f64 {
+        let r = self.radius_m;
+        match self.listing.coupling {
+            Reading::Printed => self.faces.depth(pen_m / r) * r - increment_m,
+            Reading::Mended => self.faces.depth(travel_m / r) * r,
+        }
+    }
+
+    /// Area, m², and force, N.
+    fn force_n(&self, depth_m: f64, slip_m_s: f64) -> (f64, f64) {
+        let r = self.radius_m;
+        let overwritten =
+            self.listing.jumps == Jumps::Ignored && depth_m / r > self.faces.full_from();
+        let area =
+            if overwritten { f64::NAN } else { self.faces.area_at_depth(depth_m / r) * r * r };
+        (area, area * (self.drag_kg_m3 * slip_m_s * slip_m_s + self.strength_pa))
+    }
+
+    /// Whether, and how, the contact has ended.
+    pub fn ended(&self, state: &State) -> Option<Ending> {
+        let slow = match self.listing.stopping {
+            Reading::Printed => state.slip_m_s < SLOW_M_S,
+            Reading::Mended => state.slip_m_s <= 0.0,
+        };
+        if state.area_m2 <= 0.0 {
+            Some(Ending::Perforation)
+        } else {
+            slow.then_some(Ending::Arrest)
+        }
     }
 }
 
@@ -66,48 +277,16 @@ pub fn contact(
     coupling: Coupling,
     steps_max: usize,
 ) -> Result<Answer, Refusal> {
-    let faces = Faces::of(scene);
-    let (r, m_p) = (scene.projectile.tip_radius_m, scene.projectile.mass_kg);
-    let (strength, drag) = (scene.target.flow_strength_pa, scene.drag_kg_m3());
-    let plate = (scene.plate.mount == Mount::Sprung).then(|| plate_of(scene, coupling));
-    let cos = match coupling {
-        Coupling::Printed => 1.0,
-        Coupling::Mended => faces.cos,
-    };
-    let start_m = if plate.is_some() { 0.0 - scene.plate.cocking_m } else { 0.0 };
-    let stop_m = scene.mechanism.stop.position_m.filter(|_| plate.is_some());
-    let (mut pen, mut v, mut y, mut force_before) =
-        (0.0, scene.projectile.velocity_m_s, [start_m, 0.0], 0.0);
-    let (mut travel, mut slip, mut last_increment, mut deepest) = (0.0, v, 0.0, 0.0);
+    let scheme = Scheme::of(scene, coupling.listing(dt_s));
+    let stop_m = scene.mechanism.stop.position_m.filter(|_| scheme.plate.is_some());
+    let (mut state, mut deepest) = (scheme.start(), 0.0);
     for i in 0..steps_max {
-        pen += v * dt_s;
-        travel += slip * dt_s;
-        let depth = match coupling {
-            Coupling::Printed => faces.depth(pen / r) * r - last_increment,
-            Coupling::Mended => faces.depth(travel / r) * r,
-        };
-        if depth < 0.0 {
-            return Err(Refusal::Separated);
-        }
-        let area = faces.area_at_depth(depth / r) * r * r;
-        let force = area * (drag * slip * slip + strength);
-        v -= dt_s * 0.5 * (force + force_before) / m_p;
-        force_before = force;
-        deepest = if depth > deepest { depth } else { deepest };
-        if let Some(plate) = &plate {
-            let next = plate.step(y, force * cos, dt_s);
-            last_increment = next[0] - y[0];
-            y = next;
-        }
-        slip = v - cos * y[1];
-        if !(force.is_finite() && slip.is_finite() && y[0].is_finite()) {
-            return Err(Refusal::NonFinite);
-        }
-        if stop_m.is_some_and(|stop| y[0] >= stop) {
+        scheme.step(&mut state)?;
+        deepest = if state.depth_m > deepest { state.depth_m } else { deepest };
+        if stop_m.is_some_and(|stop| state.plate[0] >= stop) {
             return Err(Refusal::StopWithinContact);
         }
-        if slip < SLOW_M_S || area <= 0.0 {
-            let ending = if area <= 0.0 { Ending::Perforation } else { Ending::Arrest };
+        if let Some(ending) = scheme.ended(&state) {
             let (steps, evaluations) = (i + 1, 5 * (i + 1));
             let t_s = steps as f64 * dt_s;
             return Ok(Answer { ending, t_s, depth_m: deepest, steps, rejected: 0, evaluations });
@@ -116,13 +295,13 @@ pub fn contact(
     Err(Refusal::StepBudget)
 }
 
-fn plate_of(scene: &Scene, coupling: Coupling) -> Plate {
+fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
     let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
     Plate {
         mass_kg: scene.plate_mass_kg(),
         spring: (spring.coefficient, spring.exponent),
         damper: (damper.coefficient, damper.exponent),
-        coupling,
+        signed: damper_reading == Reading::Mended,
     }
 }
 

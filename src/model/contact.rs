@@ -9,6 +9,7 @@
 use std::f64::consts::PI;
 
 use crate::model::scene::Scene;
+use crate::numerics::larger;
 use crate::numerics::quadrature::gauss;
 
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
@@ -28,6 +29,9 @@ pub struct Nose {
     pub cos: f64,
 }
 
+/// The most pieces a passage has: either face meets the nose at up to three depths.
+const PIECES_MAX: usize = 6;
+
 /// Depth and area laws of one scene, cut into pieces on which they are analytic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Geometry {
@@ -43,7 +47,9 @@ pub struct Geometry {
     pub lag_m: f64,
     /// Travel at which the nose is clear of the rear face, m.
     pub exit_m: f64,
-    pieces: Vec<Piece>,
+    /// The first `count` are in use; fixed room, so that a sweep prepares a contact without allocating.
+    pieces: [Piece; PIECES_MAX],
+    count: usize,
 }
 
 /// A stretch of travel on which the area is one analytic function.
@@ -147,9 +153,9 @@ impl Nose {
     fn partial_m2(&self, p_m: f64) -> f64 {
         let r = self.radius_m;
         let kappa = 1.0 - p_m * self.cos / r;
-        let chord = (self.sin * self.sin - kappa * kappa).sqrt();
+        let chord = larger(self.sin * self.sin - kappa * kappa, 0.0).sqrt();
         let ring = self.fullness(kappa);
-        let beyond = (kappa / self.sin).acos();
+        let beyond = (kappa / self.sin).clamp(-1.0, 1.0).acos();
         r * r * (self.cos * (1.0 - kappa * kappa) * ring + beyond - kappa * chord)
     }
 
@@ -177,9 +183,10 @@ impl Geometry {
             bend_m,
             lag_m,
             exit_m: exit_depth + lag_m,
-            pieces: Vec::new(),
+            pieces: [Piece { from_m: 0.0, to_m: 0.0, law: AreaLaw::None }; PIECES_MAX],
+            count: 0,
         };
-        geometry.pieces = geometry.cut();
+        geometry.cut();
         geometry
     }
 
@@ -200,7 +207,7 @@ impl Geometry {
 
     /// The pieces in order, from zero travel to the exit.
     pub fn pieces(&self) -> &[Piece] {
-        &self.pieces
+        &self.pieces[..self.count]
     }
 
     /// The piece that holds at travel `q_m`, the later one at a joint; free space before and after.
@@ -208,7 +215,7 @@ impl Geometry {
         if q_m < 0.0 {
             return Piece { from_m: f64::NEG_INFINITY, to_m: 0.0, law: AreaLaw::None };
         }
-        let found = self.pieces.iter().find(|piece| q_m < piece.to_m);
+        let found = self.pieces().iter().find(|piece| q_m < piece.to_m);
         found.copied().unwrap_or(Piece {
             from_m: self.exit_m,
             to_m: f64::INFINITY,
@@ -219,7 +226,7 @@ impl Geometry {
     /// Volume swept from first contact to travel `q_m`: the integral of the area over travel, m³.
     pub fn swept_m3(&self, q_m: f64) -> f64 {
         let mut volume = 0.0;
-        for piece in &self.pieces {
+        for piece in self.pieces() {
             if q_m <= piece.from_m {
                 break;
             }
@@ -232,7 +239,7 @@ impl Geometry {
     /// Travel at which the swept volume is `volume_m3`; `None` beyond the volume of the whole passage.
     pub fn travel_at_volume_m(&self, volume_m3: f64) -> Option<f64> {
         let mut before = 0.0;
-        for piece in &self.pieces {
+        for piece in self.pieces() {
             let whole = piece.swept_m3(&self.nose, piece.from_m, piece.to_m);
             if volume_m3 < before + whole {
                 return Some(piece.travel_at_volume_m(&self.nose, volume_m3 - before, whole));
@@ -242,26 +249,30 @@ impl Geometry {
         None
     }
 
-    fn cut(&self) -> Vec<Piece> {
-        let nose = &self.nose;
-        let (from, to) = (nose.cap_end_m(), nose.full_from_m());
-        let joint = if nose.is_normal() { 0.5 } else { JOINT } * (to - from);
-        let mut depths = vec![0.0, self.thickness_m, self.thickness_m + to];
+    /// Cut the passage where a face meets the tip, the cylinder or the end of the nose, or the plate its own rear face.
+    fn cut(&mut self) {
+        let (from, to) = (self.nose.cap_end_m(), self.nose.full_from_m());
+        let joint = if self.nose.is_normal() { 0.5 } else { JOINT } * (to - from);
+        let end = self.thickness_m + to;
+        // At normal impact tip and cylinder are met at one and the same depth.
+        let met = if self.nose.is_normal() { 2 } else { 3 };
+        let mut travels = [0.0; PIECES_MAX + 1];
+        let mut count = 0;
         for face in [0.0, self.thickness_m] {
-            depths.push(face + from + joint);
-            if !nose.is_normal() {
-                depths.push(face + to - joint);
+            for depth in [face, face + from + joint, face + to - joint].into_iter().take(met) {
+                if depth <= end {
+                    travels[count] = self.travel_m(depth);
+                    count += 1;
+                }
             }
         }
-        depths.retain(|depth| *depth <= self.thickness_m + to);
-        depths.sort_by(f64::total_cmp);
-        depths.dedup();
-        let travels: Vec<f64> = depths.iter().map(|depth| self.travel_m(*depth)).collect();
-        travels
-            .windows(2)
-            .filter(|pair| pair[1] > pair[0])
-            .map(|pair| Piece { from_m: pair[0], to_m: pair[1], law: self.law(pair[0], pair[1]) })
-            .collect()
+        travels[count] = self.travel_m(end);
+        travels[..=count].sort_unstable_by(f64::total_cmp);
+        for pair in travels[..=count].windows(2).filter(|pair| pair[1] > pair[0]) {
+            self.pieces[self.count] =
+                Piece { from_m: pair[0], to_m: pair[1], law: self.law(pair[0], pair[1]) };
+            self.count += 1;
+        }
     }
 
     fn law(&self, from_m: f64, to_m: f64) -> AreaLaw {

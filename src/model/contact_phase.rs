@@ -17,6 +17,7 @@ use crate::numerics::explicit::{dop853, rk4};
 use section::Faces;
 
 pub mod exact;
+pub mod fine;
 pub mod section;
 
 /// Stretches between boundaries after which a phase is given up: a plate that rattles about a singular zero.

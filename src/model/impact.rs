@@ -7,6 +7,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::interaction;
 use crate::model::run::{EndReason, ErrorEstimate, EstimateBasis, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
@@ -66,6 +67,9 @@ pub fn simulate(
     observer: Observer<'_>,
 ) -> Result<Run, VariableError> {
     variables::validate(scene)?;
+    if let Some(run) = interaction::simulate(scene, *settings, observer) {
+        return Ok(run);
+    }
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;
     let (track, end) = compute::<TERMS>(&problem, tolerance, settings.series, observer);

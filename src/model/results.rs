@@ -6,6 +6,7 @@
 use crate::model::run::Run;
 
 /// One number a run comes down to.
+#[derive(Clone, Copy, Debug)]
 pub struct ResultColumn {
     /// Name in JSON, CSV and `[sweep] outputs`; it ends in its unit.
     pub name: &'static str,
@@ -16,6 +17,21 @@ pub struct ResultColumn {
 }
 
 impl ResultColumn {
+    /// The unit its name ends in; `%` for a percentage, empty for a pure number.
+    pub fn unit(&self) -> &'static str {
+        let endings = [("_m_s", "m/s"), ("_m", "m"), ("_s", "s"), ("_n", "N")];
+        if self.name.starts_with("percent") {
+            return "%";
+        }
+        endings.into_iter().find(|(end, _)| self.name.ends_with(end)).map_or("", |(_, unit)| unit)
+    }
+
+    /// Its name in words, without the unit: `max plate displacement`.
+    pub fn title(&self) -> String {
+        let ending = ["_m_s", "_m", "_s", "_n"].into_iter().find(|end| self.name.ends_with(end));
+        self.name.strip_suffix(ending.unwrap_or("")).unwrap_or(self.name).replace('_', " ")
+    }
+
     /// Its value for a run; `None` where it does not exist.
     pub fn value(&self, run: &Run) -> Option<f64> {
         (self.get)(run).filter(|value| value.is_finite())
@@ -40,7 +56,7 @@ pub static RESULTS: &[ResultColumn] = &[
     column("final_penetration_m", "depth of the hole at the end", |run| run.final_penetration_m),
     column("percent_of_baseline", "final depth over that of the same plate on a rigid mount, percent", Run::percent_of_baseline),
     column("baseline_penetration_m", "depth of the same shot into the same plate on a rigid mount", |run| run.baseline_penetration_m),
-    column("peak_contact_force_n", "greatest contact force while penetrating", |run| Some(run.peak_contact_force_n)),
+    column("peak_contact_force_n", "greatest contact force while penetrating", |run| run.peak_contact_force_n),
     column("max_plate_displacement_m", "greatest plate displacement", |run| run.max_plate_displacement_m),
     column("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Run::stroke_m),
     column("residual_velocity_m_s", "projectile velocity after perforation", |run| run.residual_velocity_m_s),
@@ -75,5 +91,15 @@ mod tests {
             assert_eq!(find(column.name).map(|found| found.name), Some(column.name));
         }
         assert!(find("depth").is_none());
+    }
+
+    #[test]
+    fn units_and_words_come_from_the_name() {
+        let of = |name| find(name).map(|column| (column.title(), column.unit()));
+        let expect = |title: &str, unit| Some((title.to_owned(), unit));
+        assert_eq!(of("percent_of_baseline"), expect("percent of baseline", "%"));
+        assert_eq!(of("stroke_m"), expect("stroke", "m"));
+        assert_eq!(of("residual_velocity_m_s"), expect("residual velocity", "m/s"));
+        assert_eq!(of("steps"), expect("steps", ""));
     }
 }

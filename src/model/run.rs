@@ -6,6 +6,7 @@
 use std::fmt;
 use std::sync::Arc;
 
+use crate::model::interaction::ModelNote;
 use crate::model::scene::Scene;
 
 /// One computed impact.
@@ -23,8 +24,8 @@ pub struct Run {
     pub final_penetration_m: Option<f64>,
     /// Penetration of the same shot into the same plate on a rigid mount; `None` when that perforates.
     pub baseline_penetration_m: Option<f64>,
-    /// Greatest contact force while penetrating, N.
-    pub peak_contact_force_n: f64,
+    /// Greatest contact force while penetrating, N; `None` for a collision that takes no time.
+    pub peak_contact_force_n: Option<f64>,
     /// Greatest plate displacement x; `None` where nothing ever stops the plate or the run ended before it was known, m.
     pub max_plate_displacement_m: Option<f64>,
     /// Projectile velocity after perforation, m/s.
@@ -97,6 +98,8 @@ pub enum EndReason {
     NonFinite,
     /// Too many events in a row (a plate rattling on its stop, for instance).
     EventBudget,
+    /// The printed listing breaks off where its depth turns negative.
+    BreaksOff,
     /// The observer asked to stop.
     Cancelled,
 }
@@ -116,6 +119,7 @@ impl EndReason {
             Self::StepUnderflow => "ended early: steps became too small to move time forward",
             Self::NonFinite => "ended early: a value stopped being finite",
             Self::EventBudget => "ended early: too many events",
+            Self::BreaksOff => "ended early: the printed listing breaks off at a negative depth",
             Self::Cancelled => "cancelled: what was finished is kept",
         }
     }
@@ -274,6 +278,8 @@ pub enum EstimateBasis {
     ClosedForm,
     /// Difference to a second computation at a tighter tolerance and another order.
     SecondComputation,
+    /// Twice the difference to the same first-order scheme at half the step: against the scheme's own limit.
+    HalfStep,
 }
 
 /// Where the energy went, in J. Every term is what has left the projectile's initial kinetic energy and the spring's preload.
@@ -418,6 +424,8 @@ pub enum Warning {
     EndedEarly(EndReason),
     /// The rigid mount, too, is perforated: there is no baseline to compare with.
     NoBaseline,
+    /// What the interaction model does not contain.
+    Model(ModelNote),
 }
 
 impl fmt::Display for Warning {
@@ -447,6 +455,7 @@ impl fmt::Display for Warning {
                 write!(f, "the energy ledger is off by {residual:.1e} of the energy at the start")
             }
             Self::EndedEarly(reason) => f.write_str(reason.words()),
+            Self::Model(note) => f.write_str(&note.words()),
             Self::NoBaseline => f.write_str(
                 "the same shot perforates the plate on a rigid mount, too: there is no baseline depth",
             ),

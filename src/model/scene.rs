@@ -5,6 +5,10 @@
 //! that a value typed in degrees is stored exactly. This file knows no files and no screen; the table that
 //! names each variable for people is in [`crate::model::variables`].
 
+mod contact;
+
+pub use contact::{Contact, ContactModel, Jumps, Listing, Reading};
+
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Scene {
@@ -23,7 +27,7 @@ pub struct Scene {
     /// What the interface between projectile and plate can carry once they move together.
     pub interface: Interface,
     /// How the contact force is modelled.
-    pub contact: ContactModel,
+    pub contact: Contact,
     /// How the run is computed.
     pub run: RunSettings,
     /// The sweep this scene is the base of, if any.
@@ -41,6 +45,10 @@ pub struct Projectile {
     pub velocity_m_s: f64,
     /// theta between the projectile's axis and the plate's normal, 0 to below 90 degrees.
     pub obliquity_deg: f64,
+    /// `rho_p`, > 0 kg/m³: with the mass, it gives the rod's length in the formula for ricochet.
+    pub density_kg_m3: f64,
+    /// `Y_p`, > 0 Pa: the rod's strength in that formula.
+    pub strength_pa: f64,
 }
 
 /// The plate as a target.
@@ -162,14 +170,6 @@ pub enum InterfaceLaw {
     Plastic,
 }
 
-/// How the force between projectile and plate is modelled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum ContactModel {
-    /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
-    #[default]
-    Hydrodynamic,
-}
-
 /// How a run is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunSettings {
@@ -205,7 +205,14 @@ pub struct SweepAxis {
 
 impl Default for Projectile {
     fn default() -> Self {
-        Self { mass_kg: 0.0295, tip_radius_m: 0.00635, velocity_m_s: 100.0, obliquity_deg: 0.0 }
+        Self {
+            mass_kg: 0.0295,
+            tip_radius_m: 0.00635,
+            velocity_m_s: 100.0,
+            obliquity_deg: 0.0,
+            density_kg_m3: 7850.0,
+            strength_pa: 1e9,
+        }
     }
 }
 

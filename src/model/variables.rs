@@ -6,14 +6,16 @@
 
 use thiserror::Error;
 
-use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
+use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity, QuantityError};
 
 mod names;
 mod table;
+mod used;
 
 pub use names::{edit_distance, find, nearest};
 pub use table::VARIABLES;
+pub use used::{critical_obliquity_deg, is_listed, is_used, require_hydrodynamic};
 
 /// One row of the table.
 pub struct Variable {
@@ -356,6 +358,9 @@ impl Variable {
         let Kind::Number(number) = &self.kind else {
             return None;
         };
+        if self.symbol == "theta" {
+            return used::ricochet(scene);
+        }
         let (low, high) = number.thesis_range?;
         let value = (number.get)(scene)?;
         (!(low..=high).contains(&value)).then(|| RangeWarning {
@@ -457,7 +462,7 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
             )));
         }
     }
-    Ok(())
+    used::check_interface_spring(scene)
 }
 
 /// Every value that is legal yet outside the range the thesis searched.
@@ -467,24 +472,4 @@ pub fn range_warnings(scene: &Scene) -> Vec<RangeWarning> {
         .filter(|variable| is_used(variable, scene))
         .filter_map(|variable| variable.range_warning(scene))
         .collect()
-}
-
-/// Whether a variable has any effect on this scene; rows without effect are dimmed in the editor.
-pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
-    let sprung = scene.plate.mount == Mount::Sprung;
-    let mechanism = &scene.mechanism;
-    let stop = sprung && mechanism.stop.position_m.is_some();
-    match variable.key {
-        "mechanism.damper.exponent" => sprung && mechanism.damper.coefficient > 0.0,
-        "mechanism.spring.exponent" | "plate.cocking_m" => {
-            sprung && mechanism.spring.coefficient > 0.0
-        }
-        "interface.grip" => scene.interface.law == InterfaceLaw::Plastic,
-        "mechanism.stop.kind" => stop,
-        "mechanism.stop.restitution" => stop && mechanism.stop.kind == StopKind::Rigid,
-        "mechanism.stop.stiffness_n_m" | "mechanism.stop.damping_n_s_m" => {
-            stop && mechanism.stop.kind == StopKind::Elastic
-        }
-        key => sprung || !(key.starts_with("mechanism.") || key == "plate.mass_ratio"),
-    }
 }

@@ -4,14 +4,12 @@ use crate::numerics::series::{evaluate, evaluate_slope};
 
 /// Pieces into which a step is cut when an event cannot be excluded at once.
 const PIECES: usize = 8;
-/// A start value smaller than this part of the step's variation counts as zero.
-const NOISE: f64 = 1e-14;
 
 /// The first s in (0, end] at which the polynomial passes from positive to zero or below; `None` if it does not.
 ///
 /// A polynomial that is zero or negative at 0 has to become positive first: an event that has just been handled does not
-/// fire again. Non-finite coefficients give `None`.
-pub fn first_fall(c: &[f64], end: f64) -> Option<f64> {
+/// fire again. `noise` is what rounding may have left of a start value that is zero. Non-finite coefficients give `None`.
+pub fn first_fall(c: &[f64], end: f64, noise: f64) -> Option<f64> {
     let mut bound = 0.0;
     let mut power = 1.0;
     for c in &c[1..] {
@@ -24,13 +22,12 @@ pub fn first_fall(c: &[f64], end: f64) -> Option<f64> {
     }
     let (mut left, mut at_left) = (0.0, c[0]);
     // At the boundary, up to rounding, the direction of travel says on which side it is.
-    let mut armed =
-        if c[0].abs() <= NOISE * bound { first_nonzero(&c[1..]) > 0.0 } else { c[0] > 0.0 };
+    let mut armed = if c[0].abs() <= noise { first_nonzero(&c[1..]) > 0.0 } else { c[0] > 0.0 };
     for piece in 1..=PIECES {
         let right = end * piece as f64 / PIECES as f64;
         let at_right = evaluate(c, right);
         if armed && at_right <= 0.0 {
-            let from = if at_left > 0.0 { left } else { positive_side(c, left, right)? };
+            let from = if at_left > 0.0 { left } else { positive_side(c, right) };
             return Some(bracketed(c, from, right));
         }
         let (slope_left, slope_right) = (evaluate_slope(c, left), evaluate_slope(c, right));
@@ -58,16 +55,18 @@ fn first_nonzero(c: &[f64]) -> f64 {
     c.iter().copied().find(|c| *c != 0.0).unwrap_or(0.0)
 }
 
-/// A point right of `left` where the polynomial, zero at `left` and rising there, is positive.
-fn positive_side(c: &[f64], left: f64, right: f64) -> Option<f64> {
-    let mut width = right - left;
-    for _ in 0..60 {
-        width *= 0.5;
-        if evaluate(c, left + width) > 0.0 {
-            return Some(left + width);
+/// A point between 0 and `right` where a polynomial whose first coefficient that is not zero is positive is still positive:
+/// there no later term reaches its share of the first one.
+fn positive_side(c: &[f64], right: f64) -> f64 {
+    let Some(first) = (1..c.len()).find(|j| c[*j] != 0.0) else { return 0.0 };
+    let mut s = right;
+    for j in first + 1..c.len() {
+        if c[j] < 0.0 {
+            let share = c[first] / (-c[j] * c.len() as f64);
+            s = s.min(share.powf(1.0 / (j - first) as f64));
         }
     }
-    None
+    s
 }
 
 /// Where the slope changes sign between `a` and `b`.
@@ -140,27 +139,27 @@ mod tests {
     #[test]
     fn a_simple_fall_is_found_to_rounding() {
         // 1 - s²/4 falls through zero at s = 2.
-        let root = first_fall(&[1.0, 0.0, -0.25], 3.0).unwrap();
+        let root = first_fall(&[1.0, 0.0, -0.25], 3.0, 0.0).unwrap();
         assert!((root - 2.0).abs() < 1e-15);
-        assert_eq!(first_fall(&[1.0, 0.0, -0.25], 1.9), None);
+        assert_eq!(first_fall(&[1.0, 0.0, -0.25], 1.9, 0.0), None);
     }
 
     #[test]
     fn an_event_just_handled_does_not_fire_again() {
-        assert_eq!(first_fall(&[0.0, -1.0], 1.0), None);
-        assert_eq!(first_fall(&[-1e-18, -1.0, 0.1], 1.0), None);
+        assert_eq!(first_fall(&[0.0, -1.0], 1.0, 0.0), None);
+        assert_eq!(first_fall(&[1e-18, -1.0, 0.1], 1.0, 1e-16), None);
         // Zero and rising is armed: s - s² falls at 1.
-        assert!((first_fall(&[0.0, 1.0, -1.0], 2.0).unwrap() - 1.0).abs() < 1e-14);
-        assert!((first_fall(&[0.0, 0.0, 1.0, -1.0], 2.0).unwrap() - 1.0).abs() < 1e-14);
+        assert!((first_fall(&[0.0, 1.0, -1.0], 2.0, 0.0).unwrap() - 1.0).abs() < 1e-14);
+        assert!((first_fall(&[0.0, 0.0, 1.0, -1.0], 2.0, 0.0).unwrap() - 1.0).abs() < 1e-14);
     }
 
     #[test]
     fn dips_and_humps_between_samples_are_seen() {
         // (s - 0.53)² - 1e-6: a dip narrower than a piece.
         let dip = [0.53 * 0.53 - 1e-6, -1.06, 1.0];
-        assert!((first_fall(&dip, 1.0).unwrap() - 0.529).abs() < 1e-9);
+        assert!((first_fall(&dip, 1.0, 0.0).unwrap() - 0.529).abs() < 1e-9);
         let hump = [-0.53 * 0.53 + 1e-6, 1.06, -1.0];
-        assert!((first_fall(&hump, 1.0).unwrap() - 0.531).abs() < 1e-9);
+        assert!((first_fall(&hump, 1.0, 0.0).unwrap() - 0.531).abs() < 1e-9);
     }
 
     #[test]
@@ -180,7 +179,7 @@ mod tests {
         let mut from = 0.0;
         while from < 1.0 {
             let shifted = shift(&c, from);
-            let Some(s) = first_fall(&shifted, 1.0 - from) else {
+            let Some(s) = first_fall(&shifted, 1.0 - from, 1e-13) else {
                 break;
             };
             found.push(from + s);
@@ -206,8 +205,8 @@ mod tests {
 
     #[test]
     fn non_finite_coefficients_give_no_event() {
-        assert_eq!(first_fall(&[1.0, f64::NAN], 1.0), None);
-        assert_eq!(first_fall(&[f64::NAN, -1.0], 1.0), None);
+        assert_eq!(first_fall(&[1.0, f64::NAN], 1.0, 0.0), None);
+        assert_eq!(first_fall(&[f64::NAN, -1.0], 1.0, 0.0), None);
     }
 
     #[test]

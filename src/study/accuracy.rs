@@ -158,6 +158,7 @@ pub fn compare_openly(
     watch: Onlooker<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
+    variables::require_hydrodynamic(scene)?;
     let references = references(scene);
     let end_s = references.first().map_or(f64::NAN, |reference| reference.t_s);
     let plan: Vec<(Method, Vec<Knob>)> =
@@ -290,6 +291,16 @@ impl MethodReport {
 }
 
 impl Report {
+    /// The cheapest way to an accuracy with nothing left out: the engine held to one general method, with events, ledger and
+    /// series of every law, also where a closed form, a bound or a leaner way would do.
+    pub fn cheapest_in_full(&self, target: f64) -> Option<Cheapest> {
+        let general =
+            self.methods.iter().filter(|it| matches!(it.method, Method::Taylor | Method::Radau));
+        general
+            .filter_map(|method| method.cheapest(target))
+            .min_by(|a, b| a.min_s.total_cmp(&b.min_s))
+    }
+
     /// The cheapest way of all to an accuracy.
     pub fn cheapest(&self, target: f64) -> Option<Cheapest> {
         let each = self.methods.iter().filter_map(|method| method.cheapest(target));

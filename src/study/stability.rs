@@ -218,7 +218,7 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
         run.exit_time_s,
         run.residual_velocity_m_s,
         run.max_plate_displacement_m,
-        Some(run.peak_contact_force_n),
+        run.peak_contact_force_n,
         Some(residual),
     ];
     if !run.end.is_complete() {

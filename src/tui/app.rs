@@ -16,13 +16,17 @@ pub mod dialog;
 pub mod editor;
 pub mod history;
 pub mod layout;
+pub mod limit;
 pub mod log;
 pub mod notice;
 pub mod quantity;
 pub mod runs;
+pub mod setup;
 pub mod stability;
 pub mod status;
 pub mod steps;
+pub mod sweep;
+pub mod thesis;
 
 use accuracy::Accuracy;
 use charts::Charts;
@@ -30,34 +34,68 @@ use dialog::Dialog;
 use editor::Editor;
 use history::History;
 use layout::Layout;
+use limit::Ballistic;
 use notice::{Notice, Severity};
 use runs::{Jobs, Pin, Shown};
 use stability::Stability;
+use sweep::Sweeping;
+use thesis::Thesis;
 
 /// The tabs, in the order of the title row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tab {
     /// One impact: variables, charts, runs.
     Run,
+    /// Curves over one variable.
+    Sweep,
+    /// A map over two.
+    Surface,
     /// Error against run time of every method, for the scene on the screen.
     Accuracy,
     /// Where fixed-step methods fail, and the battery of stiff and extreme scenes.
     Stability,
     /// Warnings, events, energy, cost and messages.
     Log,
+    /// The thesis: its claims, its principles, its screening matrix.
+    Thesis,
+    /// The ballistic limit and the velocity left beyond it.
+    Limit,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Self; 4] = [Self::Run, Self::Accuracy, Self::Stability, Self::Log];
+    pub const ALL: [Self; 8] = [
+        Self::Run,
+        Self::Sweep,
+        Self::Surface,
+        Self::Accuracy,
+        Self::Stability,
+        Self::Log,
+        Self::Thesis,
+        Self::Limit,
+    ];
 
     /// The text in the title row, with the key that leads there.
     pub fn title(self) -> &'static str {
         match self {
             Self::Run => "1:Run",
+            Self::Sweep => "2:Sweep",
+            Self::Surface => "3:Surface",
             Self::Accuracy => "4:Accuracy",
             Self::Stability => "5:Stability",
             Self::Log => "6:Log",
+            Self::Thesis => "7:Thesis",
+            Self::Limit => "8:Limit",
+        }
+    }
+
+    /// A shorter text, for where eight full ones have no room.
+    pub fn short_title(self) -> &'static str {
+        match self {
+            Self::Surface => "3:Surf",
+            Self::Accuracy => "4:Acc",
+            Self::Stability => "5:Stab",
+            Self::Run | Self::Sweep | Self::Log | Self::Thesis | Self::Limit => self.title(),
         }
     }
 }
@@ -123,10 +161,16 @@ pub struct App {
     pub current_visible: bool,
     /// The charts.
     pub charts: Charts,
+    /// The Sweep and Surface tabs.
+    pub sweeping: Sweeping,
     /// The Accuracy tab.
     pub accuracy: Accuracy,
     /// The Stability tab.
     pub stability: Stability,
+    /// The Thesis tab.
+    pub thesis: Thesis,
+    /// The Limit tab.
+    pub limit: Ballistic,
     /// The dialog on top, if any.
     pub dialog: Option<Dialog>,
     /// The newest message, until the next key.
@@ -165,8 +209,11 @@ impl App {
             selected_run: 0,
             current_visible: true,
             charts: Charts::default(),
+            sweeping: Sweeping::default(),
             accuracy: Accuracy::default(),
             stability: Stability::default(),
+            thesis: Thesis::default(),
+            limit: Ballistic::default(),
             dialog: None,
             notice: None,
             log: Vec::new(),
@@ -196,17 +243,27 @@ impl App {
 
     fn layout_with(&self, size: (u16, u16), message_rows: u16) -> Layout {
         let pins = self.pins.len();
-        layout::layout(size, message_rows, self.tab, (self.focus, self.full_pane), pins)
+        let focus = if self.picture().is_some() { self.place() } else { self.focus };
+        layout::layout(size, message_rows, self.tab, (focus, self.full_pane), pins)
     }
 
     /// Where a key is pressed now.
     pub fn place(&self) -> Place {
         match self.tab {
             Tab::Run => self.focus,
+            Tab::Sweep | Tab::Surface if self.sweeping.on_setup => Place::Setup,
+            Tab::Sweep => Place::Lines,
+            Tab::Surface => Place::Surface,
             Tab::Accuracy => Place::Accuracy,
             Tab::Stability if self.stability.battery_shown => Place::Battery,
             Tab::Stability => Place::Map,
             Tab::Log => Place::Log,
+            Tab::Thesis => match self.thesis.page {
+                thesis::Page::Claims => Place::Claims,
+                thesis::Page::Principles => Place::Principles,
+                thesis::Page::Screening => Place::Screening,
+            },
+            Tab::Limit => Place::Limit,
         }
     }
 

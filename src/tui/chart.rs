@@ -26,7 +26,9 @@ use crate::tui::theme::{GlyphSet, Pane, Theme, ascii_pass};
 
 mod canvas;
 pub mod curve;
+pub mod heatmap;
 pub mod layout;
+pub mod levels;
 mod paint;
 pub mod prefix;
 pub mod scale;
@@ -36,7 +38,9 @@ mod titles;
 mod trace;
 
 pub use curve::{Curve, Emphasis, MARKERS, Points, Side};
+pub use heatmap::{Heatmap, Spot};
 pub use layout::Layout;
+pub use levels::Levels;
 pub use prefix::Unit;
 pub use scale::{Mapping, Scale, ViewRange};
 use titles::Plan;

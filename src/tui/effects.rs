@@ -19,9 +19,10 @@ use crate::files::export::{self, ExportRequest};
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Session};
+use crate::files::sweep;
 use crate::model::scene::Scene;
 use crate::tui::complete;
-use crate::tui::message::{EffectReport, ExportOutcome, Message, PresetEntry};
+use crate::tui::message::{EffectReport, ExportOutcome, Message, PresetEntry, SweepExport};
 
 /// How long a changed session may stay unsaved.
 const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -34,6 +35,10 @@ pub(super) enum Task {
     Export(Box<ExportRequest>),
     /// Write what was measured of the methods.
     ExportAccuracy { path: PathBuf, overwrite: bool, found: Box<Named> },
+    /// Write what a sweep found.
+    ExportSweep(Box<SweepExport>),
+    /// Write a table.
+    ExportTable { path: PathBuf, overwrite: bool, text: String },
     /// Tell which presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     /// Read a scene file.
@@ -175,6 +180,10 @@ impl Desk {
             Task::ExportAccuracy { path, overwrite, found } => {
                 EffectReport::Exported(write_accuracy(path, overwrite, &found))
             }
+            Task::ExportSweep(export) => EffectReport::Exported(write_sweep(*export)),
+            Task::ExportTable { path, overwrite, text } => {
+                EffectReport::Exported(write_table(path, overwrite, &text))
+            }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
                 preset::from_file(&path)
@@ -217,6 +226,24 @@ fn write_accuracy(path: PathBuf, overwrite: bool, found: &Named) -> ExportOutcom
     let written = accuracy::csv(std::slice::from_ref(found))
         .and_then(|table| atomic::write(&path, table.as_bytes(), existing(overwrite)));
     match written {
+        Ok(()) => ExportOutcome::Written(vec![path]),
+        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
+        Err(error) => ExportOutcome::Failed(error.to_string()),
+    }
+}
+
+fn write_sweep(export: SweepExport) -> ExportOutcome {
+    let written = sweep::grid_csv(&export.name, &export.grid)
+        .and_then(|table| atomic::write(&export.path, &table, existing(export.overwrite)));
+    match written {
+        Ok(()) => ExportOutcome::Written(vec![export.path]),
+        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
+        Err(error) => ExportOutcome::Failed(error.to_string()),
+    }
+}
+
+fn write_table(path: PathBuf, overwrite: bool, text: &str) -> ExportOutcome {
+    match atomic::write(&path, text.as_bytes(), existing(overwrite)) {
         Ok(()) => ExportOutcome::Written(vec![path]),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
         Err(error) => ExportOutcome::Failed(error.to_string()),

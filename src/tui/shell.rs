@@ -18,6 +18,7 @@ use crate::tui::app::App;
 use crate::tui::message::{Effect, EffectReport, Message};
 use crate::tui::{update, view};
 use crate::worker::studies::Studies;
+use crate::worker::sweeps::Sweeps;
 use crate::worker::{Report, Slot, Worker};
 
 /// Idle, the loop looks this often whether the terminal is still there.
@@ -58,6 +59,7 @@ pub(super) struct Shell {
     inbox: Receiver<Incoming>,
     worker: Worker,
     studies: Studies,
+    sweeps: Sweeps,
     clerk: Clerk,
     pace: Pace,
     timers: Vec<(Instant, Message)>,
@@ -91,6 +93,11 @@ impl Shell {
             // The loop may be over already.
             let _ = for_studies.send(Incoming::Message(Message::Study(report)));
         })?;
+        let for_sweeps = sender.clone();
+        let sweeps = Sweeps::spawn(move |report| {
+            // The loop may be over already.
+            let _ = for_sweeps.send(Incoming::Message(Message::Sweep(report)));
+        })?;
         let (mut app, recent) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
         let clerk = Clerk::spawn(paths, sender.clone())?;
@@ -108,6 +115,7 @@ impl Shell {
             inbox,
             worker,
             studies,
+            sweeps,
             clerk,
             pace: Pace::new(now),
             timers: Vec::new(),
@@ -290,8 +298,14 @@ impl Shell {
             Effect::Export(request) => self.clerk.ask(Task::Export(request)),
             Effect::Study(study) => self.studies.submit(study),
             Effect::CancelStudy => self.studies.cancel(),
+            Effect::Sweep(job) => self.sweeps.submit(job),
+            Effect::CancelSweep => self.sweeps.cancel(),
+            Effect::ExportSweep(export) => self.clerk.ask(Task::ExportSweep(export)),
             Effect::ExportAccuracy { path, overwrite, found } => {
                 self.clerk.ask(Task::ExportAccuracy { path, overwrite, found });
+            }
+            Effect::ExportTable { path, overwrite, text } => {
+                self.clerk.ask(Task::ExportTable { path, overwrite, text });
             }
             Effect::SaveSession => {
                 self.clerk.session_changed(start::session(&self.app, &self.recent));

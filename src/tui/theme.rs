@@ -4,7 +4,7 @@
 //! work. Knows ratatui; must not know what is shown. Colour is never the only channel: whoever uses a role for a meaning also
 //! writes a character.
 
-use ratatui::style::{Modifier, Style};
+use ratatui::style::{Color, Modifier, Style};
 
 pub mod colours;
 pub mod glyphs;
@@ -100,6 +100,21 @@ impl Theme {
                 self.style(Role::Focus)
             }
         }
+    }
+
+    /// The colour of a heat map's shade, 0 the least of ten, and the ink that can be read on it; `None` where there are fewer
+    /// than 256 colours.
+    pub fn heat(self, shade: usize) -> Option<(Color, Color)> {
+        match self.depth {
+            ColourDepth::None | ColourDepth::Sixteen => None,
+            // Steps of the fixed palette at full depth, too: a map in 24-bit colours is nine times the bytes.
+            ColourDepth::Ansi256 | ColourDepth::Rgb => Some(colours::heat(shade)),
+        }
+    }
+
+    /// The ink that can be read on a heat map's colour.
+    pub fn ink_on(self, colour: Color) -> Color {
+        colours::ink_on(colour)
     }
 
     /// Faint where colours are on. `NO_COLOR` keeps to bold, reverse and underline, which every terminal can show.

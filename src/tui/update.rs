@@ -19,8 +19,13 @@ mod export;
 mod field;
 mod input;
 mod jobs;
+mod limit;
 mod runs;
+mod setup;
 mod stability;
+mod sweep;
+mod table;
+mod thesis;
 
 /// What to ask for first: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
@@ -43,6 +48,10 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
         Message::Act(action) => act::act(app, action),
         Message::Report(report) => jobs::report(app, report),
         Message::Study(report) => studied(app, report),
+        Message::Sweep(report) => {
+            sweep::report(app, report);
+            Vec::new()
+        }
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => {
             jobs::long(app, id);
@@ -63,6 +72,10 @@ fn studied(app: &mut App, report: StudyReport) -> Vec<Effect> {
         accuracy::report(app, report.body);
     } else if of(&app.stability.mapping) || of(&app.stability.running) {
         stability::report(app, report);
+    } else if of(&app.thesis.running) {
+        thesis::report(app, report.body);
+    } else if of(&app.limit.finding) {
+        limit::report(app, report.body);
     }
     Vec::new()
 }
@@ -83,6 +96,9 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     }
     if app.editor.filter_field.is_some() {
         return field::press_in_filter(app, key);
+    }
+    if app.sweeping.field.is_some() && app.picture().is_some() {
+        return setup::press(app, key);
     }
     if let Some(action) = message::action_for(app.place(), key) {
         return act::act(app, action);
@@ -119,7 +135,8 @@ fn close_top(app: &mut App) -> bool {
     let open = app.dialog.take().is_some();
     let field = app.editor.field.take().is_some();
     let filter = app.editor.filter_field.take().is_some();
-    open || field || filter
+    let setup = app.sweeping.field.take().is_some();
+    open || field || filter || setup
 }
 
 impl App {

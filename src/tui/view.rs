@@ -5,7 +5,8 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
-use crate::tui::app::layout::{Area, Body, Panes, SMALLEST};
+use crate::tui::app::layout::{Area, Body, Panes, SMALLEST, SweepPanes};
+use crate::tui::app::sweep::Picture;
 use crate::tui::message::Place;
 use crate::tui::theme::{GlyphSet, Role, ascii_pass};
 
@@ -15,15 +16,20 @@ mod export;
 mod help;
 mod history;
 mod keys;
+mod limit;
 mod log;
 mod popup;
 mod presets;
 mod rows;
 mod runs;
 mod save;
+mod setup;
 mod side;
 mod stability;
+mod surface;
+mod sweep;
 mod text;
+mod thesis;
 mod variables;
 
 /// Draw everything.
@@ -47,9 +53,12 @@ fn draw(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
     match &layout.body {
         Body::TooSmall => return too_small(app, area, buffer),
         Body::Run(panes) => run_tab(app, panes, buffer, cursor),
+        Body::Sweep(panes) => sweep_tabs(app, panes, buffer, cursor),
         Body::Accuracy(panes) => accuracy::render(app, panes, buffer),
         Body::Stability(area) => stability::render(app, rect(*area), buffer),
         Body::Log(area) => log::render(app, rect(*area), buffer),
+        Body::Limit(area) => limit::render(app, rect(*area), buffer),
+        Body::Thesis(area) => thesis::render(app, rect(*area), buffer),
     }
     rows::title(app, rect(layout.title), buffer);
     rows::message(app, rect(layout.message), buffer);
@@ -73,6 +82,19 @@ fn run_tab(app: &App, panes: &Panes, buffer: &mut Buffer, cursor: &mut Cursor) {
     }
     if let Some(area) = panes.ledger {
         side::ledger(app, rect(area), buffer);
+    }
+}
+
+fn sweep_tabs(app: &App, panes: &SweepPanes, buffer: &mut Buffer, cursor: &mut Cursor) {
+    let Some(picture) = app.picture() else {
+        return;
+    };
+    if let Some(area) = panes.setup {
+        setup::render(app, picture, rect(area), buffer, cursor);
+    }
+    match picture {
+        Picture::Line => sweep::render(app, panes, buffer),
+        Picture::Surface => surface::render(app, panes, buffer),
     }
 }
 

@@ -3,8 +3,9 @@
 //! One study at a time, in the order asked for; a newer one of the same kind replaces an older one. Parts are shown as they grow, at most twice a second. A panic is contained.
 //! Every study submitted gets exactly one last report.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
@@ -13,8 +14,11 @@ use std::time::{Duration, Instant};
 use super::job::contained;
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, Effort};
+use crate::study::limit;
+use crate::study::stability::cases::Case;
 use crate::study::stability::map::{self, Map};
 use crate::study::stability::{self, Row};
+use crate::study::thesis;
 
 /// The battery leaves other methods than `auto` out after so many seconds.
 const OTHERS_UNTIL_S: f64 = 30.0;
@@ -44,10 +48,14 @@ pub enum StudyKind {
     Map(map::Method, map::Axis),
     /// The battery of stiff and extreme scenes; the study's own scene plays no part.
     Battery,
+    /// Every claim of the thesis; the study's own scene plays no part.
+    Thesis,
+    /// The ballistic limit.
+    Limit(limit::Effort),
 }
 
 impl StudyKind {
-    const COUNT: usize = 3;
+    const COUNT: usize = 5;
 
     /// Studies of one place replace each other.
     fn place(self) -> usize {
@@ -55,6 +63,8 @@ impl StudyKind {
             Self::Accuracy(_) => 0,
             Self::Map(..) => 1,
             Self::Battery => 2,
+            Self::Thesis => 3,
+            Self::Limit(_) => 4,
         }
     }
 }
@@ -68,6 +78,10 @@ pub enum Finding {
     Map(Arc<Map>),
     /// Rows of the battery, and whether these are all.
     Battery(Arc<Vec<Row>>, bool),
+    /// Rows of the reproduction report, and whether these are all.
+    Thesis(Arc<Vec<thesis::Row>>, bool),
+    /// The ballistic limit; `None` while it is looked for.
+    Limit(Option<Arc<limit::Report>>),
 }
 
 /// What the thread says of a study.
@@ -184,9 +198,20 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
         }
         StudyKind::Map(method, axis) => {
             crate::model::variables::validate(&study.scene).map_err(|error| error.to_string())?;
-            Ok(Finding::Map(Arc::new(map::map(&study.scene, method, axis, MAP_CELLS))))
+            crate::model::variables::require_hydrodynamic(&study.scene)
+                .map_err(|error| error.to_string())?;
+            let watch = &mut || {
+                let stopped = stop.load(Ordering::Relaxed);
+                if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            match map::map(&study.scene, (method, axis), MAP_CELLS, watch) {
+                ControlFlow::Continue(map) => Ok(Finding::Map(Arc::new(map))),
+                ControlFlow::Break(()) => Err("the map was stopped: r draws it again".to_owned()),
+            }
         }
         StudyKind::Battery => battery(&now_s, &mut tell),
+        StudyKind::Thesis => Ok(claims(&mut tell)),
+        StudyKind::Limit(effort) => ballistic(study, effort, &mut tell),
     };
     match contained(work).0 {
         Ok(found) => StudyBody::Ended(found),
@@ -197,19 +222,94 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
 /// Given the cases done and to do and what there is so far; `Break` stops.
 type Tell<'a> = &'a mut dyn FnMut(usize, usize, &dyn Fn() -> Finding) -> ControlFlow<()>;
 
-fn battery(now_s: &(dyn Fn() -> f64 + Sync), tell: Tell<'_>) -> Result<Finding, String> {
-    let cases = stability::battery(false);
-    let clock = stability::Clock { now_s, until_s: OTHERS_UNTIL_S };
-    let mut rows = Vec::new();
-    for case in &cases {
-        let part = || Finding::Battery(Arc::new(rows.clone()), false);
-        if tell(rows.len(), cases.len(), &part).is_break() {
-            break;
+/// What two threads do of the battery.
+struct Battery<'a> {
+    cases: Vec<&'static Case>,
+    clock: stability::Clock<'a>,
+    next: AtomicUsize,
+    rows: Mutex<BTreeMap<usize, Row>>,
+    failed: Mutex<Option<String>>,
+}
+
+impl Battery<'_> {
+    /// The next scene that nobody has; false when there is none.
+    fn examine_next(&self) -> bool {
+        let index = self.next.fetch_add(1, Ordering::Relaxed);
+        let Some(case) = self.cases.get(index) else { return false };
+        match stability::examine(case, self.clock) {
+            Ok(row) => {
+                self.rows.lock().unwrap_or_else(PoisonError::into_inner).insert(index, row);
+                true
+            }
+            Err(error) => {
+                let mut failed = self.failed.lock().unwrap_or_else(PoisonError::into_inner);
+                *failed = Some(error.to_string());
+                false
+            }
         }
-        rows.push(stability::examine(case, clock).map_err(|error| error.to_string())?);
     }
-    let all = rows.len() == cases.len();
+
+    /// The rows there are, in the battery's order.
+    fn rows(&self) -> Vec<Row> {
+        let rows = self.rows.lock().unwrap_or_else(PoisonError::into_inner);
+        rows.values().cloned().collect()
+    }
+}
+
+fn battery(now_s: &(dyn Fn() -> f64 + Sync), tell: Tell<'_>) -> Result<Finding, String> {
+    let battery = Battery {
+        cases: stability::battery(false),
+        clock: stability::Clock { now_s, until_s: OTHERS_UNTIL_S },
+        next: AtomicUsize::new(0),
+        rows: Mutex::default(),
+        failed: Mutex::default(),
+    };
+    let total = battery.cases.len();
+    let stop = AtomicBool::new(false);
+    // This thread and one more; this one alone tells how far they are, and stops both.
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            let mut goes_on = true;
+            while goes_on {
+                goes_on = !stop.load(Ordering::Relaxed) && battery.examine_next();
+            }
+        });
+        loop {
+            let done = battery.next.load(Ordering::Relaxed).min(total);
+            let part = || Finding::Battery(Arc::new(battery.rows()), false);
+            if tell(done, total, &part).is_break() || !battery.examine_next() {
+                break;
+            }
+        }
+        // Without more scenes the other ends by itself.
+        if battery.next.load(Ordering::Relaxed) < total {
+            stop.store(true, Ordering::Relaxed);
+        }
+    });
+    if let Some(text) = battery.failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        return Err(text);
+    }
+    let rows = battery.rows.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let rows: Vec<Row> = rows.into_values().collect();
+    let all = rows.len() == total;
     Ok(Finding::Battery(Arc::new(rows), all))
+}
+
+/// The claims, one after the other; what there is when it is stopped is kept.
+fn claims(tell: Tell<'_>) -> Finding {
+    let rows = thesis::reproduce(&mut |rows, total| {
+        tell(rows.len(), total, &|| Finding::Thesis(Arc::new(rows.to_vec()), false))
+    });
+    let all = rows.len() == thesis::claims().count();
+    Finding::Thesis(Arc::new(rows), all)
+}
+
+/// The ballistic limit; what there is when it is stopped is kept.
+fn ballistic(study: &Study, effort: limit::Effort, tell: Tell<'_>) -> Result<Finding, String> {
+    let watch = &mut |done, total| tell(done, total, &|| Finding::Limit(None));
+    limit::find(&study.scene, effort, watch)
+        .map(|report| Finding::Limit(Some(Arc::new(report))))
+        .map_err(|error| error.to_string())
 }
 
 #[cfg(test)]
@@ -264,6 +364,29 @@ mod tests {
     }
 
     #[test]
+    fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
+        let go_on = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| ControlFlow::Continue(());
+        // The other methods are left out: their time is past.
+        let found = battery(&|| 2.0 * OTHERS_UNTIL_S, go_on).unwrap();
+        let Finding::Battery(rows, true) = found else { panic!("not the whole battery") };
+        let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
+        let cases: Vec<&str> = stability::battery(false).iter().map(|case| case.name).collect();
+        assert_eq!(names, cases);
+    }
+
+    #[test]
+    fn a_stopped_battery_keeps_what_it_has() {
+        let mut asked = 0;
+        let stop = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| {
+            asked += 1;
+            if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let found = battery(&|| 2.0 * OTHERS_UNTIL_S, stop).unwrap();
+        let Finding::Battery(rows, false) = found else { panic!("the whole battery") };
+        assert!(rows.len() >= 3 && rows.len() < stability::battery(false).len());
+    }
+
+    #[test]
     fn an_impossible_scene_is_refused_in_words() {
         let (send, reports) = mpsc::channel();
         let studies = Studies::spawn(move |report| {
@@ -277,6 +400,36 @@ mod tests {
         let report = reports.recv_timeout(PATIENCE).expect("a report in time");
         assert!(matches!(report.body, StudyBody::Failed(text) if text.contains("m_p")));
     }
+
+    #[test]
+    fn a_limit_is_found_and_a_stopped_one_says_so() {
+        let (send, reports) = mpsc::channel();
+        let studies = Studies::spawn(move |report| {
+            // The test may be over.
+            let _ = send.send(report);
+        })
+        .unwrap();
+        let kind = StudyKind::Limit(limit::Effort { scattering: None });
+        let found = || loop {
+            let report = reports.recv_timeout(PATIENCE).expect("a report in time");
+            if let StudyBody::Ended(Finding::Limit(Some(found))) = report.body {
+                break found;
+            }
+        };
+        // A rigid mount has its limit in closed form (model page, section 2).
+        let mut scene = Scene::default();
+        scene.plate.mount = crate::model::scene::Mount::Rigid;
+        studies.submit(Study { scene: Arc::new(scene), kind, ..study(1) });
+        let limit_m_s = found().limit.velocity_m_s().expect("a limit");
+        assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
+        let scattering =
+            limit::scatter::Scattering { deviation: 0.02, samples: 1_000_000, seed: 1 };
+        let kind = StudyKind::Limit(limit::Effort { scattering: Some(scattering) });
+        studies.submit(Study { kind, ..study(2) });
+        studies.cancel();
+        assert!(!found().is_complete);
+    }
+
     #[test]
     fn studies_of_different_kinds_do_not_stop_each_other() {
         let (send, reports) = mpsc::channel();

@@ -7,20 +7,38 @@ mod charts;
 #[cfg(test)]
 mod cli;
 #[cfg(test)]
+mod estimate;
+#[cfg(test)]
 mod files;
 #[cfg(test)]
+mod limit;
+#[cfg(test)]
+mod models;
+#[cfg(test)]
 mod physics;
+#[cfg(test)]
+mod plans;
 #[cfg(test)]
 mod presets;
 #[cfg(test)]
 mod pty;
 #[cfg(test)]
+mod random;
+#[cfg(test)]
 mod screens;
+#[cfg(test)]
+mod sensitivity;
 #[cfg(test)]
 mod stability;
 #[cfg(test)]
 mod support;
 #[cfg(test)]
+mod sweep;
+#[cfg(test)]
 mod terminal;
 #[cfg(test)]
+mod thesis;
+#[cfg(test)]
 mod tidy;
+#[cfg(test)]
+mod worth;

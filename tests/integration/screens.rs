@@ -3,8 +3,12 @@
 mod accuracy;
 mod bench;
 mod keys;
+mod limit;
+mod models;
 mod readme;
 mod stability;
+mod sweep;
+mod thesis;
 
 use bench::{Bench, made};
 use cmra::model::scene::Scene;
@@ -150,9 +154,10 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn every_size_can_be_drawn(columns in 0u16..300, rows in 0u16..300, state in 0usize..11, full in any::<bool>()) {
+    fn every_size_can_be_drawn(columns in 0u16..300, rows in 0u16..300, state in 0usize..17, full in any::<bool>()) {
         let keys = [
             "", "<Tab>l", "<Tab><Tab>", "?", "p", "e", "6", "<Enter>abc<Enter>", "4", "5", "5<Tab>",
+            "2", "3l", "2<Tab>l", "3<Tab><Enter>abc<Enter>", "8", "8v",
         ];
         let mut bench = Bench::ascii(80, 24);
         bench.keys(if full { "z" } else { "" });
@@ -161,6 +166,8 @@ proptest! {
             accuracy::answer(&mut bench, 9);
         }
         stability::answer(&mut bench);
+        sweep::answer(&mut bench);
+        limit::answer(&mut bench);
         bench.app = anywhere(&bench.app, (columns, rows));
         let drawn = bench.screen();
         prop_assert!(drawn.lines().count() <= usize::from(rows) || rows == 0);
@@ -194,6 +201,15 @@ fn the_accuracy_tab_at_every_size() {
             assert_snapshot!(format!("accuracy_{columns}x{rows}_{glyphs}"), bench.screen());
         }
     }
+}
+
+#[test]
+fn accuracy_with_slopes_and_spreads() {
+    let mut bench = accuracy::open(GlyphSet::Ascii, (120, 40));
+    bench.keys("o");
+    assert_snapshot!("accuracy_slopes", bench.screen());
+    bench.keys("ob++");
+    assert_snapshot!("accuracy_zoomed_with_spreads", bench.screen());
 }
 
 #[test]

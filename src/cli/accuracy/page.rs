@@ -7,7 +7,7 @@ use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{Cheapest, MethodReport, Report};
-use crate::tui::chart::{Axis, Chart, Curve, Legend, Scale, Unit, ViewRange};
+use crate::tui::chart::{Axis, Chart, Curve, Legend, Level, Scale, Unit, ViewRange};
 use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;
@@ -64,7 +64,13 @@ fn chart(report: &Report) -> String {
         .map(|(method, points)| Curve::new(method.letter(), method.name(), points))
         .collect();
     let title = "relative error, the greater of depth and time";
-    let chart = Chart { legend: Legend::Hidden, ..Chart::new(title, x, y, curves) };
+    let floor = report.references.first().and_then(|reference| reference.uncertainty);
+    let level = floor.map(|y| Level { y, tag: "reference's floor".into() });
+    let chart = Chart {
+        legend: Legend::Hidden,
+        levels: level.into_iter().collect(),
+        ..Chart::new(title, x, y, curves)
+    };
     let mut text = String::new();
     for line in chart.to_lines(WIDTH, HEIGHT, Theme::PLAIN) {
         text.push_str(&line);
@@ -105,7 +111,9 @@ fn answers(page: &mut String, report: &Report) {
     page.push('\n');
     for target in ANSWERS {
         let _ = match report.cheapest(target) {
-            Some(found) => writeln!(page, "{target:.0e} costs {}", by(&found)),
+            Some(found) => {
+                writeln!(page, "{target:.0e} costs {}{}", by(&found), full(report, &found, target))
+            }
             None => writeln!(page, "{target:.0e}: no method gets there"),
         };
     }
@@ -130,6 +138,12 @@ fn by(found: &Cheapest) -> String {
     let knob = found.knob.to_string();
     let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };
     format!("{} by {}{with}", seconds(found.min_s), found.method.name())
+}
+
+/// What the same costs with nothing left out, unless that is what is done.
+fn full(report: &Report, found: &Cheapest, target: f64) -> String {
+    let full = report.cheapest_in_full(target).filter(|full| full.method != found.method);
+    full.map_or_else(String::new, |full| format!("; {} with nothing left out", seconds(full.min_s)))
 }
 
 fn thesis_step(report: &Report) -> Option<f64> {

@@ -92,7 +92,8 @@ impl Faces {
         (1.0 - self.sin) / self.cos
     }
 
-    fn full_from(&self) -> f64 {
+    /// Depth from which on the section is that of the whole cylinder.
+    pub fn full_from(&self) -> f64 {
         (1.0 + self.sin) / self.cos
     }
 

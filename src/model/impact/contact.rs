@@ -5,12 +5,11 @@ use crate::model::impact::problem::Problem;
 use crate::model::impact::record::Setting;
 use crate::model::impact::track::Track;
 use crate::model::motion::State;
+use crate::model::plan::{IMMOBILE, holds_still};
 use crate::model::run::Mode;
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
-/// A mechanism that lets the plate move less than this part of the travel within the contact is as good as rigid.
-const IMMOBILE: f64 = 1e-13;
 /// Shots that leave more slowly than this part of their velocity are integrated: the quadrature loses accuracy there.
 const LIMIT_MARGIN: f64 = 0.05;
 /// Points on each stretch of the closed form, with and without a series to draw.
@@ -31,38 +30,16 @@ pub(super) enum Answer {
 
 impl Problem {
     /// How the plate answers during the contact.
-    pub(super) fn find_answer(&self, rigid: Ending) -> Answer {
+    pub(super) fn find_answer(&self) -> Answer {
         if self.rigid {
             Answer::Rigid
         } else if self.mechanism.is_absent() && self.mechanism.stop.is_none() {
             Answer::Free
-        } else if self.mechanism_is_immobile(rigid) {
+        } else if holds_still(&self.passage(false), &self.mechanism, self.start_m) {
             Answer::Immobile
         } else {
             Answer::Mechanism
         }
-    }
-
-    /// A bound on the plate's motion within the contact. The contact force never exceeds pi R² (S + c v²); against it the
-    /// spring yields at most to where its energy equals the work, k x^(n+1)/(n+1) = F x, and the damper at most at
-    /// the speed (F/b)^(1/m).
-    fn mechanism_is_immobile(&self, rigid: Ending) -> bool {
-        if self.start_m != 0.0 || self.mechanism.stop_at_m <= 0.0 {
-            return false;
-        }
-        let Ending::Arrest { travel_m } = rigid else { return false };
-        let v = self.velocity_m_s;
-        let radius = self.geometry.nose.radius_m;
-        let force = std::f64::consts::PI
-            * radius
-            * radius
-            * (self.strength_pa + self.drag_kg_m3 * v * v)
-            * self.cos;
-        let spring = self.mechanism.spring;
-        let yields = spring.at_force((spring.exponent + 1.0) * force);
-        // The contact lasts less than three times as long as at constant deceleration.
-        let creeps = self.mechanism.damper.at_force(force) * 6.0 * travel_m / v;
-        smaller(yields, creeps) <= IMMOBILE * travel_m
     }
 }
 

@@ -12,6 +12,8 @@ use crate::model::run::{Arrest, EventKind, Mode};
 
 /// A rebound slower than this part of the impact velocity counts as coming to rest on the stop.
 const REBOUND_MIN: f64 = 1e-9;
+/// So does one whose height is below this part of the displacement: its digits end there.
+const UNSEEN: f64 = 4.0 * f64::EPSILON;
 
 impl Track<'_> {
     /// Put the state exactly on the event that ended the step.
@@ -243,6 +245,32 @@ impl Track<'_> {
         }
     }
 
+    /// An event that rounding has put behind the state already, when another one fell on nearly the same moment.
+    pub(super) fn overdue(&self) -> Option<Trigger> {
+        let State { travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w } = self.state;
+        let problem = self.problem;
+        let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
+        if rigid_stop && x >= problem.mechanism.stop_at_m && w > 0.0 {
+            return Some(Trigger::StopReached);
+        }
+        match self.mode {
+            Mode::Penetrating | Mode::Closing if u < 0.0 => Some(Trigger::SlipZero),
+            Mode::Penetrating | Mode::Closing if q >= problem.geometry.exit_m && u > 0.0 => {
+                Some(Trigger::PieceEnd)
+            }
+            Mode::Closing if q >= self.deepest_m && u > 0.0 => Some(Trigger::HoleBottom),
+            Mode::Withdrawing if u > 0.0 => Some(Trigger::SlipZero),
+            Mode::Withdrawing if q <= 0.0 => Some(Trigger::PieceStart),
+            Mode::FreeFlight if q > 0.0 && u > 0.0 => Some(Trigger::Recontact),
+            Mode::Penetrating
+            | Mode::Closing
+            | Mode::Withdrawing
+            | Mode::FreeFlight
+            | Mode::Fused
+            | Mode::Perforated => None,
+        }
+    }
+
     /// The plate meets its stop.
     fn hit_stop(&mut self) {
         self.record.reach(self.t_s, self.state.plate_m);
@@ -255,7 +283,11 @@ impl Track<'_> {
         let mass = if joined { self.problem.joined_kg } else { self.problem.plate_kg };
         let before = self.state.plate_m_s;
         let mut after = -stop.restitution * before;
-        if after.abs() <= REBOUND_MIN * (self.problem.velocity_m_s + self.speed_scale_m_s) {
+        let (_, rate) = self.motion().accelerations(&self.state);
+        let height_m = 0.5 * after * after / rate.abs();
+        let unseen_m = UNSEEN * (self.problem.mechanism.stop_at_m.abs() + self.plate_scale_m);
+        let slow = REBOUND_MIN * (self.problem.velocity_m_s + self.speed_scale_m_s);
+        if after.abs() <= slow || (rate > 0.0 && height_m <= unseen_m) {
             after = 0.0;
         }
         if before > REBOUND_MIN * self.problem.velocity_m_s {
@@ -267,6 +299,9 @@ impl Track<'_> {
         if !joined {
             self.state.slip_m_s += (before - after) * self.problem.cos;
             self.slip_has_jumped();
+        }
+        if after < 0.0 {
+            self.shorten_unit(after.abs() / rate.abs());
         }
         if after == 0.0 {
             self.held = true;

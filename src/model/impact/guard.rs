@@ -97,9 +97,10 @@ impl Guards {
 }
 
 impl Form {
-    /// The form along an expansion, as a series.
-    pub(super) fn along<const N: usize>(&self, e: &Expansion<N>) -> [f64; N] {
+    /// The form along an expansion, as a series, and what rounding may have left of a start value that is zero.
+    pub(super) fn along<const N: usize>(&self, e: &Expansion<N>) -> ([f64; N], f64) {
         let mut sum = [0.0; N];
+        let mut size = self.offset.abs();
         let terms = [
             (self.travel, &e.travel),
             (self.slip, &e.slip),
@@ -113,10 +114,13 @@ impl Form {
                 for (sum, c) in sum.iter_mut().zip(series) {
                     *sum += factor * c;
                 }
+                size += (factor * series[0]).abs();
             }
         }
         sum[0] += self.offset;
-        sum
+        // Positions and speeds are put exactly on their event; forces are not.
+        let has_force = self.contact != 0.0 || self.mechanism != 0.0;
+        (sum, if has_force { 8.0 * f64::EPSILON * size } else { 0.0 })
     }
 
     /// The form at a state.

@@ -82,7 +82,7 @@ impl Problem {
             Ending::Arrest { travel_m } => Some(problem.geometry.depth_m(travel_m)),
             Ending::Exit { .. } => None,
         };
-        problem.answer = problem.find_answer(rigid_ending);
+        problem.answer = problem.find_answer();
         problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
         problem
     }

@@ -193,7 +193,7 @@ fn greatest<const N: usize>(c: &[f64; N], span: f64) -> f64 {
     let mut best = c[0];
     let end = evaluate(c, span);
     best = if end > best { end } else { best };
-    if let Some(s) = first_fall(&slope(c), span) {
+    if let Some(s) = first_fall(&slope(c), span, 0.0) {
         let top = evaluate(c, s);
         best = if top > best { top } else { best };
     }

@@ -41,7 +41,7 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         first_arrest: record.first_arrest,
         final_penetration_m,
         baseline_penetration_m: problem.baseline_m,
-        peak_contact_force_n: record.peak_contact_n,
+        peak_contact_force_n: Some(record.peak_contact_n),
         max_plate_displacement_m: farthest,
         residual_velocity_m_s: record.exit.map(|exit| exit.1),
         exit_time_s: record.exit.map(|exit| exit.0),

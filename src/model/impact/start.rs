@@ -69,7 +69,7 @@ impl Track<'_> {
             let damper =
                 if damper_singular { mechanism.damper.force(state.plate_m_s) } else { 0.0 };
             let left_out = smaller(spring.abs() + damper.abs(), drive_n(&motion, &e));
-            left_out * t_s / problem.plate_kg <= allowed
+            left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
         };
         let scale_s = self.pace().contact_s;
         let mut t_s = EARLIEST * scale_s;

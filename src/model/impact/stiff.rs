@@ -20,6 +20,10 @@ use crate::numerics::{larger, smaller};
 
 /// Points drawn within a step.
 const POINTS_PER_STEP: usize = 3;
+/// How far from zero a guard may be where it has fallen, relative to its variation over the step.
+const LANDED: f64 = 1e-9;
+/// The shortest step, relative to the time reached: the clock has no finer ticks.
+const TICK: f64 = 2.0 * f64::EPSILON;
 /// Implicit steps after which a run ends early.
 const STIFF_STEPS_MAX: usize = 30_000;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
@@ -111,9 +115,10 @@ impl Unknowns<'_> {
                 speed = law.at_force(drive) / (law.exponent * t);
             }
             if let Carrier::Force(law) = self.damper {
-                // By inertia, but not beyond where the damper alone holds against the drive.
+                // By inertia, but not beyond where the damper alone holds against the drive, if it does not exceed it now.
                 let by_inertia = law.force(state.plate_m_s + speed);
-                let held = smaller(by_inertia.abs(), drive.abs()) * sign(by_inertia);
+                let held_n = larger(drive.abs(), y[3].abs());
+                let held = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
                 stage[3] = if by_inertia * drive > 0.0 { held } else { y[3] };
             }
             stage
@@ -205,19 +210,24 @@ impl Track<'_> {
         let left = self.until_s() - self.t_s;
         for _ in 0..200 {
             h = if left < h { left } else { h };
-            if h <= 0.5 * f64::EPSILON * self.t_s {
-                return ControlFlow::Break(EndReason::StepUnderflow);
-            }
-            let solved = step::<4, 12>(&system, &y, h, system.guess(&y, h));
+            let tick = TICK * self.t_s;
+            let at_tick = h <= tick;
+            h = larger(h, tick);
+            let solved = step::<4, 12>(&system, &y, h, system.guess(&y, h))
+                .or_else(|| step::<4, 12>(&system, &y, h, [y; 3]));
             self.evaluations += solved.as_ref().map_or(25, |step| step.iterations) * 3;
             let Some(solved) = solved else {
+                if at_tick {
+                    return ControlFlow::Break(EndReason::StepUnderflow);
+                }
                 h *= 0.25;
                 self.rejected += 1;
                 continue;
             };
             let tolerance = LOCAL * self.tolerance.powf(2.0 / 3.0);
             let factor = step_factor(solved.error, tolerance);
-            if solved.error > tolerance {
+            // Within one tick of the clock a stiff force settles, whatever its way: the method is L-stable.
+            if solved.error > tolerance && !at_tick {
                 h *= smaller(factor, 0.9);
                 self.rejected += 1;
                 continue;
@@ -260,11 +270,21 @@ impl Track<'_> {
             // Solve the step anew for each trial length: the end of a step is far more accurate than its inside.
             let value = |part: f64| {
                 let trial = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
-                trial.map_or(f64::NAN, |trial| form.at(motion, &system.state(&trial.stages[2])))
+                let at =
+                    trial.map_or_else(|| interpolate(y, &solved, part), |trial| trial.stages[2]);
+                form.at(motion, &system.state(&at))
             };
             let part = in_bracket(1e-12, 1.0, value);
-            let Some(landed) = step::<4, 12>(system, y, part * h, system.guess(y, part * h)) else {
-                continue;
+            let landed = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
+            let variation = form.at(motion, &self.state) - form.at(motion, &end);
+            let landed = landed.filter(|landed| {
+                form.at(motion, &system.state(&landed.stages[2])).abs() <= LANDED * variation
+            });
+            let Some(landed) = landed else {
+                // Newton's method went astray on the way to the event: come closer first.
+                self.unit_s = 0.25 * h;
+                self.rejected += 1;
+                return ControlFlow::Continue(None);
             };
             (h, solved, fired) = (part * h, landed, Some(*trigger));
         }

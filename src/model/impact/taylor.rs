@@ -16,6 +16,11 @@ const LOCAL: f64 = 1e-4;
 /// Defect at the end of a step, per local tolerance, above which the step is shortened, and what rounding alone may cause.
 const DEFECT: f64 = 100.0;
 const DEFECT_ROUNDING: f64 = 1e-12;
+/// Part of the interface's strength below which errors of the force it carries do not matter, per tolerance.
+const FORCE: f64 = 1e-2;
+/// Rounds in which the sizes are taken anew, and the part of the last result from which on they fit.
+const SIZINGS: usize = 6;
+const SIZED: f64 = 0.7;
 /// An expansion of which less than this part of its time unit can be used is made anew with a shorter unit.
 const UNIT_FITS: f64 = 0.02;
 
@@ -31,7 +36,7 @@ impl Track<'_> {
         let h = self.unit_s;
         let e: Expansion<N> = motion.expand(&self.state, h);
         self.evaluations += 1;
-        let trusted = trusted_step(&self.scales(&e), self.tolerance * LOCAL);
+        let trusted = self.trusted(&e);
         if trusted < UNIT_FITS {
             // The unit is far too long for what happens now: sizes measured with it mean nothing.
             self.unit_s = h * larger(2.0 * trusted, 1e-3);
@@ -47,7 +52,8 @@ impl Track<'_> {
         let mut span = self.checked(&motion, &e, smaller(left, trusted));
         let mut fired = None;
         for (trigger, form) in self.guards().iter() {
-            if let Some(s) = first_fall(&form.along(&e), span) {
+            let (series, noise) = form.along(&e);
+            if let Some(s) = first_fall(&series, span, noise) {
                 (span, fired) = (s, Some(*trigger));
             }
         }
@@ -71,12 +77,34 @@ impl Track<'_> {
         ControlFlow::Continue(fired)
     }
 
+    /// How far the expansion is trusted, in time units: sizes are taken where it ends, so that a far too long unit does not
+    /// make them look greater than they are.
+    pub(super) fn trusted<const N: usize>(&self, e: &Expansion<N>) -> f64 {
+        let mut trusted = 1.0;
+        for _ in 0..SIZINGS {
+            let at = smaller(trusted, 1.0);
+            let tolerance = self.tolerance * LOCAL;
+            let mut next = trusted_step(&self.scales(e, at), tolerance);
+            if self.mode == Mode::Fused && self.problem.plastic {
+                // The interface gives way by the force it carries: that has to be right, too.
+                let limit = FORCE * self.interface_limits_n().0 / self.problem.share;
+                let scale = own(&e.mechanism, at) + limit + f64::MIN_POSITIVE;
+                next = smaller(next, trusted_step(&[(&e.mechanism, scale)], tolerance));
+            }
+            if next >= SIZED * at {
+                return next;
+            }
+            trusted = next;
+        }
+        trusted
+    }
+
     /// The span, shortened until the expansion still solves the equations at its end.
     ///
     /// The last coefficients alone can be deceived: the solution may be close to a polynomial and yet end in a singularity.
     fn checked<const N: usize>(&mut self, motion: &Motion, e: &Expansion<N>, span: f64) -> f64 {
         let allowed = larger(DEFECT * self.tolerance * LOCAL, DEFECT_ROUNDING);
-        let [_, (_, speed), _, (_, plate_speed)] = self.scales(e);
+        let [_, (_, speed), _, (_, plate_speed)] = self.scales(e, smaller(span, 1.0));
         let mut span = span;
         for _ in 0..60 {
             let (slip, plate) = motion.accelerations(&e.state(span));
@@ -95,17 +123,21 @@ impl Track<'_> {
 
     /// Scales against which truncation errors are measured: each quantity's own size over the step, but not less than
     /// what matters to the depth while there is contact.
-    fn scales<'e, const N: usize>(&self, e: &'e Expansion<N>) -> [(&'e [f64; N], f64); 4] {
-        let own = |c: &[f64; N]| c[0].abs() + c[1].abs() + c[2].abs() + c[3].abs();
+    fn scales<'e, const N: usize>(&self, e: &'e Expansion<N>, s: f64) -> [(&'e [f64; N], f64); 4] {
         let contact = matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing);
         let part = if contact { 1e-3 } else { 0.0 };
-        let travel = e.travel[0].abs() + e.travel[1].abs() + f64::MIN_POSITIVE;
+        let travel = e.travel[0].abs() + s * e.travel[1].abs() + f64::MIN_POSITIVE;
         let speed = self.problem.velocity_m_s;
         [
             (&e.travel, travel),
             (&e.slip, speed),
-            (&e.plate, own(&e.plate) + part * travel + f64::MIN_POSITIVE),
-            (&e.plate_speed, own(&e.plate_speed) + part * speed + f64::MIN_POSITIVE),
+            (&e.plate, own(&e.plate, s) + part * travel + f64::MIN_POSITIVE),
+            (&e.plate_speed, own(&e.plate_speed, s) + part * speed + f64::MIN_POSITIVE),
         ]
     }
+}
+
+/// The size of a series over the first `s` of its unit, by its first terms.
+fn own<const N: usize>(c: &[f64; N], s: f64) -> f64 {
+    c[0].abs() + s * (c[1].abs() + s * (c[2].abs() + s * c[3].abs()))
 }

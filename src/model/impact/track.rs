@@ -129,6 +129,16 @@ impl<'a> Track<'a> {
             if observer(self.t_s).is_break() {
                 return EndReason::Cancelled;
             }
+            if let Some(trigger) = self.overdue() {
+                let before = self.state;
+                self.snap(trigger, &before);
+                self.take(trigger);
+                if self.event_count > EVENTS_MAX {
+                    return self.end_early(EndReason::EventBudget);
+                }
+                continue;
+            }
+            self.take_back();
             self.keep_off_singularities();
             if self.stretch_steps > TAYLOR_STEPS_PER_STRETCH {
                 self.stiff = true;
@@ -137,18 +147,7 @@ impl<'a> Track<'a> {
             match advanced {
                 ControlFlow::Break(reason) => return self.end_early(reason),
                 ControlFlow::Continue(None) => {}
-                ControlFlow::Continue(Some(trigger)) => {
-                    self.event_count += usize::from(trigger.changes_course());
-                    let before = self.mode;
-                    self.handle(trigger);
-                    if self.mode != before {
-                        self.stiff = false;
-                    }
-                    // A plate that swings through zero again and again takes many steps without being stiff.
-                    if self.mode != before || trigger == Trigger::PlateZero {
-                        self.stretch_steps = 0;
-                    }
-                }
+                ControlFlow::Continue(Some(trigger)) => self.take(trigger),
             }
             if self.steps + self.rejected > STEPS_MAX {
                 return self.end_early(EndReason::StepBudget);
@@ -156,6 +155,20 @@ impl<'a> Track<'a> {
             if self.event_count > EVENTS_MAX {
                 return self.end_early(EndReason::EventBudget);
             }
+        }
+    }
+
+    /// What follows an event, and which method goes on.
+    fn take(&mut self, trigger: Trigger) {
+        self.event_count += usize::from(trigger.changes_course());
+        let before = self.mode;
+        self.handle(trigger);
+        if self.mode != before {
+            self.stiff = false;
+        }
+        // A plate that swings through zero again and again takes many steps without being stiff.
+        if self.mode != before || trigger == Trigger::PlateZero {
+            self.stretch_steps = 0;
         }
     }
 

@@ -15,6 +15,10 @@ const TAIL: f64 = 1.25;
 const TAIL_STEPS: usize = 200;
 /// A later change of depth below this part of the tolerance does not count.
 const NEGLIGIBLE: f64 = 1e-3;
+/// Nor does one below this part of the depth, however tight the tolerance.
+const UNSEEN: f64 = 1e-12;
+/// Energy below this part of the projectile's at first contact counts as none: velocities of 1e-12 of the impact's.
+const DEAD: f64 = 1e-24;
 /// Slips in a row, none of which deepened the hole noticeably, after which a projectile that cannot be pulled out counts
 /// as arrested: an undamped mount rattles for ever.
 const RATTLES: usize = 24;
@@ -125,6 +129,14 @@ impl Track<'_> {
         mechanism.spring.integral(x) + stop
     }
 
+    /// Whether what still moves has no energy worth the name: less than rounding leaves of that at the start, squared.
+    fn has_died_down(&self) -> bool {
+        let problem = self.problem;
+        let v = problem.velocity_m_s;
+        let at_start = 0.5 * problem.projectile_kg * v * v;
+        self.energy_j() <= DEAD * at_start
+    }
+
     /// How far forward the plate could still go, m; infinite when nothing stops it.
     fn reach_m(&self) -> f64 {
         self.reach_with(self.energy_j())
@@ -151,7 +163,7 @@ impl Track<'_> {
         let so_far = self.record.farthest_m;
         let mechanism = &self.problem.mechanism;
         let w = self.state.plate_m_s;
-        if self.problem.rigid || self.is_at_rest() {
+        if self.problem.rigid || self.is_at_rest() || self.has_died_down() {
             return Farthest::Known(so_far);
         }
         let reach = self.reach_m();
@@ -170,6 +182,14 @@ impl Track<'_> {
         if springless && mechanism.stop.is_none() {
             return self.coasting(so_far);
         }
+        // The damper alone would stop the plate before it gets noticeably farther.
+        if w >= 0.0
+            && self.state.plate_m >= 0.0
+            && let Farthest::Known(at_most) = self.coasting(so_far)
+            && at_most <= so_far * (1.0 + 1e-12)
+        {
+            return Farthest::Known(so_far);
+        }
         Farthest::Pending
     }
 
@@ -186,7 +206,7 @@ impl Track<'_> {
 
     /// Plastic and together: whether the interface will hold whatever comes.
     fn holds_for_good(&self) -> bool {
-        if self.is_at_rest() {
+        if self.is_at_rest() || self.has_died_down() {
             return true;
         }
         let mechanism = &self.problem.mechanism;
@@ -198,9 +218,8 @@ impl Track<'_> {
         let pull_out = self.problem.grip
             * self.problem.strength_pa
             * self.problem.geometry.swept_m3(self.state.travel_m);
-        if energy < NEGLIGIBLE * self.problem.scene.run.tolerance * depth * strength
-            && energy < pull_out
-        {
+        let negligible = larger(NEGLIGIBLE * self.problem.scene.run.tolerance, UNSEEN);
+        if energy < negligible * depth * strength && energy < pull_out {
             return true;
         }
         if self.slips_since_deeper > RATTLES && energy < pull_out {
@@ -233,6 +252,13 @@ impl Track<'_> {
     /// The most the interface can be pulled with this much energy left, N.
     fn pull_at(&self, energy_j: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
+        if mechanism.spring.coefficient == 0.0
+            && self.state.plate_m_s >= 0.0
+            && mechanism.stop.is_none()
+        {
+            // Nothing sends the plate back: the damper only pushes against the projectile.
+            return 0.0;
+        }
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
         let back = mechanism.spring.at_integral(energy_j);
         let spring = if back.is_finite() { mechanism.spring.force(back) } else { 0.0 };

@@ -2,7 +2,7 @@
 
 use crate::model::impact::guard::{Form, Guards, Trigger};
 use crate::model::impact::track::Track;
-use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::mechanism::{PowerKind, PowerLaw, sign};
 use crate::model::run::Mode;
 use crate::numerics::{larger, smaller};
 
@@ -10,11 +10,17 @@ use crate::numerics::{larger, smaller};
 /// A spring gives on one side of it what it takes on the other; a damper does not, and a plate may creep near zero.
 const CLEAR_OF_SPRING: f64 = 1e-6;
 const CLEAR_OF_DAMPER: f64 = 1e-9;
+/// Tolerance from which down the spring's neighbourhood shrinks.
+const CLEAR_AT: f64 = 1e-9;
 /// Part of the plate's energy, or of the other forces, that a law may have where it is left out.
 const PASSING: f64 = 1e-3;
 /// The least distance, relative to the tip's radius and the impact velocity: where nothing drives the plate yet, there is no
 /// other measure.
 const LEAST: f64 = 1e-13;
+/// The least half-width relative to the greatest displacement seen: less than that drowns in rounding.
+const FINEST: f64 = 1e-12;
+/// Time unit of the first expansion without the law, in times it takes to leave the neighbourhood.
+const UNIT_PER_CROSSING: f64 = 4.0;
 /// The neighbourhood takes at least this part of the time reached to cross: the clock has no finer ticks.
 const CLOCK: f64 = 1e-13;
 
@@ -138,11 +144,12 @@ impl Track<'_> {
         let (x, w) = (self.state.plate_m, self.state.plate_m_s);
         self.clear_m = if x * w < 0.0 {
             // As far on the other side as on this one: then what the spring takes it also gives.
-            x.abs()
+            larger(x.abs(), FINEST * self.plate_scale_m)
         } else {
             larger(larger(self.near_zero_m(), 2.0 * x.abs()), least)
         };
         self.spring_omitted = true;
+        self.shorten_unit(self.clear_m / w.abs());
     }
 
     /// The same for the singular damper.
@@ -151,14 +158,38 @@ impl Track<'_> {
         let near = larger(self.near_zero_m_s(), 2.0 * self.state.plate_m_s.abs());
         self.clear_m_s = larger(near, least);
         self.damper_omitted = true;
+        let (_, rate) = self.motion().accelerations(&self.state);
+        self.shorten_unit(self.clear_m_s / rate.abs());
+    }
+
+    /// Leaving a neighbourhood, or coming back to a stop, is an event that a step many times as long would not notice.
+    pub(super) fn shorten_unit(&mut self, crossing_s: f64) {
+        if crossing_s > 0.0 {
+            self.unit_s = smaller(self.unit_s, UNIT_PER_CROSSING * crossing_s);
+        }
+    }
+
+    /// A law that was left out comes back as soon as its argument has left the neighbourhood of zero.
+    pub(super) fn take_back(&mut self) {
+        let (x, w) = (self.state.plate_m, self.state.plate_m_s);
+        if self.spring_omitted && x.abs() > self.clear_m {
+            self.spring_omitted = false;
+            self.side_x = sign(x);
+        }
+        if self.damper_omitted && w.abs() > self.clear_m_s {
+            self.damper_omitted = false;
+            self.side_w = sign(w);
+        }
     }
 
     /// How close to zero displacement the singular spring is left out: so close that it holds little of the plate's energy.
     fn near_zero_m(&self) -> f64 {
         let (spring, w) = (self.problem.mechanism.spring, self.state.plate_m_s);
         let energy = 0.5 * self.problem.plate_kg * w * w;
-        let passing =
-            smaller(CLEAR_OF_SPRING * self.plate_scale_m, spring.at_integral(PASSING * energy));
+        // Tighter computations come closer, so that two of them do not share what is left out.
+        let closer = smaller((self.tolerance / CLEAR_AT).sqrt(), 1.0);
+        let clear_m = CLEAR_OF_SPRING * closer * self.plate_scale_m;
+        let passing = smaller(clear_m, spring.at_integral(PASSING * energy));
         larger(passing, CLOCK * self.t_s * w.abs())
     }
 

@@ -1,7 +1,7 @@
 //! The rows of the table of variables, in the order of the editor.
 
 use super::{Allowed, Choice, Group, Kind, Number, Step, Variable};
-use crate::model::scene::{InterfaceLaw, Mount, StopKind};
+use crate::model::scene::{ContactModel, InterfaceLaw, Jumps, Mount, Reading, StopKind};
 use crate::model::units::Quantity;
 
 /// A required number at a path of the scene.
@@ -33,6 +33,37 @@ macro_rules! optional {
         })
     };
 }
+
+/// A quirk of the listing: printed or mended.
+macro_rules! quirk {
+    ($field:ident, $symbol:literal, $meaning:literal, $where:literal) => {
+        Variable {
+            key: concat!("contact.appendix.", stringify!($field)),
+            symbol: $symbol,
+            aliases: &[],
+            group: Group::Interface,
+            meaning: $meaning,
+            source: concat!("thesis Appendix ", $where),
+            kind: Kind::Choice(Choice {
+                words: &["printed", "mended"],
+                get: |scene| usize::from(scene.contact.appendix.$field == Reading::Mended),
+                set: |scene, index| {
+                    scene.contact.appendix.$field =
+                        if index == 0 { Reading::Printed } else { Reading::Mended };
+                },
+            }),
+        }
+    };
+}
+
+/// In the order of their words.
+const MODELS: [ContactModel; 5] = [
+    ContactModel::Hydrodynamic,
+    ContactModel::HalfSine,
+    ContactModel::InitialVelocity,
+    ContactModel::Lumped,
+    ContactModel::Appendix,
+];
 
 const TABLE_9_1: &str = "thesis Table 9.1";
 const TABLE_9_2: &str = "thesis Table 9.2 (range searched)";
@@ -74,6 +105,24 @@ pub static VARIABLES: &[Variable] = &[
         meaning: "obliquity, between the projectile's axis and the plate's normal",
         source: "thesis Appendix A.1; 0 throughout chapter 9",
         kind: number!(Angle, Allowed::Below(0.0, 90.0), None, Linear, projectile.obliquity_deg),
+    },
+    Variable {
+        key: "projectile.density_kg_m3",
+        symbol: "rho_p",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "projectile density, for the warning of ricochet alone",
+        source: "assumption: steel",
+        kind: number!(Density, Allowed::Positive, None, Linear, projectile.density_kg_m3),
+    },
+    Variable {
+        key: "projectile.strength_pa",
+        symbol: "Y_p",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "projectile strength, for the warning of ricochet alone",
+        source: "assumption: 1 GPa",
+        kind: number!(Pressure, Allowed::Positive, None, Linear, projectile.strength_pa),
     },
     Variable {
         key: "target.thickness_m",
@@ -277,12 +326,109 @@ pub static VARIABLES: &[Variable] = &[
         aliases: &[],
         group: Group::Interface,
         meaning: "how the force between projectile and plate is modelled",
-        source: "thesis section 8.3 and Table 8.1",
+        source: "thesis section 8.2 and Table 8.1",
         kind: Kind::Choice(Choice {
-            words: &["hydrodynamic"],
-            get: |_scene| 0,
-            set: |scene, _index| {
-                scene.contact = crate::model::scene::ContactModel::Hydrodynamic;
+            words: &["hydrodynamic", "half-sine", "initial-velocity", "lumped", "appendix"],
+            get: |scene| MODELS.iter().position(|it| *it == scene.contact.model).unwrap_or(0),
+            set: |scene, index| {
+                scene.contact.model = MODELS[index.min(MODELS.len() - 1)];
+            },
+        }),
+    },
+    Variable {
+        key: "contact.duration_s",
+        symbol: "t_d",
+        aliases: &[],
+        group: Group::Interface,
+        meaning: "duration of the half-sine force history",
+        source: "thesis equation 8.9; auto: the hydrodynamic contact on a rigid mount",
+        kind: optional!(Time, Allowed::Positive, "auto", contact.duration_s),
+    },
+    Variable {
+        key: "contact.load_stiffness_n_m",
+        symbol: "k_load",
+        aliases: &[],
+        group: Group::Interface,
+        meaning: "stiffness of the lumped interface while it is pressed in",
+        source: "thesis Figure 8.6; auto: as deep as the hydrodynamic model on a rigid mount",
+        kind: optional!(Stiffness, Allowed::Positive, "auto", contact.load_stiffness_n_m),
+    },
+    Variable {
+        key: "contact.unload_stiffness_n_m",
+        symbol: "k_unload",
+        aliases: &[],
+        group: Group::Interface,
+        meaning: "stiffness of the lumped interface while it springs back, k_load or more",
+        source: "thesis Figure 8.6; auto: 100 k_load, an assumption",
+        kind: optional!(Stiffness, Allowed::Positive, "auto", contact.unload_stiffness_n_m),
+    },
+    Variable {
+        key: "contact.damping_n_s_m",
+        symbol: "b_2",
+        aliases: &[],
+        group: Group::Interface,
+        meaning: "damper of the lumped interface",
+        source: "thesis Figure 8.4; Wu has none",
+        kind: number!(Damping, Allowed::NonNegative, None, Log, contact.damping_n_s_m),
+    },
+    Variable {
+        key: "contact.appendix.step_s",
+        symbol: "dt",
+        aliases: &[],
+        group: Group::Interface,
+        meaning: "time step of the listing",
+        source: "thesis Appendix A.1",
+        kind: number!(Time, Allowed::Positive, None, Log, contact.appendix.step_s),
+    },
+    quirk!(
+        coupling,
+        "coupling",
+        "depth subtracts the plate's last increment only, or (mended) its whole motion",
+        "A.2"
+    ),
+    quirk!(
+        damper,
+        "dampsign",
+        "the damper's force has no sign, or (mended) it resists",
+        "A.7 and A.9"
+    ),
+    quirk!(
+        stopping,
+        "stopping",
+        "contact ends below 0.01 m/s after a step, or (mended) where both velocities are equal",
+        "A.2"
+    ),
+    quirk!(
+        afterwards,
+        "after",
+        "both bodies are one afterwards, or (mended) not after a perforation",
+        "A.5 and A.7"
+    ),
+    quirk!(
+        scheme,
+        "scheme",
+        "the force is held over the step, or (mended) Runge-Kutta for both bodies",
+        "A.4 and A.8"
+    ),
+    quirk!(
+        obliquity,
+        "oblique",
+        "the whole force acts on both bodies, or (mended) it is resolved on the normal",
+        "A.2 to A.4"
+    ),
+    Variable {
+        key: "contact.appendix.jumps",
+        symbol: "jumps",
+        aliases: &[],
+        group: Group::Interface,
+        meaning: "whether the scripts' jumps are heeded, or (ignored) the area is overwritten once the nose is buried",
+        source: "thesis Appendix A.2",
+        kind: Kind::Choice(Choice {
+            words: &["meant", "ignored"],
+            get: |scene| usize::from(scene.contact.appendix.jumps == Jumps::Ignored),
+            set: |scene, index| {
+                scene.contact.appendix.jumps =
+                    if index == 0 { Jumps::Meant } else { Jumps::Ignored };
             },
         }),
     },

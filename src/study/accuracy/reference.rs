@@ -1,10 +1,11 @@
 //! What results are compared with: answers that share no code with the method they judge.
 //!
-//! The stored digits were computed by an 80-bit Taylor series and by 30-digit arithmetic, which agree to the digits given.
+//! The stored digits were computed by an 80-bit Taylor series and by 30-digit arithmetic, which agree to the digits given. Other
+//! scenes are computed in double-double arithmetic where that can follow them, else by whatever shares no code.
 
 use std::sync::Arc;
 
-use crate::model::contact_phase::{Answer, Ending};
+use crate::model::contact_phase::{Answer, Ending, fine};
 use crate::model::scene::{Mechanism, Mount, Scene};
 use crate::model::units::Bare;
 use crate::model::variables;
@@ -64,6 +65,8 @@ pub enum Basis {
     Stored(&'static str),
     /// Closed form.
     ClosedForm,
+    /// Taylor series of their own in double-double arithmetic.
+    DoubleDouble,
     /// The second form of the equations, by DOP853 at 1e-14.
     Dop853,
     /// The engine at its tightest tolerance.
@@ -76,6 +79,7 @@ impl Basis {
         match self {
             Self::Stored(row) => format!("stored digits, row {row}"),
             Self::ClosedForm => "closed form".to_owned(),
+            Self::DoubleDouble => "31-digit Taylor series".to_owned(),
             Self::Dop853 => "DOP853 at 1e-14".to_owned(),
             Self::Engine => "engine at 1e-14".to_owned(),
         }
@@ -84,7 +88,7 @@ impl Basis {
     /// Whether it shares code with a method.
     pub fn shares_code_with(self, method: Method) -> bool {
         match self {
-            Self::Stored(_) => false,
+            Self::Stored(_) | Self::DoubleDouble => false,
             // The engine's methods share its areas.
             Self::ClosedForm | Self::Engine => {
                 matches!(method, Method::ClosedForm | Method::Radau | Method::Taylor | Method::Auto)
@@ -163,6 +167,14 @@ pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
             t_s: row.t_s,
             depth_m: row.depth_m,
             uncertainty: Some(if digits > f64::EPSILON { digits } else { f64::EPSILON }),
+        });
+    }
+    if let Ok(answer) = fine::solve(scene) {
+        let told = fine::uncertainty(scene, &answer).ok();
+        let floor = |told| if told > f64::EPSILON { told } else { f64::EPSILON };
+        list.push(Reference {
+            uncertainty: told.map(floor),
+            ..Reference::of(Basis::DoubleDouble, &answer.answer())
         });
     }
     // The engine first without a horizon: it alone needs no idea of when the contact ends.

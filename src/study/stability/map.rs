@@ -7,6 +7,7 @@
 //! one for the projectile: r² - (1 + z (a/2 + e)) r - z a/2 = 0 with z = -L dt, and shares a of the projectile, e = 1 - a of the plate,
 //! so that L dt < 2/max(a, e).
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::contact_phase::Ending;
@@ -172,8 +173,16 @@ impl Map {
     }
 }
 
-/// Draw up the map of a valid scene with `(rows, columns)` cells, both at least 2.
-pub fn map(scene: &Scene, method: Method, axis: Axis, (rows, columns): (usize, usize)) -> Map {
+/// Asked before each row of a map; `Break` stops.
+pub type Watch<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
+
+/// Draw up the map of a valid scene with `(rows, columns)` cells, both at least 2, unless it is stopped.
+pub fn map(
+    scene: &Scene,
+    (method, axis): (Method, Axis),
+    (rows, columns): (usize, usize),
+    watch: Watch<'_>,
+) -> ControlFlow<(), Map> {
     let present = Target::of(scene);
     // Around the present contact: from a hundred-thousandth of it to all of it.
     let contact_s = present.map_or_else(
@@ -184,6 +193,7 @@ pub fn map(scene: &Scene, method: Method, axis: Axis, (rows, columns): (usize, u
     let values = ratios(axis.range(), rows);
     let (mut cells, mut limit_s) = (Vec::new(), Vec::new());
     for value in &values {
+        watch()?;
         let mut own = scene.clone();
         axis.set(&mut own, *value);
         let target = Target::of(&own);
@@ -191,7 +201,7 @@ pub fn map(scene: &Scene, method: Method, axis: Axis, (rows, columns): (usize, u
         cells.extend(dt_s.iter().map(|dt_s| cell(&own, method, *dt_s, target.as_ref())));
     }
     let present_limit = present.and_then(|target| limit(scene, method, &target.peaks));
-    Map {
+    ControlFlow::Continue(Map {
         method,
         axis,
         dt_s,
@@ -200,7 +210,7 @@ pub fn map(scene: &Scene, method: Method, axis: Axis, (rows, columns): (usize, u
         limit_s,
         present: (axis.get(scene), THESIS_DT_S),
         largest_stable_dt_s: present_limit,
-    }
+    })
 }
 
 fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
@@ -437,10 +447,24 @@ mod tests {
 
     #[test]
     fn a_map_has_a_cell_for_every_row_and_column() {
-        let map = map(&Scene::default(), Method::Rk4, Axis::B, (4, 5));
+        let go_on = &mut || ControlFlow::Continue(());
+        let map = map(&Scene::default(), (Method::Rk4, Axis::B), (4, 5), go_on);
+        let ControlFlow::Continue(map) = map else { panic!("nobody stopped it") };
         assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
         assert_eq!(map.cell(0, 0), Cell::Accurate);
         assert!(map.limit_s[3] < map.limit_s[1]);
         assert!(map.largest_stable_dt_s.is_some());
+    }
+
+    #[test]
+    fn a_map_is_stopped_before_its_next_row() {
+        let mut rows = 0;
+        let stop = &mut || {
+            rows += 1;
+            if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let map = map(&Scene::default(), (Method::Rk4, Axis::B), (40, 5), stop);
+        assert!(map.is_break());
+        assert_eq!(rows, 3);
     }
 }

@@ -217,6 +217,7 @@ fn by_radau(scene: &Arc<Scene>) -> Result<Contact, Refusal> {
         | crate::model::run::EndReason::Horizon
         | crate::model::run::EndReason::StepUnderflow
         | crate::model::run::EndReason::EventBudget
+        | crate::model::run::EndReason::BreaksOff
         | crate::model::run::EndReason::Cancelled => Refusal::EndedEarly,
     })
 }

@@ -9,9 +9,13 @@ use crate::model::scene::Scene;
 use crate::model::units::Engineering;
 use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Report};
+use crate::tui::chart::scale::{Scale, ViewRange};
 
 /// The accuracies asked for in the table and in the answers.
 pub const TARGETS: [f64; 2] = [1e-6, 1e-9];
+
+/// What a judge cannot tell from zero is shown where it is at least this part of the least error drawn.
+const FLOOR_NEAR: f64 = 1e-4;
 
 /// A study that has not ended.
 #[derive(Clone, Debug)]
@@ -39,6 +43,30 @@ pub struct Accuracy {
     pub hidden: Vec<Method>,
     /// Where the crosshair stands: a run time, s.
     pub cursor_s: Option<f64>,
+    /// How the chart is looked at.
+    pub sight: Sight,
+}
+
+/// How the chart is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sight {
+    /// The run times in view, s; `None`: all.
+    pub times: Option<ViewRange>,
+    /// The axis of run time.
+    pub time_scale: Scale,
+    /// The axis of error.
+    pub error_scale: Scale,
+    /// Lines of the slopes that orders make are drawn.
+    pub guides: bool,
+    /// The spread of the timings is drawn.
+    pub bars: bool,
+}
+
+impl Default for Sight {
+    fn default() -> Self {
+        let (time_scale, error_scale) = (Scale::Log10, Scale::Log10);
+        Self { times: None, time_scale, error_scale, guides: false, bars: false }
+    }
 }
 
 impl Accuracy {
@@ -73,13 +101,80 @@ impl Accuracy {
         Some((*times.first()?, *times.last()?))
     }
 
-    /// Move the crosshair by a share of the decades in view.
+    /// The run times in view.
+    pub fn times(&self) -> Option<ViewRange> {
+        let scale = self.sight.time_scale;
+        let all = || {
+            let (least, most) = self.times_s()?;
+            Some(ViewRange::new(least, most).rounded(scale))
+        };
+        self.sight.times.map(|times| times.on(scale)).or_else(all)
+    }
+
+    /// The errors of what is in view, and what the judge of the selected method cannot tell from zero where that is near.
+    pub fn errors(&self) -> Option<ViewRange> {
+        let (times, scale) = (self.times()?, self.sight.error_scale);
+        let curves = self.curves();
+        let seen = || {
+            let points = curves.iter().flat_map(|(_, points)| points);
+            points.filter(|point| times.contains(point.0)).map(|point| point.1)
+        };
+        let least = seen().min_by(f64::total_cmp)?;
+        let floor = self.floor().filter(|floor| *floor > FLOOR_NEAR * least);
+        ViewRange::of(scale, seen().chain(floor)).map(|range| range.rounded(scale))
+    }
+
+    /// What the judge of the selected method cannot tell from zero.
+    pub fn floor(&self) -> Option<f64> {
+        let own = self.of(self.method()).and_then(|report| report.reference);
+        let first = || self.report.as_ref()?.references.first().copied();
+        own.or_else(first)?.uncertainty
+    }
+
+    /// Zoom about the crosshair: `factor` 2 shows half the span.
+    pub fn zoom(&mut self, factor: f64) {
+        let Some(times) = self.times() else { return };
+        let middle = (times.lo() * times.hi()).sqrt();
+        let about = self.cursor_s.unwrap_or(middle);
+        self.sight.times = Some(times.zoomed(self.sight.time_scale, about, factor));
+    }
+
+    /// Move the view by a share of its span.
+    pub fn pan(&mut self, share: f64) {
+        let Some(times) = self.times() else { return };
+        self.sight.times = Some(times.panned(self.sight.time_scale, share));
+    }
+
+    /// Move the crosshair by a share of the span in view.
     pub fn move_cursor(&mut self, share: f64) {
-        let Some((least, most)) = self.times_s() else {
+        let (Some((least, most)), Some(view)) = (self.times_s(), self.times()) else {
             return;
         };
-        let here = self.cursor_s.unwrap_or_else(|| (least * most).sqrt());
-        self.cursor_s = Some((here * (most / least).powf(share)).clamp(least, most));
+        let moved = match self.sight.time_scale {
+            Scale::Log10 => {
+                let here = self.cursor_s.unwrap_or_else(|| (view.lo() * view.hi()).sqrt());
+                here * (view.hi() / view.lo()).powf(share)
+            }
+            Scale::Linear => {
+                let here = self.cursor_s.unwrap_or_else(|| 0.5 * (view.lo() + view.hi()));
+                here + share * view.span()
+            }
+        };
+        self.cursor_s = Some(moved.clamp(least, most));
+    }
+
+    /// The spread of the timings as strokes with gaps between, method by method: from the least time to the median and its
+    /// deviation, s, at the point's error.
+    pub fn spreads(&self) -> Vec<(Method, Vec<(f64, f64)>)> {
+        let methods = self.report.iter().flat_map(|report| &report.methods);
+        let stroke = |it: &Measured| {
+            let most = it.timing.median_s + it.timing.mad_s.unwrap_or(0.0);
+            [(it.timing.min_s, it.error()), (most, it.error()), (f64::NAN, f64::NAN)]
+        };
+        methods
+            .filter(|one| !self.hidden.contains(&one.method))
+            .map(|one| (one.method, one.measured().flat_map(|(_, it)| stroke(it)).collect()))
+            .collect()
     }
 
     /// The best a method gives within a run time.
@@ -189,7 +284,16 @@ impl App {
             .iter()
             .map(|target| match report.cheapest(*target) {
                 Some(found) => {
-                    format!("{target:.0e} costs {} here, {}", seconds(found.min_s), by(&found))
+                    let full = report.cheapest_in_full(*target);
+                    let other = full.filter(|full| full.method != found.method);
+                    let full = other.map_or_else(String::new, |full| {
+                        format!("; {} with nothing left out", seconds(full.min_s))
+                    });
+                    format!(
+                        "{target:.0e} costs {} here, {}{full}",
+                        seconds(found.min_s),
+                        by(&found)
+                    )
                 }
                 None => format!("{target:.0e}: no method gets there"),
             })

@@ -21,6 +21,29 @@ pub enum Dialog {
     Export(Box<Export>),
     /// Where to write what was measured of the methods: a path.
     ExportAccuracy(Save),
+    /// Where to write what a sweep found: a path.
+    ExportSweep(Save),
+    /// Where to write another table: a path.
+    ExportTable(Table, Save),
+}
+
+/// A table that a tab writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Table {
+    /// The shots of the Limit tab.
+    Limit,
+    /// The battery of the Stability tab.
+    Battery,
+}
+
+impl Table {
+    /// What is written, for the dialog's frame.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Limit => "Export the shots to CSV",
+            Self::Battery => "Export the battery to CSV",
+        }
+    }
 }
 
 /// A list with a filter.
@@ -167,10 +190,17 @@ pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
         Place::Variables,
         Place::Charts,
         Place::Runs,
+        Place::Setup,
+        Place::Lines,
+        Place::Surface,
         Place::Accuracy,
         Place::Map,
         Place::Battery,
         Place::Log,
+        Place::Claims,
+        Place::Principles,
+        Place::Screening,
+        Place::Limit,
     ];
     let others = order.into_iter().filter(|place| *place != focus);
     let places = [focus, Place::Anywhere].into_iter().chain(others);

@@ -4,7 +4,7 @@ use tui_input::Input;
 
 use crate::model::scene::Scene;
 use crate::model::units;
-use crate::model::variables::{Group, VARIABLES, Value, Variable};
+use crate::model::variables::{Group, VARIABLES, Value, Variable, is_listed};
 
 /// The list of variables and the open field.
 #[derive(Clone, Debug, Default)]
@@ -45,12 +45,12 @@ pub enum Row {
 
 impl Editor {
     /// The rows that pass the filter, with a heading over each group that has any.
-    pub fn rows(&self) -> Vec<Row> {
+    pub fn rows(&self, scene: &Scene) -> Vec<Row> {
         let mut rows = Vec::new();
         for group in Group::ALL {
             let start = rows.len();
             for (index, variable) in VARIABLES.iter().enumerate() {
-                if variable.group == group && self.passes(variable) {
+                if variable.group == group && is_listed(variable, scene) && self.passes(variable) {
                     rows.push(Row::Variable(index));
                 }
             }
@@ -62,8 +62,8 @@ impl Editor {
     }
 
     /// The variables that pass the filter, in order of the list.
-    pub fn listed(&self) -> Vec<usize> {
-        self.rows()
+    pub fn listed(&self, scene: &Scene) -> Vec<usize> {
+        self.rows(scene)
             .into_iter()
             .filter_map(|row| match row {
                 Row::Variable(index) => Some(index),
@@ -73,8 +73,8 @@ impl Editor {
     }
 
     /// Move the selection by rows, stopping at the ends.
-    pub fn move_by(&mut self, rows: isize) {
-        let listed = self.listed();
+    pub fn move_by(&mut self, scene: &Scene, rows: isize) {
+        let listed = self.listed(scene);
         let Some(last) = listed.len().checked_sub(1) else {
             return;
         };
@@ -88,9 +88,9 @@ impl Editor {
     }
 
     /// Set the filter; the selection moves to the first row that passes when its own does not.
-    pub fn set_filter(&mut self, text: &str) {
+    pub fn set_filter(&mut self, scene: &Scene, text: &str) {
         text.trim().clone_into(&mut self.filter);
-        let listed = self.listed();
+        let listed = self.listed(scene);
         if !listed.contains(&self.selected)
             && let Some(first) = listed.first()
         {
@@ -107,8 +107,8 @@ impl Editor {
     }
 
     /// The first of `height` rows to show so that the selected one is in sight, near the middle of a long list.
-    pub fn first_row(&self, height: usize) -> usize {
-        let rows = self.rows();
+    pub fn first_row(&self, scene: &Scene, height: usize) -> usize {
+        let rows = self.rows(scene);
         let here = rows.iter().position(|row| *row == Row::Variable(self.selected)).unwrap_or(0);
         let most = rows.len().saturating_sub(height);
         here.saturating_sub(height * 2 / 3).min(most)

@@ -65,12 +65,18 @@ pub enum Body {
     TooSmall,
     /// The Run tab.
     Run(Panes),
+    /// The Sweep and Surface tabs.
+    Sweep(SweepPanes),
     /// The Accuracy tab.
     Accuracy(AccuracyPanes),
     /// The Stability tab.
     Stability(Area),
     /// The Log tab.
     Log(Area),
+    /// The Thesis tab.
+    Thesis(Area),
+    /// The Limit tab.
+    Limit(Area),
 }
 
 /// The panes of the Run tab.
@@ -86,6 +92,19 @@ pub struct Panes {
     pub events: Option<Area>,
     /// Its energy ledger.
     pub ledger: Option<Area>,
+}
+
+/// The panes of the Sweep and Surface tabs.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SweepPanes {
+    /// Axes, output, held variables.
+    pub setup: Option<Area>,
+    /// One chart or two, or the map.
+    pub plots: Vec<Area>,
+    /// The scale of the map.
+    pub scale: Option<Area>,
+    /// The slices through the cursor, along and up.
+    pub slices: Vec<Area>,
 }
 
 /// The panes of the Accuracy tab.
@@ -107,7 +126,12 @@ impl Layout {
                 panes.charts.first().map_or(40, |area| area.width.saturating_sub(12))
             }
             Body::Accuracy(panes) => panes.chart.width.saturating_sub(12),
-            Body::TooSmall | Body::Stability(_) | Body::Log(_) => 40,
+            Body::TooSmall
+            | Body::Sweep(_)
+            | Body::Stability(_)
+            | Body::Log(_)
+            | Body::Thesis(_)
+            | Body::Limit(_) => 40,
         }
     }
 
@@ -117,15 +141,26 @@ impl Layout {
             Body::Run(panes) => {
                 panes.variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
             }
-            Body::TooSmall | Body::Accuracy(_) | Body::Stability(_) | Body::Log(_) => 10,
+            Body::TooSmall
+            | Body::Sweep(_)
+            | Body::Accuracy(_)
+            | Body::Stability(_)
+            | Body::Log(_)
+            | Body::Thesis(_)
+            | Body::Limit(_) => 10,
         }
     }
 
     /// Rows of the Log tab.
     pub fn log_rows(&self) -> usize {
         match &self.body {
-            Body::Log(area) | Body::Stability(area) => usize::from(area.height.saturating_sub(2)),
-            Body::TooSmall | Body::Run(_) | Body::Accuracy(_) => 10,
+            Body::Log(area) | Body::Stability(area) | Body::Thesis(area) => {
+                usize::from(area.height.saturating_sub(2))
+            }
+            Body::Sweep(panes) => {
+                panes.setup.map_or(10, |area| usize::from(area.height.saturating_sub(2)))
+            }
+            Body::TooSmall | Body::Run(_) | Body::Accuracy(_) | Body::Limit(_) => 10,
         }
     }
 }
@@ -150,9 +185,13 @@ pub fn layout(
         Body::TooSmall
     } else {
         match tab {
+            Tab::Sweep => Body::Sweep(lines(body, focus, full_pane)),
+            Tab::Surface => Body::Sweep(surface(body, focus, full_pane)),
             Tab::Accuracy => Body::Accuracy(accuracy(body)),
             Tab::Stability => Body::Stability(body),
             Tab::Log => Body::Log(body),
+            Tab::Thesis => Body::Thesis(body),
+            Tab::Limit => Body::Limit(body),
             Tab::Run if full_pane => Body::Run(full(body, focus)),
             Tab::Run if width < WIDE => Body::Run(narrow(body, height, focus, pins)),
             Tab::Run => Body::Run(wide(body, height, focus, pins)),
@@ -174,10 +213,17 @@ fn full(body: Area, focus: Place) -> Panes {
     match focus {
         Place::Variables
         | Place::Anywhere
+        | Place::Setup
+        | Place::Lines
+        | Place::Surface
         | Place::Accuracy
         | Place::Map
         | Place::Battery
-        | Place::Log => Panes { variables: Some(body), ..Panes::default() },
+        | Place::Log
+        | Place::Claims
+        | Place::Principles
+        | Place::Screening
+        | Place::Limit => Panes { variables: Some(body), ..Panes::default() },
         Place::Charts => Panes { charts: stacked(body), ..Panes::default() },
         Place::Runs => Panes { runs: Some(body), ..Panes::default() },
     }
@@ -218,6 +264,67 @@ fn wide(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
     }
     panes.charts = stacked(right);
     panes
+}
+
+/// The setup beside one chart, or two where there is room.
+fn lines(body: Area, focus: Place, full_pane: bool) -> SweepPanes {
+    if full_pane && focus == Place::Setup {
+        return SweepPanes { setup: Some(body), ..SweepPanes::default() };
+    }
+    let (setup, rest) = if full_pane {
+        (None, body)
+    } else {
+        let (left, right) = body.split_left(setup_width(body.width));
+        (Some(left), right)
+    };
+    let plots = if rest.height >= 26 {
+        let (top, bottom) = rest.split_bottom(rest.height / 2);
+        vec![top, bottom]
+    } else {
+        vec![rest]
+    };
+    SweepPanes { setup, plots, ..SweepPanes::default() }
+}
+
+fn setup_width(width: u16) -> u16 {
+    match width {
+        0..72 => 24,
+        72..WIDE => 27,
+        WIDE.. => 34,
+    }
+}
+
+/// The map; setup at its left, scale and slices at its right. On a narrow screen the pane at the left is the one that is of
+/// use: the setup while it has the keys, else scale and slices.
+fn surface(body: Area, focus: Place, full_pane: bool) -> SweepPanes {
+    let on_setup = focus == Place::Setup;
+    if full_pane && on_setup {
+        return SweepPanes { setup: Some(body), ..SweepPanes::default() };
+    }
+    if full_pane {
+        return SweepPanes { plots: vec![body], ..SweepPanes::default() };
+    }
+    let (left, rest) = body.split_left(setup_width(body.width));
+    if body.width < ROOMY && on_setup {
+        return SweepPanes { setup: Some(left), plots: vec![rest], ..SweepPanes::default() };
+    }
+    let (setup, map, side) = if body.width < ROOMY {
+        (None, rest, left)
+    } else {
+        let (map, side) = rest.split_left(rest.width - 32.min(rest.width));
+        (Some(left), map, side)
+    };
+    // Ten bands and the marks, within a frame; what is left goes to the slices, one where two would be too low.
+    let (scale, below) = side.split_bottom(side.height - side.height.min(13));
+    let slices = match below.height {
+        0..=5 => Vec::new(),
+        6..=15 => vec![below],
+        _ => {
+            let (top, bottom) = below.split_bottom(below.height / 2);
+            vec![top, bottom]
+        }
+    };
+    SweepPanes { setup, plots: vec![map], scale: Some(scale), slices }
 }
 
 /// The chart beside the methods, and a row for each answer below.

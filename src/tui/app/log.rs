@@ -183,6 +183,9 @@ fn cost(lines: &mut Vec<LogLine>, run: &Run) {
             EstimateBasis::SecondComputation => {
                 format!("{:.1e} (difference to a second, tighter computation)", estimate.relative)
             }
+            EstimateBasis::HalfStep => {
+                format!("{:.1e} (twice the difference to half the step)", estimate.relative)
+            }
         },
     );
     let omitted: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();

@@ -28,7 +28,8 @@ impl App {
 
     fn message(&self, width: usize) -> (Severity, String) {
         let field_error = self.editor.field.as_ref().and_then(|field| field.error.clone());
-        if let Some(error) = field_error {
+        let in_setup = self.sweeping.field.as_ref().and_then(|field| field.error.clone());
+        if let Some(error) = field_error.or(in_setup) {
             return (Severity::Error, error);
         }
         if let Some(notice) = &self.notice {
@@ -46,6 +47,14 @@ impl App {
             return (Severity::Note, clip(&text, width.saturating_sub(4)));
         }
         let room = width.saturating_sub(4);
+        if let Some(picture) = self.picture() {
+            let text = if self.sweeping.on_setup {
+                self.setup_readout(picture)
+            } else {
+                self.sweep_readout(room).unwrap_or_default()
+            };
+            return (Severity::Note, clip(&text, room));
+        }
         if self.place() == Place::Map
             && let Some(text) = self.map_readout()
         {
@@ -55,6 +64,16 @@ impl App {
             && let Some((severity, text)) = self.battery_readout()
         {
             return (severity, clip(&text, room));
+        }
+        if self.tab == Tab::Limit
+            && let Some((severity, text)) = self.limit_readout()
+        {
+            return (severity, clip(&text, room));
+        }
+        if self.tab == Tab::Thesis
+            && let Some(text) = self.thesis_readout()
+        {
+            return (Severity::Note, clip(&text, room));
         }
         if self.place() == Place::Variables {
             let variable = self.editor.variable();
@@ -101,11 +120,20 @@ impl App {
 
     /// The parts of the status row, the most important first; the second of a pair is a shorter form.
     pub fn status(&self) -> Vec<(Severity, String, String)> {
+        if let Some(picture) = self.picture() {
+            return self.sweep_status(picture);
+        }
         if self.tab == Tab::Accuracy {
             return self.accuracy_status();
         }
         if self.tab == Tab::Stability {
             return self.stability_status();
+        }
+        if self.tab == Tab::Limit {
+            return self.limit_status();
+        }
+        if self.tab == Tab::Thesis {
+            return self.thesis_status();
         }
         let same = |severity, text: String| (severity, text.clone(), text);
         let mut parts = vec![self.state_words()];
@@ -118,7 +146,7 @@ impl App {
                 Severity::Note,
                 match estimate.basis {
                     EstimateBasis::ClosedForm => "exact".to_owned(),
-                    EstimateBasis::SecondComputation => {
+                    EstimateBasis::SecondComputation | EstimateBasis::HalfStep => {
                         format!("err est {:.0e}", estimate.relative)
                     }
                 },
@@ -211,6 +239,7 @@ pub fn warning_text(warning: &Warning) -> String {
         | Warning::PenetrationResumed { .. }
         | Warning::EnergyDrift { .. }
         | Warning::EndedEarly(_)
+        | Warning::Model(_)
         | Warning::NoBaseline => warning.to_string(),
     }
 }
@@ -236,7 +265,9 @@ pub fn results(run: &Run) -> Vec<String> {
     } else {
         add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)));
     }
-    add("peak force", engineering(run.peak_contact_force_n, "N"));
+    if let Some(peak_n) = run.peak_contact_force_n {
+        add("peak force", engineering(peak_n, "N"));
+    }
     if run.max_plate_displacement_m.is_some() {
         add("plate travel", format!("{} mm at most", millimetres(run.max_plate_displacement_m)));
     }
@@ -257,7 +288,10 @@ fn demand(run: &Run) -> Option<String> {
         Warning::InterfacePull { ratio, .. } => Some(format!("! interface {ratio:.2} x g A S_y")),
         Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
         Warning::EnergyDrift { residual } => Some(format!("! energy off by {residual:.0e}")),
-        Warning::InterfaceWithoutStrength | Warning::EndedEarly(_) | Warning::NoBaseline => None,
+        Warning::InterfaceWithoutStrength
+        | Warning::EndedEarly(_)
+        | Warning::Model(_)
+        | Warning::NoBaseline => None,
     })
 }
 

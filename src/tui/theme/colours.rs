@@ -123,6 +123,28 @@ pub(super) fn curve(index: usize) -> Shade {
     CURVES[index % CURVES.len()]
 }
 
+/// Ten steps from dark blue over grey to light yellow, after cividis (Nunez, Anderton and Renslow 2018), from xterm's palette:
+/// lightness rises with every step, so that order is seen without hue.
+const HEAT: [u8; 10] = [17, 18, 24, 60, 66, 102, 108, 144, 186, 229];
+/// Steps from this on need dark ink.
+const LIGHT_FROM: usize = 4;
+
+/// The colour of a step of a heat map, and the ink that can be read on it.
+pub(super) fn heat(shade: usize) -> (Color, Color) {
+    let shade = shade.min(HEAT.len() - 1);
+    let ink = if shade < LIGHT_FROM { WHITE } else { BLACK };
+    (Color::Indexed(HEAT[shade]), ink)
+}
+
+const BLACK: Color = Color::Indexed(16);
+const WHITE: Color = Color::Indexed(231);
+
+/// The ink that can be read on a step's colour.
+pub(super) fn ink_on(colour: Color) -> Color {
+    let shade = (0..HEAT.len()).find(|shade| heat(*shade).0 == colour);
+    shade.map_or(WHITE, |shade| heat(shade).1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -193,6 +215,18 @@ mod tests {
                 let (on_white, on_black) = (1.05 / (l + 0.05), (l + 0.05) / 0.05);
                 assert!(on_white >= 3.0 && on_black >= 3.0, "{rgb:?} {on_white} {on_black}");
             }
+        }
+    }
+
+    #[test]
+    fn a_heat_map_grows_lighter_and_its_ink_is_readable() {
+        let light = HEAT.map(|step| luminance(xterm(step)));
+        assert!(light.windows(2).all(|pair| pair[0] < pair[1]), "{light:?}");
+        for (shade, light) in light.into_iter().enumerate() {
+            let ink = heat(shade).1;
+            let contrast = if ink == WHITE { 1.05 / (light + 0.05) } else { (light + 0.05) / 0.05 };
+            assert!(contrast >= 4.5, "{shade}: {contrast}");
+            assert_eq!(ink_on(heat(shade).0), ink);
         }
     }
 

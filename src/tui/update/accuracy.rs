@@ -12,8 +12,14 @@ use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Dialog, Save};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::name_of;
+use crate::tui::chart::scale::Scale;
 use crate::tui::message::{Action, Effect, Message};
 use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
+
+/// One zoom step.
+const ZOOM: f64 = 2.0;
+/// One pan step, as a share of the span.
+const PAN: f64 = 0.25;
 
 /// The tab is shown: measure, unless this scene has been or is being measured.
 pub(super) fn enter(app: &mut App) -> Vec<Effect> {
@@ -34,6 +40,15 @@ pub(super) fn is_own(action: Action) -> bool {
             | Action::CursorRight
             | Action::CursorLeftFar
             | Action::CursorRightFar
+            | Action::ZoomIn
+            | Action::ZoomOut
+            | Action::ZoomFit
+            | Action::PanLeft
+            | Action::PanRight
+            | Action::LogX
+            | Action::LogY
+            | Action::SlopeGuides
+            | Action::SpreadBars
     )
 }
 
@@ -47,9 +62,52 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         Action::CursorRight => app.accuracy.move_cursor(column),
         Action::CursorLeftFar => app.accuracy.move_cursor(-10.0 * column),
         Action::CursorRightFar => app.accuracy.move_cursor(10.0 * column),
+        Action::ZoomIn => app.accuracy.zoom(ZOOM),
+        Action::ZoomOut => app.accuracy.zoom(1.0 / ZOOM),
+        Action::ZoomFit => app.accuracy.sight.times = None,
+        Action::PanLeft => app.accuracy.pan(-PAN),
+        Action::PanRight => app.accuracy.pan(PAN),
+        Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
         _ => show_or_hide(app),
     }
     Vec::new()
+}
+
+/// Another way to look at the chart.
+fn look(app: &mut App, action: Action) {
+    let sight = &mut app.accuracy.sight;
+    let word = |scale| match scale {
+        Scale::Linear => "linear",
+        Scale::Log10 => "logarithmic",
+    };
+    let text = match action {
+        Action::LogX => {
+            sight.time_scale = sight.time_scale.toggled();
+            format!("run time: {}", word(sight.time_scale))
+        }
+        Action::LogY => {
+            sight.error_scale = sight.error_scale.toggled();
+            format!("error: {}", word(sight.error_scale))
+        }
+        Action::SlopeGuides => {
+            sight.guides = !sight.guides;
+            let logarithmic = (sight.time_scale, sight.error_scale) == (Scale::Log10, Scale::Log10);
+            match (sight.guides, logarithmic) {
+                (true, true) => "slopes of orders 1, 2, 4 and 8, from the upper left".to_owned(),
+                (true, false) => "slopes of orders show where both axes are logarithmic".to_owned(),
+                (false, _) => "no slopes".to_owned(),
+            }
+        }
+        _ => {
+            sight.bars = !sight.bars;
+            if sight.bars {
+                "bars: from the least of the timings to their median and its deviation".to_owned()
+            } else {
+                "no bars".to_owned()
+            }
+        }
+    };
+    app.say(Severity::Note, text);
 }
 
 fn measure(app: &mut App) -> Vec<Effect> {

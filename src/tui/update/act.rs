@@ -8,7 +8,9 @@ use crate::tui::app::steps::Size;
 use crate::tui::app::{App, Tab, runs as run_words};
 use crate::tui::message::{Action, Effect, Place};
 
-use super::{accuracy, charts, dialogs, edit, export, field, jobs, runs, stability};
+use super::{
+    accuracy, charts, dialogs, edit, export, field, jobs, limit, runs, stability, sweep, thesis,
+};
 
 /// Do it, in the pane that has the keys.
 pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
@@ -16,9 +18,12 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     if !matches!(action, A::Quit | A::QuitWithSummary) {
         app.jobs.asked_to_quit = false;
     }
-    if !is_step(action) {
+    if !is_step(action) && !sweep::is_step(app, action) {
         app.history.seal();
         app.editor.stride = None;
+    }
+    if app.picture().is_some() && sweep::is_own(app, action) {
+        return sweep::act(app, action);
     }
     if app.tab == Tab::Accuracy && accuracy::is_own(action) {
         return accuracy::act(app, action);
@@ -26,18 +31,46 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     if app.tab == Tab::Stability && stability::is_own(action) {
         return stability::act(app, action);
     }
+    if app.tab == Tab::Thesis && thesis::is_own(action) {
+        return thesis::act(app, action);
+    }
+    if app.tab == Tab::Limit && limit::is_own(action) {
+        return limit::act(app, action);
+    }
     anywhere(app, action)
+}
+
+/// The list of presets, filled as soon as it has been read.
+fn presets(app: &mut App) -> Vec<Effect> {
+    app.dialog = Some(Dialog::Presets(Picker::default()));
+    vec![Effect::ListPresets]
 }
 
 /// What an action does where no tab has its own meaning for it.
 fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
     use Action as A;
     match action {
-        // Only the Stability tab has a map.
-        A::MapVariable | A::MapMethod => {}
-        A::TabRun | A::TabAccuracy | A::TabStability | A::TabLog | A::TabNext | A::TabPrevious => {
-            return tabs(app, action);
-        }
+        // Only some tabs have these.
+        A::MapVariable
+        | A::MapMethod
+        | A::SlopeGuides
+        | A::SpreadBars
+        | A::CursorUpFar
+        | A::CursorDownFar
+        | A::Contour
+        | A::NextVerdict
+        | A::Scatter
+        | A::OpenDesign => {}
+        A::TabRun
+        | A::TabSweep
+        | A::TabSurface
+        | A::TabAccuracy
+        | A::TabStability
+        | A::TabLog
+        | A::TabThesis
+        | A::TabLimit
+        | A::TabNext
+        | A::TabPrevious => return tabs(app, action),
         A::FocusNext | A::FocusPrevious => focus(app, action),
         A::Up | A::Down | A::First | A::Last | A::PageUp | A::PageDown => movement(app, action),
         A::Edit => return field::open(app),
@@ -47,19 +80,14 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
         A::StepUpCoarse => return edit::step(app, true, Size::Coarse),
         A::StepDownFine => return edit::step(app, false, Size::Fine),
         A::StepUpFine => return edit::step(app, true, Size::Fine),
-        A::Reset => return edit::reset(app),
-        A::ResetAll => return edit::reset_all(app),
+        A::Reset | A::ResetAll => return reset(app, action),
         A::Filter => field::open_filter(app),
-        A::Undo => return edit::undo(app),
-        A::Redo => return edit::redo(app),
+        A::Undo | A::Redo => return history(app, action),
         A::Interface => return edit::switch_interface(app),
+        A::Models => return runs::models(app),
         A::History | A::Help | A::Palette => overlay(app, action),
-        A::Presets => {
-            app.dialog = Some(Dialog::Presets(Picker::default()));
-            return vec![Effect::ListPresets];
-        }
-        A::Save => return dialogs::save(app, false),
-        A::SaveAs => return dialogs::save(app, true),
+        A::Presets => return presets(app),
+        A::Save | A::SaveAs => return dialogs::save(app, action == A::SaveAs),
         A::Export => export::open(app),
         A::Pin | A::Unpin | A::Adopt | A::ShowHide => return runs::act(app, action),
         A::Copy => return copy(app),
@@ -92,6 +120,14 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
     Vec::new()
 }
 
+fn history(app: &mut App, action: Action) -> Vec<Effect> {
+    if action == Action::Undo { edit::undo(app) } else { edit::redo(app) }
+}
+
+fn reset(app: &mut App, action: Action) -> Vec<Effect> {
+    if action == Action::Reset { edit::reset(app) } else { edit::reset_all(app) }
+}
+
 fn is_step(action: Action) -> bool {
     matches!(
         action,
@@ -109,16 +145,23 @@ fn tabs(app: &mut App, action: Action) -> Vec<Effect> {
     let count = Tab::ALL.len();
     app.tab = match action {
         Action::TabRun => Tab::Run,
+        Action::TabSweep => Tab::Sweep,
+        Action::TabSurface => Tab::Surface,
         Action::TabAccuracy => Tab::Accuracy,
         Action::TabStability => Tab::Stability,
         Action::TabLog => Tab::Log,
+        Action::TabThesis => Tab::Thesis,
+        Action::TabLimit => Tab::Limit,
         Action::TabPrevious => Tab::ALL[(at + count - 1) % count],
         _ => Tab::ALL[(at + 1) % count],
     };
     app.log_scroll = 0;
     match app.tab {
+        Tab::Sweep | Tab::Surface => sweep::enter(app),
         Tab::Accuracy => accuracy::enter(app),
         Tab::Stability => stability::enter(app),
+        Tab::Thesis => thesis::enter(app),
+        Tab::Limit => limit::enter(app),
         Tab::Run | Tab::Log => Vec::new(),
     }
 }
@@ -159,7 +202,7 @@ fn movement(app: &mut App, action: Action) {
     match app.place() {
         Place::Variables | Place::Anywhere => {
             let rows = app.layout().variable_rows();
-            app.editor.move_by(by(rows));
+            app.editor.move_by(&app.scene, by(rows));
         }
         Place::Charts => {
             app.charts.selected = app.charts.selected.saturating_add_signed(by(3)).min(2);
@@ -168,6 +211,14 @@ fn movement(app: &mut App, action: Action) {
             let last = app.pins.len();
             app.selected_run = app.selected_run.saturating_add_signed(by(8)).min(last);
         }
+        Place::Setup => {
+            let rows = app.layout().log_rows();
+            if let Some(picture) = app.picture() {
+                app.move_in_setup(picture, by(rows));
+            }
+        }
+        // The cursor's own steps.
+        Place::Lines | Place::Surface | Place::Limit => {}
         Place::Accuracy => {
             let last = Method::ALL.len() - 1;
             let selected = app.accuracy.selected;
@@ -180,6 +231,7 @@ fn movement(app: &mut App, action: Action) {
             let page = app.layout().log_rows();
             app.stability.selected = selected.saturating_add_signed(by(page)).min(last);
         }
+        Place::Claims | Place::Principles | Place::Screening => app.thesis.move_by(by(8)),
         Place::Log => {
             let rows = app.layout().log_rows();
             let most = app.log_lines(usize::from(app.size.0)).len().saturating_sub(rows);
@@ -202,10 +254,13 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let quit = |summary| vec![Effect::SaveSession, Effect::Quit { summary }];
     let running = app.jobs.current.is_some();
     let (accuracy, stability) = (&app.accuracy, &app.stability);
-    let studies = [&accuracy.measuring, &stability.mapping, &stability.running];
+    let (thesis, limit) = (&app.thesis.running, &app.limit.finding);
+    let studies = [&accuracy.measuring, &stability.mapping, &stability.running, thesis, limit];
     let studying = studies.iter().any(|study| study.is_some());
+    let sweeping = app.sweeping.computing.as_ref();
     let long = app.jobs.current.as_ref().is_some_and(|job| job.long)
-        || studies.iter().any(|study| study.as_ref().is_some_and(|it| it.long));
+        || studies.iter().any(|study| study.as_ref().is_some_and(|it| it.long))
+        || sweeping.is_some_and(|it| it.long);
     match action {
         Action::Quit | Action::QuitWithSummary if long && !app.jobs.asked_to_quit => {
             app.jobs.asked_to_quit = true;
@@ -216,12 +271,13 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
             Vec::new()
         }
         Action::Cancel | Action::Back if running => vec![Effect::CancelJob],
+        Action::Cancel | Action::Back if sweeping.is_some() => vec![Effect::CancelSweep],
         Action::Cancel | Action::Back if studying => vec![Effect::CancelStudy],
         Action::Back => {
             if app.full_pane {
                 app.full_pane = false;
             } else if !app.editor.filter.is_empty() {
-                app.editor.set_filter("");
+                app.editor.set_filter(&app.scene, "");
             } else {
                 app.say(Severity::Note, "nothing to stop: q quits (the session is kept)");
             }
@@ -287,7 +343,7 @@ fn copy(app: &mut App) -> Vec<Effect> {
         format!("first_arrest_time_s\t{}", number(run.first_arrest.map(|arrest| arrest.t_s))),
         format!("final_penetration_m\t{}", number(run.final_penetration_m)),
         format!("percent_of_baseline\t{}", number(run.percent_of_baseline())),
-        format!("peak_contact_force_n\t{}", number(Some(run.peak_contact_force_n))),
+        format!("peak_contact_force_n\t{}", number(run.peak_contact_force_n)),
         format!("max_plate_displacement_m\t{}", number(run.max_plate_displacement_m)),
         format!("residual_velocity_m_s\t{}", number(run.residual_velocity_m_s)),
         format!("interface_demand_ratio\t{}", number(run.interface_demand_ratio)),

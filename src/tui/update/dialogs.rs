@@ -7,7 +7,7 @@ use crate::tui::app::dialog::{self, Dialog, Picker, Save};
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::message::{Binding, Effect, Place, PresetEntry};
 
-use super::{accuracy, act, edit, export, input, runs};
+use super::{accuracy, act, edit, export, input, limit, runs, sweep, table};
 
 /// A key while a dialog is open.
 pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
@@ -15,6 +15,8 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
         Some(Dialog::Save(state)) => save_key(app, state, key),
         Some(Dialog::Export(state)) => export::press(app, *state, key),
         Some(Dialog::ExportAccuracy(state)) => accuracy::press(app, state, key),
+        Some(Dialog::ExportSweep(state)) => sweep::press(app, state, key),
+        Some(Dialog::ExportTable(which, state)) => table::press(app, which, state, key),
         Some(Dialog::Help(picker)) => in_list(app, picker, key, Kind::Help),
         Some(Dialog::Palette(picker)) => in_list(app, picker, key, Kind::Palette),
         Some(Dialog::Presets(picker)) => in_list(app, picker, key, Kind::Presets),
@@ -110,7 +112,12 @@ pub(super) fn after_typing(app: &mut App) {
         Some(Dialog::Help(picker) | Dialog::Palette(picker) | Dialog::Presets(picker)) => {
             picker.selected = 0;
         }
-        Some(Dialog::Save(save) | Dialog::ExportAccuracy(save)) => {
+        Some(
+            Dialog::Save(save)
+            | Dialog::ExportAccuracy(save)
+            | Dialog::ExportSweep(save)
+            | Dialog::ExportTable(_, save),
+        ) => {
             save.question = false;
             save.error = None;
         }
@@ -155,13 +162,42 @@ fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
             app.tab = crate::tui::app::Tab::Stability;
             app.stability.battery_shown = row.place == Place::Battery;
         }
+        Place::Setup | Place::Lines | Place::Surface => return in_sweep(app, row),
+        Place::Limit => {
+            app.tab = crate::tui::app::Tab::Limit;
+            let mut effects = limit::enter(app);
+            effects.extend(act::act(app, row.action));
+            return effects;
+        }
         Place::Log => app.tab = crate::tui::app::Tab::Log,
+        Place::Claims | Place::Principles | Place::Screening => {
+            use crate::tui::app::thesis::Page;
+            app.tab = crate::tui::app::Tab::Thesis;
+            app.thesis.page = match row.place {
+                Place::Principles => Page::Principles,
+                Place::Screening => Page::Screening,
+                _ => Page::Claims,
+            };
+        }
         Place::Variables | Place::Charts | Place::Runs => {
             app.tab = crate::tui::app::Tab::Run;
             app.focus = row.place;
         }
     }
     act::act(app, row.action)
+}
+
+/// The same in the tabs Sweep and Surface, which compute when they are entered.
+fn in_sweep(app: &mut App, row: &Binding) -> Vec<Effect> {
+    use crate::tui::app::Tab;
+    app.tab = match (row.place, app.tab) {
+        (Place::Surface, _) | (Place::Setup, Tab::Surface) => Tab::Surface,
+        (_, _) => Tab::Sweep,
+    };
+    app.sweeping.on_setup = row.place == Place::Setup;
+    let mut effects = sweep::enter(app);
+    effects.extend(act::act(app, row.action));
+    effects
 }
 
 fn looks_like_path(text: &str) -> bool {

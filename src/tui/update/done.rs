@@ -47,15 +47,37 @@ fn saved(app: &mut App, name: String, path: &Path) -> Vec<Effect> {
 fn exported(app: &mut App, outcome: ExportOutcome) {
     match (outcome, &mut app.dialog) {
         (ExportOutcome::Written(files), dialog) => {
-            if matches!(dialog, Some(Dialog::Export(_) | Dialog::ExportAccuracy(_))) {
+            if matches!(
+                dialog,
+                Some(
+                    Dialog::Export(_)
+                        | Dialog::ExportAccuracy(_)
+                        | Dialog::ExportSweep(_)
+                        | Dialog::ExportTable(..)
+                )
+            ) {
                 *dialog = None;
             }
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.say(Severity::Note, format!("written: {}", names.join(" and ")));
         }
         (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
-        (ExportOutcome::Exists(_), Some(Dialog::ExportAccuracy(save))) => save.question = true,
-        (ExportOutcome::Failed(text), Some(Dialog::ExportAccuracy(save))) => {
+        (
+            ExportOutcome::Exists(_),
+            Some(
+                Dialog::ExportAccuracy(save)
+                | Dialog::ExportSweep(save)
+                | Dialog::ExportTable(_, save),
+            ),
+        ) => save.question = true,
+        (
+            ExportOutcome::Failed(text),
+            Some(
+                Dialog::ExportAccuracy(save)
+                | Dialog::ExportSweep(save)
+                | Dialog::ExportTable(_, save),
+            ),
+        ) => {
             save.error = Some(text);
         }
         (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),

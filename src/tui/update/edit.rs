@@ -12,7 +12,7 @@ use crate::tui::app::steps::{self, Size};
 use crate::tui::app::{App, Base};
 use crate::tui::message::Effect;
 
-use super::{jobs, runs};
+use super::{jobs, runs, sweep};
 
 /// Set a variable. `stepping` joins it with the steps just before.
 ///
@@ -79,6 +79,7 @@ fn install(app: &mut App, snapshot: Snapshot) -> Vec<Effect> {
     app.scene = snapshot.scene;
     app.base = snapshot.base;
     let mut effects = jobs::after_edit(app);
+    effects.extend(sweep::after_edit(app));
     effects.push(Effect::SaveSession);
     effects
 }

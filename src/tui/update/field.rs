@@ -36,8 +36,8 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
             app.editor.field = None;
             Vec::new()
         }
-        KeyCode::Enter | KeyCode::Down => commit(app, |app| app.editor.move_by(1)),
-        KeyCode::Up => commit(app, |app| app.editor.move_by(-1)),
+        KeyCode::Enter | KeyCode::Down => commit(app, |app| app.editor.move_by(&app.scene, 1)),
+        KeyCode::Up => commit(app, |app| app.editor.move_by(&app.scene, -1)),
         KeyCode::Tab => commit(app, |app| {
             act::act(app, Action::FocusNext);
         }),
@@ -93,17 +93,17 @@ pub(super) fn press_in_filter(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     match key.code {
         KeyCode::Esc => {
             app.editor.filter_field = None;
-            app.editor.set_filter("");
+            app.editor.set_filter(&app.scene, "");
         }
         KeyCode::Enter | KeyCode::Tab => app.editor.filter_field = None,
-        KeyCode::Up => app.editor.move_by(-1),
-        KeyCode::Down => app.editor.move_by(1),
+        KeyCode::Up => app.editor.move_by(&app.scene, -1),
+        KeyCode::Down => app.editor.move_by(&app.scene, 1),
         _ => {
             if let Some(field) = &mut app.editor.filter_field
                 && input::press(field, &mut false, key)
             {
                 let text = field.value().to_owned();
-                app.editor.set_filter(&text);
+                app.editor.set_filter(&app.scene, &text);
             }
         }
     }

@@ -57,9 +57,15 @@ pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
     let clean: String = text.trim().chars().filter(|c| !c.is_control()).collect();
     let mut never = false;
     let (input, fresh) = match (&mut app.dialog, &mut app.editor.field) {
-        (Some(Dialog::Save(save) | Dialog::ExportAccuracy(save)), _) => {
-            (&mut save.input, &mut save.fresh)
-        }
+        (
+            Some(
+                Dialog::Save(save)
+                | Dialog::ExportAccuracy(save)
+                | Dialog::ExportSweep(save)
+                | Dialog::ExportTable(_, save),
+            ),
+            _,
+        ) => (&mut save.input, &mut save.fresh),
         (Some(Dialog::Export(export)), _) if export.row == ExportRow::Path => {
             (&mut export.path, &mut never)
         }

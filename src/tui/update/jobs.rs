@@ -86,8 +86,13 @@ pub(super) fn long(app: &mut App, id: u64) {
     if let Some(job) = app.jobs.current.as_mut().filter(|job| job.id == id) {
         job.long = true;
     }
+    if let Some(sweep) = app.sweeping.computing.as_mut().filter(|sweep| sweep.id == id) {
+        sweep.long = true;
+    }
     let (accuracy, stability) = (&mut app.accuracy, &mut app.stability);
-    for study in [&mut accuracy.measuring, &mut stability.mapping, &mut stability.running] {
+    let (thesis, limit) = (&mut app.thesis.running, &mut app.limit.finding);
+    let (mapping, battery) = (&mut stability.mapping, &mut stability.running);
+    for study in [&mut accuracy.measuring, mapping, battery, thesis, limit] {
         if let Some(study) = study.as_mut().filter(|study| study.id == id) {
             study.long = true;
         }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
+use crate::study::models::by_every_model;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::{LETTERS, Pin, name_of};
@@ -46,6 +47,44 @@ pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect>
     app.pins.sort_by_key(|pin| pin.letter);
     let mut effects = jobs::submit_pins(app);
     effects.push(Effect::SaveSession);
+    effects
+}
+
+/// Pin the scene by every interaction model but its own; take them away when all are there.
+pub(super) fn models(app: &mut App) -> Vec<Effect> {
+    let own = app.scene.contact.model;
+    let wanted: Vec<(&str, Arc<Scene>)> = by_every_model(&app.scene)
+        .into_iter()
+        .filter(|(_, scene)| scene.contact.model != own)
+        .map(|(name, scene)| (name, Arc::new(scene)))
+        .collect();
+    let is_pinned = |app: &App, scene: &Scene| app.pins.iter().any(|pin| *pin.scene == *scene);
+    let missing: Vec<_> =
+        wanted.iter().filter(|(_, scene)| !is_pinned(app, scene)).cloned().collect();
+    if missing.is_empty() {
+        app.pins.retain(|pin| wanted.iter().all(|(_, scene)| *pin.scene != **scene));
+        app.selected_run = app.selected_run.min(app.pins.len());
+        app.charts.difference &= !app.pins.is_empty();
+        app.say(Severity::Note, "the other interaction models are unpinned");
+        return vec![Effect::SaveSession];
+    }
+    let room = LETTERS.len() - app.pins.len();
+    if missing.len() > room {
+        let text = format!(
+            "{} models need a pin each, and {room} of the eight pins are free: x in the pane Runs unpins one",
+            missing.len()
+        );
+        app.say(Severity::Error, text);
+        return Vec::new();
+    }
+    let mut effects = Vec::new();
+    for (name, scene) in missing {
+        effects.extend(pin(app, name.to_owned(), scene));
+    }
+    app.say(
+        Severity::Note,
+        format!("{} and the other models side by side (I again takes them away)", own.word()),
+    );
     effects
 }
 

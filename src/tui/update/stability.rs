@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use super::jobs;
+use super::{jobs, table};
 use crate::study::stability::map::{Axis, Method};
 use crate::tui::app::App;
 use crate::tui::app::accuracy::Measuring;
+use crate::tui::app::dialog::Table;
 use crate::tui::app::notice::Severity;
 use crate::tui::message::{Action, Effect, Message};
 use crate::worker::studies::{Finding, Study, StudyBody, StudyKind, StudyReport};
@@ -72,10 +73,13 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         Action::CursorRight => tab.move_cursor(0, 1),
         Action::CursorLeftFar => tab.move_cursor(0, -FAR),
         Action::CursorRightFar => tab.move_cursor(0, FAR),
-        _ => app.say(
-            Severity::Note,
-            "`cmra stability --csv FILE` writes the battery; 1 and then e exports runs",
-        ),
+        _ if tab.battery_shown => table::open(app, Table::Battery),
+        _ => {
+            app.say(
+                Severity::Note,
+                "Tab and then e exports the battery; 1 and then e exports runs",
+            );
+        }
     }
     Vec::new()
 }

@@ -18,6 +18,11 @@ use crate::tui::theme::{Pane, Role};
 /// Columns of a method's letter and name in the table.
 const NAME: u16 = 19;
 
+/// The colour of slope guides: that of no method.
+const GUIDE_COLOUR: usize = 9;
+/// Points of a slope guide.
+const GUIDE_POINTS: usize = 90;
+
 /// A column of the table: heading, width, value.
 type Column = (&'static str, u16, fn(&MethodReport) -> String);
 
@@ -50,15 +55,14 @@ pub(super) fn render(app: &App, panes: &AccuracyPanes, buffer: &mut Buffer) {
 }
 
 fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
-    let curves = app.accuracy.curves();
-    let points = || curves.iter().flat_map(|(_, points)| points);
-    let times = ViewRange::of(Scale::Log10, points().map(|point| point.0));
-    let errors = ViewRange::of(Scale::Log10, points().map(|point| point.1));
+    let tab = &app.accuracy;
+    let curves = tab.curves();
     let title = "Relative error";
-    let (Some(times), Some(errors)) = (times, errors) else {
+    let (Some(times), Some(errors)) = (tab.times(), tab.errors()) else {
         let inner = Pane::new(title).render(area, buffer, app.theme);
-        let text = match (&app.accuracy.measuring, &app.accuracy.report) {
+        let text = match (&tab.measuring, &tab.report) {
             (Some(_), _) => "measuring the first points",
+            (None, Some(_)) if tab.sight.times.is_some() => "nothing in view: 0 shows everything",
             (None, Some(_)) => "nothing to draw: no point, or all are hidden (V)",
             (None, None) => "not measured yet: r measures",
         };
@@ -67,29 +71,71 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let old = app.accuracy_is_old();
-    let drawn = curves.iter().map(|(method, points)| {
-        let index = Method::ALL.iter().position(|one| one == method).unwrap_or(0);
-        Curve::new(method.letter(), method.name(), points).colour(index).emphasis(if old {
+    let emphasis = |method: Method| {
+        if old {
             Emphasis::Stale
-        } else if *method == app.accuracy.method() {
+        } else if method == tab.method() {
             Emphasis::Selected
         } else {
             Emphasis::Normal
-        })
+        }
+    };
+    let drawn = curves.iter().map(|(method, points)| {
+        Curve::new(method.letter(), method.name(), points)
+            .colour(colour(*method))
+            .emphasis(emphasis(*method))
     });
-    let x = Axis::new("run time", times.rounded(Scale::Log10))
-        .scale(Scale::Log10)
-        .unit(Unit::scaled(1e6, "µs"));
-    let y = Axis::new("", errors.rounded(Scale::Log10)).scale(Scale::Log10);
+    let (guides, bars) =
+        (guides(app, times, errors), if tab.sight.bars { tab.spreads() } else { Vec::new() });
+    let slopes = guides.iter().map(|(marker, points)| {
+        Curve::new(*marker, "slope", points).colour(GUIDE_COLOUR).emphasis(Emphasis::Stale)
+    });
+    let spreads = bars.iter().map(|(method, points)| {
+        Curve::new('-', "spread", points).colour(colour(*method)).emphasis(Emphasis::Normal)
+    });
+    let x = Axis::new("run time", times).scale(tab.sight.time_scale).unit(Unit::scaled(1e6, "µs"));
+    let y = Axis::new("", errors).scale(tab.sight.error_scale);
     let title = if old { "Relative error, old" } else { title };
+    let targets = TARGETS.iter().map(|y| Level { y: *y, tag: "".into() });
+    let floor = tab.floor().map(|y| Level { y, tag: "reference's floor".into() });
     let chart = Chart {
         legend: Legend::Hidden,
-        levels: TARGETS.iter().map(|y| Level { y: *y, tag: "".into() }).collect(),
-        crosshair: app.accuracy.cursor_s,
+        levels: targets.chain(floor).collect(),
+        crosshair: tab.cursor_s,
         focused: app.dialog.is_none(),
-        ..Chart::new(title, x, y, drawn.collect())
+        ..Chart::new(title, x, y, slopes.chain(spreads).chain(drawn).collect())
     };
     chart.render(area, buffer, app.theme);
+}
+
+fn colour(method: Method) -> usize {
+    Method::ALL.iter().position(|one| *one == method).unwrap_or(0)
+}
+
+/// Points of a line.
+type Line = Vec<(f64, f64)>;
+
+/// Dashed lines of the slopes that orders make, from the upper left corner, each drawn with its order.
+fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
+    let sight = app.accuracy.sight;
+    let logarithmic = sight.time_scale == Scale::Log10 && sight.error_scale == Scale::Log10;
+    if !(sight.guides && logarithmic) {
+        return Vec::new();
+    }
+    let span = times.hi() / times.lo();
+    let line = |order: i32| {
+        let point = |i: usize| {
+            let share = i as f64 / GUIDE_POINTS as f64;
+            // Every third point is a gap: a dash.
+            let gap = if i % 3 == 2 { f64::NAN } else { 1.0 };
+            (times.lo() * span.powf(share), gap * errors.hi() * span.powf(share).powi(-order))
+        };
+        (0..=GUIDE_POINTS)
+            .map(point)
+            .filter(|point| point.1.is_nan() || point.1 >= errors.lo())
+            .collect()
+    };
+    [('1', 1), ('2', 2), ('4', 4), ('8', 8)].map(|(marker, order)| (marker, line(order))).into()
 }
 
 /// The table, and below it what is to be said of the selected method.

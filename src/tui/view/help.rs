@@ -84,10 +84,17 @@ fn place(place: Place) -> &'static str {
         Place::Variables => "Variables",
         Place::Charts => "Charts",
         Place::Runs => "Runs",
+        Place::Setup => "Setup",
+        Place::Lines => "Sweep",
+        Place::Surface => "Surface",
         Place::Accuracy => "Accuracy",
         Place::Map => "Map",
         Place::Battery => "Battery",
         Place::Log => "Log",
+        Place::Claims => "Claims",
+        Place::Principles => "Principles",
+        Place::Screening => "Screening",
+        Place::Limit => "Limit",
     }
 }
 

@@ -44,6 +44,12 @@ fn special(app: &App) -> Option<Keys> {
             ("Up/Down", "ok and move"),
             ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
         ]),
+        None if app.sweeping.field.is_some() && app.picture().is_some() => Some(&[
+            ("Enter", "ok"),
+            ("Esc", "old value"),
+            ("Up/Down", "ok and move"),
+            ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
+        ]),
         None if app.editor.filter_field.is_some() => {
             Some(&[("Enter", "keep"), ("Esc", "all rows again"), ("Up/Down", "move")])
         }
@@ -72,10 +78,14 @@ fn in_dialog(dialog: &Dialog) -> Keys {
         Dialog::Save(save) if save.question => {
             &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
         }
-        Dialog::ExportAccuracy(save) if save.question => {
+        Dialog::ExportAccuracy(save) | Dialog::ExportSweep(save) | Dialog::ExportTable(_, save)
+            if save.question =>
+        {
             &[("y", "overwrite"), ("n", "another name")]
         }
-        Dialog::ExportAccuracy(_) => &[("Enter", "write"), ("Esc", "close")],
+        Dialog::ExportAccuracy(_) | Dialog::ExportSweep(_) | Dialog::ExportTable(..) => {
+            &[("Enter", "write"), ("Esc", "close")]
+        }
         Dialog::Save(_) => &[("Enter", "save"), ("Esc", "do not save")],
         Dialog::Export(export) if export.question => {
             &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]
@@ -100,12 +110,14 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
         .filter(|row| {
             let elsewhere = [Action::Pin, Action::Window, Action::FullPane];
             match place {
-                Place::Log | Place::Accuracy => {
+                Place::Log | Place::Accuracy | Place::Limit => {
                     row.action != Action::FocusNext && !elsewhere.contains(&row.action)
                 }
-                Place::Map | Place::Battery => {
+                Place::Battery => !elsewhere.contains(&row.action),
+                Place::Map | Place::Claims | Place::Principles | Place::Screening => {
                     row.action != Action::Export && !elsewhere.contains(&row.action)
                 }
+                Place::Setup | Place::Lines | Place::Surface => row.action != Action::Window,
                 Place::Anywhere | Place::Variables | Place::Charts | Place::Runs => true,
             }
         })
@@ -145,7 +157,7 @@ fn entry(row: &Binding) -> (String, &'static str) {
 fn opposite(action: Action) -> Option<(Action, &'static str, bool)> {
     match action {
         Action::StepUp => Some((Action::StepDown, "step", false)),
-        Action::CursorRight => Some((Action::CursorLeft, "crosshair", false)),
+        Action::CursorRight => Some((Action::CursorLeft, "", false)),
         Action::ZoomIn => Some((Action::ZoomOut, "zoom", true)),
         Action::EventNext => Some((Action::EventPrevious, "event", true)),
         Action::Down => Some((Action::Up, "", true)),

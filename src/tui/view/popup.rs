@@ -19,7 +19,16 @@ pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer, cursor: &mut 
         Some(Dialog::History(picker)) => history::render(app, picker, screen, buffer),
         Some(Dialog::Save(state)) => save::render(app, state, screen, buffer, cursor),
         Some(Dialog::ExportAccuracy(state)) => {
-            save::path(app, state, screen, buffer, cursor);
+            let titles = ("Export what was measured to CSV", "Enter writes");
+            save::path(app, state, (screen, titles), buffer, cursor);
+        }
+        Some(Dialog::ExportSweep(state)) => {
+            let titles = ("Export this sweep to CSV", "Enter writes");
+            save::path(app, state, (screen, titles), buffer, cursor);
+        }
+        Some(Dialog::ExportTable(table, state)) => {
+            let titles = (table.title(), "Enter writes");
+            save::path(app, state, (screen, titles), buffer, cursor);
         }
         Some(Dialog::Export(state)) => export::render(app, state, screen, buffer, cursor),
         None => {}

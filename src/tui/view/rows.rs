@@ -22,16 +22,25 @@ fn role(severity: Severity) -> Role {
 /// Tabs at the left; preset, whether it is modified, and auto-run at the right.
 pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     let style = |role| app.theme.style(role);
-    let mut column = put(buffer, area, (1, 0), "cmra", style(Role::Title)) + 2;
+    // The tabs come before the name where there is no room for both.
+    let named = area.width >= 66;
+    let mut column =
+        if named { put(buffer, area, (1, 0), "cmra", style(Role::Title)) + 2 } else { 1 };
+    // Where not even the tabs have room, only the one shown has its name.
+    let shown = if area.width < 74 { 1 } else { usize::MAX };
+    let in_full = area.width >= 100;
     for tab in Tab::ALL {
         let (text, role) = if tab == app.tab {
             (format!("[{}]", tab.title()), Role::Selection)
         } else {
-            (format!(" {} ", tab.title()), Role::Text)
+            let title = if in_full { tab.title() } else { tab.short_title() };
+            (title.chars().take(shown).collect(), Role::Text)
         };
         column = put(buffer, area, (column, 0), &text, style(role)) + 1;
     }
-    let wide = area.width >= 100;
+    let room = usize::from(area.width.saturating_sub(column + 2));
+    // Everything in words where that leaves room for the name.
+    let wide = room >= usize::from(columns(&app.base.name)) + 32;
     let changed = match (app.is_modified(), wide) {
         (false, _) => "",
         (true, false) => " *",
@@ -43,10 +52,10 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
         (false, _) => "  auto-run off",
     };
     let mouse = if app.mouse { "  mouse on" } else { "" };
-    let room = usize::from(area.width.saturating_sub(column + 2));
-    let fixed = columns(changed) + columns(auto) + columns(mouse) + 7;
+    let preset = if wide { "preset " } else { "" };
+    let fixed = columns(preset) + columns(changed) + columns(auto) + columns(mouse);
     let name = clip(&app.base.name, room.saturating_sub(usize::from(fixed)).max(6));
-    let text = format!("preset {name}{changed}{auto}{mouse}");
+    let text = format!("{preset}{name}{changed}{auto}{mouse}");
     let start = area.width.saturating_sub(columns(&text) + 1).max(column);
     put(buffer, area, (start, 0), &text, style(Role::Text));
 }

@@ -23,7 +23,10 @@ const COLUMNS: [Column; 6] = [
         run.percent_of_baseline().map_or_else(|| "-".to_owned(), |percent| format!("{percent:.1}"))
     }),
     ("x_max mm", 9, |run| millimetres(run.max_plate_displacement_m)),
-    ("F_max kN", 9, |run| units::fixed_significant(run.peak_contact_force_n / 1e3, 4)),
+    ("F_max kN", 9, |run| {
+        run.peak_contact_force_n
+            .map_or_else(|| "-".to_owned(), |peak_n| units::fixed_significant(peak_n / 1e3, 4))
+    }),
     ("v_out m/s", 10, |run| {
         run.residual_velocity_m_s
             .map_or_else(|| "-".to_owned(), |speed| units::fixed_significant(speed, 4))

@@ -35,15 +35,14 @@ pub(super) fn render(
     below(app, (&text, role), inner, buffer);
 }
 
-/// Draw the dialog for the path of what was measured.
+/// Draw the dialog for the path of a table.
 pub(super) fn path(
     app: &App,
     state: &Save,
-    screen: Rect,
+    (screen, titles): (Rect, (&str, &str)),
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) {
-    let titles = ("Export what was measured to CSV", "Enter writes");
     let inner = frame(app, screen, (76, 9), titles, buffer);
     field(app, state, ("file  ", inner), buffer, cursor);
     let target = app.directory.join(state.input.value().trim());

@@ -28,10 +28,10 @@ pub(super) fn render(
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) {
-    let rows = app.editor.rows();
+    let rows = app.editor.rows(&app.scene);
     let height = usize::from(area.height.saturating_sub(3));
-    let first = app.editor.first_row(height);
-    let pane = Pane::new(title(app)).right(counter(&rows, first, height)).focused(focused);
+    let first = app.editor.first_row(&app.scene, height);
+    let pane = Pane::new(title(app)).right(counter(app, &rows, first, height)).focused(focused);
     let inner = pane.render(area, buffer, app.theme);
     if inner.height < 2 {
         return;
@@ -67,16 +67,18 @@ fn title(app: &App) -> String {
 }
 
 /// Which of the variables are in sight, where not all are.
-fn counter(rows: &[Row], first: usize, height: usize) -> String {
+fn counter(app: &App, rows: &[Row], first: usize, height: usize) -> String {
+    let all =
+        VARIABLES.iter().filter(|variable| variables::is_listed(variable, &app.scene)).count();
     let number = |rows: &[Row]| rows.iter().filter(|row| matches!(row, Row::Variable(_))).count();
     let end = (first + height).min(rows.len());
-    if rows.len() <= height && number(rows) == VARIABLES.len() {
+    if rows.len() <= height && number(rows) == all {
         return String::new();
     }
     let above = number(&rows[..first.min(rows.len())]);
     let seen = number(&rows[first.min(rows.len())..end]);
     if seen == 0 {
-        return format!("0/{}", VARIABLES.len());
+        return format!("0/{all}");
     }
     format!("{}-{}/{}", above + 1, above + seen, number(rows))
 }

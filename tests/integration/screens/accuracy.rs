@@ -10,6 +10,7 @@ use cmra::study::accuracy::reference::{Basis, Reference};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
 use cmra::tui::app::Tab;
+use cmra::tui::chart::ViewRange;
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{Finding, Study, StudyBody, StudyReport};
@@ -213,4 +214,47 @@ fn leaving_asks_while_a_study_has_been_going_on_for_long() {
     bench.send(Message::LongJob(study.id));
     bench.keys("q");
     assert!(bench.message().contains("q again leaves"), "{}", bench.message());
+}
+
+#[test]
+fn the_chart_is_zoomed_panned_and_fitted_again() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    let all = bench.app.accuracy.times().unwrap();
+    bench.keys("LL++");
+    let (near, cursor) =
+        (bench.app.accuracy.times().unwrap(), bench.app.accuracy.cursor_s.unwrap());
+    let decades = |view: ViewRange| (view.hi() / view.lo()).log10();
+    assert!((decades(near) / decades(all) - 0.25).abs() < 1e-9);
+    assert!(near.contains(cursor), "zoomed about the crosshair");
+    bench.keys("]");
+    assert!(bench.app.accuracy.times().unwrap().lo() > near.lo());
+    bench.keys("[0");
+    assert_eq!(bench.app.accuracy.times(), Some(all));
+    // Ten columns of the narrower view are less time than of the wider one.
+    bench.keys("++");
+    let before = bench.app.accuracy.cursor_s.unwrap();
+    bench.keys("L");
+    let moved = bench.app.accuracy.cursor_s.unwrap() / before;
+    assert!(moved > 1.0 && moved.log10() < 0.3 * decades(near), "{moved}");
+    // Far from all points there is still a way back.
+    bench.keys("]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]");
+    assert!(bench.screen().contains("0 shows everything"), "{}", bench.screen());
+}
+
+#[test]
+fn slopes_spreads_scales_and_the_floor_are_drawn_when_asked_for() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    assert!(bench.screen().contains("reference's floor"), "{}", bench.screen());
+    bench.keys("o");
+    assert!(bench.message().contains("orders 1, 2, 4 and 8"), "{}", bench.message());
+    assert!(bench.screen().contains("111"), "{}", bench.screen());
+    bench.keys("ob");
+    assert!(bench.message().contains("bars"), "{}", bench.message());
+    bench.keys("bX");
+    assert!(bench.message().contains("run time: linear"), "{}", bench.message());
+    bench.keys("Y");
+    assert!(bench.message().contains("error: linear"), "{}", bench.message());
+    // A slope is a line in decades only.
+    bench.keys("o");
+    assert!(bench.message().contains("where both axes are logarithmic"), "{}", bench.message());
 }

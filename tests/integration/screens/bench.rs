@@ -268,7 +268,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         }),
         final_penetration_m: Some(shape.depth_m),
         baseline_penetration_m: Some(0.007_113),
-        peak_contact_force_n: 17_745.0,
+        peak_contact_force_n: Some(17_745.0),
         max_plate_displacement_m: Some(shape.sample(TURN_S).plate_displacement_m),
         residual_velocity_m_s: None,
         exit_time_s: None,

@@ -37,10 +37,17 @@ fn no_key_does_two_things_in_one_place() {
         Place::Variables,
         Place::Charts,
         Place::Runs,
+        Place::Setup,
+        Place::Lines,
+        Place::Surface,
         Place::Accuracy,
         Place::Map,
         Place::Battery,
         Place::Log,
+        Place::Claims,
+        Place::Principles,
+        Place::Screening,
+        Place::Limit,
     ] {
         let mut seen = HashSet::new();
         for binding in BINDINGS.iter().filter(|row| row.place == place) {
@@ -71,10 +78,17 @@ fn every_key_works_in_its_place_and_draws() {
                 Place::Anywhere | Place::Variables => {}
                 Place::Charts => bench.keys("<Tab>"),
                 Place::Runs => bench.keys("<Tab><Tab>j"),
+                Place::Setup => bench.keys("2<Tab>"),
+                Place::Lines => bench.keys("2"),
+                Place::Surface => bench.keys("3"),
                 Place::Accuracy => bench.keys("4"),
                 Place::Map => bench.keys("5"),
                 Place::Battery => bench.keys("5<Tab>"),
                 Place::Log => bench.keys("6"),
+                Place::Claims => bench.keys("7"),
+                Place::Principles => bench.keys("7<Tab>"),
+                Place::Screening => bench.keys("7<Tab><Tab>"),
+                Place::Limit => bench.keys("8"),
             }
             bench.send(Message::Key(KeyEvent::new(key.0, key.1)));
             bench.answer();
@@ -521,7 +535,7 @@ fn the_palette_and_help_execute() {
 fn the_filter_follows_every_character() {
     let mut bench = bench();
     bench.keys("/exponent");
-    assert_eq!(bench.app.editor.listed().len(), 2);
+    assert_eq!(bench.app.editor.listed(&bench.app.scene).len(), 2);
     assert_eq!(bench.app.editor.variable().symbol, "m");
     bench.keys("<Enter>j");
     assert_eq!(bench.app.editor.variable().symbol, "n");

@@ -4,15 +4,22 @@ use std::fmt::Write as _;
 
 use cmra::tui::message::{BINDINGS, Place};
 
-const PLACES: [(Place, &str); 8] = [
+const PLACES: [(Place, &str); 15] = [
     (Place::Anywhere, "anywhere"),
     (Place::Variables, "Variables"),
     (Place::Charts, "Charts"),
     (Place::Runs, "Runs"),
+    (Place::Setup, "Setup"),
+    (Place::Lines, "Sweep"),
+    (Place::Surface, "Surface"),
     (Place::Accuracy, "Accuracy"),
     (Place::Map, "Map"),
     (Place::Battery, "Battery"),
     (Place::Log, "Log"),
+    (Place::Claims, "Claims"),
+    (Place::Principles, "Principles"),
+    (Place::Screening, "Screening"),
+    (Place::Limit, "Limit"),
 ];
 
 /// The key table as the README has it.

@@ -65,7 +65,7 @@ pub(super) fn answer(bench: &mut Bench) {
         let found = match study.kind {
             StudyKind::Map(method, axis) => Finding::Map(Arc::new(map(method, axis))),
             StudyKind::Battery => Finding::Battery(Arc::new(rows(12)), true),
-            StudyKind::Accuracy(_) => continue,
+            StudyKind::Accuracy(_) | StudyKind::Thesis | StudyKind::Limit(_) => continue,
         };
         bench.send(Message::Study(StudyReport { id: study.id, body: StudyBody::Ended(found) }));
     }
@@ -139,4 +139,25 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_falls_short() {
     answer(&mut bench);
     bench.keys("<Tab><Tab>");
     assert!(studies(&mut bench).is_empty());
+}
+
+#[test]
+fn the_battery_is_exported_and_the_map_says_where_to_go() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("e");
+    assert!(bench.message().contains("Tab and then e exports the battery"), "{}", bench.message());
+    bench.keys("<Tab>e");
+    assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
+    answer(&mut bench);
+    bench.keys("e<Enter>");
+    let text = bench.effects.iter().find_map(|effect| match effect {
+        Effect::ExportTable { path, overwrite: false, text } => {
+            assert_eq!(path, std::path::Path::new("/home/ada/work/battery.csv"));
+            Some(text)
+        }
+        _ => None,
+    });
+    let text = text.expect("an export");
+    assert!(text.starts_with("scene,changes,outcome,"), "{text}");
+    assert_eq!(text.lines().count(), 13);
 }

@@ -1,4 +1,4 @@
-//! The battery and the map for machines: CSV and JSON, SI units, empty or null where a quantity does not exist.
+//! The battery and the map for machines: CSV and JSON, SI units, empty or null where a quantity does not exist. Knows no screen.
 
 use serde_json::{Value, json};
 
@@ -42,7 +42,10 @@ fn entries(row: &Row) -> Vec<(String, Value)> {
 }
 
 /// One row a scene.
-pub(super) fn csv(rows: &[Row]) -> Result<String, FileError> {
+///
+/// # Errors
+/// [`FileError::Csv`] should a row be malformed.
+pub fn csv(rows: &[Row]) -> Result<String, FileError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for (index, row) in rows.iter().enumerate() {
         let entries = entries(row);
@@ -60,7 +63,7 @@ pub(super) fn csv(rows: &[Row]) -> Result<String, FileError> {
 }
 
 /// The whole battery.
-pub(super) fn json(rows: &[Row]) -> String {
+pub fn json(rows: &[Row]) -> String {
     let short = rows.iter().filter(|row| row.shortfall.is_some()).count();
     let list: Vec<Value> = rows.iter().map(|row| entries(row).into_iter().collect()).collect();
     let value = json!({ "rows": list, "count": rows.len(), "short": short });
@@ -68,7 +71,7 @@ pub(super) fn json(rows: &[Row]) -> String {
 }
 
 /// The map; its cells as letters, row by row.
-pub(super) fn map_json(map: &Map) -> String {
+pub fn map_json(map: &Map) -> String {
     let rows: Vec<String> = (0..map.values.len())
         .map(|row| (0..map.dt_s.len()).map(|column| map.cell(row, column).letter()).collect())
         .collect();

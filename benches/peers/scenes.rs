@@ -1,0 +1,112 @@
+//! The eighteen scenes, and the answers the solvers are judged by: none of these comes from a solver that is timed.
+
+use std::sync::Arc;
+
+use cmra::model::contact_phase::{Ending, Explicit, Phase, exact};
+use cmra::model::scene::{Mount, Scene};
+use cmra::model::units::Bare;
+use cmra::model::variables::set_by_name;
+
+/// Name and changes to Table 9.1 with gamma = 1 and neither spring nor damper. Primed: of the same kind as the scene of that
+/// number in the survey of peers, whose parameters are not recorded.
+pub(crate) const SCENES: [(&str, &str); 18] = [
+    ("S1", "gamma=1"),
+    ("S2", "k=1e5"),
+    ("S3'", "gamma=3 k=1e6"),
+    ("S4", "k=1e6 n=0.5"),
+    ("S5", "k=1e5 n=0.3"),
+    ("S6'", "k=1e6 n=1.5"),
+    ("S7", "b=1000"),
+    ("S8", "b=2000 k=1e5"),
+    ("S9'", "b=1000 m=0.5"),
+    ("S10", "d=0.5 k=1e5"),
+    ("S11'", "d=0.5 k=1e8"),
+    ("S12'", "d=0.1 k=1e5 n=1.4 b=500"),
+    ("S13", "k=1e6 n=0.1"),
+    ("S14'", "k=7.5e6 n=0.1"),
+    ("S15", "k=1e9"),
+    ("S16'", "b=1e6 k=1e5"),
+    ("S17", "h=0.003 v_i=400 k=1e5"),
+    ("S18'", "h=0.003 v_i=300 k=1e6 n=0.5"),
+];
+/// Where the plate moves by less than this part of the nose radius, it is as good as rigid.
+const IMMOBILE: f64 = 1e-17;
+/// Tolerance of the computed references.
+const TIGHT: f64 = 1e-14;
+
+/// Time, s, and depth, m, at the end of the contact.
+pub(crate) type End = (f64, f64);
+
+/// What a solver is judged by.
+pub(crate) struct Reference {
+    ending: Ending,
+    end: End,
+    /// Where it comes from.
+    pub(crate) source: &'static str,
+}
+
+impl Reference {
+    /// The stored digits; else closed form; else closed form of a plate that provably cannot move; else DOP853 at 1e-14.
+    pub(crate) fn of(name: &str, scene: &Scene) -> Self {
+        let stored =
+            include_str!("../../tests/cases/reference.csv").lines().skip(1).find_map(|line| {
+                let field: Vec<&str> = line.split(',').collect();
+                let number = |i: usize| field[i].parse::<f64>().expect("a number");
+                let ending = if field[2] == "perf" { Ending::Perforation } else { Ending::Arrest };
+                (field[0] == name).then(|| (ending, (number(3), number(4))))
+            });
+        if let Some((ending, end)) = stored {
+            return Self { ending, end, source: "stored digits" };
+        }
+        let rigid = Scene {
+            plate: cmra::model::scene::Plate { mount: Mount::Rigid, ..scene.plate },
+            ..scene.clone()
+        };
+        let tight = Explicit::Dop853 { tolerance: TIGHT };
+        let (answer, source) = if let Ok(answer) = exact::solve(scene) {
+            (Ok(answer), "closed form")
+        } else if greatest_give(scene) < IMMOBILE {
+            (exact::solve(&rigid), "closed form: immobile")
+        } else {
+            (Phase::of(scene).solve(tight, 2_000_000), "DOP853 at 1e-14")
+        };
+        let answer = answer.expect("a reference for each scene");
+        Self { ending: answer.ending, end: (answer.t_s, answer.depth_m), source }
+    }
+
+    /// The greater of the relative errors of depth and time; of a perforation, whose depth is a matter of definition, that of
+    /// time.
+    pub(crate) fn error(&self, (t_s, depth_m): End) -> f64 {
+        let time = (t_s / self.end.0 - 1.0).abs();
+        let depth = match self.ending {
+            Ending::Arrest => (depth_m / self.end.1 - 1.0).abs(),
+            Ending::Perforation => 0.0,
+        };
+        if time > depth || time.is_nan() { time } else { depth }
+    }
+}
+
+/// A bound on how far an uncocked spring gives way under the greatest contact force, over the nose radius. (Undamped the
+/// plate swings at most twice as far as its rest position, in a convex potential.)
+fn greatest_give(scene: &Scene) -> f64 {
+    let (r, v) = (scene.projectile.tip_radius_m, scene.projectile.velocity_m_s);
+    let pressure = scene.target.flow_strength_pa + scene.drag_kg_m3() * v * v;
+    let force = std::f64::consts::PI * r * r * pressure;
+    let spring = scene.mechanism.spring;
+    // k x^(n+1)/(n+1) = F x is the farthest point of a plate pushed from rest by a constant force.
+    let farthest =
+        ((spring.exponent + 1.0) * force / spring.coefficient).powf(1.0 / spring.exponent);
+    if scene.plate.cocking_m == 0.0 { farthest / r } else { f64::INFINITY }
+}
+
+/// The scene of a row at a tolerance.
+pub(crate) fn scene(pairs: &str, tolerance: f64) -> Arc<Scene> {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.coefficient = 0.0;
+    scene.run.tolerance = tolerance;
+    for pair in pairs.split_whitespace() {
+        let (name, value) = pair.split_once('=').expect("name=value");
+        set_by_name(&mut scene, name, value, Bare::Si).expect("a legal value");
+    }
+    Arc::new(scene)
+}

@@ -1,0 +1,232 @@
+//! `cmra design`: what a designer works with that needs no simulation: a shot's formulas, the screening matrix, the principles.
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+
+use clap::{Args, Subcommand};
+use serde_json::Value;
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::table::TableArguments;
+use crate::cli::{CliError, output};
+use crate::files::rows::{Rows, number};
+use crate::model::design;
+use crate::model::scene::Scene;
+use crate::model::units::{Engineering, significant};
+use crate::model::variables;
+use crate::study::principles::PRINCIPLES;
+use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
+
+/// Spring steel: density, kg/m³, shear modulus and the shear stress it may bear, Pa.
+const STEEL: (f64, f64, f64) = (7850.0, 79.3e9, 700e6);
+
+#[derive(Debug, Args)]
+pub(super) struct DesignArguments {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// A shot by formulas: ricochet, effective thickness, collisions, the mass of a spring
+    Shot(ShotArguments),
+    /// The screening matrix of Table 7.1, with weights of one's own
+    Screening(ScreeningArguments),
+    /// Families, principles and functions of Tables 4.1 and 5.1, and the presets that show them
+    Principles(PrinciplesArguments),
+}
+
+#[derive(Debug, Args)]
+struct ShotArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    #[command(flatten)]
+    table: TableArguments,
+}
+
+#[derive(Debug, Args)]
+struct ScreeningArguments {
+    /// Weight of a criterion in percent, named by any part of its name; may be repeated
+    #[arg(long, value_name = "CRITERION=PERCENT")]
+    weight: Vec<String>,
+    #[command(flatten)]
+    table: TableArguments,
+}
+
+#[derive(Debug, Args)]
+struct PrinciplesArguments {
+    #[command(flatten)]
+    table: TableArguments,
+}
+
+/// Print what was asked for.
+pub(super) fn run(arguments: &DesignArguments) -> Result<ExitCode, CliError> {
+    let done = match &arguments.what {
+        What::Shot(arguments) => shot(arguments),
+        What::Screening(arguments) => screening(arguments),
+        What::Principles(arguments) => principles(arguments),
+    };
+    done.map(|()| ExitCode::SUCCESS)
+}
+
+fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
+    let preset = arguments.scene.load()?;
+    variables::validate(&preset.scene)?;
+    let found = formulas(&preset.scene);
+    let mut page = format!("{}: by formulas alone\n\n", preset.name);
+    for (name, value, unit, told) in &found {
+        // A prefix before `kg` reads badly.
+        let (scale, unit) = if *unit == "kg" { (1e3, "g") } else { (1.0, *unit) };
+        let shown = Engineering { value: scale * value, unit, digits: 4 }.to_string();
+        let _ = writeln!(page, "{name:<34}{shown:>14}  {told}");
+    }
+    let rows = found
+        .iter()
+        .map(|(name, value, unit, told)| {
+            vec![Value::from(*name), number(Some(*value)), Value::from(*unit), Value::from(*told)]
+        })
+        .collect();
+    arguments
+        .table
+        .deliver(&page, &Rows { columns: vec!["name", "value", "unit", "source"], rows })?;
+    for warning in variables::range_warnings(&preset.scene) {
+        output::note(&warning.text);
+    }
+    Ok(())
+}
+
+/// Name, value, unit, and where the formula is from.
+type Formula = (&'static str, f64, &'static str, &'static str);
+
+fn formulas(scene: &Scene) -> Vec<Formula> {
+    let (m, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
+    let m_2 = scene.plate_mass_kg();
+    let common = design::inelastic((m, v), (m_2, 0.0));
+    let (back, forward) = design::elastic((m, v), (m_2, 0.0));
+    let left = 0.5 * (m + m_2) * common * common;
+    let drawn = variables_energy_j(scene);
+    let spring = design::coil_spring_mass_kg(left + drawn, STEEL.0, STEEL.1, STEEL.2);
+    let at_one = design::stone_depth_m(
+        (m, v, scene.projectile.tip_radius_m),
+        scene.target.density_kg_m3,
+        1.0,
+    );
+    vec![
+        (
+            "critical obliquity",
+            variables::critical_obliquity_deg(scene),
+            "deg",
+            "Tate, eq. 2.3; rho_p and Y_p are assumptions",
+        ),
+        ("effective thickness", scene.effective_thickness_m(), "m", "h/cos(theta), Figure 4.1"),
+        ("common velocity, inelastic", common, "m/s", "eq. 2.2 and 8.11"),
+        ("energy left then", left, "J", "of both bodies"),
+        ("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
+        ("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
+        ("energy drawn into the spring", drawn, "J", "k d^(n+1)/(n+1)"),
+        (
+            "least mass of a steel coil for both",
+            spring,
+            "kg",
+            "4 rho G U/tau^2, 700 MPa, section 9.5.1",
+        ),
+        ("Stone's depth times c_t", at_one, "m3/s2", "eq. 2.4; c_t must be the square of a speed"),
+    ]
+}
+
+/// What a cocked spring holds, J.
+fn variables_energy_j(scene: &Scene) -> f64 {
+    let spring = crate::model::mechanism::Mechanism::of(scene).spring;
+    spring.integral(scene.plate.cocking_m)
+}
+
+fn screening(arguments: &ScreeningArguments) -> Result<(), CliError> {
+    let mut weights = WEIGHTS_PERCENT;
+    for text in &arguments.weight {
+        let (name, value) = text.split_once('=').unwrap_or((text, ""));
+        let wanted = name.trim().to_lowercase();
+        let hits: Vec<usize> =
+            (0..CRITERIA.len()).filter(|at| CRITERIA[*at].contains(wanted.as_str())).collect();
+        let value: Option<f64> = value.trim().trim_end_matches('%').trim().parse().ok();
+        let value = value.filter(|value| (0.0..=100.0).contains(value));
+        let ([at], Some(value)) = (hits.as_slice(), value) else {
+            return Err(CliError::Weight { argument: text.clone(), criteria: CRITERIA.join(", ") });
+        };
+        weights[*at] = value;
+    }
+    let sum: f64 = weights.iter().sum();
+    let mut page = String::from("criterion                weight  printed\n");
+    for (at, criterion) in CRITERIA.iter().enumerate() {
+        let _ = writeln!(
+            page,
+            "{criterion:<24}{:>5} %  {:>5} %",
+            significant(weights[at], 3),
+            significant(WEIGHTS_PERCENT[at], 3)
+        );
+    }
+    let _ = writeln!(page, "{:<24}{:>5} %\n", "sum", significant(sum, 4));
+    let _ = writeln!(page, "rank  concept                   total  printed       preset");
+    let places = ranking(&weights);
+    for place in &places {
+        let concept = &CONCEPTS[place.concept];
+        let printed = format!("{} ({})", significant(concept.total, 3), concept.rank);
+        let _ = writeln!(
+            page,
+            "{:>4}  {:<24}{:>7.2}  {printed:<12}  {}",
+            place.rank, concept.name, place.total, concept.preset
+        );
+    }
+    let rows = places
+        .iter()
+        .map(|place| {
+            let concept = &CONCEPTS[place.concept];
+            vec![
+                Value::from(place.rank),
+                Value::from(concept.name),
+                number(Some(place.total)),
+                Value::from(concept.rank),
+                number(Some(concept.total)),
+                Value::from(concept.section),
+                Value::from(concept.preset),
+            ]
+        })
+        .collect();
+    let columns =
+        vec!["rank", "concept", "total", "rank_printed", "total_printed", "section", "preset"];
+    arguments.table.deliver(&page, &Rows { columns, rows })
+}
+
+fn principles(arguments: &PrinciplesArguments) -> Result<(), CliError> {
+    let mut page = String::new();
+    let mut family = "";
+    for principle in &PRINCIPLES {
+        if principle.family != family {
+            family = principle.family;
+            let _ = writeln!(page, "{family}");
+        }
+        let functions: Vec<&str> = principle.functions.iter().map(|it| it.name()).collect();
+        let _ = writeln!(page, "  {} ({}): {}", principle.name, principle.section, principle.idea);
+        let _ = writeln!(page, "      functions  {}", functions.join(", "));
+        let _ = writeln!(page, "      computed   {}", principle.computed);
+        if let Some(preset) = principle.preset {
+            let _ = writeln!(page, "      preset     {preset}");
+        }
+    }
+    let rows = PRINCIPLES
+        .iter()
+        .map(|it| {
+            let functions: Vec<&str> = it.functions.iter().map(|it| it.name()).collect();
+            vec![
+                Value::from(it.family),
+                Value::from(it.name),
+                Value::from(it.section),
+                Value::from(it.idea),
+                Value::from(functions.join(", ")),
+                Value::from(it.computed),
+                it.preset.map_or(Value::Null, Value::from),
+            ]
+        })
+        .collect();
+    let columns = vec!["family", "principle", "section", "idea", "functions", "computed", "preset"];
+    arguments.table.deliver(&page, &Rows { columns, rows })
+}

@@ -1,0 +1,98 @@
+//! `cmra limit [SCENE]`: the ballistic limit and the residual-velocity curve, as a page, CSV or JSON.
+
+mod page;
+
+use std::io::IsTerminal as _;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::table::deliver;
+use crate::cli::{CliError, output};
+use crate::files::limit as rows;
+use crate::study::limit::scatter::Scattering;
+use crate::study::limit::{Effort, find};
+
+/// How long it may take before progress is shown, and how often then.
+const PATIENCE: Duration = Duration::from_millis(500);
+const EVERY: Duration = Duration::from_millis(200);
+/// Samples at the most.
+const SAMPLES_MAX: usize = 1_000_000;
+
+#[derive(Debug, Args)]
+pub(super) struct LimitArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Relative standard deviation of the inputs, for V50 and its spread; 0 leaves that out
+    #[arg(long, value_name = "PART", default_value_t = 0.02)]
+    scatter: f64,
+    /// Samples of scattered inputs
+    #[arg(long, value_name = "COUNT", default_value_t = 200)]
+    samples: usize,
+    /// Seed of the scatter: the same seed gives the same digits
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
+    /// Print JSON instead of the page
+    #[arg(long)]
+    json: bool,
+    /// Write every shot to this file; `-` writes to standard output instead of the page
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long, requires = "csv")]
+    force: bool,
+}
+
+impl LimitArguments {
+    fn scattering(&self) -> Result<Option<Scattering>, CliError> {
+        let deviation = self.scatter;
+        if !(0.0..=0.5).contains(&deviation) {
+            let text =
+                format!("--scatter {deviation} is outside 0..0.5: it is a part, 0.02 for 2 %");
+            return Err(CliError::Option(text));
+        }
+        if !(2..=SAMPLES_MAX).contains(&self.samples) {
+            let text = format!("--samples {} is outside 2..{SAMPLES_MAX}", self.samples);
+            return Err(CliError::Option(text));
+        }
+        let (samples, seed) = (self.samples, self.seed);
+        Ok((deviation > 0.0).then_some(Scattering { deviation, samples, seed }))
+    }
+}
+
+/// Find the limit; that there is none is an answer, too.
+pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
+    let effort = Effort { scattering: arguments.scattering()? };
+    let preset = arguments.scene.load()?;
+    let start = Instant::now();
+    let mut told = start;
+    let is_shown = std::io::stderr().is_terminal();
+    let report = find(&Arc::new(preset.scene), effort, &mut |done, total| {
+        if is_shown && start.elapsed() > PATIENCE && told.elapsed() > EVERY {
+            told = Instant::now();
+            output::progress(&format!("{done} of about {total} shots"));
+        }
+        ControlFlow::Continue(())
+    })?;
+    if told > start {
+        output::progress("");
+    }
+    let name = preset.name.as_str();
+    if arguments.json {
+        // The object tells more than the shots; the file still holds these.
+        if let Some(path) = arguments.csv.as_deref().filter(|path| *path != Path::new("-")) {
+            crate::cli::table::write(path, &rows::shots(name, &report), arguments.force)?;
+        }
+        output::print(&rows::json(name, &report))?;
+    } else {
+        let page = page::text(name, &report);
+        let csv = (false, arguments.csv.as_deref(), arguments.force);
+        deliver(&page, &rows::shots(name, &report), csv)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,161 @@
+//! The ballistic limit as a page of text: what it is, how far the scene is from it, the curve, the fitted laws, the scatter.
+
+use std::fmt::Write as _;
+
+use crate::model::units::fixed_significant;
+use crate::study::limit::{Limit, Report};
+use crate::tui::chart::{Axis, Chart, Curve, EventLine, Legend, Scale, Unit, ViewRange};
+use crate::tui::theme::Theme;
+
+const WIDTH: u16 = 80;
+const HEIGHT: u16 = 18;
+/// Points of a drawn law.
+const LAW_POINTS: usize = 200;
+/// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
+const CARRIED: f64 = 0.2;
+
+/// The page.
+pub(super) fn text(name: &str, report: &Report) -> String {
+    let mut page = format!("{name}: ballistic limit\n\n");
+    head(&mut page, report);
+    chart(&mut page, report);
+    laws(&mut page, report);
+    scatter(&mut page, report);
+    page
+}
+
+fn velocity(value_m_s: f64) -> String {
+    format!("{} m/s", fixed_significant(value_m_s, 6))
+}
+
+fn head(page: &mut String, report: &Report) {
+    let own = report.scene.projectile.velocity_m_s;
+    match report.limit {
+        Limit::Found { velocity_m_s, basis, stopped_at_m_s } => {
+            let _ = writeln!(page, "limit velocity  {:.6} m/s, {}", velocity_m_s, basis.words());
+            if let Some(again) = stopped_at_m_s {
+                let _ = writeln!(
+                    page,
+                    "no single limit: a shot at {} is stopped again; the lowest is given",
+                    velocity(again)
+                );
+            }
+        }
+        Limit::Never | Limit::Always | Limit::Unknown => {
+            let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
+        }
+    }
+    if let Some(margin) = report.margin() {
+        let side = if margin < 0.0 { "it perforates" } else { "it is stopped" };
+        let _ = writeln!(
+            page,
+            "margin          {:+.1} % over the scene's own {}: {side}",
+            100.0 * margin,
+            velocity(own)
+        );
+    }
+    page.push('\n');
+}
+
+fn chart(page: &mut String, report: &Report) {
+    let shots: Vec<(f64, f64)> = report
+        .shots
+        .iter()
+        .map(|shot| (shot.impact_m_s, shot.residual_m_s.unwrap_or(f64::NAN)))
+        .collect();
+    let residuals = || shots.iter().map(|shot| shot.1).chain([0.0]);
+    let impacts = ViewRange::of(Scale::Linear, shots.iter().map(|shot| shot.0));
+    let (Some(x), Some(y)) = (impacts, ViewRange::of(Scale::Linear, residuals())) else { return };
+    if report.limit.velocity_m_s().is_none() {
+        return;
+    }
+    let step = (x.hi() - x.lo()) / LAW_POINTS as f64;
+    let law: Vec<(f64, f64)> = report.lambert_jonas.map_or_else(Vec::new, |law| {
+        let at = |i: usize| x.lo() + step * i as f64;
+        (0..=LAW_POINTS).map(|i| (at(i), law.residual_m_s(at(i)))).collect()
+    });
+    let curves =
+        vec![Curve::new('-', "Lambert-Jonas", &law), Curve::new('o', "runs", &shots).colour(1)];
+    let unit = || Unit::new("m/s");
+    let limit = report.limit.velocity_m_s().map(|x| EventLine { x, tag: "limit".into() });
+    let chart = Chart {
+        legend: Legend::Shown,
+        events: limit.into_iter().collect(),
+        ..Chart::new(
+            "residual velocity",
+            Axis::new("impact velocity", x).unit(unit()),
+            Axis::new("", y.padded(Scale::Linear, 0.03)).unit(unit()),
+            curves,
+        )
+    };
+    for line in chart.to_lines(WIDTH, HEIGHT, Theme::PLAIN) {
+        page.push_str(&line);
+        page.push('\n');
+    }
+}
+
+fn laws(page: &mut String, report: &Report) {
+    let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
+    if let Some((impact, residual)) =
+        first.filter(|(impact, residual)| *residual > CARRIED * impact)
+    {
+        let _ = writeln!(
+            page,
+            "just beyond the limit {} is left of {}: the plate carries it along, which neither law knows",
+            velocity(residual),
+            velocity(impact)
+        );
+    }
+    if let Some(law) = report.recht_ipson {
+        let _ = writeln!(
+            page,
+            "Recht-Ipson    v_r = a (v^2 - v_bl^2)^(1/2)  a {:.4}; misses by {:.1e} m/s (rms)",
+            law.a, law.misfit_m_s
+        );
+    }
+    if let Some(law) = report.lambert_jonas {
+        let _ = writeln!(
+            page,
+            "Lambert-Jonas  v_r = a (v^p - v_bl^p)^(1/p)  a {:.4}, p {:.3}, v_bl {}; misses by {:.1e} m/s (rms)",
+            law.a,
+            law.p,
+            velocity(law.limit_m_s),
+            law.misfit_m_s
+        );
+    }
+}
+
+fn scatter(page: &mut String, report: &Report) {
+    let Some(found) = report.scatter else { return };
+    let asked = found.scattering;
+    let _ = writeln!(
+        page,
+        "\nevery mass, length and coefficient scattered by {:.3} % ({} samples, seed {})",
+        100.0 * asked.deviation,
+        asked.samples,
+        asked.seed
+    );
+    let _ = writeln!(
+        page,
+        "  V50 {}, standard deviation {}, 90 % of limits in {} to {}",
+        velocity(found.v50_m_s),
+        velocity(found.deviation_m_s),
+        velocity(found.range90_m_s.0),
+        velocity(found.range90_m_s.1)
+    );
+    let _ = writeln!(
+        page,
+        "  {:.1} % of the shots at {} go through (95 % confidence: {:.1} to {:.1} %)",
+        100.0 * found.perforated,
+        velocity(report.scene.projectile.velocity_m_s),
+        100.0 * found.perforated95.0,
+        100.0 * found.perforated95.1
+    );
+    if found.without > 0 {
+        let _ = writeln!(
+            page,
+            "  {} samples have no limit within a factor of two of the nominal one",
+            found.without
+        );
+    }
+}

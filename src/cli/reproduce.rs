@@ -1,0 +1,132 @@
+//! `cmra reproduce`: every checkable claim of the thesis against what is computed.
+
+use std::fmt::Write as _;
+use std::ops::ControlFlow;
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use clap::Args;
+
+use crate::cli::table::TableArguments;
+use crate::cli::{CliError, output};
+use crate::files::thesis as rows;
+use crate::study::thesis::{self, Claim, Row, Verdict};
+
+/// Width to write for.
+const WIDTH: usize = 100;
+/// Column where a claim's own lines begin.
+const INDENT: usize = 4;
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Exit status 1 if a verdict differs from the table stored with this program."
+)]
+pub(super) struct ReproduceArguments {
+    #[command(flatten)]
+    table: TableArguments,
+    /// Only the rows whose name, place, sentence or verdict contains this
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+}
+
+/// Check every claim; exit status 1 when a verdict differs from the stored one.
+pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
+    let report = report();
+    let differences = rows::differences(&report);
+    let shown: Vec<Row> = match &arguments.only {
+        None => report.clone(),
+        Some(text) => report.iter().filter(|row| matches(row, text)).cloned().collect(),
+    };
+    arguments.table.deliver(&page(&shown), &rows::rows(&shown))?;
+    for difference in &differences {
+        output::note(&format!("verdict differs from the stored table: {difference}"));
+    }
+    Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn matches(row: &Row, text: &str) -> bool {
+    let wanted = text.to_lowercase();
+    let claim = row.claim;
+    [claim.id, claim.place, claim.says, row.found.verdict.words()]
+        .iter()
+        .any(|field| field.to_lowercase().contains(&wanted))
+}
+
+/// Every row, computed on all cores, in thesis order.
+fn report() -> Vec<Row> {
+    let claims: Vec<&'static Claim> = thesis::claims().collect();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    if threads == 1 {
+        return thesis::reproduce(&mut |_, _| ControlFlow::Continue(()));
+    }
+    let (next, found) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                loop {
+                    let at = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(claim) = claims.get(at) else { return };
+                    let row = thesis::check(claim);
+                    if let Ok(mut rows) = found.lock() {
+                        rows.push((at, row));
+                    }
+                }
+            });
+        }
+    });
+    let mut rows = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    rows.sort_by_key(|(at, _)| *at);
+    rows.into_iter().map(|(_, row)| row).collect()
+}
+
+fn page(report: &[Row]) -> String {
+    let mut page = String::new();
+    for row in report {
+        let claim = row.claim;
+        let place = format!("{}  [{}]", claim.place, row.found.verdict.words());
+        let gap = WIDTH.saturating_sub(place.chars().count() + claim.id.chars().count()).max(2);
+        let _ = writeln!(page, "{place}{:gap$}{}", "", claim.id);
+        let lines = [
+            ("says", claim.says),
+            ("computed", row.found.sound.as_str()),
+            ("as printed", row.found.printed.as_str()),
+            ("cause", row.found.cause),
+        ];
+        for (label, text) in lines.iter().filter(|(_, text)| !text.is_empty()) {
+            wrapped(&mut page, label, text);
+        }
+        page.push('\n');
+    }
+    let counts = thesis::tally(report);
+    let parts: Vec<String> = Verdict::ALL
+        .iter()
+        .zip(counts)
+        .filter(|(_, count)| *count > 0)
+        .map(|(verdict, count)| format!("{count} {}", verdict.words()))
+        .collect();
+    let _ = writeln!(page, "{} rows: {}", report.len(), parts.join(", "));
+    page
+}
+
+/// A label and a text over as many lines as it needs.
+fn wrapped(page: &mut String, label: &str, text: &str) {
+    let column = INDENT + 12;
+    let mut line = format!("{:INDENT$}{label:<12}", "");
+    let mut length = column;
+    for word in text.split_whitespace() {
+        let long = word.chars().count();
+        if length > column && length + 1 + long > WIDTH {
+            let _ = writeln!(page, "{}", line.trim_end());
+            line = " ".repeat(column);
+            length = column;
+        }
+        if length > column {
+            line.push(' ');
+            length += 1;
+        }
+        line.push_str(word);
+        length += long;
+    }
+    let _ = writeln!(page, "{}", line.trim_end());
+}

@@ -1,0 +1,123 @@
+//! `cmra sensitivity [SCENE]`: which variables matter to one result, as a page, CSV or JSON.
+
+mod page;
+
+use std::io::IsTerminal as _;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::sweep::axes::over;
+use crate::cli::table::{deliver, write};
+use crate::cli::{CliError, output};
+use crate::files::sensitivity as files;
+use crate::study::sensitivity::{Effort, study, thesis_axes};
+use crate::study::sweep::crew::Crew;
+
+/// How long it may take before progress is shown, and how often then.
+const PATIENCE: Duration = Duration::from_millis(500);
+const EVERY: Duration = Duration::from_millis(200);
+/// Rows of the design and trajectories at the most.
+const SAMPLES_MAX: usize = 1 << 20;
+const TRAJECTORIES_MAX: usize = 100_000;
+
+#[derive(Debug, Args)]
+pub(super) struct SensitivityArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2]
+    #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
+    over: Vec<String>,
+    /// The result: a key of `cmra run --json`
+    #[arg(long, value_name = "NAME", default_value = "percent_of_baseline")]
+    output: String,
+    /// Rows of the design for Sobol's indices, a power of two; each costs a run a variable and two
+    #[arg(long, value_name = "COUNT", default_value_t = 1024)]
+    samples: usize,
+    /// Trajectories for Morris's effects; each costs a run a variable and one
+    #[arg(long, value_name = "COUNT", default_value_t = 100)]
+    trajectories: usize,
+    /// Seed of the designs: the same seed gives the same digits
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
+    /// Threads; the digits do not depend on it [default: one for each core]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Print JSON instead of the page
+    #[arg(long)]
+    json: bool,
+    /// Write a row a variable to this file; `-` writes to standard output instead of the page
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long, requires = "csv")]
+    force: bool,
+}
+
+impl SensitivityArguments {
+    fn effort(&self) -> Result<Effort, CliError> {
+        let (rows, trajectories) = (self.samples, self.trajectories);
+        if !(16..=SAMPLES_MAX).contains(&rows) || !rows.is_power_of_two() {
+            let near = rows.clamp(16, SAMPLES_MAX).next_power_of_two();
+            return Err(CliError::Option(format!(
+                "--samples {rows} is not a power of two in 16..{SAMPLES_MAX}: write {near}"
+            )));
+        }
+        if !(2..=TRAJECTORIES_MAX).contains(&trajectories) {
+            return Err(CliError::Option(format!(
+                "--trajectories {trajectories} is outside 2..{TRAJECTORIES_MAX}"
+            )));
+        }
+        let threads = self.threads.map_or_else(|| Crew::of_machine().threads, usize::from);
+        Ok(Effort { rows, trajectories, seed: self.seed, threads })
+    }
+}
+
+/// Find out.
+pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
+    let effort = arguments.effort()?;
+    let preset = arguments.scene.load()?;
+    let axes = if arguments.over.is_empty() {
+        thesis_axes(&preset.scene)?
+    } else {
+        let axes = arguments.over.iter().map(|text| over(text, false));
+        axes.collect::<Result<Vec<_>, _>>()?
+    };
+    if axes.is_empty() {
+        return Err(CliError::Option(
+            "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
+                .to_owned(),
+        ));
+    }
+    let start = Instant::now();
+    let mut told = start;
+    let is_shown = std::io::stderr().is_terminal();
+    let watch = &mut |done: usize, total: usize| {
+        if is_shown && start.elapsed() > PATIENCE && told.elapsed() > EVERY {
+            told = Instant::now();
+            output::progress(&format!("{done} of {total} runs"));
+        }
+        ControlFlow::Continue(())
+    };
+    let report = study(&preset.scene, axes, &arguments.output, effort, watch)?;
+    if told > start {
+        output::progress("");
+    }
+    let name = preset.name.as_str();
+    let rows = files::rows(name, &report);
+    if arguments.json {
+        // The object tells more than the rows; the file still holds these.
+        if let Some(path) = arguments.csv.as_deref().filter(|path| *path != Path::new("-")) {
+            write(path, &rows, arguments.force)?;
+        }
+        output::print(&files::json(name, &report))?;
+    } else {
+        let page = page::text(name, &report);
+        deliver(&page, &rows, (false, arguments.csv.as_deref(), arguments.force))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,336 @@
+//! `cmra sweep SCENE --over ...`: what comes out over one or more axes, as a page of text, CSV or JSON.
+//!
+//! Rows are written as they are made, so that a sweep needs no memory; an interrupt keeps the finished ones.
+
+pub(super) mod axes;
+mod page;
+mod sidecar;
+
+use std::io::{self, IsTerminal as _};
+use std::ops::{ControlFlow, Range};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::flag;
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::{CliError, output};
+use crate::files::atomic::{Existing, Growing};
+use crate::files::error::FileError;
+use crate::files::preset::Preset;
+use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
+use crate::study::sweep::crew::Crew;
+use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
+use axes::{Asked, DesignWord};
+
+/// A sweep expected to take longer says so before it begins.
+const LONG: Duration = Duration::from_secs(60);
+/// Points tried for that, and how long they may take.
+const TRIED: u64 = 48;
+const TRYING: Duration = Duration::from_millis(250);
+/// Sweeps of fewer points are not asked how long they will take.
+const FEW: u64 = 2000;
+/// Least time between two looks of the progress line.
+const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Without --over the [sweep] of the scene is made, for example `cmra sweep figure-9.7`.\n\
+    Columns: the axes' values, then every key of `cmra run --json` but run_time_s (which would make no two files equal); \
+    with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point keeps \
+    its row and says why.\n\
+    Shards: part I of N is a contiguous block of rows, and only part 1 has the header line, so that `cat part1.csv part2.csv \
+    ...` is the whole file."
+)]
+pub(super) struct SweepArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// An axis: a variable, its first and last value (SI, or with a unit), the number of points, `:log` for equal ratios; may
+    /// be repeated
+    #[arg(long, value_name = "NAME=LO..HI:COUNT[:log]", allow_hyphen_values = true)]
+    over: Vec<String>,
+    /// Which points
+    #[arg(long, value_enum, default_value = "factorial")]
+    design: DesignWord,
+    /// Points of --design lhs or sobol [default: as many as the full grid]
+    #[arg(long, value_name = "N")]
+    points: Option<u64>,
+    /// Chooses one of the many such designs [default: 0]
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Results to compute, separated by commas; `all` for every key
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    outputs: Vec<String>,
+    /// Compute only part I of N
+    #[arg(long, value_name = "I/N", default_value = "1/1")]
+    shard: String,
+    /// Threads [default: one a core]
+    #[arg(long, value_name = "N")]
+    threads: Option<std::num::NonZeroUsize>,
+    /// Print one JSON object, a row a point
+    #[arg(long)]
+    json: bool,
+    /// Write a row a point to this file; `-` writes to standard output instead
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long, requires = "csv")]
+    force: bool,
+}
+
+/// Sweep; exit status 1 when a point failed or the sweep was interrupted.
+pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
+    let preset = arguments.scene.load()?;
+    let rows_wanted = arguments.json || arguments.csv.is_some();
+    let usual = axes::usual(&preset.scene);
+    let asked = Asked {
+        over: &arguments.over,
+        design: arguments.design,
+        points: arguments.points,
+        seed: arguments.seed,
+        // A person reading a page wants the few results that count.
+        outputs: if rows_wanted || !arguments.outputs.is_empty() {
+            &arguments.outputs
+        } else {
+            &usual
+        },
+    };
+    let (plan, all) = axes::plan(&preset.scene, &preset.name, &asked)?;
+    let shard = Shard::parse(&arguments.shard)?;
+    let mut crew = Crew::of_machine();
+    if let Some(threads) = arguments.threads {
+        crew.threads = threads.get();
+    }
+    let stop = interruptible();
+    let job = Job { plan: &plan, shard, crew, stop: &stop, preset: &preset };
+    let start = Instant::now();
+    let ended = if rows_wanted {
+        let columns = if all { Columns::All } else { Columns::Chosen };
+        job.rows(arguments, columns)?
+    } else {
+        job.page()?
+    };
+    if stop.load(Ordering::Relaxed) {
+        let (done, all) = (ended.points(), shard.of(plan.points()));
+        output::note(&format!(
+            "interrupted: {done} of {} points were finished and are kept",
+            all.end - all.start
+        ));
+        return Ok(ExitCode::FAILURE);
+    }
+    if rows_wanted && arguments.csv.is_some() && !arguments.json {
+        output::note(&format!(
+            "{} points in {}: {}",
+            ended.points(),
+            page::duration(start.elapsed().as_secs_f64()),
+            ended.words()
+        ));
+    }
+    if ended.failed() > 0 {
+        output::note(&format!("{} points failed: see the column `error`", ended.failed()));
+        return Ok(ExitCode::FAILURE);
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A flag that the first interrupt sets; the second one ends the process.
+fn interruptible() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    for signal in [SIGINT, SIGTERM] {
+        // In this order: the second finds the flag set. Where it cannot be done, the interrupt just ends the process.
+        let _ = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop));
+        let _ = flag::register(signal, Arc::clone(&stop));
+    }
+    stop
+}
+
+/// A sweep and who makes it.
+struct Job<'a> {
+    plan: &'a Plan,
+    shard: Shard,
+    crew: Crew,
+    stop: &'a AtomicBool,
+    preset: &'a Preset,
+}
+
+impl Job<'_> {
+    fn points(&self) -> Range<u64> {
+        self.shard.of(self.plan.points())
+    }
+
+    /// Make the page for a person.
+    fn page(&self) -> Result<Summary, CliError> {
+        self.say_if_long();
+        let name = &self.preset.name;
+        let sheet = Sheet::new(self.plan, name, Columns::Chosen, Texts::default());
+        let start = Instant::now();
+        let mut kept = page::Kept::of(self.plan, self.points());
+        let summary = self.stream(&sheet, |_, piece| {
+            kept.keep(&piece.rows);
+            Ok(())
+        })?;
+        let took_s = start.elapsed().as_secs_f64();
+        let head = page::Head { name, threads: self.crew.threads, took_s };
+        output::print(&page::text(self.plan, &head, &summary, &kept))?;
+        Ok(summary)
+    }
+
+    /// Write rows as they are made.
+    fn rows(&self, arguments: &SweepArguments, columns: Columns) -> Result<Summary, CliError> {
+        let existing = if arguments.force { Existing::Replace } else { Existing::Keep };
+        let path = arguments.csv.as_deref();
+        let to_stdout = path == Some(Path::new("-"));
+        let mut file = match path {
+            Some(path) if !to_stdout => {
+                sidecar::check(path, existing).map_err(exists)?;
+                Some(Growing::begin(path, existing).map_err(exists)?)
+            }
+            Some(_) | None => None,
+        };
+        self.say_if_long();
+        let json = arguments.json && !to_stdout;
+        let texts = Texts { csv: path.is_some(), json };
+        let sheet = Sheet::new(self.plan, &self.preset.name, columns, texts);
+        let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
+            match &mut file {
+                Some(file) => file.add(csv)?,
+                None => output::print_bytes(csv)?,
+            }
+            output::print_bytes(json.as_bytes())
+        };
+        let header = if self.shard.is_first() && texts.csv { sheet.header()? } else { Vec::new() };
+        write(&header, &if json { sheet.json_head(self.shard) } else { String::new() })?;
+        let mut is_first = true;
+        let summary = self.stream(&sheet, |_, piece| {
+            if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
+                write(&[], ",\n")?;
+            }
+            write(&piece.csv, &piece.json)
+        })?;
+        write(&[], if json { JSON_TAIL } else { "" })?;
+        output::print("")?;
+        if let (Some(file), Some(path)) = (file, path) {
+            file.finish(existing).map_err(exists)?;
+            output::note(&format!("wrote {}", path.display()));
+            let made = sidecar::Made { plan: self.plan, columns, shard: &arguments.shard };
+            if let Some(beside) = sidecar::write(path, &self.preset.scene, &made, existing)? {
+                output::note(&format!("wrote {}", beside.display()));
+            }
+        }
+        Ok(summary)
+    }
+
+    /// Compute all points, give each piece away in order, and show how far it is.
+    fn stream(
+        &self,
+        sheet: &Sheet<'_>,
+        mut take: impl FnMut(Range<u64>, &Piece) -> Result<(), CliError>,
+    ) -> Result<Summary, CliError> {
+        let mut summary = Summary::new(self.plan.outputs().len());
+        let mut problem = None;
+        let mut look = Look::new(self.points());
+        let hire = || {
+            let mut evaluator = Evaluator::new(self.plan, self.stop);
+            move |points: Range<u64>| sheet.piece(&mut evaluator, points)
+        };
+        let _ = self.crew.work(self.points(), hire, |points, piece| {
+            let taken = piece.map_err(CliError::File).and_then(|piece| {
+                summary.add(points.start, &piece.rows);
+                let whole = piece.rows.len() as u64 == points.end - points.start;
+                take(points, &piece)?;
+                Ok(whole)
+            });
+            look.show(summary.points());
+            match taken {
+                Ok(true) => ControlFlow::Continue(()),
+                Ok(false) => ControlFlow::Break(()),
+                Err(error) => {
+                    problem = Some(error);
+                    ControlFlow::Break(())
+                }
+            }
+        });
+        look.end();
+        problem.map_or(Ok(summary), Err)
+    }
+
+    /// Try a few points spread over the sweep, and say how long it will take where that is long.
+    fn say_if_long(&self) {
+        let points = self.points();
+        let count = points.end - points.start;
+        if count < FEW {
+            return;
+        }
+        let mut evaluator = Evaluator::new(self.plan, self.stop);
+        let start = Instant::now();
+        let mut tried = 0;
+        while tried < TRIED && start.elapsed() < TRYING {
+            let index = points.start + (2 * tried + 1) * (count / (2 * TRIED));
+            evaluator.rows(index..index + 1);
+            tried += 1;
+        }
+        let each_s = start.elapsed().as_secs_f64() / tried as f64;
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let takes_s = each_s * count as f64 / self.crew.threads.min(cores) as f64;
+        if takes_s > LONG.as_secs_f64() {
+            output::note(&format!(
+                "{count} points will take about {} (estimated from {tried} of them); an interrupt keeps what is finished",
+                page::duration(takes_s)
+            ));
+        }
+    }
+}
+
+fn exists(error: FileError) -> CliError {
+    match error {
+        FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
+        other => CliError::File(other),
+    }
+}
+
+/// The progress line, on a terminal only.
+struct Look {
+    total: u64,
+    start: Instant,
+    last: Instant,
+    shown: bool,
+    wanted: bool,
+}
+
+impl Look {
+    fn new(points: Range<u64>) -> Self {
+        let now = Instant::now();
+        let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
+        Self {
+            total: points.end - points.start,
+            start: now,
+            last: now,
+            shown: false,
+            wanted: io::stderr().is_terminal() && !dumb,
+        }
+    }
+
+    fn show(&mut self, done: u64) {
+        if !self.wanted || done == 0 || self.last.elapsed() < BETWEEN_LOOKS {
+            return;
+        }
+        self.last = Instant::now();
+        self.shown = true;
+        let gone_s = self.start.elapsed().as_secs_f64();
+        let left_s = gone_s * (self.total - done) as f64 / done as f64;
+        let percent = 100.0 * done as f64 / self.total as f64;
+        let left = page::duration(left_s);
+        output::progress(&format!("{percent:.0} %: {done} of {} points, {left} left", self.total));
+    }
+
+    fn end(&self) {
+        if self.shown {
+            output::progress("");
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! `--over NAME=LO..HI:COUNT[:log]` and the options that say which points a sweep has.
+
+use clap::ValueEnum;
+
+use crate::cli::CliError;
+use crate::model::scene::Scene;
+use crate::model::units::{self, Bare};
+use crate::model::variables::{self, Kind};
+use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError, USUAL_OUTPUTS};
+
+/// The designs to choose from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum DesignWord {
+    /// Every combination of the axes' values; the last axis runs fastest
+    Factorial,
+    /// Latin hypercube: as many slices of every axis as points, one point in each
+    Lhs,
+    /// Sobol's sequence, which fills the space evenly
+    Sobol,
+}
+
+/// What the options ask for.
+pub(super) struct Asked<'a> {
+    pub(super) over: &'a [String],
+    pub(super) design: DesignWord,
+    pub(super) points: Option<u64>,
+    pub(super) seed: Option<u64>,
+    pub(super) outputs: &'a [String],
+}
+
+/// The outputs: named, all there are, or the usual ones.
+pub(super) enum Outputs {
+    /// These.
+    Named(Vec<String>),
+    /// Every key of a run.
+    All,
+}
+
+/// The plan of a sweep and whether it has all columns.
+pub(super) fn plan(scene: &Scene, name: &str, asked: &Asked<'_>) -> Result<(Plan, bool), CliError> {
+    let axes = if asked.over.is_empty() {
+        let sweep = scene.sweep.as_ref();
+        let sweep = sweep.ok_or_else(|| CliError::NothingToSweep { scene: name.to_owned() })?;
+        sweep.axes.iter().map(Axis::of).collect::<Result<Vec<_>, _>>()?
+    } else {
+        let factorial = asked.design == DesignWord::Factorial;
+        asked.over.iter().map(|text| over(text, factorial)).collect::<Result<Vec<_>, _>>()?
+    };
+    let design = design(asked, &axes)?;
+    let (outputs, all) = match outputs(scene, asked.outputs) {
+        Outputs::Named(names) => (names, false),
+        Outputs::All => {
+            let all = crate::model::results::RESULTS.iter();
+            (all.map(|column| column.name.to_owned()).collect(), true)
+        }
+    };
+    Ok((Plan::new(scene, axes, design, &outputs)?, all))
+}
+
+fn outputs(scene: &Scene, asked: &[String]) -> Outputs {
+    let kept = scene.sweep.as_ref().map(|sweep| sweep.outputs.clone());
+    match (asked, kept) {
+        ([only], _) if only == "all" => Outputs::All,
+        ([], Some(kept)) if !kept.is_empty() => Outputs::Named(kept),
+        ([], _) => Outputs::All,
+        (named, _) => Outputs::Named(named.to_vec()),
+    }
+}
+
+/// What is shown to a person who asked for nothing in particular.
+pub(super) fn usual(scene: &Scene) -> Vec<String> {
+    match &scene.sweep {
+        Some(sweep) if !sweep.outputs.is_empty() => sweep.outputs.clone(),
+        Some(_) | None => USUAL_OUTPUTS.map(str::to_owned).to_vec(),
+    }
+}
+
+fn design(asked: &Asked<'_>, axes: &[Axis]) -> Result<Design, CliError> {
+    if asked.design == DesignWord::Factorial {
+        let option = if asked.points.is_some() { "--points" } else { "--seed" };
+        if asked.points.is_some() || asked.seed.is_some() {
+            return Err(CliError::Option(format!(
+                "{option} is for --design lhs or sobol: a full grid has the COUNT of each axis"
+            )));
+        }
+        return Ok(Design::Factorial);
+    }
+    // Without --points as many as the full grid would have.
+    let product = || axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
+    let points = asked.points.or_else(product).unwrap_or(u64::MAX);
+    let seed = asked.seed.unwrap_or(0);
+    Ok(match asked.design {
+        DesignWord::Sobol => Design::Sobol { points, seed },
+        DesignWord::Factorial | DesignWord::Lhs => Design::LatinHypercube { points, seed },
+    })
+}
+
+/// Read `NAME=LO..HI:COUNT[:log]`; designs other than the full grid need no COUNT.
+pub(in crate::cli) fn over(argument: &str, needs_count: bool) -> Result<Axis, CliError> {
+    let refuse = |problem: String| CliError::Over { argument: argument.to_owned(), problem };
+    let form = "write NAME=LO..HI:COUNT or NAME=LO..HI:COUNT:log, for example gamma=0.8..7:101";
+    let (name, rest) = argument.split_once('=').ok_or_else(|| refuse(form.to_owned()))?;
+    let (low, rest) = rest.split_once("..").ok_or_else(|| refuse(form.to_owned()))?;
+    let mut parts = rest.split(':');
+    let high = parts.next().unwrap_or_default();
+    let (mut count, mut spacing) = (None, Spacing::Linear);
+    for part in parts {
+        match part.trim() {
+            "log" => spacing = Spacing::Log,
+            "lin" | "linear" => spacing = Spacing::Linear,
+            text if count.is_none() => {
+                let wrong = || {
+                    refuse(format!("COUNT = `{text}` must be a whole number, 2 or more; {form}"))
+                };
+                count = Some(text.parse::<u64>().map_err(|_not_a_number| wrong())?);
+            }
+            text => return Err(refuse(format!("`{text}` is neither COUNT nor log; {form}"))),
+        }
+    }
+    if count.is_none() && needs_count {
+        return Err(refuse(format!("COUNT is missing; {form}")));
+    }
+    let name = name.trim();
+    let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
+    let variable = variables::find(name).map_err(unknown)?;
+    let read = |text: &str, end: &str| match &variable.kind {
+        Kind::Number(number) => units::parse(text, number.quantity, Bare::Si)
+            .map_err(|problem| refuse(format!("{end}: {problem}"))),
+        // Refused below, with what the variable may be.
+        Kind::Choice(_) | Kind::Switch { .. } => Ok(0.0),
+    };
+    let ends = (read(low, "LO")?, read(high, "HI")?);
+    Ok(Axis::new(name, ends, count.unwrap_or(2), spacing)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_are_read_with_units_and_spacing() {
+        let axis = over("k=0.1MN/m..7.5 MN/m:4:log", true).unwrap();
+        assert_eq!((axis.symbol(), axis.count(), axis.spacing()), ("k", 4, Spacing::Log));
+        assert!((axis.ends().0 - 1e5).abs() < 1e-9 && (axis.ends().1 - 7.5e6).abs() < 1e-9);
+        let axis = over("plate.cocking_m=0..50mm:11", true).unwrap();
+        assert_eq!((axis.symbol(), axis.ends().1.to_bits()), ("d", 0.05f64.to_bits()));
+        // As everywhere on the command line, a bare angle is in radians.
+        let axis = over("theta=0..45deg:4", true).unwrap();
+        assert_eq!(axis.ends().1.to_bits(), 45f64.to_bits());
+        assert!((over("theta=0..0.5:4", true).unwrap().ends().1 - 28.647_889_756).abs() < 1e-8);
+        assert_eq!(over("n=3..0.1:log", false).unwrap().spacing(), Spacing::Log);
+    }
+
+    #[test]
+    fn bad_axes_say_what_to_write() {
+        for (text, fragments) in [
+            ("gamma", &["--over gamma", "NAME=LO..HI:COUNT"][..]),
+            ("gamma=1:5", &["NAME=LO..HI:COUNT"]),
+            ("gamma=1..2", &["COUNT is missing"]),
+            ("gamma=1..2:many", &["COUNT = `many`", "whole number"]),
+            ("gamma=1..2:-3", &["COUNT = `-3`"]),
+            ("gamma=1..2:3:4", &["`4` is neither"]),
+            ("gamma=1..2:0", &["axis gamma", "count = 0"]),
+            ("gamma=2..2:5", &["both ends are 2"]),
+            ("gamma=-1..2:5", &["reaches -1", "greater than 0"]),
+            ("k=0..1e6:5:log", &["equal ratios", "greater than 0"]),
+            ("d=0..5kg:5", &["HI", "`kg` is not a unit", "mm"]),
+            ("d=zero..5mm:5", &["LO", "not a number"]),
+            ("gama=1..2:5", &["axis gama", "did you mean `gamma`"]),
+            ("interface=0..1:2", &["no numbers", "fused or plastic"]),
+        ] {
+            let error = over(text, true).unwrap_err().to_string();
+            for fragment in fragments {
+                assert!(error.contains(fragment), "{text}: {error} lacks {fragment}");
+            }
+        }
+    }
+}

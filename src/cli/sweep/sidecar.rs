@@ -1,0 +1,87 @@
+//! The scene beside a sweep's CSV: a scene file whose `[sweep]` makes the same rows again.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::files::atomic::{self, Existing};
+use crate::files::error::FileError;
+use crate::files::export;
+use crate::files::sweep::Columns;
+use crate::model::scene::{Scene, Sweep, SweepAxis};
+use crate::study::sweep::{Design, Plan, Spacing};
+
+/// What was made.
+pub(super) struct Made<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) columns: Columns,
+    pub(super) shard: &'a str,
+}
+
+/// Whether a scene may be written beside this file; asked before the sweep, not after it.
+pub(super) fn check(csv: &Path, existing: Existing) -> Result<(), FileError> {
+    if !is_ordinary(csv) {
+        return Ok(());
+    }
+    let beside = export::sidecar_path(csv, None);
+    export::check_sidecar(csv, &beside)?;
+    if existing == Existing::Keep && fs::symlink_metadata(&beside).is_ok() {
+        return Err(FileError::Exists(beside));
+    }
+    Ok(())
+}
+
+/// Write it, and give its path; `None` where there is no place beside the file.
+pub(super) fn write(
+    csv: &Path,
+    scene: &Scene,
+    made: &Made<'_>,
+    existing: Existing,
+) -> Result<Option<PathBuf>, FileError> {
+    if !is_ordinary(csv) {
+        return Ok(None);
+    }
+    let beside = export::sidecar_path(csv, None);
+    let mut scene = scene.clone();
+    scene.sweep = Some(sweep(made));
+    let name = beside.file_name().unwrap_or_default().to_string_lossy();
+    let mut again = format!("cmra sweep ./{name}");
+    match made.plan.design() {
+        Design::Factorial => {}
+        design @ (Design::LatinHypercube { seed, .. } | Design::Sobol { seed, .. }) => {
+            let points = made.plan.points();
+            let word = design.word();
+            let _ = write!(again, " --design {word} --points {points} --seed {seed}");
+        }
+    }
+    if made.shard != "1/1" {
+        let _ = write!(again, " --shard {}", made.shard);
+    }
+    again += " --csv -";
+    let text = export::sweep_sidecar(csv, &scene, &again);
+    atomic::write(&beside, text.as_bytes(), existing)?;
+    Ok(Some(beside))
+}
+
+/// A device or a pipe has no place beside it.
+fn is_ordinary(csv: &Path) -> bool {
+    fs::metadata(csv).map_or(true, |found| found.is_file())
+}
+
+fn sweep(made: &Made<'_>) -> Sweep {
+    let axes = made.plan.axes().iter().map(|axis| SweepAxis {
+        name: axis.symbol().to_owned(),
+        from: axis.ends().0,
+        to: axis.ends().1,
+        count: usize::try_from(axis.count()).unwrap_or(usize::MAX),
+        log: axis.spacing() == Spacing::Log,
+    });
+    let outputs = match made.columns {
+        Columns::Chosen => {
+            made.plan.outputs().iter().map(|output| output.name.to_owned()).collect()
+        }
+        // Without outputs all are meant.
+        Columns::All => Vec::new(),
+    };
+    Sweep { axes: axes.collect(), outputs }
+}

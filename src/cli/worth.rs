@@ -1,0 +1,75 @@
+//! `cmra worth [SCENE]`: chapter 4's criterion as a page, CSV or JSON.
+
+mod page;
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::Args;
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::table::{deliver, write};
+use crate::cli::{CliError, output};
+use crate::files::worth as files;
+use crate::model::units::{self, Bare, Quantity};
+use crate::study::worth::{Masses, compare};
+
+#[derive(Debug, Args)]
+pub(super) struct WorthArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Mass of the spring, kg or with a unit [default: the least a helical steel spring needs for its energy]
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
+    spring_mass: Option<String>,
+    /// Mass of damper, stop and mount together, kg or with a unit
+    #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true)]
+    mount_mass: String,
+    /// Print JSON instead of the page
+    #[arg(long)]
+    json: bool,
+    /// Write a row a candidate to this file; `-` writes to standard output instead of the page
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long, requires = "csv")]
+    force: bool,
+}
+
+fn mass(option: &str, text: &str) -> Result<f64, CliError> {
+    let refused = |why: String| CliError::Option(format!("{option} {text}: {why}"));
+    let value = units::parse(text, Quantity::Mass, Bare::Si)
+        .map_err(|problem| refused(problem.to_string()))?;
+    if value.is_finite() && value >= 0.0 {
+        Ok(value)
+    } else {
+        Err(refused("a mass is 0 kg or more, for example 20g".to_owned()))
+    }
+}
+
+/// Compare; a mechanism that is not worth it is an answer, too.
+pub(super) fn run(arguments: &WorthArguments) -> Result<ExitCode, CliError> {
+    let spring = arguments.spring_mass.as_deref();
+    let masses = Masses {
+        spring_kg: spring.map(|text| mass("--spring-mass", text)).transpose()?,
+        mount_kg: mass("--mount-mass", &arguments.mount_mass)?,
+    };
+    let preset = arguments.scene.load()?;
+    let scene = Arc::new(preset.scene);
+    let report = compare(&scene, masses, &mut |_, _| ControlFlow::Continue(()))?;
+    let name = preset.name.as_str();
+    let rows = files::rows(name, &report);
+    if arguments.json {
+        // The object tells more than the rows; the file still holds these.
+        if let Some(path) = arguments.csv.as_deref().filter(|path| *path != Path::new("-")) {
+            write(path, &rows, arguments.force)?;
+        }
+        output::print(&files::json(name, &report))?;
+    } else {
+        let given = arguments.spring_mass.is_some();
+        let page = page::text(name, &scene, &report, given);
+        deliver(&page, &rows, (false, arguments.csv.as_deref(), arguments.force))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,116 @@
+//! Formulas a designer works with that need no simulation: ricochet, Stone's depth, collisions, effective thickness, and what a
+//! beam or a coil spring weighs and bears. Thesis chapters 2, 4 and 9.5; model page, section 5.
+
+pub mod beam;
+
+/// A projectile as Tate's formula sees it: a long rod.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rod {
+    /// `rho_p`, kg/m³, > 0.
+    pub density_kg_m3: f64,
+    /// `Y_p`, Pa, > 0.
+    pub strength_pa: f64,
+    /// `v_p`, m/s, > 0.
+    pub velocity_m_s: f64,
+    /// l, m, > 0.
+    pub length_m: f64,
+    /// d, m, > 0.
+    pub diameter_m: f64,
+}
+
+impl Rod {
+    /// Tate's critical obliquity, degrees from the plate's normal: beyond it ricochet or break-up is likely. Thesis equation
+    /// 2.3; made for long rods, whose deceleration it leaves out: a rough guide.
+    pub fn critical_obliquity_deg(&self, target_density_kg_m3: f64) -> f64 {
+        let (l, d) = (self.length_m, self.diameter_m);
+        let pressure = self.density_kg_m3 * self.velocity_m_s * self.velocity_m_s;
+        let ratio = (self.density_kg_m3 / target_density_kg_m3).sqrt();
+        let cube =
+            2.0 / 3.0 * pressure / self.strength_pa * (l * l + d * d) / (l * d) * (1.0 + ratio);
+        cube.cbrt().atan().to_degrees()
+    }
+}
+
+/// Stone's depth of a blunt projectile in a thick slab, m; thesis equation 2.4. `target_m2_s2` is `c_t`: for the formula to
+/// give a length it must be the square of a speed, although the thesis calls it a property of the material.
+pub fn stone_depth_m(
+    (mass_kg, velocity_m_s, radius_m): (f64, f64, f64),
+    target_density_kg_m3: f64,
+    target_m2_s2: f64,
+) -> f64 {
+    let per_area =
+        mass_kg * velocity_m_s * velocity_m_s / (2.0 * std::f64::consts::PI * radius_m * radius_m);
+    per_area * 2.0 / (target_density_kg_m3 * target_m2_s2)
+}
+
+/// Velocities after a perfectly elastic collision of two bodies (mass, velocity).
+pub fn elastic((m_a, v_a): (f64, f64), (m_b, v_b): (f64, f64)) -> (f64, f64) {
+    let centre = (m_a * v_a + m_b * v_b) / (m_a + m_b);
+    (2.0 * centre - v_a, 2.0 * centre - v_b)
+}
+
+/// The common velocity after a perfectly inelastic one; thesis equation 2.2.
+pub fn inelastic((m_a, v_a): (f64, f64), (m_b, v_b): (f64, f64)) -> f64 {
+    (m_a * v_a + m_b * v_b) / (m_a + m_b)
+}
+
+/// Thickness along the projectile's path, m: `h / cos(theta)`; thesis Figure 4.1.
+pub fn effective_thickness_m(thickness_m: f64, obliquity_deg: f64) -> f64 {
+    thickness_m / obliquity_deg.to_radians().cos()
+}
+
+/// The least mass of the active coils of a helical spring that stores `energy_j`: `4 rho G U / tau²`, whatever its
+/// stiffness, kg. `shear_stress_pa` is the greatest it may bear.
+pub fn coil_spring_mass_kg(
+    energy_j: f64,
+    density_kg_m3: f64,
+    shear_modulus_pa: f64,
+    shear_stress_pa: f64,
+) -> f64 {
+    4.0 * density_kg_m3 * shear_modulus_pa * energy_j / (shear_stress_pa * shear_stress_pa)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn valid_elastic_collisions_keep_momentum_and_energy_and_invert_relative_velocity() {
+        for (m_a, v_a, m_b, v_b) in
+            [(1.0, 10.0, 1.0, 0.0), (0.03, 100.0, 0.2, -5.0), (4.0, 1.0, 0.5, 3.0)]
+        {
+            let (w_a, w_b) = elastic((m_a, v_a), (m_b, v_b));
+            assert!((m_a * (w_a - v_a) + m_b * (w_b - v_b)).abs() < 1e-12);
+            let energy = m_a * (w_a * w_a - v_a * v_a) + m_b * (w_b * w_b - v_b * v_b);
+            assert!(energy.abs() < 1e-10);
+            assert!(((v_a - v_b) - (w_b - w_a)).abs() < 1e-12);
+        }
+        assert!((inelastic((1.0, 100.0), (1.0, 0.0)) - 50.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn valid_a_steel_coil_weighs_five_grams_a_joule_at_700_megapascal() {
+        let grams = 1e3 * coil_spring_mass_kg(1.0, 7850.0, 79.3e9, 700e6);
+        assert!((grams - 5.1).abs() < 0.03, "{grams}");
+    }
+
+    #[test]
+    fn tate_and_stone_have_the_powers_they_should() {
+        let rod = Rod {
+            density_kg_m3: 7850.0,
+            strength_pa: 1e9,
+            velocity_m_s: 100.0,
+            length_m: 0.03,
+            diameter_m: 0.0127,
+        };
+        let tangent = |rod: &Rod| rod.critical_obliquity_deg(2710.0).to_radians().tan();
+        let faster = Rod { velocity_m_s: 800.0, ..rod };
+        assert!((tangent(&faster) / tangent(&rod) - 4.0).abs() < 1e-9);
+        let stronger = Rod { strength_pa: 8e9, ..rod };
+        assert!((tangent(&rod) / tangent(&stronger) - 2.0).abs() < 1e-9);
+        let depth = |v: f64, r: f64| stone_depth_m((0.03, v, r), 2710.0, 1e6);
+        assert!((depth(200.0, 0.01) / depth(100.0, 0.01) - 4.0).abs() < 1e-12);
+        assert!((depth(100.0, 0.01) / depth(100.0, 0.02) - 4.0).abs() < 1e-12);
+        assert!((effective_thickness_m(0.02, 60.0) - 0.04).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,79 @@
+//! The first moment of a contact whose spring or damper is singular at zero, where the plate is at rest.
+//!
+//! There the plate's velocity follows a power of time, w = W t^p, between two limits: p = 2 by inertia against a force that
+//! grows in proportion to time, and the law's own exponent where the law holds against the force. With p from the
+//! logarithmic derivative of the balance m w p/t + D(w) + K(w t/(p + 1)) = F the state is right to about a per cent, and what
+//! is wrong with it is forgotten like (start/contact)^p, so that the start may be placed early enough for any tolerance.
+
+use crate::model::mechanism::PowerLaw;
+use crate::numerics::{larger, smaller};
+
+/// Rounds in which exponent and velocity are made to agree, and Newton steps in each.
+const ROUNDS: usize = 2;
+const NEWTON: usize = 1;
+/// Error of the state's velocity, relative: with the tolerance it says how early the start has to be.
+const LEFT: f64 = 0.01;
+/// Part of the contact's duration at which it is placed at the latest.
+const LATEST: f64 = 0.02;
+
+/// What starts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    /// Singular spring that starts at zero; coefficient zero without one.
+    pub(super) spring: PowerLaw,
+    /// Singular damper; coefficient zero without one.
+    pub(super) damper: PowerLaw,
+    /// Force on the plate at first contact (a preload), N.
+    pub(super) force_n: f64,
+    /// How fast it grows, N/s.
+    pub(super) growth_n_s: f64,
+    /// Plate mass, kg.
+    pub(super) plate_kg: f64,
+}
+
+/// The plate a moment after first contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Moved {
+    /// When, s.
+    pub(super) t_s: f64,
+    /// By how much, m.
+    pub(super) by_m: f64,
+    /// How fast, m/s.
+    pub(super) w_m_s: f64,
+}
+
+impl Start {
+    /// The plate so early in a contact of the given duration that the error left is below the tolerance.
+    pub(super) fn place(&self, contact_s: f64, tolerance: f64) -> Moved {
+        let slowest = if self.force_n > 0.0 { 1.0 } else { 2.0 };
+        let part = smaller((tolerance / LEFT).powf(1.0 / slowest), LATEST);
+        let t_s = part * contact_s;
+        let force = self.force_n + self.growth_n_s * t_s;
+        let growth = self.growth_n_s * t_s / force;
+        let mut p = 1.0 + growth;
+        let mut w = force * t_s / (self.plate_kg * p);
+        for _ in 0..ROUNDS {
+            w = self.balance(w, p, t_s, force);
+            let inertia = self.plate_kg * w * p / t_s;
+            let (d, k) = (self.damper.force(w), self.spring.force(w * t_s / (p + 1.0)));
+            p = (inertia + growth * force - self.spring.exponent * k)
+                / (inertia + self.damper.exponent * d + self.spring.exponent * k);
+            p = larger(p, 0.1);
+        }
+        let w_m_s = self.balance(w, p, t_s, force);
+        Moved { t_s, by_m: w_m_s * t_s / (p + 1.0), w_m_s }
+    }
+
+    /// The velocity at which inertia, damper and spring hold the force: Newton's method on the logarithm, where powers are lines.
+    fn balance(&self, guess: f64, p: f64, t_s: f64, force: f64) -> f64 {
+        let mut w = guess;
+        for _ in 0..NEWTON {
+            let inertia = self.plate_kg * w * p / t_s;
+            let (d, k) = (self.damper.force(w), self.spring.force(w * t_s / (p + 1.0)));
+            let sum = inertia + d + k;
+            let slope = (inertia + self.damper.exponent * d + self.spring.exponent * k) / sum;
+            w *= (force / sum).powf(1.0 / slope);
+        }
+        w
+    }
+}

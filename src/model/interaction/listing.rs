@@ -1,0 +1,336 @@
+//! The listing of Appendix A as a run: its contact, step by step, and what its `simulator` makes of the plate afterwards.
+//!
+//! Afterwards starts from the plate's state before the last step, as printed, and goes on in the same steps to the plate's
+//! first turning point, or to the horizon where one is asked for. The energy ledger adds up the scheme's own forces over its
+//! own steps: what does not add up is the scheme's error.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::appendix::{Scheme, State};
+use crate::model::contact_phase::{Ending, Refusal};
+use crate::model::impact::{Observer, Settings};
+use crate::model::interaction::course::say;
+use crate::model::interaction::{ModelNote, blank, difference, notes_of};
+use crate::model::mechanism::PowerLaw;
+use crate::model::run::{
+    Arrest, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, Outcome, Run, Sample, Warning,
+};
+use crate::model::scene::{Listing, Mount, Reading, Scene};
+use crate::numerics::larger;
+
+/// Steps of the contact, and afterwards, at most.
+const CONTACT_STEPS_MAX: usize = 2_000_000;
+const AFTER_STEPS_MAX: usize = 2_000_000;
+/// Points to draw in the contact, and afterwards, at most (or so).
+const POINTS: usize = 4_000;
+/// The observer is asked once in so many steps.
+const LOOK: usize = 64;
+/// Without anything that stops the plate, what follows the contact is shown for this part of its duration.
+const TAIL: f64 = 0.25;
+
+/// Without a spring, a plate that has this part of the impact velocity left has arrived.
+const FADED: f64 = 1e-6;
+
+/// The listing at work.
+struct Work<'a> {
+    scene: &'a Scene,
+    listing: Listing,
+    scheme: Scheme,
+    state: State,
+    run: Run,
+    keep: bool,
+    t_s: f64,
+    deepest_m: f64,
+    farthest_m: f64,
+    peak_n: f64,
+    before: Option<Sample>,
+}
+
+/// Run it.
+pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
+    let mut run = once(scene, scene.contact.appendix, settings.series, observer);
+    if settings.estimate && run.end.is_complete() {
+        let half =
+            Listing { step_s: 0.5 * scene.contact.appendix.step_s, ..scene.contact.appendix };
+        let second = once(scene, half, false, observer);
+        let measure = |run: &Run| match run.outcome {
+            Outcome::Perforated => run.exit_time_s,
+            Outcome::Arrested | Outcome::Separated | Outcome::Moving => run.final_penetration_m,
+        };
+        // First order: the half step leaves half of the error.
+        let doubled = difference(measure(&run), measure(&second), EstimateBasis::HalfStep);
+        run.error_estimate = doubled.map(|mut estimate| {
+            estimate.relative *= 2.0;
+            estimate
+        });
+    }
+    run
+}
+
+fn once(scene: &Arc<Scene>, listing: Listing, keep: bool, observer: Observer<'_>) -> Run {
+    let scheme = Scheme::of(scene, listing);
+    let state = scheme.start();
+    let mut work = Work {
+        scene,
+        listing,
+        scheme,
+        state,
+        run: blank(scene),
+        keep,
+        t_s: 0.0,
+        deepest_m: 0.0,
+        farthest_m: state.plate[0],
+        peak_n: 0.0,
+        before: None,
+    };
+    work.begin();
+    let end = match work.contact(observer) {
+        Ok(ending) => work.afterwards(ending, observer),
+        Err(reason) => reason,
+    };
+    work.finish(end)
+}
+
+impl Work<'_> {
+    fn begin(&mut self) {
+        let (m, v) = (self.scene.projectile.mass_kg, self.scene.projectile.velocity_m_s);
+        self.run.ledger.initial_kinetic_j = 0.5 * m * v * v;
+        self.run.ledger.initial_spring_j = self.spring().integral(self.state.plate[0]);
+        let first = self.sample(Mode::Penetrating);
+        self.note(first, 0, 1);
+    }
+
+    fn spring(&self) -> PowerLaw {
+        let spring = self.scene.mechanism.spring;
+        let sprung = self.scene.plate.mount == Mount::Sprung;
+        PowerLaw {
+            coefficient: if sprung { spring.coefficient } else { 0.0 },
+            exponent: spring.exponent,
+        }
+    }
+
+    fn sample(&self, mode: Mode) -> Sample {
+        let state = &self.state;
+        let (spring, damper) =
+            self.scheme.plate().map_or((0.0, 0.0), |plate| plate.forces_n(state.plate));
+        Sample {
+            t_s: self.t_s,
+            mode,
+            penetration_m: state.depth_m,
+            projectile_displacement_m: state.pen_m,
+            projectile_velocity_m_s: state.velocity_m_s,
+            plate_displacement_m: state.plate[0],
+            plate_velocity_m_s: state.plate[1],
+            contact_force_n: if mode == Mode::Penetrating { state.force_n } else { 0.0 },
+            spring_force_n: spring,
+            damper_force_n: damper,
+            stop_force_n: 0.0,
+            is_step: true,
+        }
+    }
+
+    /// Note a point: work done since the one before by the trapezoid, extremes, and every so-manieth for the series.
+    fn note(&mut self, sample: Sample, step: usize, every: usize) {
+        if let Some(before) = self.before {
+            let mean = |f: fn(&Sample) -> f64| 0.5 * (f(&before) + f(&sample));
+            let relative = (sample.projectile_displacement_m - before.projectile_displacement_m)
+                - (sample.plate_displacement_m - before.plate_displacement_m);
+            let plate = sample.plate_displacement_m - before.plate_displacement_m;
+            let ledger = &mut self.run.ledger;
+            if sample.mode == Mode::Penetrating {
+                ledger.penetration_j += mean(|sample| sample.contact_force_n) * relative;
+            }
+            ledger.damper_j += mean(|sample| sample.damper_force_n) * plate;
+        }
+        self.before = Some(sample);
+        self.farthest_m = larger(sample.plate_displacement_m, self.farthest_m);
+        if self.keep && step.is_multiple_of(every) {
+            self.run.series.push(sample);
+        }
+    }
+
+    /// The contact, to its end by the listing's own rule.
+    fn contact(&mut self, observer: Observer<'_>) -> Result<Ending, EndReason> {
+        for step in 1..=CONTACT_STEPS_MAX {
+            if step.is_multiple_of(LOOK) && observer(self.t_s) == ControlFlow::Break(()) {
+                return Err(EndReason::Cancelled);
+            }
+            let before = self.state;
+            let stepped = self.scheme.step(&mut self.state);
+            self.run.cost.steps += 1;
+            self.run.cost.rhs_evaluations += 5;
+            if let Err(refusal) = stepped {
+                self.state = before;
+                let broke_off = refusal == Refusal::Separated;
+                return Err(if broke_off { EndReason::BreaksOff } else { EndReason::NonFinite });
+            }
+            self.t_s = step as f64 * self.listing.step_s;
+            let ending = self.scheme.ended(&self.state);
+            if ending.is_some() && self.listing.stopping == Reading::Mended {
+                self.locate(&before, step);
+            }
+            self.deepest_m = larger(self.state.depth_m, self.deepest_m);
+            self.peak_n = larger(self.state.force_n, self.peak_n);
+            let sample = self.sample(Mode::Penetrating);
+            // A contact of many steps is drawn from some of them.
+            let every = if ending.is_some() { 1 } else { step / POINTS + 1 };
+            self.note(sample, step, every);
+            if let Some(ending) = ending {
+                self.note_ending(ending);
+                return Ok(ending);
+            }
+        }
+        Err(EndReason::StepBudget)
+    }
+
+    /// Put the state where the relative velocity, or the area, vanished within the last step.
+    fn locate(&mut self, before: &State, step: usize) {
+        let after = self.state;
+        let part = if after.area_m2 > 0.0 {
+            before.slip_m_s / (before.slip_m_s - after.slip_m_s)
+        } else {
+            let geometry = crate::model::contact::Geometry::of(self.scene);
+            let exit_m = geometry.depth_m(geometry.exit_m);
+            (exit_m - before.depth_m) / (after.depth_m - before.depth_m)
+        };
+        let part = part.clamp(0.0, 1.0);
+        let between = |a: f64, b: f64| a + part * (b - a);
+        let pair = |a: [f64; 2], b: [f64; 2]| [between(a[0], b[0]), between(a[1], b[1])];
+        self.t_s = ((step - 1) as f64 + part) * self.listing.step_s;
+        self.state = State {
+            pen_m: between(before.pen_m, after.pen_m),
+            travel_m: between(before.travel_m, after.travel_m),
+            velocity_m_s: between(before.velocity_m_s, after.velocity_m_s),
+            plate: pair(before.plate, after.plate),
+            // Nothing is rewound: the located state is where the rest begins.
+            plate_before: pair(before.plate, after.plate),
+            slip_m_s: between(before.slip_m_s, after.slip_m_s),
+            depth_m: between(before.depth_m, after.depth_m),
+            area_m2: between(before.area_m2, after.area_m2),
+            force_n: between(before.force_n, after.force_n),
+            force_before_n: after.force_before_n,
+        };
+    }
+
+    fn note_ending(&mut self, ending: Ending) {
+        let kind = match ending {
+            Ending::Arrest => {
+                self.run.first_arrest = Some(Arrest {
+                    t_s: self.t_s,
+                    penetration_m: self.state.depth_m,
+                    plate_displacement_m: self.state.plate[0],
+                    plate_velocity_m_s: self.state.plate[1],
+                });
+                self.run.outcome = Outcome::Arrested;
+                EventKind::FirstArrest
+            }
+            Ending::Perforation => {
+                self.run.outcome = Outcome::Perforated;
+                self.run.exit_time_s = Some(self.t_s);
+                self.run.residual_velocity_m_s = Some(self.state.velocity_m_s);
+                EventKind::Perforation
+            }
+        };
+        self.run.events.push(Event { t_s: self.t_s, kind });
+    }
+
+    /// A.5: the plate on its mechanism, with or without the projectile.
+    fn afterwards(&mut self, ending: Ending, observer: Observer<'_>) -> EndReason {
+        let Some(plate) = self.scheme.plate() else {
+            self.run.max_plate_displacement_m = Some(0.0);
+            return EndReason::Decided;
+        };
+        let perforated = ending == Ending::Perforation;
+        let parted = perforated && self.listing.afterwards == Reading::Mended;
+        let projectile_kg = if parted { 0.0 } else { self.scene.projectile.mass_kg };
+        let body = plate.joined(projectile_kg);
+        let mode = if parted { Mode::Perforated } else { Mode::Fused };
+        let mechanism = &self.scene.mechanism;
+        let is_free = mechanism.spring.coefficient == 0.0 && mechanism.damper.coefficient == 0.0;
+        let contact_s = self.t_s;
+        let asked_s = self.scene.run.horizon_s;
+        let until_s = asked_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));
+        let dt_s = self.listing.step_s;
+        let mut y = self.state.plate_before;
+        let (flying_m_s, start_m) = (self.state.velocity_m_s, self.state.pen_m - y[0]);
+        for step in 1..=AFTER_STEPS_MAX {
+            if until_s.is_some_and(|until_s| self.t_s + 0.5 * dt_s > until_s) {
+                return if is_free || self.run.max_plate_displacement_m.is_some() {
+                    EndReason::Decided
+                } else {
+                    EndReason::Horizon
+                };
+            }
+            if step.is_multiple_of(LOOK) && observer(self.t_s) == ControlFlow::Break(()) {
+                return EndReason::Cancelled;
+            }
+            let rising = y[1] > 0.0;
+            y = body.step(y, 0.0, dt_s);
+            self.run.cost.steps += 1;
+            self.run.cost.rhs_evaluations += 4;
+            if !(y[0].is_finite() && y[1].is_finite()) {
+                return EndReason::NonFinite;
+            }
+            self.t_s = contact_s + step as f64 * dt_s;
+            self.state.plate = y;
+            if parted {
+                self.state.pen_m += flying_m_s * dt_s;
+            } else {
+                (self.state.velocity_m_s, self.state.pen_m) = (y[1], start_m + y[0]);
+            }
+            let sample = self.sample(mode);
+            // A damper alone never quite stops the plate.
+            let faded = mechanism.spring.coefficient == 0.0
+                && y[1].abs() < FADED * self.scene.projectile.velocity_m_s;
+            let turned = rising && (y[1] <= 0.0 || faded);
+            self.note(sample, step, if turned { 1 } else { step / POINTS + 1 });
+            if turned && self.run.max_plate_displacement_m.is_none() {
+                self.run.max_plate_displacement_m = Some(self.farthest_m);
+                let kind = EventKind::GreatestDisplacement;
+                self.run.events.push(Event { t_s: self.t_s, kind });
+                if asked_s.is_none() {
+                    return EndReason::Decided;
+                }
+            }
+        }
+        EndReason::StepBudget
+    }
+
+    fn finish(mut self, end: EndReason) -> Run {
+        let (m, m_2) = (self.scene.projectile.mass_kg, self.scene.plate_mass_kg());
+        let (v, [x, w]) = (self.state.velocity_m_s, self.state.plate);
+        let spring_j = self.spring().integral(x);
+        let sprung = self.scheme.plate().is_some();
+        let ledger = &mut self.run.ledger;
+        ledger.projectile_j = 0.5 * m * v * v;
+        ledger.plate_j = if sprung { 0.5 * m_2 * w * w } else { 0.0 };
+        ledger.spring_j = spring_j;
+        self.run.end = end;
+        self.run.peak_contact_force_n = Some(self.peak_n);
+        let depth_m = Some(self.deepest_m);
+        self.run.final_penetration_m = depth_m.filter(|_| self.run.outcome != Outcome::Moving);
+        self.run.cost = Cost {
+            method: "Appendix A",
+            reason: "fixed step, force held over it",
+            ..self.run.cost
+        };
+        let residual = self.run.ledger.residual();
+        self.run.warnings.push(Warning::EnergyDrift { residual });
+        if !end.is_complete() {
+            self.run.warnings.push(Warning::EndedEarly(end));
+        }
+        let mut notes = notes_of(self.scene, None);
+        if self.scene.mechanism.stop.position_m.is_some() && sprung {
+            notes.push(ModelNote::NoStop);
+        }
+        if self.run.outcome == Outcome::Perforated
+            && sprung
+            && self.listing.afterwards == Reading::Printed
+        {
+            notes.push(ModelNote::JoinedThroughHole);
+        }
+        say(&mut self.run, notes);
+        self.run
+    }
+}

@@ -1,0 +1,86 @@
+//! What a contact can do without, decided from bounds before anything is integrated. Shared by the full track and the lean
+//! contact, so that both leave out the same.
+
+use std::f64::consts::PI;
+
+use crate::model::closed_form::{Ending, Passage};
+use crate::model::mechanism::Mechanism;
+use crate::numerics::smaller;
+
+/// A mechanism that lets the plate move less than this part of the travel within the contact is as good as rigid.
+pub const IMMOBILE: f64 = 1e-13;
+/// A contact that ends in an arrest lasts less than this many times as long as its travel takes at the impact velocity.
+const SLOWEST: f64 = 6.0;
+
+/// Whether an uncocked mechanism holds the plate so still during the contact that it is as good as a rigid mount.
+///
+/// `rigid` is the passage into the same plate on a rigid mount. The contact force never exceeds pi R² (S + c v²); against it the
+/// spring yields at most to where its energy equals the work, k x^(n+1)/(n+1) = F x, and the damper at most at the speed
+/// (F/b)^(1/m).
+pub fn holds_still(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> bool {
+    if start_m != 0.0 || mechanism.stop_at_m <= 0.0 {
+        return false;
+    }
+    let (geometry, v) = (rigid.geometry, rigid.velocity_m_s);
+    let radius = geometry.nose.radius_m;
+    let pressure = rigid.strength_pa + rigid.drag_kg_m3 * v * v;
+    let force = PI * radius * radius * pressure * geometry.nose.cos;
+    let spring = mechanism.spring;
+    let yields = spring.at_force((spring.exponent + 1.0) * force);
+    let creeps_m_s = mechanism.damper.at_force(force);
+    // No contact is shorter than its passage at the impact velocity: most scenes are done with here.
+    if smaller(yields, creeps_m_s * geometry.exit_m / v) > IMMOBILE * geometry.exit_m {
+        return false;
+    }
+    let (travel_m, time_s) = match rigid.ending() {
+        Ending::Arrest { travel_m } => (travel_m, SLOWEST * travel_m / v),
+        Ending::Exit { velocity_m_s } => (geometry.exit_m, geometry.exit_m / velocity_m_s),
+    };
+    smaller(yields, creeps_m_s * time_s) <= IMMOBILE * travel_m
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::contact::Geometry;
+    use crate::model::scene::Scene;
+
+    fn still(change: impl Fn(&mut Scene)) -> bool {
+        let mut scene = Scene::default();
+        scene.mechanism.spring.coefficient = 0.0;
+        change(&mut scene);
+        let geometry = Geometry::of(&scene);
+        let rigid = Passage {
+            geometry: &geometry,
+            mass_kg: scene.projectile.mass_kg,
+            strength_pa: scene.target.flow_strength_pa,
+            drag_kg_m3: scene.drag_kg_m3(),
+            velocity_m_s: scene.projectile.velocity_m_s,
+        };
+        holds_still(&rigid, &Mechanism::of(&scene), 0.0 - scene.plate.cocking_m)
+    }
+
+    #[test]
+    fn a_spring_that_yields_by_1e_17_m_holds_and_one_that_yields_by_a_micrometre_does_not() {
+        let spring = |k: f64, n: f64| {
+            move |scene: &mut Scene| {
+                scene.mechanism.spring.coefficient = k;
+                scene.mechanism.spring.exponent = n;
+            }
+        };
+        // F is about 2e4 N: (F/k)^(1/n) is 7e-18 m for k = 1e6 and n = 0.1, 4e-6 m for n = 0.3, 2e-4 m for k = 1e8 and n = 1.
+        assert!(still(spring(1e6, 0.1)));
+        assert!(!still(spring(1e6, 0.3)));
+        assert!(!still(spring(1e8, 1.0)));
+        assert!(!still(|_| {}));
+    }
+
+    #[test]
+    fn a_cocked_plate_never_holds_still() {
+        assert!(!still(|scene| {
+            scene.mechanism.spring.coefficient = 1e6;
+            scene.mechanism.spring.exponent = 0.1;
+            scene.plate.cocking_m = 1e-3;
+        }));
+    }
+}

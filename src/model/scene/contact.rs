@@ -1,0 +1,125 @@
+//! The part of a scene that says how the force between projectile and plate is modelled: which of the models of thesis
+//! section 8.2, and what each of them needs. Which variables matter to which model is told by `variables.rs`.
+
+/// The interaction model and its parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Contact {
+    /// Which model.
+    pub model: ContactModel,
+    /// `t_d` > 0, duration of the half-sine force history, s; `None`: that of the hydrodynamic contact on a rigid mount.
+    pub duration_s: Option<f64>,
+    /// `k_load` > 0 of the lumped interface, N/m; `None`: such that on a rigid mount it is pressed in as far as the
+    /// hydrodynamic model penetrates there.
+    pub load_stiffness_n_m: Option<f64>,
+    /// `k_unload` >= `k_load`, N/m; `None`: a hundred times `k_load`.
+    pub unload_stiffness_n_m: Option<f64>,
+    /// `b_2` >= 0, damper of the lumped interface, N s/m.
+    pub damping_n_s_m: f64,
+    /// How the listing of Appendix A is read.
+    pub appendix: Listing,
+}
+
+/// How the force between projectile and plate is modelled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum ContactModel {
+    /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
+    #[default]
+    Hydrodynamic,
+    /// A prescribed half-sine force history, equation 8.9.
+    HalfSine,
+    /// A perfectly inelastic collision at once, equation 8.11.
+    InitialVelocity,
+    /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
+    Lumped,
+    /// The listing of Appendix A.
+    Appendix,
+}
+
+impl ContactModel {
+    /// All models, in the order of Table 8.1 with the default first.
+    pub const ALL: [Self; 5] =
+        [Self::Hydrodynamic, Self::Lumped, Self::HalfSine, Self::InitialVelocity, Self::Appendix];
+
+    /// The word in files and on screens.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Hydrodynamic => "hydrodynamic",
+            Self::HalfSine => "half-sine",
+            Self::InitialVelocity => "initial-velocity",
+            Self::Lumped => "lumped",
+            Self::Appendix => "appendix",
+        }
+    }
+}
+
+/// How one doubtful place of the listing is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Reading {
+    /// As it is printed.
+    #[default]
+    Printed,
+    /// Put right.
+    Mended,
+}
+
+/// What becomes of the area once the nose is buried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Jumps {
+    /// The scripts' jumps do what they are meant to: the area stays that of the full section.
+    #[default]
+    Meant,
+    /// They are calls that come back: the next lines overwrite the area, and divide by tan(theta) = 0.
+    Ignored,
+}
+
+/// The listing of Appendix A, quirk by quirk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Listing {
+    /// `dt` > 0, s.
+    pub step_s: f64,
+    /// Printed: depth subtracts the plate's last increment only; mended: the whole relative travel.
+    pub coupling: Reading,
+    /// Printed: `b |w|^m` without a sign; mended: it resists.
+    pub damper: Reading,
+    /// Printed: ends below 0.01 m/s, after the step; mended: common velocity is located within the step.
+    pub stopping: Reading,
+    /// Printed: projectile and plate move as one afterwards, whatever happened; mended: not after a perforation.
+    pub afterwards: Reading,
+    /// Printed: force held over the step, Euler and trapezoid for the projectile; mended: Runge-Kutta for both bodies.
+    pub scheme: Reading,
+    /// Printed: the same force on both bodies; mended: resolved along the plate's normal.
+    pub obliquity: Reading,
+    /// Whether the scripts' jumps are heeded.
+    pub jumps: Jumps,
+}
+
+impl Default for Listing {
+    fn default() -> Self {
+        Self {
+            step_s: 1e-6,
+            coupling: Reading::Printed,
+            damper: Reading::Printed,
+            stopping: Reading::Printed,
+            afterwards: Reading::Printed,
+            scheme: Reading::Printed,
+            obliquity: Reading::Printed,
+            jumps: Jumps::Meant,
+        }
+    }
+}
+
+impl Listing {
+    /// Everything put right that can be, with the same step.
+    pub fn mended(step_s: f64) -> Self {
+        Self {
+            step_s,
+            coupling: Reading::Mended,
+            damper: Reading::Mended,
+            stopping: Reading::Mended,
+            afterwards: Reading::Mended,
+            scheme: Reading::Mended,
+            obliquity: Reading::Mended,
+            jumps: Jumps::Meant,
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Which variables have any effect on a scene, and which of them a list shows at all; and the rule between the two
+//! stiffnesses of the lumped interface.
+
+use super::{RangeWarning, Variable, VariableError};
+use crate::model::design::Rod;
+use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene, StopKind};
+use crate::model::units;
+
+/// Whether a variable has any effect on this scene; rows without effect are dimmed in the editor.
+pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
+    let sprung = scene.plate.mount == Mount::Sprung;
+    let mechanism = &scene.mechanism;
+    let model = scene.contact.model;
+    let stop = sprung && mechanism.stop.position_m.is_some() && model != ContactModel::Appendix;
+    match variable.key {
+        "mechanism.damper.exponent" => sprung && mechanism.damper.coefficient > 0.0,
+        "mechanism.spring.exponent" | "plate.cocking_m" => {
+            sprung && mechanism.spring.coefficient > 0.0
+        }
+        "interface.law" => model == ContactModel::Hydrodynamic,
+        "interface.grip" => {
+            model == ContactModel::Hydrodynamic && scene.interface.law == InterfaceLaw::Plastic
+        }
+        "mechanism.stop.position_m" => sprung && model != ContactModel::Appendix,
+        "mechanism.stop.kind" => stop,
+        "mechanism.stop.restitution" => stop && mechanism.stop.kind == StopKind::Rigid,
+        "mechanism.stop.stiffness_n_m" | "mechanism.stop.damping_n_s_m" => {
+            stop && mechanism.stop.kind == StopKind::Elastic
+        }
+        "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
+        key if key.starts_with("target.") => uses_target(scene),
+        key if key.starts_with("contact.") => model_has(model, key),
+        key => sprung || !(key.starts_with("mechanism.") || key == "plate.mass_ratio"),
+    }
+}
+
+/// Whether a list shows the variable at all: what belongs to another interaction model is not even dimmed.
+pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
+    match variable.key {
+        "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
+        key => !key.starts_with("contact.") || model_has(scene.contact.model, key),
+    }
+}
+
+fn is_oblique(scene: &Scene) -> bool {
+    scene.projectile.obliquity_deg > 0.0
+}
+
+/// Tate's critical obliquity of a scene's shot, taken as a rod of its mass and radius, degrees.
+pub fn critical_obliquity_deg(scene: &Scene) -> f64 {
+    let shot = &scene.projectile;
+    let section = std::f64::consts::PI * shot.tip_radius_m * shot.tip_radius_m;
+    let rod = Rod {
+        density_kg_m3: shot.density_kg_m3,
+        strength_pa: shot.strength_pa,
+        velocity_m_s: shot.velocity_m_s,
+        length_m: shot.mass_kg / (shot.density_kg_m3 * section),
+        diameter_m: 2.0 * shot.tip_radius_m,
+    };
+    rod.critical_obliquity_deg(scene.target.density_kg_m3)
+}
+
+/// A warning when the shot is likely to glance off, which no model here contains.
+pub(super) fn ricochet(scene: &Scene) -> Option<RangeWarning> {
+    let critical = critical_obliquity_deg(scene);
+    (is_oblique(scene) && scene.projectile.obliquity_deg > critical).then(|| RangeWarning {
+        symbol: "theta",
+        text: format!(
+            "theta = {} deg is beyond Tate's critical {} deg (rho_p, Y_p assumed unless set): ricochet is likely, and not in \
+             the model",
+            units::shortest(scene.projectile.obliquity_deg),
+            units::significant(critical, 3)
+        ),
+    })
+}
+
+/// Whether a key below `contact.` belongs to this model.
+fn model_has(model: ContactModel, key: &str) -> bool {
+    match key {
+        "contact.model" => true,
+        "contact.duration_s" => model == ContactModel::HalfSine,
+        key if key.starts_with("contact.appendix.") => model == ContactModel::Appendix,
+        _ => model == ContactModel::Lumped,
+    }
+}
+
+/// Whether the plate's material matters: to the other models only where it fills in what was left open.
+fn uses_target(scene: &Scene) -> bool {
+    match scene.contact.model {
+        ContactModel::Hydrodynamic | ContactModel::Appendix => true,
+        ContactModel::HalfSine => scene.contact.duration_s.is_none(),
+        ContactModel::Lumped => scene.contact.load_stiffness_n_m.is_none(),
+        ContactModel::InitialVelocity => false,
+    }
+}
+
+/// The interface cannot give back more than it took.
+pub(super) fn check_interface_spring(scene: &Scene) -> Result<(), VariableError> {
+    let contact = &scene.contact;
+    let (Some(load), Some(unload)) = (contact.load_stiffness_n_m, contact.unload_stiffness_n_m)
+    else {
+        return Ok(());
+    };
+    if contact.model != ContactModel::Lumped || unload >= load {
+        return Ok(());
+    }
+    let (load, unload) = (units::shortest(load), units::shortest(unload));
+    Err(VariableError::Together(format!(
+        "k_unload (contact.unload_stiffness_n_m) = {unload} N/m is below k_load = {load} N/m: the interface would give back \
+         more than it took; it must be {load} N/m or more, or `auto`"
+    )))
+}
+
+/// For what only makes sense of the hydrodynamic law.
+///
+/// # Errors
+/// [`VariableError::Together`] when the scene asks for another model.
+pub fn require_hydrodynamic(scene: &Scene) -> Result<(), VariableError> {
+    let model = scene.contact.model;
+    if model == ContactModel::Hydrodynamic {
+        return Ok(());
+    }
+    Err(VariableError::Together(format!(
+        "model (contact.model) = {} is not for this study, which compares methods for the hydrodynamic law: set model = \
+         hydrodynamic",
+        model.word()
+    )))
+}

@@ -1,0 +1,336 @@
+//! The ballistic limit: the least impact velocity that perforates, the velocity left beyond it, and how both scatter.
+//!
+//! Closed form for a plate that is rigid or free (model page, section 2); else a scan over the whole range of velocities, which also
+//! tells where an outcome comes back, and bisection on the outcome. Must not know files, threads, screens or a clock.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::closed_form::Passage;
+use crate::model::contact::Geometry;
+use crate::model::contact_phase::Ending;
+use crate::model::first_contact::first_contact;
+use crate::model::impact::{Settings, simulate};
+use crate::model::run::Outcome;
+use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::model::variables::{self, VariableError};
+use crate::numerics::smaller;
+use fit::{LambertJonas, RechtIpson};
+use scatter::{Scatter, Scattering};
+
+pub mod fit;
+pub mod scatter;
+
+/// Velocities that are looked at, m/s.
+pub const RANGE_M_S: (f64, f64) = (1.0, 5e3);
+/// Points of the scan over them, at equal ratios.
+const SCAN: usize = 41;
+/// Relative width to which the limit is closed in.
+const WIDTH: f64 = 1e-10;
+/// The runs' tolerance, at the most.
+const TOLERANCE: f64 = 1e-10;
+/// Shots of the curve below and above the limit, and the range they cover, over the limit.
+const BELOW: usize = 6;
+const ABOVE: usize = 24;
+const CURVE: (f64, f64) = (0.5, 2.5);
+
+/// How the limit is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// Closed form: nothing but inertia, or a rigid mount, answers the shot.
+    ClosedForm,
+    /// Bisection on the outcome of runs.
+    Outcome,
+}
+
+impl Basis {
+    /// A short text.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "closed form",
+            Self::Outcome => "bisection on the outcome",
+        }
+    }
+}
+
+/// Whether there is a limit, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Limit {
+    /// It is this.
+    Found {
+        /// The limit velocity, m/s.
+        velocity_m_s: f64,
+        /// How it is known.
+        basis: Basis,
+        /// A faster shot that is stopped again, where there is one, m/s: there is no single limit then.
+        stopped_at_m_s: Option<f64>,
+    },
+    /// Nothing in range perforates.
+    Never,
+    /// Everything in range perforates.
+    Always,
+    /// Stopped before it was found.
+    Unknown,
+}
+
+impl Limit {
+    /// The limit velocity, m/s, where there is one.
+    pub fn velocity_m_s(self) -> Option<f64> {
+        match self {
+            Self::Found { velocity_m_s, .. } => Some(velocity_m_s),
+            Self::Never | Self::Always | Self::Unknown => None,
+        }
+    }
+
+    /// Why there is none.
+    pub fn absence(self) -> Option<String> {
+        let (low, high) = RANGE_M_S;
+        match self {
+            Self::Found { .. } => None,
+            Self::Never => Some(format!("no limit: nothing from {low} to {high} m/s perforates")),
+            Self::Always => {
+                Some(format!("no limit: everything from {low} to {high} m/s perforates"))
+            }
+            Self::Unknown => Some("stopped before the limit was found".to_owned()),
+        }
+    }
+}
+
+/// One shot of the residual-velocity curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shot {
+    /// Impact velocity, m/s.
+    pub impact_m_s: f64,
+    /// What became of it.
+    pub outcome: Outcome,
+    /// Projectile velocity after perforation, m/s.
+    pub residual_m_s: Option<f64>,
+}
+
+/// What is asked for beyond the limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effort {
+    /// Scatter of the inputs; `None`: not asked for.
+    pub scattering: Option<Scattering>,
+}
+
+/// The limit of a scene and all that goes with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The scene.
+    pub scene: Arc<Scene>,
+    /// The limit.
+    pub limit: Limit,
+    /// The curve, in order of velocity.
+    pub shots: Vec<Shot>,
+    /// Recht and Ipson's law through the curve.
+    pub recht_ipson: Option<RechtIpson>,
+    /// Lambert and Jonas's law through the curve.
+    pub lambert_jonas: Option<LambertJonas>,
+    /// The limit under scatter of the inputs.
+    pub scatter: Option<Scatter>,
+    /// Whether it was done to its end.
+    pub is_complete: bool,
+}
+
+impl Report {
+    /// How far the limit lies above the scene's own velocity, relative to that: negative where the shot perforates.
+    pub fn margin(&self) -> Option<f64> {
+        let velocity = self.limit.velocity_m_s()?;
+        Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
+    }
+}
+
+/// Asked before each shot with the shots done and about how many there are; `Break` stops, and keeps what there is.
+pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
+
+/// Find the limit of a scene, its residual-velocity curve, and the scatter asked for.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
+pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Report, VariableError> {
+    variables::validate(scene)?;
+    let samples = effort.scattering.map_or(0, |scattering| scattering.samples);
+    let mut range = Range::new(scene, SCAN + 40 + BELOW + ABOVE + samples, watch);
+    let limit = range.limit(RANGE_M_S, SCAN, WIDTH);
+    let mut report = Report {
+        scene: Arc::clone(scene),
+        limit,
+        shots: range.curve(limit),
+        recht_ipson: None,
+        lambert_jonas: None,
+        scatter: None,
+        is_complete: true,
+    };
+    if let Some(velocity_m_s) = limit.velocity_m_s() {
+        let perforated: Vec<(f64, f64)> = report
+            .shots
+            .iter()
+            .filter_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)))
+            .collect();
+        report.recht_ipson = RechtIpson::through(&perforated, velocity_m_s);
+        report.lambert_jonas = LambertJonas::through(&perforated);
+        if let Some(scattering) = effort.scattering {
+            report.scatter = scatter::scatter(scene, scattering, velocity_m_s, &mut range);
+        }
+    }
+    report.is_complete = !range.stopped;
+    Ok(report)
+}
+
+/// The limit of a scene and nothing else.
+///
+/// # Errors
+/// As [`find`].
+pub fn alone(scene: &Arc<Scene>, watch: Watch<'_>) -> Result<Limit, VariableError> {
+    variables::validate(scene)?;
+    Ok(Range::new(scene, SCAN + 40, watch).limit(RANGE_M_S, SCAN, WIDTH))
+}
+
+/// The firing range: shots at a scene, counted.
+struct Range<'s, 'w> {
+    scene: &'s Arc<Scene>,
+    watch: Watch<'w>,
+    done: usize,
+    total: usize,
+    stopped: bool,
+}
+
+impl<'s, 'w> Range<'s, 'w> {
+    fn new(scene: &'s Arc<Scene>, total: usize, watch: Watch<'w>) -> Self {
+        Self { scene, watch, done: 0, total, stopped: false }
+    }
+
+    /// Whether to go on with the next piece of work.
+    fn goes_on(&mut self) -> bool {
+        if !self.stopped {
+            let most = if self.done < self.total { self.done } else { self.total };
+            self.stopped = (self.watch)(most, self.total).is_break();
+            self.done += 1;
+        }
+        !self.stopped
+    }
+
+    /// A shot at this velocity; `None` when stopped.
+    fn shoot(&mut self, impact_m_s: f64) -> Option<Shot> {
+        self.goes_on().then(|| shoot(self.scene, impact_m_s))
+    }
+
+    fn perforates(&mut self, impact_m_s: f64) -> Option<bool> {
+        self.goes_on().then(|| perforates(self.scene, impact_m_s))
+    }
+
+    /// The limit within a range, looked for with so many points, to a relative width.
+    fn limit(&mut self, (low, high): (f64, f64), points: usize, width: f64) -> Limit {
+        if let Some(velocity_m_s) = closed_form(self.scene) {
+            // No strength, no limit.
+            return if velocity_m_s > 0.0 {
+                Limit::Found { velocity_m_s, basis: Basis::ClosedForm, stopped_at_m_s: None }
+            } else {
+                Limit::Always
+            };
+        }
+        self.search((low, high), points, width).unwrap_or(Limit::Unknown)
+    }
+
+    fn search(&mut self, (low, high): (f64, f64), points: usize, width: f64) -> Option<Limit> {
+        let ratio = (high / low).powf(1.0 / (points - 1) as f64);
+        let mut scan = Vec::new();
+        for point in 0..points {
+            let velocity = low * ratio.powf(point as f64);
+            scan.push((velocity, self.perforates(velocity)?));
+        }
+        let Some(first) = scan.iter().position(|point| point.1) else { return Some(Limit::Never) };
+        let later = scan[first..].iter().find(|point| !point.1);
+        let stopped_at_m_s = later.map(|point| point.0);
+        if first == 0 {
+            // What is stopped only above a range in which everything perforates has no limit velocity either.
+            return Some(Limit::Always);
+        }
+        let (mut stopped, mut through) = (scan[first - 1].0, scan[first].0);
+        while through - stopped > width * stopped {
+            let middle = 0.5 * (stopped + through);
+            if self.perforates(middle)? { through = middle } else { stopped = middle }
+        }
+        let velocity_m_s = 0.5 * (stopped + through);
+        Some(Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s })
+    }
+
+    /// Shots on either side of the limit, denser above it, or over the whole range.
+    fn curve(&mut self, limit: Limit) -> Vec<Shot> {
+        let velocities: Vec<f64> = match limit {
+            Limit::Found { velocity_m_s, .. } => {
+                let (from, to) = CURVE;
+                let share = |i: usize, n: usize| i as f64 / n as f64;
+                let below = (0..BELOW).map(|i| from + (1.0 - from) * share(i, BELOW));
+                // The curve is steepest at the limit.
+                let above = (1..=ABOVE).map(|i| 1.0 + (to - 1.0) * share(i, ABOVE).powi(2));
+                below.chain(above).map(|times| times * velocity_m_s).collect()
+            }
+            Limit::Never | Limit::Always => {
+                let (low, high): (f64, f64) = RANGE_M_S;
+                let step = (high / low).powf(1.0 / ABOVE as f64);
+                (0..=ABOVE).map(|i| low * step.powf(i as f64)).collect()
+            }
+            Limit::Unknown => Vec::new(),
+        };
+        velocities.into_iter().map_while(|velocity| self.shoot(velocity)).collect()
+    }
+}
+
+/// The scene with another impact velocity.
+fn aimed(scene: &Scene, impact_m_s: f64) -> Arc<Scene> {
+    let mut own = scene.clone();
+    own.projectile.velocity_m_s = impact_m_s;
+    own.run.tolerance = smaller(own.run.tolerance, TOLERANCE);
+    Arc::new(own)
+}
+
+/// Whether a shot goes through. What is fused at the first arrest stays: there the first contact alone decides.
+fn perforates(scene: &Scene, impact_m_s: f64) -> bool {
+    let decided = scene.interface.law == InterfaceLaw::Fused
+        && scene.contact.model == ContactModel::Hydrodynamic;
+    if !decided {
+        return shoot(scene, impact_m_s).outcome == Outcome::Perforated;
+    }
+    first_contact(&aimed(scene, impact_m_s)).is_ok_and(|end| end.ending == Ending::Perforation)
+}
+
+/// A shot at a scene with another impact velocity.
+fn shoot(scene: &Scene, impact_m_s: f64) -> Shot {
+    let settings = Settings { series: false, estimate: false };
+    let own = aimed(scene, impact_m_s);
+    let run = simulate(&own, &settings, &mut |_| ControlFlow::Continue(()));
+    // The scene has been found valid, and so is any velocity above zero.
+    run.map_or(Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, |run| Shot {
+        impact_m_s,
+        outcome: run.outcome,
+        residual_m_s: run.residual_velocity_m_s,
+    })
+}
+
+/// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s.
+fn closed_form(scene: &Scene) -> Option<f64> {
+    let mechanism = &scene.mechanism;
+    let rigid = scene.plate.mount == Mount::Rigid;
+    let acts = mechanism.spring.coefficient > 0.0
+        || mechanism.damper.coefficient > 0.0
+        || mechanism.stop.position_m.is_some();
+    if (acts && !rigid) || scene.contact.model != ContactModel::Hydrodynamic {
+        return None;
+    }
+    let geometry = Geometry::of(scene);
+    let cos = scene.cos_obliquity();
+    let plate = if rigid { 0.0 } else { cos * cos / scene.plate_mass_kg() };
+    let passage = Passage {
+        geometry: &geometry,
+        mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
+        strength_pa: scene.target.flow_strength_pa,
+        drag_kg_m3: scene.drag_kg_m3(),
+        velocity_m_s: scene.projectile.velocity_m_s,
+    };
+    Some(passage.limit_velocity_m_s())
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,132 @@
+//! Limits against closed forms, scatter against its own law, and the absence of a limit said as such.
+
+use super::*;
+use crate::model::units::Bare;
+
+const PLAIN: Effort = Effort { scattering: None };
+
+fn scene(pairs: &str) -> Arc<Scene> {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.coefficient = 0.0;
+    for pair in pairs.split_whitespace() {
+        let (name, value) = pair.split_once('=').unwrap();
+        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+    }
+    Arc::new(scene)
+}
+
+fn found(pairs: &str) -> Report {
+    find(&scene(pairs), PLAIN, &mut |_, _| ControlFlow::Continue(())).unwrap()
+}
+
+/// The limit by the outcome of runs alone.
+fn by_outcome(pairs: &str) -> f64 {
+    let scene = scene(pairs);
+    let watch = &mut |_, _| ControlFlow::Continue(());
+    let mut range = Range::new(&scene, 1, watch);
+    range.search(RANGE_M_S, SCAN, WIDTH).unwrap().velocity_m_s().unwrap()
+}
+
+#[test]
+fn valid_limits_of_the_model_page_in_closed_form_and_by_outcome() {
+    for (pairs, limit) in [("mount=rigid", 232.295_378), ("gamma=1", 347.708_052)] {
+        let report = found(pairs);
+        let Limit::Found { velocity_m_s, basis, stopped_at_m_s } = report.limit else {
+            panic!("no limit")
+        };
+        assert!((velocity_m_s - limit).abs() < 5e-7, "{velocity_m_s}");
+        assert_eq!((basis, stopped_at_m_s), (Basis::ClosedForm, None));
+        let searched = by_outcome(pairs);
+        assert!((searched / velocity_m_s - 1.0).abs() < 1e-8, "{searched}");
+        assert!((report.margin().unwrap() - (limit / 100.0 - 1.0)).abs() < 1e-8);
+    }
+}
+
+#[test]
+fn a_stiff_spring_is_a_rigid_mount_and_a_weak_one_a_free_plate() {
+    let stiff = found("k=1e10").limit.velocity_m_s().unwrap();
+    assert!((stiff / 232.295_378 - 1.0).abs() < 1e-3, "{stiff}");
+    let weak = found("k=1").limit.velocity_m_s().unwrap();
+    assert!((weak / 347.708_052 - 1.0).abs() < 1e-5, "{weak}");
+    let Limit::Found { basis, .. } = found("k=1").limit else { panic!("no limit") };
+    assert_eq!(basis, Basis::Outcome);
+}
+
+#[test]
+fn on_a_rigid_mount_both_laws_are_exact() {
+    // v_r² = (v² - v_bl²) exp(-2 c V/m): model page, section 2.
+    let report = found("mount=rigid");
+    let scene = scene("mount=rigid");
+    let geometry = Geometry::of(&scene);
+    let volume = geometry.swept_m3(geometry.exit_m);
+    let a = (-scene.drag_kg_m3() * volume / scene.projectile.mass_kg).exp();
+    let recht_ipson = report.recht_ipson.unwrap();
+    assert!((recht_ipson.a / a - 1.0).abs() < 1e-8, "{recht_ipson:?} {a}");
+    assert!(recht_ipson.misfit_m_s < 1e-6);
+    let fitted = report.lambert_jonas.unwrap();
+    assert!((fitted.p - 2.0).abs() < 1e-3 && (fitted.a / a - 1.0).abs() < 1e-4, "{fitted:?}");
+    assert!((fitted.limit_m_s / 232.295_378 - 1.0).abs() < 1e-4, "{fitted:?}");
+}
+
+#[test]
+fn no_limit_is_said_as_such() {
+    let always = found("S_y=0");
+    assert_eq!((always.limit, always.margin()), (Limit::Always, None));
+    assert!(always.limit.absence().unwrap().contains("everything"));
+    let always = found("S_y=0 k=1e5");
+    assert_eq!(always.limit, Limit::Always);
+    let never = found("h=5 k=1e5");
+    assert_eq!(never.limit, Limit::Never);
+    assert!(never.limit.absence().unwrap().contains("nothing"));
+    assert!(never.shots.iter().all(|shot| shot.residual_m_s.is_none()));
+}
+
+#[test]
+fn a_stopped_search_keeps_what_it_has() {
+    let stop_at = |most: usize| {
+        let mut shots = 0;
+        find(&scene("k=1e5"), PLAIN, &mut |_, _| {
+            shots += 1;
+            if shots > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
+        .unwrap()
+    };
+    let early = stop_at(5);
+    assert_eq!((early.limit, early.is_complete), (Limit::Unknown, false));
+    let later = stop_at(SCAN + 45);
+    assert!(later.limit.velocity_m_s().is_some() && !later.is_complete);
+}
+
+#[test]
+fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
+    let scattering = Scattering { deviation: 0.03, samples: 300, seed: 1 };
+    let effort = Effort { scattering: Some(scattering) };
+    let rigid = scene("mount=rigid v_i=232.295378");
+    let run = || find(&rigid, effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    let (first, second) = (run(), run());
+    assert_eq!(first, second, "the same seed gives the same digits");
+    let found = first.scatter.unwrap();
+    assert_eq!((found.found, found.without), (300, 0));
+    assert!((found.v50_m_s / 232.295_378 - 1.0).abs() < 0.01, "{found:?}");
+    // Half the shots at the limit itself go through, within three standard errors.
+    assert!((found.perforated - 0.5).abs() < 0.09, "{found:?}");
+    // To first order the squares of the sensitivities add up: d ln v/d ln x by differences of the closed form.
+    let sensitivity = |changed: &dyn Fn(&mut Scene, f64)| {
+        let at = |factor: f64| {
+            let mut own = Scene::clone(&rigid);
+            changed(&mut own, factor);
+            closed_form(&own).unwrap().ln()
+        };
+        (at(1.001) - at(0.999)) / 0.002
+    };
+    let all: [f64; 6] = [
+        sensitivity(&|own, by| own.projectile.mass_kg *= by),
+        sensitivity(&|own, by| own.projectile.tip_radius_m *= by),
+        sensitivity(&|own, by| own.target.thickness_m *= by),
+        sensitivity(&|own, by| own.target.density_kg_m3 *= by),
+        sensitivity(&|own, by| own.target.flow_strength_pa *= by),
+        sensitivity(&|own, by| own.target.drag_coefficient *= by),
+    ];
+    let expected = 0.03 * all.iter().map(|s| s * s).sum::<f64>().sqrt() * 232.295_378;
+    assert!((found.deviation_m_s / expected - 1.0).abs() < 0.15, "{found:?} {expected}");
+}

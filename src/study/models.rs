@@ -1,0 +1,258 @@
+//! The interaction models on one and the same scene: Table 8.1 of the thesis with numbers in it.
+//!
+//! Each model's depth, travel and peak force beside the hydrodynamic model's, and how long its computation took; and the
+//! listing of Appendix A with each of its quirks put right by itself, so that their effects can be told apart. Reads no
+//! clock: it is handed one.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::impact::{self, Settings};
+use crate::model::interaction::Values;
+use crate::model::run::{Outcome, Run};
+use crate::model::scene::{ContactModel, Jumps, Listing, Reading, Scene};
+use crate::model::units::{self, Engineering};
+use crate::model::variables::VariableError;
+
+/// Computations of one scene whose shortest time counts, and how long they may take in all, s.
+const REPEATS: usize = 15;
+const REPEATS_UNTIL_S: f64 = 0.2;
+
+/// What stands side by side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    /// The interaction models.
+    Models,
+    /// The quirks of Appendix A.
+    Quirks,
+}
+
+/// One line of the comparison.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// `half-sine`, `coupling mended`.
+    pub name: &'static str,
+    /// What it works with, in words; empty where nothing had to be chosen.
+    pub with: String,
+    /// The scene it ran.
+    pub scene: Arc<Scene>,
+    /// Its run.
+    pub run: Arc<Run>,
+    /// Shortest of several computations, without series and error estimate, s.
+    pub took_s: f64,
+    /// What Table 8.1 calls its strength, and its weakness, in other words.
+    pub judged: (&'static str, &'static str),
+}
+
+/// The comparison; the first row is what the others are compared with.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// What stands side by side.
+    pub what: What,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+/// A value and how far it is from the first row's, relative; `None` where either does not exist.
+pub fn deviation(value: Option<f64>, reference: Option<f64>) -> Option<f64> {
+    let (value, reference) = (value?, reference?);
+    let relative = value / reference - 1.0;
+    relative.is_finite().then_some(relative)
+}
+
+impl Comparison {
+    /// Depth against the first row's, relative; none where either perforates.
+    pub fn depth_error(&self, row: &Row) -> Option<f64> {
+        let first = self.rows.first()?;
+        let depth =
+            |run: &Run| run.final_penetration_m.filter(|_| run.outcome != Outcome::Perforated);
+        deviation(depth(&row.run), depth(&first.run))
+    }
+
+    /// Greatest displacement against the first row's, relative.
+    pub fn travel_error(&self, row: &Row) -> Option<f64> {
+        let first = self.rows.first()?;
+        deviation(row.run.max_plate_displacement_m, first.run.max_plate_displacement_m)
+    }
+
+    /// Peak force against the first row's, relative.
+    pub fn force_error(&self, row: &Row) -> Option<f64> {
+        let first = self.rows.first()?;
+        deviation(row.run.peak_contact_force_n, first.run.peak_contact_force_n)
+    }
+}
+
+/// A row to be made.
+struct Plan {
+    name: &'static str,
+    scene: Scene,
+    judged: (&'static str, &'static str),
+}
+
+/// Compute a comparison; `now_s` is the clock.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
+pub fn compare(
+    scene: &Scene,
+    what: What,
+    now_s: &dyn Fn() -> f64,
+) -> Result<Comparison, VariableError> {
+    let plans = match what {
+        What::Models => models(scene),
+        What::Quirks => quirks(scene),
+    };
+    let mut rows = Vec::new();
+    for plan in plans {
+        let own = Arc::new(plan.scene);
+        let run = simulate(&own, Settings::default())?;
+        let quiet = Settings { series: false, estimate: false };
+        let begin_s = now_s();
+        let mut took_s = f64::INFINITY;
+        for _ in 0..REPEATS {
+            let from_s = now_s();
+            simulate(&own, quiet)?;
+            let one_s = now_s() - from_s;
+            took_s = if one_s < took_s { one_s } else { took_s };
+            if now_s() - begin_s > REPEATS_UNTIL_S {
+                break;
+            }
+        }
+        rows.push(Row {
+            name: plan.name,
+            with: parameters(&own),
+            scene: own,
+            run: Arc::new(run),
+            took_s,
+            judged: plan.judged,
+        });
+    }
+    Ok(Comparison { what, rows })
+}
+
+fn simulate(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError> {
+    impact::simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
+}
+
+/// The same scene by every model.
+pub fn by_every_model(scene: &Scene) -> Vec<(&'static str, Scene)> {
+    ContactModel::ALL
+        .into_iter()
+        .map(|model| {
+            let mut own = scene.clone();
+            own.contact.model = model;
+            (model.word(), own)
+        })
+        .collect()
+}
+
+fn models(scene: &Scene) -> Vec<Plan> {
+    ContactModel::ALL
+        .into_iter()
+        .map(|model| {
+            let mut own = scene.clone();
+            own.contact.model = model;
+            Plan { name: model.word(), scene: own, judged: judged(model) }
+        })
+        .collect()
+}
+
+/// Table 8.1, in other words.
+fn judged(model: ContactModel) -> (&'static str, &'static str) {
+    match model {
+        ContactModel::Hydrodynamic => {
+            ("simple", "takes the contact force for a modified fluid drag")
+        }
+        ContactModel::Lumped => ("simple", "needs parameters nobody has; cannot perforate"),
+        ContactModel::HalfSine => ("simple", "the duration has to be chosen; cannot perforate"),
+        ContactModel::InitialVelocity => ("simple", "the impact takes no time; cannot perforate"),
+        ContactModel::Appendix => ("what chapter 9 was computed with", "not in Table 8.1"),
+    }
+}
+
+/// Appendix A as printed, each quirk put right by itself, all of them, and the engine.
+fn quirks(scene: &Scene) -> Vec<Plan> {
+    let printed = Listing { step_s: scene.contact.appendix.step_s, ..Listing::default() };
+    let changed = |name, listing| {
+        let mut own = scene.clone();
+        own.contact.model = ContactModel::Appendix;
+        own.contact.appendix = listing;
+        Plan { name, scene: own, judged: ("", "") }
+    };
+    let mended = Reading::Mended;
+    let mut plans = vec![
+        changed("as printed", printed),
+        changed("coupling mended", Listing { coupling: mended, ..printed }),
+        changed("damper mended", Listing { damper: mended, ..printed }),
+        changed("stopping mended", Listing { stopping: mended, ..printed }),
+        changed("afterwards mended", Listing { afterwards: mended, ..printed }),
+        changed("scheme mended", Listing { scheme: mended, ..printed }),
+        changed("obliquity mended", Listing { obliquity: mended, ..printed }),
+        changed("jumps ignored", Listing { jumps: Jumps::Ignored, ..printed }),
+        changed("all mended", Listing::mended(printed.step_s)),
+    ];
+    let mut sound = scene.clone();
+    sound.contact.model = ContactModel::Hydrodynamic;
+    plans.push(Plan { name: "hydrodynamic", scene: sound, judged: ("", "") });
+    plans
+}
+
+/// What a model works with, where that had to be chosen.
+fn parameters(scene: &Scene) -> String {
+    let show = |value, unit| Engineering { value, unit, digits: 4 }.to_string();
+    let contact = &scene.contact;
+    let auto = |given: Option<f64>| if given.is_none() { " (auto)" } else { "" };
+    match contact.model {
+        ContactModel::Hydrodynamic | ContactModel::InitialVelocity => String::new(),
+        ContactModel::HalfSine => {
+            let t_d = show(Values::of(scene).duration_s, "s");
+            format!("t_d = {t_d}{}", auto(contact.duration_s))
+        }
+        ContactModel::Lumped => {
+            let values = Values::of(scene);
+            let load = show(values.load_stiffness_n_m, "N/m");
+            let ratio = values.unload_stiffness_n_m / values.load_stiffness_n_m;
+            format!(
+                "k_load = {load}{}, k_unload = {} k_load{}, b_2 = {} N s/m",
+                auto(contact.load_stiffness_n_m),
+                units::significant(ratio, 4),
+                auto(contact.unload_stiffness_n_m),
+                units::shortest(contact.damping_n_s_m)
+            )
+        }
+        ContactModel::Appendix => format!("dt = {}", show(contact.appendix.step_s, "s")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_model_stands_beside_the_hydrodynamic_one() {
+        let found = compare(&Scene::default(), What::Models, &|| 0.0).unwrap();
+        let names: Vec<&str> = found.rows.iter().map(|row| row.name).collect();
+        assert_eq!(names, ["hydrodynamic", "lumped", "half-sine", "initial-velocity", "appendix"]);
+        let row = |name: &str| found.rows.iter().find(|row| row.name == name).unwrap();
+        assert_eq!(found.depth_error(row("hydrodynamic")), Some(0.0));
+        // The printed coupling: 82.4 instead of 64.4 % of the baseline.
+        assert!((found.depth_error(row("appendix")).unwrap() - 0.28).abs() < 0.01);
+        assert_eq!(found.depth_error(row("initial-velocity")), None);
+        assert_eq!(found.force_error(row("initial-velocity")), None);
+        // Joined at once, the plate does not move before it has its speed.
+        assert!(found.travel_error(row("initial-velocity")).unwrap().abs() < 0.1);
+        assert!(row("half-sine").with.starts_with("t_d = 1"));
+    }
+
+    #[test]
+    fn quirks_stand_beside_the_listing_as_printed() {
+        let found = compare(&Scene::default(), What::Quirks, &|| 0.0).unwrap();
+        assert_eq!(found.rows.len(), 10);
+        let error =
+            |name: &str| found.depth_error(found.rows.iter().find(|row| row.name == name).unwrap());
+        assert_eq!(error("as printed"), Some(0.0));
+        assert_eq!(error("damper mended"), Some(0.0));
+        let all = error("all mended").unwrap();
+        assert!((all - error("hydrodynamic").unwrap()).abs() < 1e-4, "{all}");
+    }
+}

@@ -1,0 +1,225 @@
+//! Sobol's indices of any function of the unit cube: how much of its variance each input explains alone, and with all its
+//! interactions.
+//!
+//! A. Saltelli et al., *Computer Physics Communications* 181 (2010) 259-270: two independent designs A and B, and for every
+//! input a design that is A with the column of B. First order after that paper's table 2 (b), total after Jansen (f).
+//! Confidence intervals by bootstrap over the rows. The designs are the halves of one Sobol sequence.
+
+use crate::numerics::random::Random;
+use crate::study::sensitivity::Function;
+use crate::study::sweep::sequence;
+
+/// The most inputs: the sequence has twelve dimensions, and each input takes two.
+pub const INPUTS_MAX: usize = 6;
+/// Resamplings of the bootstrap.
+const RESAMPLINGS: usize = 400;
+/// Points handed over at once.
+const BATCH: usize = 1024;
+
+/// An index and its 95 % confidence interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Index {
+    /// The estimate: 0 to 1 up to its error.
+    pub value: f64,
+    /// Where 95 % of the resampled estimates lie.
+    pub range95: (f64, f64),
+}
+
+/// The indices of one input; `None` where the function does not vary or has too few values.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Indices {
+    /// Part of the variance the input explains alone.
+    pub first: Option<Index>,
+    /// Part of the variance that goes with the input, interactions included.
+    pub total: Option<Index>,
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sobol {
+    /// The indices, input by input.
+    pub inputs: Vec<Indices>,
+    /// Mean of the function.
+    pub mean: f64,
+    /// Variance of the function.
+    pub variance: f64,
+    /// Rows of the design.
+    pub rows: usize,
+    /// Rows that were used: the others have a point without a value.
+    pub used: usize,
+}
+
+/// The function's values on the designs, row by row: A, B, and A with each column of B.
+struct Rows {
+    inputs: usize,
+    values: Vec<Vec<f64>>,
+}
+
+impl Rows {
+    /// First and total index of every input over the picked rows, and mean and variance; the indices are not finite where the
+    /// variance is zero.
+    fn estimate(&self, picks: &[usize]) -> (Vec<[f64; 2]>, f64, f64) {
+        let count = picks.len() as f64;
+        let (mut sum, mut squares) = (0.0, 0.0);
+        // Shifted by a value, so that a small variance does not drown in a great mean.
+        let origin = self.values[picks[0]][0];
+        for row in picks {
+            for value in &self.values[*row][..2] {
+                sum += value - origin;
+                squares += (value - origin).powi(2);
+            }
+        }
+        let shift = sum / (2.0 * count);
+        let (mean, variance) = (origin + shift, squares / (2.0 * count) - shift * shift);
+        let mut found = vec![[0.0; 2]; self.inputs];
+        for row in picks {
+            let row = &self.values[*row];
+            for (input, [first, total]) in found.iter_mut().enumerate() {
+                let mixed = row[2 + input];
+                *first += (row[1] - mean) * (mixed - row[0]);
+                *total += 0.5 * (row[0] - mixed).powi(2);
+            }
+        }
+        for index in found.iter_mut().flatten() {
+            *index /= count * variance;
+        }
+        (found, mean, variance)
+    }
+}
+
+/// The indices of a function of so many inputs (1 to [`INPUTS_MAX`]) from so many rows, each of which costs two evaluations
+/// and one an input. `None` when the function was stopped.
+pub fn sobol(inputs: usize, rows: usize, seed: u64, function: Function<'_>) -> Option<Sobol> {
+    let mut all = Rows { inputs, values: Vec::with_capacity(rows) };
+    let mut next = 0;
+    while next < rows {
+        let until = if next + BATCH < rows { next + BATCH } else { rows };
+        let points: Vec<Vec<f64>> =
+            (next..until).flat_map(|row| designs(inputs, row, seed)).collect();
+        let values = function(&points)?;
+        all.values.extend(values.chunks(inputs + 2).map(<[f64]>::to_vec));
+        next = until;
+    }
+    all.values.retain(|row| row.iter().all(|value| value.is_finite()));
+    let used = all.values.len();
+    let mut result = Sobol {
+        inputs: vec![Indices::default(); inputs],
+        mean: f64::NAN,
+        variance: f64::NAN,
+        rows,
+        used,
+    };
+    if used < 2 {
+        return Some(result);
+    }
+    let (found, mean, variance) = all.estimate(&(0..used).collect::<Vec<_>>());
+    (result.mean, result.variance) = (mean, variance);
+    // Rounding is all the variance there is.
+    if variance <= 1e-24 * mean * mean {
+        return Some(result);
+    }
+    let resampled = bootstrap(&all, seed);
+    for (input, indices) in result.inputs.iter_mut().enumerate() {
+        let index = |order: usize| Index {
+            value: found[input][order],
+            range95: range95(resampled.iter().map(|sample| sample[input][order]).collect()),
+        };
+        *indices = Indices { first: Some(index(0)), total: Some(index(1)) };
+    }
+    Some(result)
+}
+
+/// The points of a row: A, B, and A with each column of B.
+fn designs(inputs: usize, row: usize, seed: u64) -> Vec<Vec<f64>> {
+    let column = |axis: usize| sequence(row as u64, axis, seed);
+    let a: Vec<f64> = (0..inputs).map(column).collect();
+    let b: Vec<f64> = (inputs..2 * inputs).map(column).collect();
+    let mixed = (0..inputs).map(|input| {
+        let mut point = a.clone();
+        point[input] = b[input];
+        point
+    });
+    let mixed: Vec<Vec<f64>> = mixed.collect();
+    [a, b].into_iter().chain(mixed).collect()
+}
+
+fn bootstrap(rows: &Rows, seed: u64) -> Vec<Vec<[f64; 2]>> {
+    let mut random = Random::new(seed);
+    let count = rows.values.len();
+    let mut sample = || {
+        let picks: Vec<usize> = (0..count).map(|_| random.below(count)).collect();
+        rows.estimate(&picks).0
+    };
+    (0..RESAMPLINGS).map(|_| sample()).collect()
+}
+
+/// The middle 95 %.
+fn range95(mut values: Vec<f64>) -> (f64, f64) {
+    values.sort_by(f64::total_cmp);
+    let cut = values.len() / 40;
+    (values[cut], values[values.len() - 1 - cut])
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    /// Ishigami and Homma's function with a = 7, b = 0.1.
+    fn ishigami(point: &[f64]) -> f64 {
+        let x: Vec<f64> = point.iter().map(|share| PI * (2.0 * share - 1.0)).collect();
+        x[0].sin() + 7.0 * x[1].sin().powi(2) + 0.1 * x[2].powi(4) * x[0].sin()
+    }
+
+    fn indices(inputs: usize, rows: usize, seed: u64, f: fn(&[f64]) -> f64) -> Sobol {
+        let function: Function<'_> = &mut |points| Some(points.iter().map(|x| f(x)).collect());
+        sobol(inputs, rows, seed, function).unwrap()
+    }
+
+    #[test]
+    fn valid_indices_of_ishigamis_function() {
+        let first = [0.313_9, 0.442_4, 0.0];
+        let total = [0.557_6, 0.442_4, 0.243_7];
+        for seed in [1, 2, 3] {
+            let found = indices(3, 8192, seed, ishigami);
+            assert!((found.mean - 3.5).abs() < 0.01, "{}", found.mean);
+            // a²/8 + b pi⁴/5 + b² pi⁸/18 + 1/2
+            assert!((found.variance - 13.844_588).abs() < 0.05, "{}", found.variance);
+            for (input, indices) in found.inputs.iter().enumerate() {
+                for (index, exact) in [(indices.first, first[input]), (indices.total, total[input])]
+                {
+                    let index = index.unwrap();
+                    assert!((index.value - exact).abs() < 0.01, "{seed} {input} {index:?} {exact}");
+                    let (low, high) = index.range95;
+                    assert!(low - 0.01 < exact && exact < high + 0.01, "{input} {index:?}");
+                    assert!(low <= index.value && index.value <= high && high - low < 0.2);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn intervals_narrow_with_the_root_of_the_rows_and_a_seed_gives_its_digits() {
+        let width = |rows: usize| {
+            let (low, high) = indices(3, rows, 5, ishigami).inputs[0].first.unwrap().range95;
+            high - low
+        };
+        let ratio = width(512) / width(8192);
+        assert!((2.5..6.5).contains(&ratio), "{ratio}");
+        assert_eq!(indices(3, 512, 5, ishigami), indices(3, 512, 5, ishigami));
+        assert_ne!(indices(3, 512, 5, ishigami), indices(3, 512, 6, ishigami));
+    }
+
+    #[test]
+    fn what_does_not_vary_has_no_indices_and_points_without_a_value_are_counted() {
+        let flat = indices(2, 64, 1, |_| 0.1);
+        assert!(flat.inputs.iter().all(|input| input.first.is_none() && input.total.is_none()));
+        let holes = indices(2, 256, 1, |x| if x[0] > 0.9 { f64::NAN } else { x[1] });
+        assert_eq!(holes.rows, 256);
+        assert!((150..256).contains(&holes.used), "{}", holes.used);
+        assert!((holes.inputs[1].first.unwrap().value - 1.0).abs() < 0.1);
+        assert!(holes.inputs[0].total.unwrap().value.abs() < 1e-12);
+        assert!(sobol(2, 8, 1, &mut |_| None).is_none());
+    }
+}

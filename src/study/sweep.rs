@@ -1,0 +1,269 @@
+//! Sweeps: one scene, some variables on axes, and what comes out at every point.
+//!
+//! A [`Plan`] is checked before anything runs, and knows every point from its index alone: 10^8 points need no memory, and any
+//! part of them (a [`Shard`]) can be computed anywhere, in any order, by any number of threads, to the same digits. What a point
+//! gives is decided in `evaluate`; the threads live in `crew` and nowhere else. A value exists only where its quantity does;
+//! what became of the point is told beside it. Knows no files, no screen, no command line and no clock.
+
+pub mod axis;
+pub mod crew;
+mod design;
+pub mod error;
+pub mod evaluate;
+pub mod grid;
+mod quick;
+mod sobol;
+pub mod summary;
+
+use std::ops::Range;
+
+use crate::model::results::{self, RESULTS, ResultColumn};
+use crate::model::scene::Scene;
+use crate::model::units;
+use crate::model::variables;
+pub use axis::{Axis, Spacing};
+pub use design::Design;
+pub(in crate::study) use design::sequence;
+pub use error::SweepError;
+pub use evaluate::{Evaluator, Failure, Fate, Rows};
+pub use summary::Summary;
+
+/// The most points of a sweep: what a count in floating point still tells apart.
+const POINTS_MAX: u64 = 1 << 53;
+/// The most axes: what Sobol's table is good for.
+pub const AXES_MAX: usize = sobol::DIMENSIONS;
+
+/// The two results of the thesis's figures.
+pub const USUAL_OUTPUTS: [&str; 2] = ["percent_of_baseline", "max_plate_displacement_m"];
+
+/// A part of a sweep: the `index`-th of `count`, from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    index: u64,
+    count: u64,
+}
+
+impl Shard {
+    /// The whole.
+    pub const WHOLE: Self = Self { index: 1, count: 1 };
+
+    /// Read `I/N`.
+    ///
+    /// # Errors
+    /// [`SweepError::Shard`] unless 1 <= I <= N.
+    pub fn parse(text: &str) -> Result<Self, SweepError> {
+        let refuse = || SweepError::Shard { text: text.to_owned() };
+        let (index, count) = text.split_once('/').ok_or_else(refuse)?;
+        let read = |part: &str| part.trim().parse::<u64>().ok();
+        let (index, count) = read(index).zip(read(count)).ok_or_else(refuse)?;
+        if index == 0 || index > count {
+            return Err(refuse());
+        }
+        Ok(Self { index, count })
+    }
+
+    /// Whether it holds the first point.
+    pub fn is_first(self) -> bool {
+        self.index == 1
+    }
+
+    /// Its points of so many: contiguous blocks, so that the parts one after the other are the whole.
+    pub fn of(self, points: u64) -> Range<u64> {
+        let at = |part: u64| {
+            let product = u128::from(points) * u128::from(part) / u128::from(self.count);
+            u64::try_from(product).unwrap_or(points)
+        };
+        at(self.index - 1)..at(self.index)
+    }
+}
+
+/// A checked sweep. Equal plans give equal results.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    base: Scene,
+    axes: Vec<Axis>,
+    design: Design,
+    points: u64,
+    outputs: Vec<&'static ResultColumn>,
+}
+
+impl PartialEq for Plan {
+    fn eq(&self, other: &Self) -> bool {
+        let names =
+            |plan: &Self| -> Vec<&str> { plan.outputs.iter().map(|output| output.name).collect() };
+        self.base == other.base
+            && self.axes == other.axes
+            && self.design == other.design
+            && names(self) == names(other)
+    }
+}
+
+impl Plan {
+    /// A sweep of a scene over axes; the outputs are names of the table of results.
+    ///
+    /// # Errors
+    /// [`SweepError`] when something about it is bad: then nothing has run.
+    pub fn new(
+        scene: &Scene,
+        axes: Vec<Axis>,
+        design: Design,
+        outputs: &[impl AsRef<str>],
+    ) -> Result<Self, SweepError> {
+        if axes.is_empty() {
+            return Err(SweepError::NoAxis);
+        }
+        if axes.len() > AXES_MAX {
+            return Err(SweepError::TooManyAxes { count: axes.len(), most: AXES_MAX });
+        }
+        for (index, axis) in axes.iter().enumerate() {
+            if axes[..index].iter().any(|other| other.symbol() == axis.symbol()) {
+                return Err(SweepError::Twice { axis: axis.symbol() });
+            }
+        }
+        let outputs = outputs.iter().map(|name| output(name.as_ref())).collect::<Result<_, _>>()?;
+        let points = points(&axes, design)?;
+        let mut base = scene.clone();
+        (base.title, base.notes, base.sweep) = (String::new(), String::new(), None);
+        let mut plan = Self { base, axes, design, points, outputs };
+        plan.check_corners()?;
+        // What the axes set is not held: two plans that differ only there are one.
+        for axis in &plan.axes {
+            (axis.number().set)(&mut plan.base, Some(axis.ends().0));
+        }
+        Ok(plan)
+    }
+
+    /// The sweep kept with a scene, over its full grid.
+    ///
+    /// # Errors
+    /// As [`Plan::new`]; [`SweepError::NoAxis`] where the scene has none.
+    pub fn of(scene: &Scene) -> Result<Self, SweepError> {
+        let sweep = scene.sweep.as_ref().ok_or(SweepError::NoAxis)?;
+        let axes = sweep.axes.iter().map(Axis::of).collect::<Result<_, _>>()?;
+        Self::new(scene, axes, Design::Factorial, &sweep.outputs)
+    }
+
+    /// The scene whose other variables are held, without title, notes and sweep.
+    pub fn base(&self) -> &Scene {
+        &self.base
+    }
+
+    /// The axes.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// The design.
+    pub fn design(&self) -> Design {
+        self.design
+    }
+
+    /// How many points there are in all.
+    pub fn points(&self) -> u64 {
+        self.points
+    }
+
+    /// The results asked for.
+    pub fn outputs(&self) -> &[&'static ResultColumn] {
+        &self.outputs
+    }
+
+    /// The value of axis `axis` at point `index`, in the stored unit.
+    pub fn coordinate(&self, index: u64, axis: usize) -> f64 {
+        match self.design {
+            Design::Factorial => {
+                let faster: u64 = self.axes[axis + 1..].iter().map(Axis::count).product();
+                self.axes[axis].value(index / faster % self.axes[axis].count())
+            }
+            Design::LatinHypercube { points, seed } => {
+                self.axes[axis].at_share(design::hypercube(index, points, axis as u64, seed))
+            }
+            Design::Sobol { seed, .. } => self.axes[axis].at_share(sequence(index, axis, seed)),
+        }
+    }
+
+    /// Give a scene the values of point `index`.
+    pub fn place(&self, scene: &mut Scene, index: u64) {
+        for (at, axis) in self.axes.iter().enumerate() {
+            (axis.number().set)(scene, Some(self.coordinate(index, at)));
+        }
+    }
+
+    /// The scene at point `index`.
+    pub fn scene(&self, index: u64) -> Scene {
+        let mut scene = self.base.clone();
+        self.place(&mut scene, index);
+        scene
+    }
+
+    /// Rules between variables are linear: what holds at every corner of the box holds within.
+    fn check_corners(&self) -> Result<(), SweepError> {
+        for corner in 0..1u32 << self.axes.len() {
+            let mut scene = self.base.clone();
+            let mut place = Vec::new();
+            for (bit, axis) in self.axes.iter().enumerate() {
+                let (from, to) = axis.ends();
+                let value = if corner >> bit & 1 == 0 { from } else { to };
+                (axis.number().set)(&mut scene, Some(value));
+                place.push(format!("{}={}", axis.symbol(), units::shortest(value)));
+            }
+            variables::validate(&scene).map_err(|source| SweepError::Corner {
+                place: place.join(" "),
+                source: Box::new(source),
+            })?;
+        }
+        Ok(())
+    }
+}
+
+/// The result with this name.
+///
+/// # Errors
+/// [`SweepError::Output`] with the nearest names.
+pub fn output(name: &str) -> Result<&'static ResultColumn, SweepError> {
+    results::find(name.trim()).ok_or_else(|| {
+        let names = RESULTS.iter().map(|column| column.name);
+        let near = |other: &&str| {
+            other.contains(name.trim())
+                || variables::edit_distance(other, name.trim()) <= name.len() / 3
+        };
+        let close: Vec<&str> = names.clone().filter(near).take(3).collect();
+        let hint = if close.is_empty() || name.trim().is_empty() {
+            format!("the results are {}", names.collect::<Vec<_>>().join(", "))
+        } else {
+            format!("did you mean {}?", close.join(" or "))
+        };
+        SweepError::Output { name: name.to_owned(), hint }
+    })
+}
+
+fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {
+    let most = POINTS_MAX as f64;
+    match design {
+        Design::Factorial => {
+            let product = axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
+            product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
+                let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
+                SweepError::TooManyPoints { points: format!("{all:.1e}"), most }
+            })
+        }
+        Design::LatinHypercube { points, .. } | Design::Sobol { points, .. } => {
+            let limit = match design {
+                // The sequence repeats itself after that.
+                Design::Sobol { .. } => 1 << 32,
+                Design::LatinHypercube { .. } | Design::Factorial => POINTS_MAX,
+            };
+            if points < 2 {
+                return Err(SweepError::Points { points });
+            }
+            if points > limit {
+                let points = units::shortest(points as f64);
+                return Err(SweepError::TooManyPoints { points, most: limit as f64 });
+            }
+            Ok(points)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,295 @@
+//! One axis of a sweep: a variable, its ends, its points, and what makes a bad one.
+//!
+//! An axis that exists has been checked: both ends make physical sense by themselves, and so does all between them, since
+//! what is allowed is one interval for every variable. Rules between variables are the plan's business.
+
+use crate::model::scene::SweepAxis;
+use crate::model::units;
+use crate::model::variables::{self, Allowed, Kind, Number, Variable};
+use crate::study::sweep::error::SweepError;
+
+/// The most points along one axis.
+pub const COUNT_MAX: u64 = 1_000_000_000;
+
+/// How the points of an axis are spread.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spacing {
+    /// At equal differences.
+    Linear,
+    /// At equal ratios.
+    Log,
+}
+
+/// A checked axis.
+#[derive(Clone, Copy)]
+pub struct Axis {
+    variable: &'static Variable,
+    number: &'static Number,
+    from: f64,
+    to: f64,
+    count: u64,
+    spacing: Spacing,
+}
+
+impl std::fmt::Debug for Axis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { from, to, count, spacing, .. } = self;
+        write!(f, "{}={from}..{to}:{count} {spacing:?}", self.variable.symbol)
+    }
+}
+
+impl PartialEq for Axis {
+    fn eq(&self, other: &Self) -> bool {
+        self.variable.key == other.variable.key
+            && self.from.to_bits() == other.from.to_bits()
+            && self.to.to_bits() == other.to.to_bits()
+            && (self.count, self.spacing) == (other.count, other.spacing)
+    }
+}
+
+impl Axis {
+    /// An axis over the variable `name`, in its stored unit; the ends may be in either order.
+    ///
+    /// # Errors
+    /// [`SweepError`] for an unknown or wordy variable, fewer than two points, equal or impossible ends, and ends that are not
+    /// positive at equal ratios.
+    pub fn new(
+        name: &str,
+        (from, to): (f64, f64),
+        count: u64,
+        spacing: Spacing,
+    ) -> Result<Self, SweepError> {
+        let variable = variables::find(name).map_err(|source| SweepError::Axis {
+            axis: name.to_owned(),
+            source: Box::new(source),
+        })?;
+        let axis = variable.symbol;
+        let Kind::Number(number) = &variable.kind else {
+            return Err(SweepError::NoNumbers { axis, choices: variable.allowed() });
+        };
+        for end in [from, to] {
+            if !number.allowed.contains(end) {
+                return Err(impossible(variable, number, end));
+            }
+        }
+        let shown = units::shortest;
+        if from.to_bits() == to.to_bits() || shown(from) == shown(to) {
+            return Err(SweepError::SameEnds { axis, value: shown(from) });
+        }
+        if spacing == Spacing::Log && (from <= 0.0 || to <= 0.0) {
+            let high = if from > to { from } else { to };
+            let start = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
+            return Err(SweepError::LogFrom { axis, from: shown(from), to: shown(to), start });
+        }
+        if !(2..=COUNT_MAX).contains(&count) {
+            return Err(SweepError::Count { axis, count, most: COUNT_MAX, value: shown(from) });
+        }
+        Ok(Self { variable, number, from, to, count, spacing })
+    }
+
+    /// The axis a scene asks for.
+    ///
+    /// # Errors
+    /// As [`Axis::new`].
+    pub fn of(asked: &SweepAxis) -> Result<Self, SweepError> {
+        let spacing = if asked.log { Spacing::Log } else { Spacing::Linear };
+        let count = u64::try_from(asked.count).unwrap_or(u64::MAX);
+        Self::new(&asked.name, (asked.from, asked.to), count, spacing)
+    }
+
+    /// The variable.
+    pub fn variable(&self) -> &'static Variable {
+        self.variable
+    }
+
+    /// The variable's number: its unit, and how it is set.
+    pub fn number(&self) -> &'static Number {
+        self.number
+    }
+
+    /// The variable's symbol: the axis's name in tables.
+    pub fn symbol(&self) -> &'static str {
+        self.variable.symbol
+    }
+
+    /// First and last value, in the stored unit.
+    pub fn ends(&self) -> (f64, f64) {
+        (self.from, self.to)
+    }
+
+    /// Number of points.
+    pub fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// How they are spread.
+    pub fn spacing(&self) -> Spacing {
+        self.spacing
+    }
+
+    /// The value of point `index`, counted from 0; the ends come out to the digit, and an axis turned round gives the same
+    /// values in the other order.
+    pub fn value(&self, index: u64) -> f64 {
+        let last = self.count - 1;
+        if index == 0 {
+            return self.from;
+        }
+        if index >= last {
+            return self.to;
+        }
+        self.between(index as f64, (last - index) as f64)
+    }
+
+    /// The point whose value is nearest, by the spacing.
+    pub fn nearest(&self, value: f64) -> u64 {
+        let rising = self.from < self.to;
+        let before = |index: u64| (self.value(index) < value) == rising;
+        // The first point that is not before the value.
+        let (mut low, mut high) = (0, self.count - 1);
+        while low < high {
+            let middle = low + (high - low) / 2;
+            if before(middle) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        let place = |value: f64| match self.spacing {
+            Spacing::Linear => value,
+            Spacing::Log => value.ln(),
+        };
+        let gap = |index: u64| (place(self.value(index)) - place(value)).abs();
+        if low > 0 && gap(low - 1) <= gap(low) { low - 1 } else { low }
+    }
+
+    /// The value at a share of the way, 0 to 1.
+    pub fn at_share(&self, share: f64) -> f64 {
+        self.between(share, 1.0 - share)
+    }
+
+    /// The mean of the ends, weighted by how far each is: multiplied before divided, so that round numbers stay round.
+    fn between(&self, gone: f64, left: f64) -> f64 {
+        let (low, high) =
+            if self.from < self.to { (self.from, self.to) } else { (self.to, self.from) };
+        let value = match self.spacing {
+            Spacing::Linear => (self.from * left + self.to * gone) / (gone + left),
+            Spacing::Log => {
+                let mean = (self.from.ln() * left + self.to.ln() * gone) / (gone + left);
+                nearest_short(mean.exp())
+            }
+        };
+        // Rounding, or an overflow of the products, must not leave the range.
+        if value.is_finite() { value.clamp(low, high) } else { low + 0.5 * (high - low) }
+    }
+}
+
+/// The shortest decimal within rounding of an exponential, so that decades are decades.
+fn nearest_short(value: f64) -> f64 {
+    let short: f64 = format!("{value:.14e}").parse().unwrap_or(value);
+    if (short - value).abs() <= 1e-14 * value { short } else { value }
+}
+
+fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepError {
+    let unit = if number.quantity.unit() == "-" { "" } else { number.quantity.unit() };
+    let limit = match number.allowed {
+        Allowed::Positive => Some("a value above 0".to_owned()),
+        Allowed::NonNegative => Some("0".to_owned()),
+        Allowed::Any => None,
+        Allowed::Between(low, high) => Some(units::shortest(if end < low { low } else { high })),
+        Allowed::Below(low, _) if end < low => Some(units::shortest(low)),
+        Allowed::Below(_, high) => Some(format!("a value below {}", units::shortest(high))),
+    };
+    SweepError::ImpossibleEnd {
+        axis: variable.symbol,
+        value: format!("{} {unit}", units::shortest(end)).trim_end().to_owned(),
+        meaning: variable.meaning,
+        allowed: number.allowed.describe(number.quantity),
+        cure: limit.map_or_else(
+            || "write a finite number".to_owned(),
+            |limit| format!("let the range end at {limit}"),
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Name, ends, count, spacing, and what the refusal says.
+    type Case = (&'static str, (f64, f64), u64, Spacing, &'static [&'static str]);
+
+    fn axis(from: f64, to: f64, count: u64, spacing: Spacing) -> Axis {
+        Axis::new("k", (from, to), count, spacing).unwrap()
+    }
+
+    #[test]
+    fn values_are_round_where_they_can_be_and_end_on_the_ends() {
+        let axis = Axis::new("gamma", (0.8, 7.0), 101, Spacing::Linear).unwrap();
+        let values: Vec<f64> = (0..101).map(|index| axis.value(index)).collect();
+        let picked = [values[0], values[50], values[100]].map(f64::to_bits);
+        assert_eq!(picked, [0.8f64, 3.9, 7.0].map(f64::to_bits));
+        assert!(values.windows(2).all(|pair| pair[0] < pair[1]));
+        let decades: Vec<f64> =
+            (0..5).map(|index| self::axis(1e2, 1e6, 5, Spacing::Log).value(index)).collect();
+        assert_eq!(decades, [1e2, 1e3, 1e4, 1e5, 1e6]);
+    }
+
+    #[test]
+    fn an_axis_turned_round_has_the_same_values() {
+        for spacing in [Spacing::Linear, Spacing::Log] {
+            let (up, down) = (axis(0.3, 7.7e5, 17, spacing), axis(7.7e5, 0.3, 17, spacing));
+            for index in 0..17 {
+                let (a, b) = (up.value(index), down.value(16 - index));
+                assert_eq!(a.to_bits(), b.to_bits(), "{spacing:?} {index}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_nearest_point_is_found_in_either_direction() {
+        for spacing in [Spacing::Linear, Spacing::Log] {
+            for axis in [axis(1.0, 1e4, 41, spacing), axis(1e4, 1.0, 41, spacing)] {
+                for index in 0..41 {
+                    assert_eq!(axis.nearest(axis.value(index)), index);
+                    assert_eq!(axis.nearest(axis.value(index) * 1.000_01), index);
+                }
+                let (first, last) = (axis.nearest(-5.0), axis.nearest(1e9));
+                let rising = axis.ends().0 < axis.ends().1;
+                assert_eq!(last, if rising { 40 } else { 0 });
+                assert!(spacing == Spacing::Log || first == 40 - last);
+            }
+        }
+    }
+
+    #[test]
+    fn bad_axes_are_refused_with_name_value_rule_and_cure() {
+        let (lin, log) = (Spacing::Linear, Spacing::Log);
+        let cases: [Case; 13] = [
+            ("gamma", (0.8, 7.0), 0, lin, &["gamma", "count = 0", "2 points or more", "hold"]),
+            ("gamma", (0.8, 7.0), 1, lin, &["gamma", "count = 1", "2 points or more"]),
+            ("gamma", (2.0, 2.0), 5, lin, &["gamma", "both ends are 2", "must differ", "hold"]),
+            ("gamma", (-1.0, 7.0), 5, lin, &["gamma", "-1", "greater than 0", "above 0"]),
+            ("theta", (0.0, 90.0), 5, lin, &["theta", "90 deg", "less than 90", "below 90"]),
+            ("k", (-5.0, 5.0), 5, lin, &["k", "-5 N/m^n", "0 N/m^n or more", "end at 0"]),
+            ("e", (0.0, 1.5), 5, lin, &["1.5", "0 to 1", "end at 1"]),
+            (
+                "k",
+                (0.0, 7.5e6),
+                5,
+                log,
+                &["k", "0 to 7.5e6", "greater than 0", "leave out log", "7500"],
+            ),
+            ("n", (f64::NAN, 1.0), 5, lin, &["n", "NaN", "greater than 0"]),
+            ("n", (0.1, f64::INFINITY), 5, lin, &["n", "inf"]),
+            ("interface", (0.0, 1.0), 5, lin, &["interface", "no numbers", "fused or plastic"]),
+            ("gama", (0.0, 1.0), 5, lin, &["`gama`", "did you mean `gamma`"]),
+            ("gamma", (0.8, 7.0), u64::MAX, lin, &["count = 18446744073709551615", "at most"]),
+        ];
+        for (name, ends, count, spacing, fragments) in cases {
+            let text = Axis::new(name, ends, count, spacing).unwrap_err().to_string();
+            for fragment in fragments {
+                assert!(text.contains(fragment), "{name} {ends:?}: {text} lacks {fragment}");
+            }
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! What comes out at a point: the quick way where outputs and scene allow it, the full simulation elsewhere.
+//!
+//! An evaluator belongs to one thread and takes a piece of the sweep at once: first every point's scene is looked at and what
+//! can be answered quickly is, all contacts of the piece together; then the rest is simulated one by one. Neither the
+//! piece's size nor its neighbours change a digit.
+
+use std::ops::{ControlFlow, Range};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::model::impact::{self, Settings};
+use crate::model::results::ResultColumn;
+use crate::model::run::{EndReason, Outcome, Run};
+use crate::model::scene::Scene;
+use crate::study::sweep::Plan;
+use crate::study::sweep::quick::Quick;
+
+/// What became of a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// The projectile stays in the plate.
+    Arrested,
+    /// The nose passed the rear face.
+    Perforated,
+    /// The projectile left through the entry face.
+    Separated,
+    /// Not decided at the horizon.
+    Moving,
+    /// There is no result.
+    Failed(Failure),
+}
+
+/// Why there is no result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// The run ended early.
+    Early(EndReason),
+    /// The scene makes no sense.
+    Refused,
+    /// The program failed.
+    Panicked,
+}
+
+impl Failure {
+    /// The reason in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Early(reason) => reason.words(),
+            Self::Refused => "the scene makes no physical sense",
+            Self::Panicked => "internal error: please report this point",
+        }
+    }
+}
+
+impl Fate {
+    /// The word used in files and on screens.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Arrested => Outcome::Arrested.word(),
+            Self::Perforated => Outcome::Perforated.word(),
+            Self::Separated => Outcome::Separated.word(),
+            Self::Moving => Outcome::Moving.word(),
+            Self::Failed(_) => "failed",
+        }
+    }
+
+    /// The letter drawn where the point has no value.
+    pub fn letter(self) -> char {
+        match self {
+            Self::Arrested | Self::Separated => 'n',
+            Self::Perforated => 'P',
+            Self::Moving => 'M',
+            Self::Failed(_) => '?',
+        }
+    }
+
+    /// What that letter means for an output.
+    pub fn without_value(self, output: &ResultColumn) -> &'static str {
+        match self {
+            Self::Arrested | Self::Separated => match output.name {
+                "max_plate_displacement_m" | "stroke_m" => "nothing stops the plate",
+                "percent_of_baseline" | "baseline_penetration_m" => "no baseline (perforated)",
+                _ => "does not exist here",
+            },
+            Self::Perforated => "perforated",
+            Self::Moving => "still moving",
+            Self::Failed(_) => "failed",
+        }
+    }
+
+    /// The fate of a run.
+    pub fn of(run: &Run) -> Self {
+        if !run.end.is_complete() {
+            return Self::Failed(Failure::Early(run.end));
+        }
+        match run.outcome {
+            Outcome::Arrested => Self::Arrested,
+            Outcome::Perforated => Self::Perforated,
+            Outcome::Separated => Self::Separated,
+            Outcome::Moving => Self::Moving,
+        }
+    }
+}
+
+/// What came out at consecutive points.
+#[derive(Clone, Debug, Default)]
+pub struct Rows {
+    outputs: usize,
+    fates: Vec<Fate>,
+    values: Vec<f64>,
+}
+
+impl Rows {
+    /// Room for rows of so many outputs.
+    pub fn new(outputs: usize) -> Self {
+        Self { outputs, ..Self::default() }
+    }
+
+    /// How many rows there are.
+    pub fn len(&self) -> usize {
+        self.fates.len()
+    }
+
+    /// How many outputs a row has.
+    pub fn outputs(&self) -> usize {
+        self.outputs
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.fates.is_empty()
+    }
+
+    /// What became of a row's point.
+    pub fn fate(&self, row: usize) -> Fate {
+        self.fates[row]
+    }
+
+    /// An output of a row; `None` where it does not exist.
+    pub fn value(&self, row: usize, output: usize) -> Option<f64> {
+        let value = self.values[row * self.outputs + output];
+        (!value.is_nan()).then_some(value)
+    }
+
+    pub(super) fn push(&mut self, fate: Fate, values: impl Iterator<Item = Option<f64>>) {
+        self.fates.push(fate);
+        self.values.extend(values.take(self.outputs).map(|value| value.unwrap_or(f64::NAN)));
+        // Rows stay whole whatever was handed in.
+        self.values.resize(self.fates.len() * self.outputs, f64::NAN);
+    }
+}
+
+/// Computes points; one for each thread.
+pub struct Evaluator<'p> {
+    plan: &'p Plan,
+    stop: &'p AtomicBool,
+    scene: Arc<Scene>,
+    quick: Option<Quick<'p>>,
+    settings: Settings,
+}
+
+impl<'p> Evaluator<'p> {
+    /// An evaluator for a plan; once `stop` is set, the point under way ends early and the rest are not begun.
+    pub fn new(plan: &'p Plan, stop: &'p AtomicBool) -> Self {
+        let estimate = plan.outputs().iter().any(|output| output.name == "error_estimate");
+        Self {
+            plan,
+            stop,
+            scene: Arc::new(plan.base().clone()),
+            quick: Quick::of(plan),
+            settings: Settings { series: false, estimate },
+        }
+    }
+
+    /// The outputs at a piece of the sweep, a row a point; fewer rows when it was stopped.
+    pub fn rows(&mut self, points: Range<u64>) -> Rows {
+        self.rows_of(&points.collect::<Vec<u64>>())
+    }
+
+    /// The same for any points.
+    pub fn rows_of(&mut self, points: &[u64]) -> Rows {
+        let plan = self.plan;
+        if let Some(quick) = &mut self.quick {
+            quick.answer(points, Arc::make_mut(&mut self.scene));
+        }
+        let mut rows = Rows::new(plan.outputs().len());
+        for (place, index) in points.iter().enumerate() {
+            if let Some((fate, answer)) = self.quick.as_ref().and_then(|quick| quick.found(place)) {
+                rows.push(*fate, plan.outputs().iter().map(|output| answer.value(output.name)));
+                continue;
+            }
+            if self.one(*index, &mut rows).is_none() {
+                break;
+            }
+        }
+        rows
+    }
+
+    /// The full simulation of a point, its outputs added to `rows`; `None` when it was stopped.
+    pub fn one(&mut self, index: u64, rows: &mut Rows) -> Option<(Fate, Result<Run, Failure>)> {
+        if self.stop.load(Ordering::Relaxed) {
+            return None;
+        }
+        let run = self.run(index);
+        let fate = match &run {
+            Ok(run) if run.end == EndReason::Cancelled => return None,
+            Ok(run) => Fate::of(run),
+            Err(failure) => Fate::Failed(*failure),
+        };
+        let told = run.as_ref().ok().filter(|_| !matches!(fate, Fate::Failed(_)));
+        let value = |output: &&ResultColumn| told.and_then(|run| output.value(run));
+        rows.push(fate, self.plan.outputs().iter().map(value));
+        Some((fate, run))
+    }
+
+    /// The full simulation of a point, without a series.
+    fn run(&mut self, index: u64) -> Result<Run, Failure> {
+        // The last run's scene is gone by now, so nothing is copied.
+        self.plan.place(Arc::make_mut(&mut self.scene), index);
+        let stop = self.stop;
+        let mut observer = |_t_s: f64| {
+            if stop.load(Ordering::Relaxed) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        };
+        let (scene, settings) = (&self.scene, &self.settings);
+        // Each point begins anew, so a panic at one leaves nothing behind for the next.
+        let work = AssertUnwindSafe(|| impact::simulate(scene, settings, &mut observer));
+        match catch_unwind(work) {
+            Ok(Ok(run)) => Ok(run),
+            Ok(Err(_)) => Err(Failure::Refused),
+            Err(_) => Err(Failure::Panicked),
+        }
+    }
+}

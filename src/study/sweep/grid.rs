@@ -1,0 +1,218 @@
+//! A full grid of one or two axes kept in memory, filled coarse first: what a screen shows.
+//!
+//! Every pass visits the points of a stride that none before it has; whatever is asked of a point that is not there yet is
+//! answered by the nearest coarser one. The finished grid does not depend on the passes.
+
+use std::ops::{ControlFlow, Range};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use crate::model::results::ResultColumn;
+use crate::study::sweep::crew::Crew;
+use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows};
+
+/// The most points a grid may have: some tens of megabytes.
+pub const GRID_MAX: u64 = 1_000_000;
+/// The first pass takes every so many-th point of an axis, unless the axis is short.
+const COARSEST: usize = 16;
+/// An axis has at least so many points in the first pass.
+const COARSE_POINTS: usize = 6;
+
+/// What is known of one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cell {
+    /// The output's value.
+    Value(f64),
+    /// It was computed, and the output does not exist; or a number would mislead.
+    Fate(Fate),
+    /// Not computed yet.
+    Waiting,
+}
+
+/// A grid, filled as far as it is.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    plan: Arc<Plan>,
+    /// Points along the first axis and the second (1 without one).
+    counts: (usize, usize),
+    fates: Vec<Option<Fate>>,
+    values: Vec<f64>,
+    /// The stride that is filled everywhere; 0: not even the coarsest.
+    stride: usize,
+    done: usize,
+}
+
+impl Grid {
+    /// An empty grid for a factorial plan of one or two axes and at most [`GRID_MAX`] points; `None` for other plans.
+    pub fn new(plan: Arc<Plan>) -> Option<Self> {
+        let counts = match plan.axes() {
+            [x] => (x.count(), 1),
+            [x, y] => (x.count(), y.count()),
+            _ => return None,
+        };
+        if plan.design() != Design::Factorial || plan.points() > GRID_MAX {
+            return None;
+        }
+        let counts = (usize::try_from(counts.0).ok()?, usize::try_from(counts.1).ok()?);
+        let points = counts.0 * counts.1;
+        Some(Self {
+            counts,
+            fates: vec![None; points],
+            values: vec![f64::NAN; points * plan.outputs().len()],
+            stride: 0,
+            done: 0,
+            plan,
+        })
+    }
+
+    /// The sweep it belongs to.
+    pub fn plan(&self) -> &Arc<Plan> {
+        &self.plan
+    }
+
+    /// Points along the first axis and the second.
+    pub fn counts(&self) -> (usize, usize) {
+        self.counts
+    }
+
+    /// Points done, and in all.
+    pub fn progress(&self) -> (usize, usize) {
+        (self.done, self.fates.len())
+    }
+
+    /// Whether every point is there.
+    pub fn is_complete(&self) -> bool {
+        self.done == self.fates.len()
+    }
+
+    /// What became of a point; `None` where it is not computed yet.
+    pub fn fate(&self, x: usize, y: usize) -> Option<Fate> {
+        *self.fates.get(x * self.counts.1 + y)?
+    }
+
+    /// An output at a point; `None` where it is not there yet or does not exist.
+    pub fn value(&self, x: usize, y: usize, output: usize) -> Option<f64> {
+        let index = (x * self.counts.1 + y) * self.plan.outputs().len() + output;
+        self.values.get(index).copied().filter(|value| !value.is_nan())
+    }
+
+    /// What to draw for an output at a point, or at the nearest coarser one while the grid is being filled.
+    pub fn cell(&self, x: usize, y: usize, output: usize) -> Cell {
+        let mut stride = 1;
+        loop {
+            let (x, y) = (x - x % stride, y - y % stride);
+            if let Some(fate) = self.fate(x, y) {
+                let shown = tells(self.plan.outputs()[output], fate);
+                return match self.value(x, y, output).filter(|_| shown) {
+                    Some(value) => Cell::Value(value),
+                    None => Cell::Fate(fate),
+                };
+            }
+            if stride >= COARSEST {
+                return Cell::Waiting;
+            }
+            stride *= 2;
+        }
+    }
+
+    /// How many points ended each way: arrested, perforated, separated, moving, failed.
+    pub fn census(&self) -> [usize; 5] {
+        let mut census = [0; 5];
+        for fate in self.fates.iter().flatten() {
+            census[match fate {
+                Fate::Arrested => 0,
+                Fate::Perforated => 1,
+                Fate::Separated => 2,
+                Fate::Moving => 3,
+                Fate::Failed(_) => 4,
+            }] += 1;
+        }
+        census
+    }
+
+    /// Fill the grid with all hands. `watch` is told after every piece whether a pass has just been finished; `Break` stops,
+    /// and what is done is kept.
+    #[must_use]
+    pub fn fill(
+        mut self,
+        crew: Crew,
+        stop: &AtomicBool,
+        watch: &mut dyn FnMut(&Self, bool) -> ControlFlow<()>,
+    ) -> Self {
+        let plan = Arc::clone(&self.plan);
+        for stride in self.strides() {
+            let points = self.pass(stride);
+            let all = 0..points.len() as u64;
+            let slice = |piece: &Range<u64>| {
+                let at = |end: u64| usize::try_from(end).unwrap_or(points.len());
+                &points[at(piece.start)..at(piece.end)]
+            };
+            let hire = || {
+                let mut evaluator = Evaluator::new(&plan, stop);
+                move |piece: Range<u64>| evaluator.rows_of(slice(&piece))
+            };
+            let last = all.end;
+            let ended = crew.work(all, hire, |piece, rows: Rows| {
+                let whole = rows.len() == slice(&piece).len();
+                self.put(slice(&piece), &rows);
+                let finished = whole && piece.end == last;
+                if finished {
+                    self.stride = stride;
+                }
+                let go_on = watch(&self, finished);
+                if whole { go_on } else { ControlFlow::Break(()) }
+            });
+            if ended.is_break() {
+                break;
+            }
+        }
+        self
+    }
+
+    /// The stride of each pass, from coarse to fine.
+    fn strides(&self) -> Vec<usize> {
+        let longest = self.counts.0.max(self.counts.1);
+        let mut stride = COARSEST;
+        while stride > 1 && longest / stride < COARSE_POINTS {
+            stride /= 2;
+        }
+        std::iter::successors(Some(stride), |stride| (*stride > 1).then_some(stride / 2)).collect()
+    }
+
+    /// The points of a stride that are not there yet, first axis slowest.
+    fn pass(&self, stride: usize) -> Vec<u64> {
+        let (along_x, along_y) = self.counts;
+        let mut points = Vec::new();
+        for x in (0..along_x).step_by(stride) {
+            for y in (0..along_y).step_by(stride) {
+                let index = x * along_y + y;
+                if self.fates[index].is_none() {
+                    points.push(index as u64);
+                }
+            }
+        }
+        points
+    }
+
+    fn put(&mut self, points: &[u64], rows: &Rows) {
+        let outputs = self.plan.outputs().len();
+        for (row, index) in points.iter().take(rows.len()).enumerate() {
+            let Ok(index) = usize::try_from(*index) else { continue };
+            self.done += usize::from(self.fates[index].is_none());
+            self.fates[index] = Some(rows.fate(row));
+            for output in 0..outputs {
+                let value = rows.value(row, output).unwrap_or(f64::NAN);
+                self.values[index * outputs + output] = value;
+            }
+        }
+    }
+}
+
+/// Whether a number means something where a point ended like this: the depth of a perforation does not.
+pub fn tells(output: &ResultColumn, fate: Fate) -> bool {
+    match fate {
+        Fate::Arrested | Fate::Separated => true,
+        Fate::Perforated => matches!(output.name, "residual_velocity_m_s" | "exit_time_s"),
+        Fate::Moving | Fate::Failed(_) => false,
+    }
+}

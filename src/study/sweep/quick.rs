@@ -1,0 +1,236 @@
+//! The quick way to depth and greatest displacement: closed form or the contact alone, then an energy balance.
+//!
+//! Sound where nothing after the first arrest (or perforation) can change what is asked: the fused interface, no stop, and, for
+//! the displacement, no damper. Whatever does not fit is left to the full simulation by giving no answer.
+
+use crate::model::closed_form::{Ending, Passage};
+use crate::model::contact::Geometry;
+use crate::model::impact::lean::{Contact, ContactEnd};
+use crate::model::mechanism::Mechanism;
+use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::model::variables::Group;
+use crate::numerics::larger;
+use crate::study::sweep::Plan;
+use crate::study::sweep::evaluate::Fate;
+
+/// What the quick way can tell.
+const KNOWN: [&str; 8] = [
+    "first_arrest_penetration_m",
+    "first_arrest_time_s",
+    "first_arrest_plate_displacement_m",
+    "first_arrest_plate_velocity_m_s",
+    "final_penetration_m",
+    "percent_of_baseline",
+    "baseline_penetration_m",
+    "max_plate_displacement_m",
+];
+const STROKE: &str = "stroke_m";
+
+/// Part of the scene's tolerance for the contact, so that the rest of the way has its share.
+const SHARE: f64 = 0.3;
+/// Closed-form shots that leave more slowly than this part of their velocity are left to the full simulation.
+const LIMIT_MARGIN: f64 = 0.05;
+/// Quadrature points on each stretch of the closed form.
+const POINTS: usize = 2;
+
+/// What was found at a point.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Answer {
+    end: Option<ContactEnd>,
+    baseline_m: Option<f64>,
+    farthest_m: Option<f64>,
+    start_m: f64,
+}
+
+impl Answer {
+    /// A result by its name; `None` where it does not exist.
+    pub(super) fn value(&self, name: &str) -> Option<f64> {
+        let end = self.end?;
+        let arrest = end.arrested.then_some(end);
+        match name {
+            "first_arrest_penetration_m" => Some(arrest?.penetration_m),
+            "first_arrest_time_s" => Some(arrest?.t_s),
+            "first_arrest_plate_displacement_m" => Some(arrest?.plate_displacement_m),
+            "first_arrest_plate_velocity_m_s" => Some(arrest?.plate_velocity_m_s),
+            "final_penetration_m" => Some(end.penetration_m),
+            "percent_of_baseline" => Some(100.0 * arrest?.penetration_m / self.baseline_m?),
+            "baseline_penetration_m" => self.baseline_m,
+            "max_plate_displacement_m" => self.farthest_m,
+            STROKE => Some(self.farthest_m? + self.start_m.abs()),
+            _ => None,
+        }
+    }
+}
+
+/// Where the baseline comes from.
+#[derive(Clone, Copy, Debug)]
+enum Baseline {
+    /// No axis changes it: this, m, or none where a rigid mount is perforated.
+    Fixed(Option<f64>),
+    /// The axes change projectile or target.
+    ByPoint,
+}
+
+/// The quick way through a piece of a sweep.
+pub(super) struct Quick<'p> {
+    plan: &'p Plan,
+    /// The displacement is asked for.
+    travel: bool,
+    baseline: Baseline,
+    /// The contacts of the piece that have to be integrated, with their places.
+    contacts: Vec<(usize, Contact)>,
+    answers: Vec<Option<(Fate, Answer)>>,
+}
+
+impl<'p> Quick<'p> {
+    /// The quick way for a plan, where its outputs and its held variables allow it.
+    pub(super) fn of(plan: &'p Plan) -> Option<Self> {
+        let names = || plan.outputs().iter().map(|output| output.name);
+        if !names().all(|name| KNOWN.contains(&name) || name == STROKE) {
+            return None;
+        }
+        let changes = |group: Group| plan.axes().iter().any(|axis| axis.variable().group == group);
+        let fixed = !(changes(Group::Projectile) || changes(Group::Target));
+        Some(Self {
+            plan,
+            travel: names().any(|name| name == "max_plate_displacement_m" || name == STROKE),
+            baseline: if fixed {
+                Baseline::Fixed(baseline_m(plan.base(), &Geometry::of(plan.base())))
+            } else {
+                Baseline::ByPoint
+            },
+            contacts: Vec::new(),
+            answers: Vec::new(),
+        })
+    }
+
+    /// What was found at a place of the piece last answered, if anything.
+    pub(super) fn found(&self, place: usize) -> Option<&(Fate, Answer)> {
+        self.answers.get(place)?.as_ref()
+    }
+
+    /// Answer what can be answered of these points. `scene` is the plan's base, for placing them.
+    pub(super) fn answer(&mut self, points: &[u64], scene: &mut Scene) {
+        self.answers.clear();
+        self.answers.resize(points.len(), None);
+        self.contacts.clear();
+        for (place, index) in points.iter().enumerate() {
+            self.plan.place(scene, *index);
+            if !self.serves(scene) {
+                continue;
+            }
+            if scene.plate.mount == Mount::Rigid || Mechanism::of(scene).is_absent() {
+                self.answers[place] = self.closed(scene);
+            } else {
+                self.contacts.push((place, Contact::of(scene)));
+            }
+        }
+        let ends = contacts(&self.contacts, SHARE * scene.run.tolerance);
+        for ((place, _), end) in self.contacts.iter().zip(ends) {
+            let Some(end) = end else { continue };
+            self.plan.place(scene, points[*place]);
+            self.answers[*place] = Some(self.finish(scene, end));
+        }
+    }
+
+    /// Whether the scene is one of those the quick way is right for.
+    fn serves(&self, scene: &Scene) -> bool {
+        let mechanism = &scene.mechanism;
+        let sprung = scene.plate.mount == Mount::Sprung;
+        let damped = sprung && mechanism.damper.coefficient > 0.0;
+        scene.contact.model == ContactModel::Hydrodynamic
+            && scene.interface.law == InterfaceLaw::Fused
+            && !(sprung && mechanism.stop.position_m.is_some())
+            && !(damped && self.travel)
+            && scene.run.horizon_s.is_none()
+    }
+
+    /// A plate that is rigid or free.
+    fn closed(&self, scene: &Scene) -> Option<(Fate, Answer)> {
+        let geometry = Geometry::of(scene);
+        let free = scene.plate.mount == Mount::Sprung;
+        let passage = passage(scene, &geometry, free);
+        let ending = passage.ending();
+        if let Ending::Exit { velocity_m_s } = ending
+            && velocity_m_s <= LIMIT_MARGIN * passage.velocity_m_s
+        {
+            return None;
+        }
+        let last = *passage.history(ending, POINTS).last()?;
+        if !last.t_s.is_finite() {
+            return None;
+        }
+        let cos = geometry.nose.cos;
+        let m_p = scene.projectile.mass_kg;
+        let share = if free { m_p * cos / (scene.plate_mass_kg() + m_p * cos * cos) } else { 0.0 };
+        let start_m = if free { 0.0 - scene.plate.cocking_m } else { 0.0 };
+        let plate_m = start_m + share * (passage.velocity_m_s * last.t_s - last.travel_m);
+        let end = ContactEnd {
+            arrested: matches!(ending, Ending::Arrest { .. }),
+            t_s: last.t_s,
+            penetration_m: geometry.depth_m(last.travel_m),
+            plate_displacement_m: plate_m,
+            plate_velocity_m_s: share * (passage.velocity_m_s - last.slip_m_s),
+            farthest_m: plate_m,
+            steps: 0,
+        };
+        Some(self.finish(scene, end))
+    }
+
+    /// All that is asked, from the end of the contact.
+    fn finish(&self, scene: &Scene, end: ContactEnd) -> (Fate, Answer) {
+        let baseline_m = match self.baseline {
+            Baseline::Fixed(depth_m) => depth_m,
+            Baseline::ByPoint => baseline_m(scene, &Geometry::of(scene)),
+        };
+        let sprung = scene.plate.mount == Mount::Sprung;
+        let start_m = if sprung { 0.0 - scene.plate.cocking_m } else { 0.0 };
+        let farthest_m = if self.travel { farthest_m(scene, &end) } else { None };
+        let fate = if end.arrested { Fate::Arrested } else { Fate::Perforated };
+        (fate, Answer { end: Some(end), baseline_m, farthest_m, start_m })
+    }
+}
+
+/// Run contacts, one after the other; the place where lanes of them can run together.
+fn contacts(contacts: &[(usize, Contact)], tolerance: f64) -> Vec<Option<ContactEnd>> {
+    contacts.iter().map(|(_, contact)| contact.run(tolerance)).collect()
+}
+
+/// The relative motion of a plate that is rigid or free.
+fn passage<'g>(scene: &Scene, geometry: &'g Geometry, free: bool) -> Passage<'g> {
+    let cos = geometry.nose.cos;
+    let plate = if free { cos * cos / scene.plate_mass_kg() } else { 0.0 };
+    Passage {
+        geometry,
+        mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
+        strength_pa: scene.target.flow_strength_pa,
+        drag_kg_m3: scene.drag_kg_m3(),
+        velocity_m_s: scene.projectile.velocity_m_s,
+    }
+}
+
+/// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
+fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
+    match passage(scene, geometry, false).ending() {
+        Ending::Arrest { travel_m } => Some(geometry.depth_m(travel_m)),
+        Ending::Exit { .. } => None,
+    }
+}
+
+/// The greatest displacement without a damper: on the way, or where all energy is in the spring; `None` where nothing stops
+/// the plate.
+fn farthest_m(scene: &Scene, end: &ContactEnd) -> Option<f64> {
+    if scene.plate.mount == Mount::Rigid {
+        return Some(0.0);
+    }
+    let spring = Mechanism::of(scene).spring;
+    let w = end.plate_velocity_m_s;
+    if spring.coefficient == 0.0 {
+        return (w <= 0.0).then_some(end.farthest_m);
+    }
+    let cos = scene.cos_obliquity();
+    let joined = if end.arrested { scene.projectile.mass_kg * cos * cos } else { 0.0 };
+    let kinetic = 0.5 * (scene.plate_mass_kg() + joined) * w * w;
+    let reach = spring.at_integral(kinetic + spring.integral(end.plate_displacement_m));
+    Some(larger(reach, end.farthest_m))
+}

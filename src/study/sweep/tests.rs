@@ -1,0 +1,290 @@
+//! Plans are checked, points are found from their index, and what comes out is what a single run gives.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use super::crew::Crew;
+use super::grid::{Cell, Grid};
+use super::*;
+use crate::model::impact::{Settings, simulate};
+use crate::model::units::Bare;
+use crate::model::variables::set_by_name;
+
+const NONE: [&str; 0] = [];
+
+fn scene(pairs: &str) -> Scene {
+    let mut scene = Scene::default();
+    for pair in pairs.split_whitespace() {
+        let (name, value) = pair.split_once('=').unwrap();
+        set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+    }
+    scene
+}
+
+fn axis(name: &str, from: f64, to: f64, count: u64) -> Axis {
+    Axis::new(name, (from, to), count, Spacing::Linear).unwrap()
+}
+
+fn rows(plan: &Plan) -> Rows {
+    let stop = AtomicBool::new(false);
+    Evaluator::new(plan, &stop).rows(0..plan.points())
+}
+
+#[test]
+fn the_last_axis_runs_fastest() {
+    let axes = vec![axis("gamma", 1.0, 2.0, 2), axis("k", 0.0, 3.0, 4), axis("n", 1.0, 3.0, 3)];
+    let plan = Plan::new(&Scene::default(), axes, Design::Factorial, &NONE).unwrap();
+    assert_eq!(plan.points(), 24);
+    let mut index = 0;
+    for gamma in [1.0, 2.0] {
+        for k in [0.0, 1.0, 2.0, 3.0] {
+            for n in [1.0, 2.0, 3.0] {
+                let found = [0, 1, 2].map(|axis| plan.coordinate(index, axis).to_bits());
+                assert_eq!(found, [gamma, k, n].map(f64::to_bits), "{index}");
+                let scene = plan.scene(index);
+                assert_eq!(scene.plate.mass_ratio.to_bits(), f64::to_bits(gamma));
+                assert_eq!(scene.mechanism.spring.exponent.to_bits(), f64::to_bits(n));
+                index += 1;
+            }
+        }
+    }
+}
+
+#[test]
+fn a_bad_plan_is_refused_before_anything_runs() {
+    let gamma = || axis("gamma", 0.8, 7.0, 5);
+    let plan = |scene: &Scene, axes, design, outputs: &[&str]| {
+        Plan::new(scene, axes, design, outputs).unwrap_err().to_string()
+    };
+    let base = Scene::default();
+    let full = Design::Factorial;
+    let huge = || vec![axis("k", 0.0, 1.0, 1_000_000_000), axis("b", 0.0, 1.0, 1_000_000_000)];
+    let behind = scene("x_stop=0.01");
+    let cases: Vec<(String, &[&str])> = vec![
+        (plan(&base, Vec::new(), full, &[]), &["at least one axis", "gamma=0.8..7:101"]),
+        (plan(&base, vec![gamma(), gamma()], full, &[]), &["axis gamma", "twice"]),
+        (plan(&base, huge(), full, &[]), &["1.0e18 points", "too many", "fewer"]),
+        (plan(&base, vec![gamma()], Design::Sobol { points: 0, seed: 0 }, &[]), &["points = 0"]),
+        (
+            plan(&base, vec![gamma()], Design::Sobol { points: 1 << 33, seed: 0 }, &[]),
+            &["too many"],
+        ),
+        (
+            plan(&behind, vec![axis("x_stop", -0.1, 0.1, 3)], full, &[]),
+            &["x_stop=-0.1", "behind the plate's start"],
+        ),
+        (plan(&base, vec![gamma()], full, &["depth"]), &["output depth", "results are"]),
+        (
+            plan(&base, vec![gamma()], full, &["percent_of_baselin"]),
+            &["did you mean percent_of_baseline?"],
+        ),
+    ];
+    for (text, fragments) in cases {
+        for fragment in fragments {
+            assert!(text.contains(fragment), "{text} lacks {fragment}");
+        }
+    }
+}
+
+#[test]
+fn shards_one_after_the_other_are_the_whole() {
+    for points in [0, 1, 7, 101, 10_201] {
+        for count in [1, 2, 3, 7, 200] {
+            let mut next = 0;
+            for index in 1..=count {
+                let part = Shard::parse(&format!("{index}/{count}")).unwrap().of(points);
+                assert_eq!(part.start, next);
+                next = part.end;
+            }
+            assert_eq!(next, points);
+        }
+    }
+    for text in ["0/3", "4/3", "1", "a/b", "1/0", "-1/2", ""] {
+        let error = Shard::parse(text).unwrap_err().to_string();
+        assert!(error.contains("2/8"), "{error}");
+    }
+}
+
+#[test]
+fn great_designs_are_enumerated_without_memory() {
+    let axes = vec![axis("gamma", 0.8, 7.0, 10_000), axis("k", 0.0, 7.5e6, 10_000)];
+    let plan = Plan::new(&Scene::default(), axes, Design::Factorial, &NONE).unwrap();
+    assert_eq!(plan.points(), 100_000_000);
+    assert_eq!(plan.coordinate(99_999_999, 0).to_bits(), 7f64.to_bits());
+    let axes = vec![axis("gamma", 0.8, 7.0, 2), axis("k", 0.0, 7.5e6, 2)];
+    let design = Design::LatinHypercube { points: 100_000_000, seed: 1 };
+    let plan = Plan::new(&Scene::default(), axes, design, &NONE).unwrap();
+    let gamma = plan.coordinate(99_999_999, 0);
+    assert!((0.8..=7.0).contains(&gamma));
+}
+
+/// The value of an output by a single full simulation.
+fn single(scene: &Scene, name: &str) -> (Fate, Option<f64>) {
+    let settings = Settings { series: false, estimate: false };
+    let go_on = &mut |_: f64| ControlFlow::Continue(());
+    let run = simulate(&Arc::new(scene.clone()), &settings, go_on).unwrap();
+    (Fate::of(&run), output(name).unwrap().value(&run))
+}
+
+/// Surfaces that between them take every way through the evaluator.
+fn surfaces() -> Vec<(Scene, Vec<Axis>)> {
+    let k = |count| axis("k", 0.0, 7.5e6, count);
+    let n = |count| axis("n", 0.1, 3.0, count);
+    let d = |count| axis("d", 0.0, 0.5, count);
+    let gamma = |count| axis("gamma", 0.8, 7.0, count);
+    vec![
+        (scene(""), vec![gamma(9), k(9)]),
+        (scene(""), vec![gamma(4), n(5)]),
+        (scene(""), vec![k(4), n(5)]),
+        (scene(""), vec![d(9), gamma(9)]),
+        (scene(""), vec![d(9), k(9)]),
+        (scene(""), vec![d(4), n(5)]),
+        (scene("b=500"), vec![axis("v_i", 50.0, 500.0, 7), axis("b", 0.0, 2000.0, 5)]),
+        (scene("mount=rigid"), vec![axis("v_i", 50.0, 400.0, 15)]),
+        (scene("k=0"), vec![axis("v_i", 50.0, 500.0, 10), axis("theta", 0.0, 60.0, 4)]),
+        (scene("interface=plastic"), vec![gamma(3), k(4)]),
+        (scene("x_stop=2mm"), vec![gamma(3), axis("v_i", 60.0, 400.0, 4)]),
+        (scene("h=6mm k=1e7"), vec![axis("v_i", 50.0, 500.0, 16), axis("h", 0.003, 0.03, 7)]),
+    ]
+}
+
+#[test]
+fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
+    let names = [
+        "percent_of_baseline",
+        "max_plate_displacement_m",
+        "first_arrest_penetration_m",
+        "first_arrest_time_s",
+        "final_penetration_m",
+        "stroke_m",
+        "first_arrest_plate_velocity_m_s",
+        "baseline_penetration_m",
+    ];
+    for (scene, axes) in surfaces() {
+        let plan = Plan::new(&scene, axes, Design::Factorial, &names).unwrap();
+        let rows = rows(&plan);
+        assert_eq!(rows.len() as u64, plan.points());
+        for (row, index) in (0..plan.points()).enumerate() {
+            let scene = plan.scene(index);
+            for (output, name) in names.iter().enumerate() {
+                let (fate, exact) = single(&scene, name);
+                assert_eq!(rows.fate(row), fate, "{:?} {index}", plan.axes());
+                let found = rows.value(row, output);
+                assert_eq!(found.is_some(), exact.is_some(), "{:?} {index} {name}", plan.axes());
+                let Some((found, exact)) = found.zip(exact) else { continue };
+                let size = if name.ends_with("velocity_m_s") { 100.0 } else { exact.abs() };
+                assert!(
+                    (found - exact).abs() <= 1e-9 * size,
+                    "{:?} {index} {name}: {found} {exact}",
+                    plan.axes()
+                );
+            }
+        }
+    }
+}
+
+/// Every bit of what a crew makes of a plan.
+fn by_crew(plan: &Plan, crew: Crew, shard: Shard) -> Vec<(Fate, u64)> {
+    let stop = AtomicBool::new(false);
+    let mut all = Vec::new();
+    let hire = || {
+        let mut evaluator = Evaluator::new(plan, &stop);
+        move |piece| evaluator.rows(piece)
+    };
+    let ended = crew.work(shard.of(plan.points()), hire, |_, rows: Rows| {
+        for row in 0..rows.len() {
+            for output in 0..plan.outputs().len() {
+                let value = rows.value(row, output).unwrap_or(f64::NAN);
+                all.push((rows.fate(row), value.to_bits()));
+            }
+        }
+        ControlFlow::Continue(())
+    });
+    assert!(ended.is_continue());
+    all
+}
+
+#[test]
+fn threads_pieces_and_shards_do_not_change_a_bit() {
+    for (scene, axes) in surfaces() {
+        let plan = Plan::new(&scene, axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
+        let whole = by_crew(&plan, Crew { threads: 1, piece: 1_000_000 }, Shard::WHOLE);
+        for crew in [Crew { threads: 2, piece: 3 }, Crew { threads: 3, piece: 64 }] {
+            assert_eq!(by_crew(&plan, crew, Shard::WHOLE), whole);
+        }
+        let parts = (1..=3).flat_map(|part| {
+            let shard = Shard::parse(&format!("{part}/3")).unwrap();
+            by_crew(&plan, Crew { threads: 2, piece: 5 }, shard)
+        });
+        assert_eq!(parts.collect::<Vec<_>>(), whole);
+    }
+}
+
+#[test]
+fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
+    let axes = vec![axis("gamma", 0.8, 7.0, 33), axis("k", 0.0, 7.5e6, 20)];
+    let plan = Plan::new(&scene(""), axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
+    let direct = rows(&plan);
+    let stop = AtomicBool::new(false);
+    let mut seen = Vec::new();
+    let grid = Grid::new(Arc::new(plan)).unwrap().fill(
+        Crew { threads: 2, piece: 7 },
+        &stop,
+        &mut |grid, finished| {
+            if finished {
+                seen.push(grid.progress().0);
+                // What is not there yet is shown by a coarser point.
+                assert_ne!(grid.cell(32, 19, 0), Cell::Waiting);
+            }
+            ControlFlow::Continue(())
+        },
+    );
+    assert_eq!(seen, [9 * 5, 17 * 10, 33 * 20]);
+    assert!(grid.is_complete());
+    for x in 0..33 {
+        for y in 0..20 {
+            assert_eq!(grid.fate(x, y), Some(direct.fate(x * 20 + y)));
+            for output in 0..2 {
+                let (a, b) = (grid.value(x, y, output), direct.value(x * 20 + y, output));
+                assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits));
+            }
+        }
+    }
+    // k = 0: nothing stops the plate.
+    assert_eq!(grid.cell(3, 0, 1), Cell::Fate(Fate::Arrested));
+}
+
+#[test]
+fn a_stopped_grid_keeps_the_finished_part() {
+    let axes = vec![axis("gamma", 0.8, 7.0, 101), axis("n", 0.1, 3.0, 101)];
+    let plan = Plan::new(&scene(""), axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
+    let stop = AtomicBool::new(false);
+    let crew = Crew { threads: 2, piece: 4 };
+    let grid = Grid::new(Arc::new(plan)).unwrap().fill(crew, &stop, &mut |grid, _| {
+        // The flag alone ends it, as it does from another thread.
+        stop.store(grid.progress().0 >= 20, Ordering::Relaxed);
+        ControlFlow::Continue(())
+    });
+    let (done, all) = grid.progress();
+    assert!((20..200).contains(&done), "{done} of {all}");
+    assert_eq!(grid.census().iter().sum::<usize>(), done);
+    assert_eq!(grid.census()[4], 0, "a stopped point is not a failed one");
+}
+
+#[test]
+fn a_perforation_is_never_a_number() {
+    let axes = vec![axis("v_i", 200.0, 260.0, 7)];
+    let names = ["final_penetration_m", "residual_velocity_m_s", "max_plate_displacement_m"];
+    let plan = Plan::new(&scene("mount=rigid"), axes, Design::Factorial, &names).unwrap();
+    let stop = AtomicBool::new(false);
+    let crew = Crew { threads: 1, piece: 64 };
+    let filled = Grid::new(Arc::new(plan)).unwrap();
+    let grid = filled.fill(crew, &stop, &mut |_, _| ControlFlow::Continue(()));
+    // The limit is 232.295 m/s (model page): 230 is stopped, 240 is not.
+    assert!(matches!(grid.cell(3, 0, 0), Cell::Value(_)));
+    assert_eq!(grid.cell(4, 0, 0), Cell::Fate(Fate::Perforated));
+    assert_eq!(grid.cell(4, 0, 2), Cell::Fate(Fate::Perforated));
+    assert!(matches!(grid.cell(4, 0, 1), Cell::Value(_)));
+    assert_eq!(grid.cell(3, 0, 1), Cell::Fate(Fate::Arrested));
+}

@@ -1,0 +1,162 @@
+//! Every checkable claim of the thesis against what is computed, in thesis order.
+//!
+//! A claim says where it stands, what it says (paraphrased), and how it is checked: by the sound model (the engine, first
+//! arrest fused as the thesis has it) and by the Appendix as printed. Expected values are the thesis's; results come from
+//! the solver each time; the verdict follows from both. Nothing is typed in. Reads no clock and no file.
+
+use std::ops::ControlFlow;
+
+use crate::model::scene::Scene;
+use lab::Lab;
+
+mod appendix;
+mod chapter8;
+mod cocking;
+mod early;
+mod feasibility;
+mod interactions;
+mod lab;
+mod shape;
+mod spread;
+mod tables;
+mod trends;
+
+/// What became of a claim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// Computed as stated.
+    Reproduced,
+    /// Computed as stated once something is put right, which the cause names.
+    Corrected,
+    /// A wrong number, symbol or word; what was meant is computed.
+    Misprint,
+    /// A trend that is there over the whole range of its figure.
+    TrendHolds,
+    /// A trend that is not.
+    TrendFails,
+    /// Cannot be checked; the cause says why.
+    Unchecked,
+}
+
+impl Verdict {
+    /// All verdicts.
+    pub const ALL: [Self; 6] = [
+        Self::Reproduced,
+        Self::Corrected,
+        Self::Misprint,
+        Self::TrendHolds,
+        Self::TrendFails,
+        Self::Unchecked,
+    ];
+
+    /// The words in tables and files.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Reproduced => "reproduced",
+            Self::Corrected => "reproduced with correction",
+            Self::Misprint => "misprint",
+            Self::TrendHolds => "trend holds",
+            Self::TrendFails => "trend fails",
+            Self::Unchecked => "cannot be checked",
+        }
+    }
+
+    /// One letter, for narrow columns.
+    pub fn letter(self) -> char {
+        match self {
+            Self::Reproduced => '=',
+            Self::Corrected => '~',
+            Self::Misprint => 'M',
+            Self::TrendHolds => '+',
+            Self::TrendFails => '-',
+            Self::Unchecked => '?',
+        }
+    }
+}
+
+/// What opens when a claim's row is chosen.
+#[derive(Clone, Copy, Debug)]
+pub enum Opens {
+    /// Nothing: no scene shows it.
+    Nothing,
+    /// This scene.
+    Scene(fn() -> Scene),
+    /// The bundled preset of this name.
+    Preset(&'static str),
+}
+
+/// A claim of the thesis.
+#[derive(Debug)]
+pub struct Claim {
+    /// A short name that stays: rows are compared by it.
+    pub id: &'static str,
+    /// Where it stands.
+    pub place: &'static str,
+    /// What it says, in other words.
+    pub says: &'static str,
+    /// What shows it.
+    pub opens: Opens,
+    check: fn(&Lab) -> Found,
+}
+
+/// What was computed for a claim.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// By the sound model.
+    pub sound: String,
+    /// By the Appendix as printed; empty where it has nothing to say.
+    pub printed: String,
+    /// What became of the claim.
+    pub verdict: Verdict,
+    /// Why, in one sentence.
+    pub cause: &'static str,
+}
+
+/// A claim with its result.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// The claim.
+    pub claim: &'static Claim,
+    /// The result.
+    pub found: Found,
+    /// How many impacts were simulated for it.
+    pub runs: usize,
+}
+
+/// Every claim, in thesis order.
+pub fn claims() -> impl Iterator<Item = &'static Claim> {
+    early::CLAIMS
+        .iter()
+        .chain(chapter8::CLAIMS)
+        .chain(tables::CLAIMS)
+        .chain(trends::CLAIMS)
+        .chain(interactions::CLAIMS)
+        .chain(cocking::CLAIMS)
+        .chain(feasibility::CLAIMS)
+        .chain(appendix::CLAIMS)
+}
+
+/// Check one claim.
+pub fn check(claim: &'static Claim) -> Row {
+    let lab = Lab::default();
+    let found = (claim.check)(&lab);
+    Row { claim, found, runs: lab.runs() }
+}
+
+/// Check every claim; `watch` is given what there is so far, and stops the work by `Break`.
+pub fn reproduce(watch: &mut dyn FnMut(&[Row], usize) -> ControlFlow<()>) -> Vec<Row> {
+    let total = claims().count();
+    let mut rows = Vec::new();
+    for claim in claims() {
+        if watch(&rows, total).is_break() {
+            break;
+        }
+        rows.push(check(claim));
+    }
+    rows
+}
+
+/// How many rows have each verdict, in the order of [`Verdict::ALL`].
+pub fn tally(rows: &[Row]) -> [usize; 6] {
+    Verdict::ALL.map(|verdict| rows.iter().filter(|row| row.found.verdict == verdict).count())
+}

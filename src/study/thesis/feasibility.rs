@@ -1,0 +1,318 @@
+//! Claims of sections 9.5 and 9.6: what can be built, stops, and the advice to designers.
+
+use crate::model::design::beam::Cantilever;
+use crate::model::design::coil_spring_mass_kg;
+use crate::model::mechanism::PowerLaw;
+use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::thesis::lab::Measure::Percent;
+use crate::study::thesis::lab::{
+    LAWS, Law, mm, near, number, number_verdict, pc, trend_verdict, unit, with,
+};
+use crate::study::thesis::shape::{at, falls, rises};
+use crate::study::thesis::{Claim, Found, Opens, Verdict};
+
+/// Spring steel: density, shear modulus, and a shear stress it may bear.
+const STEEL: (f64, f64, f64) = (7850.0, 79.3e9, 700e6);
+
+/// A rigid stop met right after the first arrest, under the plastic law.
+fn stopped() -> Scene {
+    let mut scene = with(&[("k", 0.0), ("x_stop", 0.01)]);
+    scene.interface.law = InterfaceLaw::Plastic;
+    scene
+}
+
+fn stopped_heavy() -> Scene {
+    let mut scene = stopped();
+    scene.plate.mass_ratio = 3.0;
+    scene
+}
+
+/// What the cantilever of Table 9.3 can do at its yield.
+fn cantilever() -> Scene {
+    with(&[("k", 0.111e6), ("d", 0.03)])
+}
+
+/// The least mass of a coil spring over the projectile's, for a spring that takes the swing after arrest.
+fn coil_ratio(k: f64, d: f64) -> f64 {
+    let after = 0.5 * 0.059 * 50.0 * 50.0;
+    let drawn = PowerLaw { coefficient: k, exponent: 1.0 }.integral(d);
+    coil_spring_mass_kg(after + drawn, STEEL.0, STEEL.1, STEEL.2) / 0.0295
+}
+
+pub(super) static CLAIMS: &[Claim] = &[
+    Claim {
+        id: "9.5.1-springs",
+        place: "9.5.1",
+        says: "steel coil springs of these stiffnesses weigh more than 25 projectiles, mostly",
+        opens: Opens::Preset("cocked"),
+        check: |_| {
+            let uncocked = coil_ratio(1e5, 0.0);
+            let cocked = coil_ratio(1e5, 0.5);
+            let mut heavy = 0;
+            for k in 1..=10 {
+                for d in 1..=10 {
+                    heavy +=
+                        usize::from(coil_ratio(0.75e6 * f64::from(k), 0.05 * f64::from(d)) > 25.0);
+                }
+            }
+            Found {
+                sound: format!(
+                    "at least {} projectiles uncocked at any k, {} at d = 0.5; {heavy} of 100 cocked designs above 25",
+                    number(uncocked),
+                    number(cocked)
+                ),
+                printed: String::new(),
+                verdict: number_verdict(false, uncocked < 25.0 && heavy > 50),
+                cause: "a spring's mass goes with the energy it stores, not with its stiffness; gamma is the plate's ratio elsewhere",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.1-stop",
+        place: "9.5.1, 9.6",
+        says: "a stop after common speed carries no danger of further penetration",
+        opens: Opens::Scene(stopped),
+        check: |lab| {
+            let final_percent = |scene: &Scene| {
+                lab.run(Law::Sound, scene).percent_of_baseline().unwrap_or(f64::INFINITY)
+            };
+            let first = [stopped(), stopped_heavy()].map(|scene| lab.percent(Law::Sound, &scene));
+            let end = [stopped(), stopped_heavy()].map(|scene| final_percent(&scene));
+            Found {
+                sound: format!(
+                    "gamma = 1: {} become {}; gamma = 3: {} become {}",
+                    pc(first[0]),
+                    pc(end[0]),
+                    pc(first[1]),
+                    pc(end[1])
+                ),
+                printed: "no stop, and no second penetration in it".to_owned(),
+                verdict: trend_verdict(end[0] < first[0] + 1.0),
+                cause: "the plate stands, the projectile still has the common speed: by the same law it goes on, and half the gain is lost",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.1-exponent",
+        place: "9.5.1",
+        says: "uncocked, the exponent should be above about 1.4",
+        opens: Opens::Preset("figure-9.6"),
+        check: |lab| {
+            let curve = |law| lab.curve(law, Percent, &with(&[("k", 1e6)]), ("n", 0.2, 3.0, 15));
+            let [sound, printed] = LAWS.map(curve);
+            let told = |curve: &[(f64, f64)]| {
+                format!(
+                    "{} at n = 1, {} at 1.4, {} at 3",
+                    pc(at(curve, 1.0)),
+                    pc(at(curve, 1.4)),
+                    pc(at(curve, 3.0))
+                )
+            };
+            Found {
+                sound: told(&sound),
+                printed: told(&printed),
+                verdict: trend_verdict(falls(&sound) && at(&sound, 1.4) - at(&sound, 3.0) < 1.0),
+                cause: "with x in metres such a spring is as good as absent; F = F_ref (x/x_ref)^n would not say so",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.1-low-n",
+        place: "9.5.1, 9.6",
+        says: "cocked, the exponent should be low",
+        opens: Opens::Preset("figure-9.12"),
+        check: |lab| {
+            lab.trend(
+                (Percent, ("n", 0.1, 3.0, 16)),
+                &with(&[("d", 0.1)]),
+                rises,
+                "consistent only with the split into cocked and uncocked",
+            )
+        },
+    },
+    Claim {
+        id: "9.6-stiffness",
+        place: "9.5.1, 9.6",
+        says: "the spring should be as soft as possible, and cocked",
+        opens: Opens::Preset("figure-9.11"),
+        check: |lab| {
+            let property = |curve: &[(f64, f64)]| rises(curve);
+            lab.trend(
+                (Percent, ("k", 0.0, 7.5e6, 16)),
+                &with(&[("d", 0.1)]),
+                property,
+                "cocked, a stiffer spring means less depth, as 9.3.5 and 9.5.2 say: the advice contradicts them",
+            )
+        },
+    },
+    Claim {
+        id: "9.6-mass",
+        place: "9.6",
+        says: "the plate should be light",
+        opens: Opens::Preset("figure-9.2"),
+        check: |lab| {
+            lab.trend(
+                (Percent, ("gamma", 0.8, 7.0, 16)),
+                &with(&[("d", 0.1)]),
+                rises,
+                "cocked or not",
+            )
+        },
+    },
+    Claim {
+        id: "9.6-damping",
+        place: "9.6",
+        says: "there should be no damping",
+        opens: Opens::Preset("figure-9.4"),
+        check: |lab| {
+            lab.trend(
+                (Percent, ("b", 0.0, 2000.0, 11)),
+                &with(&[("d", 0.1)]),
+                rises,
+                "cocked or not, the damper holds the plate up",
+            )
+        },
+    },
+    Claim {
+        id: "9.3-torsion",
+        place: "Table 9.3, K",
+        says: "the torsional spring constant is 7200",
+        opens: Opens::Nothing,
+        check: |_| {
+            let stiffness = Cantilever::TABLE_9_3.torsional_n_m();
+            Found {
+                sound: format!("{} N m/rad", number(stiffness)),
+                printed: String::new(),
+                verdict: number_verdict(near(stiffness, 7200.0, 2e-3), false),
+                cause: "gamma K_Theta E I/l; the table's unit N/rad should be N m/rad, and its gamma is a radius factor",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.2-stiffness",
+        place: "9.5.2, Figure 9.14",
+        says: "at d = 0.03 m the effective stiffness is 0.111 MN/m",
+        opens: Opens::Scene(cantilever),
+        check: |_| {
+            let beam = Cantilever::TABLE_9_3;
+            let (start, tangent) = (beam.tangent_n_m(0.0), beam.tangent_n_m(0.03));
+            let secant = beam.force_n(0.03) / 0.03;
+            let stated = |value: f64| (value / 1e6 - 0.111).abs() < 5e-4;
+            Found {
+                sound: format!(
+                    "{} at rest; at 0.03 m tangent {}, secant {}",
+                    unit(start, "N/m"),
+                    unit(tangent, "N/m"),
+                    unit(secant, "N/m")
+                ),
+                printed: String::new(),
+                verdict: number_verdict(stated(tangent) || stated(secant), stated(start)),
+                cause: "the stated value is the slope at rest",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.2-increase",
+        place: "9.5.2, Figure 9.14",
+        says: "stiffness grows with deflection, a little",
+        opens: Opens::Nothing,
+        check: |_| {
+            let beam = Cantilever::TABLE_9_3;
+            let growth = beam.tangent_n_m(beam.yield_at_m()) / beam.tangent_n_m(0.0) - 1.0;
+            Found {
+                sound: format!("by {} up to yield", pc(100.0 * growth)),
+                printed: String::new(),
+                verdict: trend_verdict((0.0..0.1).contains(&growth)),
+                cause: "the pseudo-rigid-body model's geometry",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.2-yield",
+        place: "9.5.2, Figure 9.14",
+        says: "yield is reached at d near 0.03 m",
+        opens: Opens::Scene(cantilever),
+        check: |_| {
+            let at = Cantilever::TABLE_9_3.yield_at_m();
+            Found {
+                sound: mm(at),
+                printed: String::new(),
+                verdict: number_verdict(near(at, 0.03, 0.02), false),
+                cause: "bending stress at the root reaches 880 MPa",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.2-minimal",
+        place: "9.5.2",
+        says: "this beam's cocking would hardly reduce depth",
+        opens: Opens::Scene(cantilever),
+        check: |lab| {
+            let values = LAWS.map(|law| {
+                [lab.percent(law, &with(&[("k", 0.111e6)])), lab.percent(law, &cantilever())]
+            });
+            let told = |pair: [f64; 2]| {
+                format!("{} uncocked, {} cocked by 0.03 m", pc(pair[0]), pc(pair[1]))
+            };
+            Found {
+                sound: told(values[0]),
+                printed: told(values[1]),
+                verdict: trend_verdict(values[0][1] > 0.9 * values[0][0]),
+                cause: "at gamma = 1, as if the beam had no mass",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.2-gamma",
+        place: "9.5.2",
+        says: "the mass ratio could be kept near one with this beam",
+        opens: Opens::Nothing,
+        check: |_| {
+            let beam = Cantilever::TABLE_9_3;
+            let ratio = beam.tip_mass_kg() / 0.0295;
+            Found {
+                sound: format!(
+                    "the beam alone counts as {} g at its tip: {} projectiles; at yield it stores {} of 147.5 J",
+                    number(1e3 * beam.tip_mass_kg()),
+                    number(ratio),
+                    unit(beam.energy_j(beam.yield_at_m()), "J")
+                ),
+                printed: String::new(),
+                verdict: trend_verdict(ratio < 1.0),
+                cause: "33/140 of a titanium beam of 0.6 kg moves with the plate",
+            }
+        },
+    },
+    Claim {
+        id: "9.5.3-helical",
+        place: "9.5.3",
+        says: "the helical rotating spring magnifies the effect of cocking",
+        opens: Opens::Nothing,
+        check: |_| Found {
+            sound: String::new(),
+            printed: String::new(),
+            verdict: Verdict::Unchecked,
+            cause: "no dimension of the spring is given, so nothing can be computed of it",
+        },
+    },
+    Claim {
+        id: "9.6-feasible",
+        place: "9.6",
+        says: "all three designs appear feasible",
+        opens: Opens::Nothing,
+        check: |_| {
+            let coil = coil_ratio(1e5, 0.0);
+            let beam = Cantilever::TABLE_9_3.tip_mass_kg() / 0.0295;
+            Found {
+                sound: format!(
+                    "moving or stored mass: coil {} projectiles, beam {}",
+                    number(coil),
+                    number(beam)
+                ),
+                printed: String::new(),
+                verdict: trend_verdict(coil < 2.0 && beam < 2.0),
+                cause: "9.5.2 and 9.5.3 say themselves that the useful region is out of reach",
+            }
+        },
+    },
+];

@@ -1,0 +1,66 @@
+//! What a run puts into its mount: the greatest force, and the impulse.
+
+use crate::model::mechanism::Mechanism;
+use crate::model::run::{EventKind, Outcome, Run, Sample};
+use crate::model::scene::{ContactModel, Mount};
+use crate::numerics::larger;
+
+/// The greatest force into the mount, N.
+///
+/// A rigid mount takes all of the contact force along the plate's normal. A spring's greatest force is at the greatest
+/// displacement, where the damper is at rest; with a damper the samples are searched as well.
+pub(super) fn peak_n(run: &Run) -> Option<f64> {
+    if !run.end.is_complete() {
+        return None;
+    }
+    if run.scene.plate.mount == Mount::Rigid {
+        return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
+    }
+    let mechanism = Mechanism::of(&run.scene);
+    let hit = |kind| run.events.iter().any(|event| event.kind == kind);
+    if mechanism.rigid_stop().is_some() && hit(EventKind::StopHit) {
+        // It stops the plate in no time.
+        return None;
+    }
+    if mechanism.is_absent() && mechanism.stop.is_none() {
+        return None;
+    }
+    let force = |row: &Sample| (row.spring_force_n + row.damper_force_n + row.stop_force_n).abs();
+    let sampled = run.series.iter().map(force).fold(0.0, larger);
+    let spring = mechanism.spring;
+    let turned = run.max_plate_displacement_m.filter(|_| mechanism.stop.is_none());
+    let turn = turned.map_or(0.0, |farthest| spring.force(farthest).abs());
+    Some(larger(larger(sampled, turn), spring.force(run.start_m()).abs())).filter(|f| f.is_finite())
+}
+
+/// The impulse into the mount along the plate's normal, N s: what projectile and plate have lost of their momentum when the
+/// plate is farthest out (or at the end of the run, where nothing turns it).
+pub(super) fn impulse_n_s(run: &Run) -> Option<f64> {
+    let scene = &run.scene;
+    // The other models do not all keep the momentum of the projectile.
+    if !run.end.is_complete() || scene.contact.model != ContactModel::Hydrodynamic {
+        return None;
+    }
+    let (m_p, cos) = (scene.projectile.mass_kg, scene.cos_obliquity());
+    let struck = scene.projectile.velocity_m_s;
+    if scene.plate.mount == Mount::Rigid {
+        let left = match run.outcome {
+            Outcome::Arrested => 0.0,
+            Outcome::Perforated => run.residual_velocity_m_s?,
+            Outcome::Separated => run.separation?.1,
+            Outcome::Moving => return None,
+        };
+        return Some(m_p * cos * (struck - left));
+    }
+    let mechanism = Mechanism::of(scene);
+    if mechanism.is_absent() && mechanism.stop.is_none() {
+        return None;
+    }
+    let turn = run.events.iter().find(|event| event.kind == EventKind::GreatestDisplacement);
+    let row = match turn {
+        Some(event) => run.series.iter().rfind(|row| row.t_s <= event.t_s)?,
+        None => run.series.last()?,
+    };
+    let lost = m_p * cos * (struck - row.projectile_velocity_m_s);
+    Some(lost - scene.plate_mass_kg() * row.plate_velocity_m_s)
+}

@@ -1,0 +1,41 @@
+//! The solid plate with a given limit velocity, in closed form.
+
+use crate::model::closed_form::Passage;
+use crate::model::contact::Geometry;
+use crate::model::scene::{ContactModel, Scene};
+use crate::numerics::root::in_bracket;
+
+/// Thickness, m, of the plate of the scene's material that, held rigidly, has this limit velocity, m/s, against the scene's
+/// projectile; `None` for another contact model, or without strength or limit.
+pub fn thickness_of_limit_m(scene: &Scene, limit_m_s: f64) -> Option<f64> {
+    if scene.contact.model != ContactModel::Hydrodynamic || limit_m_s <= 0.0 {
+        return None;
+    }
+    let swept = |thickness_m: f64| {
+        let mut own = scene.clone();
+        own.target.thickness_m = thickness_m;
+        let geometry = Geometry::of(&own);
+        geometry.swept_m3(geometry.exit_m)
+    };
+    let geometry = Geometry::of(scene);
+    let passage = Passage {
+        geometry: &geometry,
+        mass_kg: scene.projectile.mass_kg,
+        strength_pa: scene.target.flow_strength_pa,
+        drag_kg_m3: scene.drag_kg_m3(),
+        velocity_m_s: limit_m_s,
+    };
+    // At the limit the whole passage takes just the volume that stops the shot, which does not depend on the thickness.
+    let volume = passage.stopping_volume_m3()?;
+    let (mut thin, mut thick) = (scene.target.thickness_m, scene.target.thickness_m);
+    for _ in 0..200 {
+        if swept(thin) > volume {
+            thin *= 0.5;
+        } else if swept(thick) < volume {
+            thick *= 2.0;
+        } else {
+            return Some(in_bracket(thin, thick, |thickness| swept(thickness) - volume));
+        }
+    }
+    None
+}

@@ -1,0 +1,228 @@
+//! The Limit tab: what was found, which shot is selected, and both in words. No drawing.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use super::App;
+use super::accuracy::Measuring;
+use super::notice::Severity;
+use crate::model::run::Outcome;
+use crate::model::units::{fixed_significant, significant};
+use crate::study::limit::scatter::{Scatter, Scattering};
+use crate::study::limit::{Effort, Limit, Report, Shot};
+
+/// The scatter of the inputs that is asked for here.
+pub const SCATTERING: Scattering = Scattering { deviation: 0.02, samples: 200, seed: 1 };
+/// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
+const CARRIED: f64 = 0.2;
+
+/// The state of the tab.
+#[derive(Clone, Debug, Default)]
+pub struct Ballistic {
+    /// What was found.
+    pub report: Option<Arc<Report>>,
+    /// What is being looked for.
+    pub finding: Option<Measuring>,
+    /// V50 and spread are asked for, too.
+    pub scattered: bool,
+    /// The shot the crosshair stands on, by its place in the curve.
+    pub cursor: Option<usize>,
+}
+
+/// Something to be said of a report: what of, how it is meant, the words.
+pub type Fact = (&'static str, Severity, String);
+
+impl Ballistic {
+    /// What is asked for.
+    pub fn effort(&self) -> Effort {
+        Effort { scattering: self.scattered.then_some(SCATTERING) }
+    }
+
+    /// The shots there are.
+    pub fn shots(&self) -> &[Shot] {
+        self.report.as_ref().map_or(&[], |report| &report.shots)
+    }
+
+    /// The shot the crosshair stands on.
+    pub fn shot(&self) -> Option<&Shot> {
+        self.shots().get(self.cursor?)
+    }
+
+    /// Move the crosshair by shots; its first move sets it on the first shot that goes through.
+    pub fn move_cursor(&mut self, by: isize) {
+        let Some(last) = self.shots().len().checked_sub(1) else { return };
+        let first = || self.shots().iter().position(|shot| shot.residual_m_s.is_some());
+        let at =
+            self.cursor.map_or_else(|| first().unwrap_or(0), |at| at.saturating_add_signed(by));
+        self.cursor = Some(at.min(last));
+    }
+
+    /// Everything but the limit itself, in words.
+    pub fn facts(&self) -> Vec<Fact> {
+        let Some(report) = &self.report else { return Vec::new() };
+        let mut facts: Vec<Fact> = Vec::new();
+        let mut add = |label, text: String| facts.push((label, Severity::Note, text));
+        if let Some(law) = report.recht_ipson {
+            let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
+            add("Recht-Ipson", format!("a {a}; misses by {misfit} m/s (rms)"));
+        }
+        if let Some(law) = report.lambert_jonas {
+            let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
+            let (limit, misfit) = (velocity(law.limit_m_s), significant(law.misfit_m_s, 2));
+            add(
+                "Lambert-Jonas",
+                format!("a {a}, p {p}, v_bl {limit}; misses by {misfit} m/s (rms)"),
+            );
+        }
+        match report.scatter {
+            Some(found) => facts.extend(scattered(&found, report)),
+            None if report.limit.velocity_m_s().is_some() && report.is_complete => {
+                let percent = significant(100.0 * SCATTERING.deviation, 2);
+                let text = format!("v: V50 and spread with every input scattered by {percent} %");
+                add("V50", text);
+            }
+            None => {}
+        }
+        facts.extend(carried(report).map(|text| ("note", Severity::Note, text)));
+        if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
+            let again = velocity(again);
+            let text = format!("no single limit: {again} is stopped again; the lowest is given");
+            facts.insert(0, ("warning", Severity::Warning, text));
+        }
+        facts
+    }
+}
+
+/// The plate carries the projectile along: what neither law knows.
+fn carried(report: &Report) -> Option<String> {
+    report.limit.velocity_m_s()?;
+    let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
+    let (_, residual) = first.filter(|(impact, residual)| *residual > CARRIED * impact)?;
+    let residual = velocity(residual);
+    Some(format!("just beyond v_bl {residual} is left: the plate carries it along"))
+}
+
+fn scattered(found: &Scatter, report: &Report) -> Vec<Fact> {
+    let asked = found.scattering;
+    let percent = |part: f64| significant(100.0 * part, 3);
+    let (low, high) = found.range90_m_s;
+    let mut text = format!(
+        "{}, spread {}; 90 % in {} to {}",
+        velocity(found.v50_m_s),
+        velocity(found.deviation_m_s),
+        fixed_significant(low, 4),
+        velocity(high),
+    );
+    if found.without > 0 {
+        let _ = write!(text, "; {} samples have no limit near", found.without);
+    }
+    let through = format!(
+        "{} % of shots at the scene's {} (95 %: {} to {} %)",
+        percent(found.perforated),
+        velocity(report.scene.projectile.velocity_m_s),
+        percent(found.perforated95.0.max(0.0)),
+        percent(found.perforated95.1),
+    );
+    let inputs = format!(
+        "inputs +-{} % (standard deviation), {} samples, seed {}",
+        percent(asked.deviation),
+        asked.samples,
+        asked.seed
+    );
+    [("V50", text), ("goes through", through), ("scatter", inputs)]
+        .map(|(label, text)| (label, Severity::Note, text))
+        .into()
+}
+
+/// A velocity with its unit, to four digits.
+fn velocity(value_m_s: f64) -> String {
+    format!("{} m/s", fixed_significant(value_m_s, 4))
+}
+
+/// How a shot ends, in words.
+fn ends(shot: &Shot) -> String {
+    match (shot.outcome, shot.residual_m_s) {
+        (Outcome::Perforated, Some(left)) => {
+            format!("through, {} left", fixed_significant(left, 4))
+        }
+        (Outcome::Perforated, None) => "through".to_owned(),
+        (Outcome::Arrested | Outcome::Separated, _) => "stopped".to_owned(),
+        (Outcome::Moving, _) => "still moving at the end of the run".to_owned(),
+    }
+}
+
+impl App {
+    /// Whether what was found belongs to another scene than the one on the screen.
+    pub fn limit_is_old(&self) -> bool {
+        self.limit.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
+    }
+
+    /// The limit and the margin of the scene it belongs to, in one line.
+    pub fn limit_headline(&self) -> Option<String> {
+        let report = self.limit.report.as_ref()?;
+        let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = report.limit else {
+            return report.limit.absence();
+        };
+        let margin = report.margin()?;
+        let own = significant(report.scene.projectile.velocity_m_s, 4);
+        // Where a faster shot is stopped again, being beyond the limit tells nothing.
+        let ends = match (margin < 0.0, stopped_at_m_s) {
+            (false, _) => ": it is stopped",
+            (true, None) => ": it goes through",
+            (true, Some(_)) => "",
+        };
+        Some(format!(
+            "v_bl {} m/s, margin {:+.1} % at the scene's {own} m/s{ends}",
+            fixed_significant(velocity_m_s, 6),
+            100.0 * margin
+        ))
+    }
+
+    /// The shot at the crosshair in words, with what the laws say there.
+    pub fn limit_readout(&self) -> Option<(Severity, String)> {
+        let (shot, report) = (self.limit.shot()?, self.limit.report.as_ref()?);
+        let v = shot.impact_m_s;
+        let laws = [
+            ("Recht-Ipson", report.recht_ipson.map(|law| law.residual_m_s(v))),
+            ("Lambert-Jonas", report.lambert_jonas.map(|law| law.residual_m_s(v))),
+        ];
+        let mut text = format!("{}: {}", velocity(v), ends(shot));
+        for (name, left) in laws {
+            if let Some(left) = left.filter(|_| shot.residual_m_s.is_some()) {
+                let _ = write!(text, "; {name} {}", fixed_significant(left, 4));
+            }
+        }
+        Some((Severity::Note, text))
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn limit_status(&self) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let tab = &self.limit;
+        let mut parts = vec![match (&tab.finding, &tab.report) {
+            (Some(finding), _) => {
+                let of = finding.points.map_or_else(String::new, |(done, total)| {
+                    format!(": {done} of about {total} shots")
+                });
+                same(Severity::Note, format!("finding the limit{of} (Esc stops)"))
+            }
+            (None, None) => {
+                same(Severity::Note, "not looked for yet: r finds the limit".to_owned())
+            }
+            (None, Some(_)) if self.limit_is_old() => {
+                same(Severity::Warning, "old: r finds the changed scene's limit".to_owned())
+            }
+            (None, Some(report)) if !report.is_complete => {
+                same(Severity::Warning, "stopped: r finds it again".to_owned())
+            }
+            (None, Some(_)) => same(Severity::Note, "done".to_owned()),
+        }];
+        if let Some(report) = &tab.report {
+            if let Limit::Found { basis, .. } = report.limit {
+                parts.push(same(Severity::Note, format!("by {}", basis.words())));
+            }
+            parts.push(same(Severity::Note, format!("curve of {} shots", report.shots.len())));
+        }
+        parts
+    }
+}

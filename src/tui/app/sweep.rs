@@ -1,0 +1,361 @@
+//! The Sweep and Surface tabs: what is swept, what was found, where the cursor stands, and all of it in words. No drawing.
+//!
+//! Axes and outputs are the scene's own `[sweep]`, so that they are undone, saved and exported with it; where the scene has
+//! none, usual ones stand in until something is changed. The cursor is the scene itself: moving it changes the variables
+//! on the axes, and the grid point nearest to them is marked.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::notice::Severity;
+use super::{App, Tab, show_duration};
+use crate::model::results::ResultColumn;
+use crate::model::scene::{Scene, Sweep, SweepAxis};
+use crate::model::units::{self, Engineering};
+use crate::model::variables::{self, Kind as VariableKind};
+use crate::study::sweep::grid::{Cell, Grid};
+use crate::study::sweep::{Axis, Design, Fate, Plan, SweepError, USUAL_OUTPUTS};
+
+pub use super::setup::{SetupField, SetupRow};
+
+/// Curves of a family unless another number is chosen.
+const CURVES: u64 = 5;
+/// The axes that stand in where a scene has none: those of Figure 9.7, 9.10 and 9.11.
+const USUAL_AXES: [(&str, f64, f64, usize); 3] =
+    [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
+
+/// Which of the two tabs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Picture {
+    /// One axis, with a family of curves or without.
+    Line,
+    /// Two axes.
+    Surface,
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The grid, filled as far as it is.
+    pub grid: Arc<Grid>,
+    /// Time taken; `None` while it grows.
+    pub took: Option<Duration>,
+}
+
+/// A sweep that has not ended.
+#[derive(Clone, Debug)]
+pub struct Computing {
+    /// Its number.
+    pub id: u64,
+    /// For which picture.
+    pub picture: Picture,
+    /// What is swept.
+    pub plan: Arc<Plan>,
+    /// Points done and in all, once told.
+    pub points: Option<(usize, usize)>,
+    /// Time gone when that was told.
+    pub elapsed: Duration,
+    /// It has been going on for so long that leaving asks first.
+    pub long: bool,
+    /// It was said that it will take more than a minute.
+    pub warned: bool,
+}
+
+impl Computing {
+    /// The time left, by the points done so far.
+    pub fn left(&self) -> Option<Duration> {
+        let (done, total) = self.points.filter(|points| points.0 > 0)?;
+        let share = (total - done) as f64 / done as f64;
+        Duration::try_from_secs_f64(self.elapsed.as_secs_f64() * share).ok()
+    }
+}
+
+/// Which contour is drawn over a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Contour {
+    /// Through the point under the cursor: all designs as good as this one.
+    #[default]
+    Cursor,
+    /// None.
+    Off,
+}
+
+/// The state of both tabs.
+#[derive(Clone, Debug)]
+pub struct Sweeping {
+    /// Curves over one axis.
+    pub line: Option<Found>,
+    /// A surface over two.
+    pub surface: Option<Found>,
+    /// What is being computed.
+    pub computing: Option<Computing>,
+    /// Why the present axes cannot be swept.
+    pub problem: Option<String>,
+    /// The setup has the keys.
+    pub on_setup: bool,
+    /// The selected row of the setup.
+    pub row: SetupRow,
+    /// The open field.
+    pub field: Option<SetupField>,
+    /// The output shown, of those computed.
+    pub output: usize,
+    /// Values on a logarithmic scale.
+    pub log_values: bool,
+    /// The contour.
+    pub contour: Contour,
+    /// Curves of a family.
+    pub curves: u64,
+}
+
+impl Default for Sweeping {
+    fn default() -> Self {
+        Self {
+            line: None,
+            surface: None,
+            computing: None,
+            problem: None,
+            on_setup: false,
+            row: SetupRow::Name(0),
+            field: None,
+            output: 0,
+            log_values: false,
+            contour: Contour::Cursor,
+            curves: CURVES,
+        }
+    }
+}
+
+impl Sweeping {
+    /// What was found for a picture.
+    pub fn found(&self, picture: Picture) -> Option<&Found> {
+        match picture {
+            Picture::Line => self.line.as_ref(),
+            Picture::Surface => self.surface.as_ref(),
+        }
+    }
+
+    /// Show what was found.
+    pub fn show(&mut self, picture: Picture, found: Found) {
+        match picture {
+            Picture::Line => self.line = Some(found),
+            Picture::Surface => self.surface = Some(found),
+        }
+    }
+}
+
+/// The sweep of a scene, with usual axes and outputs where it has none; always two axes.
+pub fn sweep_of(scene: &Scene) -> Sweep {
+    let mut sweep = scene.sweep.clone().unwrap_or_default();
+    let key = |name: &str| variables::find(name).map(|variable| variable.key).ok();
+    for (name, from, to, count) in USUAL_AXES {
+        let taken = sweep.axes.iter().any(|axis| key(&axis.name) == key(name));
+        if sweep.axes.len() < 2 && !taken {
+            sweep.axes.push(SweepAxis { name: name.to_owned(), from, to, count, log: false });
+        }
+    }
+    if sweep.outputs.is_empty() {
+        sweep.outputs = USUAL_OUTPUTS.map(str::to_owned).to_vec();
+    }
+    sweep
+}
+
+/// Whether curves are repeated for the values of a second axis.
+pub fn has_family(scene: &Scene) -> bool {
+    scene.sweep.as_ref().is_some_and(|sweep| sweep.axes.len() >= 2)
+}
+
+impl App {
+    /// The picture of the present tab.
+    pub fn picture(&self) -> Option<Picture> {
+        match self.tab {
+            Tab::Sweep => Some(Picture::Line),
+            Tab::Surface => Some(Picture::Surface),
+            Tab::Run | Tab::Accuracy | Tab::Stability | Tab::Log | Tab::Thesis | Tab::Limit => None,
+        }
+    }
+
+    /// What a picture of the present scene would have to compute.
+    ///
+    /// # Errors
+    /// [`SweepError`] when the axes do not fit the scene.
+    pub fn sweep_plan(&self, picture: Picture) -> Result<Plan, SweepError> {
+        let sweep = sweep_of(&self.scene);
+        let mut axes = vec![Axis::of(&sweep.axes[0])?];
+        match picture {
+            Picture::Line if has_family(&self.scene) => {
+                let second = Axis::of(&sweep.axes[1])?;
+                let (name, ends) = (second.symbol(), second.ends());
+                axes.push(Axis::new(name, ends, self.sweeping.curves, second.spacing())?);
+            }
+            Picture::Line => {}
+            Picture::Surface => axes.push(Axis::of(&sweep.axes[1])?),
+        }
+        Plan::new(&self.scene, axes, Design::Factorial, &sweep.outputs)
+    }
+
+    /// Whether the picture belongs to other axes or held variables than those on the screen.
+    pub fn sweep_is_old(&self, picture: Picture) -> bool {
+        let wanted = self.sweep_plan(picture).ok();
+        let shown = self.sweeping.found(picture).map(|found| &**found.grid.plan());
+        shown.is_some() && shown != wanted.as_ref()
+    }
+
+    /// The output shown of a grid, and its place.
+    pub fn shown_output(&self, grid: &Grid) -> (usize, &'static ResultColumn) {
+        let outputs = grid.plan().outputs();
+        let at = self.sweeping.output.min(outputs.len().saturating_sub(1));
+        (at, outputs[at])
+    }
+
+    /// The grid point nearest to the scene.
+    pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
+        let along = |axis: Option<&Axis>| {
+            let axis = axis?;
+            let value = (axis.number().get)(&self.scene)?;
+            usize::try_from(axis.nearest(value)).ok()
+        };
+        let axes = grid.plan().axes();
+        (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
+    }
+
+    /// What is under the cursor, in at most this many columns: units and long names go first.
+    pub fn sweep_readout(&self, width: usize) -> Option<String> {
+        let long = self.readout_with(Words::Long)?;
+        if long.chars().count() <= width { Some(long) } else { self.readout_with(Words::Short) }
+    }
+
+    fn readout_with(&self, words: Words) -> Option<String> {
+        let picture = self.picture()?;
+        let grid = &self.sweeping.found(picture)?.grid;
+        let (x, y) = self.cursor_point(grid);
+        let axes = grid.plan().axes();
+        let at = |axis: &Axis, index: usize| {
+            let value = axis.value(u64::try_from(index).unwrap_or(0));
+            let shown = match words {
+                Words::Long => axis_value(axis, value),
+                Words::Short => units::significant(value, 5),
+            };
+            format!("{} {shown}", axis.symbol())
+        };
+        let mut parts: Vec<String> =
+            axes.iter().zip([x, y]).map(|(axis, index)| at(axis, index)).collect();
+        let away = axes.iter().zip([x, y]).any(|(axis, index)| {
+            let value = axis.value(u64::try_from(index).unwrap_or(0));
+            (axis.number().get)(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
+        });
+        let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
+        parts.clear();
+        for (index, output) in grid.plan().outputs().iter().enumerate() {
+            let name = words.of(output);
+            let text = match grid.cell(x, y, index) {
+                Cell::Value(value) if output.unit() == "%" => {
+                    format!("{} of baseline", output_value(output, value))
+                }
+                Cell::Value(value) => format!("{name} {}", output_value(output, value)),
+                // The whole point is so, whatever the output.
+                Cell::Fate(fate @ (Fate::Perforated | Fate::Moving | Fate::Failed(_))) => {
+                    fate.without_value(output).to_owned()
+                }
+                Cell::Fate(fate) => format!("{name}: {}", fate.without_value(output)),
+                Cell::Waiting => "not computed yet".to_owned(),
+            };
+            if !parts.contains(&text) {
+                parts.push(text);
+            }
+        }
+        Some(format!("{place}: {}", parts.join(", ")))
+    }
+
+    /// The parts of the status row in these tabs; see [`App::status`].
+    pub fn sweep_status(&self, picture: Picture) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let mut parts = Vec::new();
+        let found = self.sweeping.found(picture);
+        if let Some(computing) = self.sweeping.computing.as_ref().filter(|it| it.picture == picture)
+        {
+            let points = computing
+                .points
+                .map_or_else(String::new, |(done, total)| format!(": {done} of {total} points"));
+            let left = computing.left().filter(|left| left.as_secs() > 0);
+            let left =
+                left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
+            parts.push(same(Severity::Note, format!("sweeping{points}{left} (Esc stops)")));
+        } else if let Some(problem) = &self.sweeping.problem {
+            parts.push(same(Severity::Error, problem.clone()));
+        } else if self.sweep_is_old(picture) {
+            parts.push(same(Severity::Warning, "old: r sweeps the changed scene".to_owned()));
+        } else if let Some(found) = found {
+            let (done, total) = found.grid.progress();
+            match found.took.filter(|_| found.grid.is_complete()) {
+                Some(took) => {
+                    let text = format!("{total} points in {}", show_duration(took));
+                    parts.push(same(Severity::Note, text));
+                }
+                None => parts.push(same(
+                    Severity::Warning,
+                    format!("stopped after {done} of {total} points: r sweeps again"),
+                )),
+            }
+        } else {
+            parts.push(same(Severity::Note, "not swept yet: r sweeps".to_owned()));
+        }
+        if let Some(found) = found {
+            let words = ["", "perforated", "separated", "moving", "failed"];
+            for (count, word) in found.grid.census().into_iter().zip(words) {
+                if count > 0 && !word.is_empty() {
+                    let severity =
+                        if word == "separated" { Severity::Note } else { Severity::Warning };
+                    parts.push(same(severity, format!("{count} {word}")));
+                }
+            }
+        }
+        let law = format!("interface {}", self.scene_word("interface.law"));
+        parts.push(same(Severity::Note, law));
+        parts
+    }
+
+    fn scene_word(&self, key: &str) -> String {
+        variables::find(key).map_or_else(|_| String::new(), |found| found.show(&self.scene))
+    }
+}
+
+/// How much room a readout has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Words {
+    Long,
+    Short,
+}
+
+impl Words {
+    /// The name of an output.
+    fn of(self, output: &ResultColumn) -> String {
+        match (self, output.name) {
+            (Self::Short, "max_plate_displacement_m") => "plate".to_owned(),
+            (Self::Short, "final_penetration_m" | "first_arrest_penetration_m") => {
+                "depth".to_owned()
+            }
+            (Self::Long | Self::Short, _) => output.title(),
+        }
+    }
+}
+
+/// A value of an axis with its unit, short: `0.24 m`, `1.5e6 N/m^n`.
+pub fn axis_value(axis: &Axis, value: f64) -> String {
+    let unit = axis.variable().unit().trim_matches('-');
+    let text = units::significant(value, 5);
+    if unit.is_empty() { text } else { format!("{text} {unit}") }
+}
+
+/// An output with its unit: `64.27 %`, `37.98 mm`.
+pub fn output_value(output: &ResultColumn, value: f64) -> String {
+    match output.unit() {
+        "" => units::significant(value, 5),
+        "%" => format!("{} %", units::fixed_significant(value, 4)),
+        unit => Engineering { value, unit, digits: 4 }.to_string(),
+    }
+}
+
+/// The numeric variables, in the order of the editor: what an axis can be.
+pub fn numeric() -> impl Iterator<Item = &'static variables::Variable> {
+    variables::VARIABLES.iter().filter(|variable| matches!(variable.kind, VariableKind::Number(_)))
+}

@@ -1,0 +1,184 @@
+//! The Thesis tab: the reproduction report, the families of principles, the screening matrix, and what is selected in them.
+
+use std::sync::Arc;
+
+use super::App;
+use super::accuracy::Measuring;
+use super::notice::Severity;
+use crate::model::units::significant;
+use crate::study::principles::PRINCIPLES;
+use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
+use crate::study::thesis::{Opens, Row, Verdict, tally};
+
+/// A page of the tab.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Page {
+    /// Every claim against what is computed.
+    #[default]
+    Claims,
+    /// Families, principles and functions.
+    Principles,
+    /// The screening matrix.
+    Screening,
+}
+
+impl Page {
+    /// The page that follows, in a circle.
+    #[must_use]
+    pub fn next(self) -> Self {
+        match self {
+            Self::Claims => Self::Principles,
+            Self::Principles => Self::Screening,
+            Self::Screening => Self::Claims,
+        }
+    }
+}
+
+/// The state of the tab.
+#[derive(Clone, Debug)]
+pub struct Thesis {
+    /// The page shown.
+    pub page: Page,
+    /// The rows so far, and whether these are all.
+    pub report: Option<(Arc<Vec<Row>>, bool)>,
+    /// The report that is being made.
+    pub running: Option<Measuring>,
+    /// Only rows with this verdict are shown.
+    pub filter: Option<Verdict>,
+    /// The selected one of the rows shown.
+    pub selected: usize,
+    /// The selected principle.
+    pub principle: usize,
+    /// The selected criterion.
+    pub criterion: usize,
+    /// Weights of the criteria, percent.
+    pub weights: [f64; 7],
+}
+
+impl Default for Thesis {
+    fn default() -> Self {
+        Self {
+            page: Page::Claims,
+            report: None,
+            running: None,
+            filter: None,
+            selected: 0,
+            principle: 0,
+            criterion: 0,
+            weights: WEIGHTS_PERCENT,
+        }
+    }
+}
+
+impl Thesis {
+    /// All rows there are.
+    pub fn rows(&self) -> &[Row] {
+        self.report.as_ref().map_or(&[], |(rows, _)| rows)
+    }
+
+    /// The rows that pass the filter.
+    pub fn shown(&self) -> Vec<&Row> {
+        let passes = |row: &&Row| self.filter.is_none_or(|wanted| row.found.verdict == wanted);
+        self.rows().iter().filter(passes).collect()
+    }
+
+    /// The selected row.
+    pub fn row(&self) -> Option<&Row> {
+        self.shown().get(self.selected).copied()
+    }
+
+    /// Move the selection of the page shown.
+    pub fn move_by(&mut self, rows: isize) {
+        let count = match self.page {
+            Page::Claims => self.shown().len(),
+            Page::Principles => PRINCIPLES.len(),
+            Page::Screening => CRITERIA.len(),
+        };
+        let last = count.saturating_sub(1);
+        let selected = match self.page {
+            Page::Claims => &mut self.selected,
+            Page::Principles => &mut self.principle,
+            Page::Screening => &mut self.criterion,
+        };
+        *selected = selected.saturating_add_signed(rows).min(last);
+    }
+
+    /// The next verdict to filter by; after the last one, all rows.
+    pub fn next_filter(&mut self) {
+        let at = self.filter.and_then(|it| Verdict::ALL.iter().position(|other| *other == it));
+        self.filter = match at {
+            None => Verdict::ALL.first().copied(),
+            Some(at) => Verdict::ALL.get(at + 1).copied(),
+        };
+        self.selected = 0;
+    }
+}
+
+impl App {
+    /// What is selected, in words, for the message row.
+    pub fn thesis_readout(&self) -> Option<String> {
+        let tab = &self.thesis;
+        match tab.page {
+            Page::Claims => {
+                let row = tab.row()?;
+                let opens = match row.claim.opens {
+                    Opens::Nothing => String::new(),
+                    Opens::Scene(_) => "; Enter opens its scene".to_owned(),
+                    Opens::Preset(name) => format!("; Enter opens {name}"),
+                };
+                Some(format!("{}: {}{opens}", row.found.verdict.words(), row.found.cause))
+            }
+            Page::Principles => {
+                let principle = &PRINCIPLES[tab.principle];
+                let opens = principle.preset.map_or_else(
+                    || "no preset shows it".to_owned(),
+                    |name| format!("Enter opens {name}"),
+                );
+                Some(format!("{}: {opens}", principle.name))
+            }
+            Page::Screening => {
+                let weight = tab.weights[tab.criterion];
+                let first = ranking(&tab.weights)[0];
+                Some(format!(
+                    "{}: {} % (printed {} %); first: {}",
+                    CRITERIA[tab.criterion],
+                    significant(weight, 4),
+                    significant(WEIGHTS_PERCENT[tab.criterion], 4),
+                    CONCEPTS[first.concept].name
+                ))
+            }
+        }
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn thesis_status(&self) -> Vec<(Severity, String, String)> {
+        let note = |text: String| (Severity::Note, text.clone(), text);
+        let tab = &self.thesis;
+        let mut parts = Vec::new();
+        match (&tab.running, &tab.report) {
+            (Some(running), _) => {
+                let of = running
+                    .points
+                    .map_or_else(String::new, |(done, total)| format!(": {done} of {total}"));
+                parts.push(note(format!("checking the claims{of} (Esc stops)")));
+            }
+            (None, None) => parts.push(note("not checked yet: r checks".to_owned())),
+            (None, Some((_, false))) => parts.push(note("stopped: r checks all".to_owned())),
+            (None, Some((_, true))) => {}
+        }
+        if let Some((rows, _)) = &tab.report {
+            let counts = tally(rows);
+            let listed = |show: fn(Verdict) -> String, gap: &str| {
+                let parts: Vec<String> = Verdict::ALL
+                    .iter()
+                    .zip(counts)
+                    .map(|(verdict, count)| format!("{count} {}", show(*verdict)))
+                    .collect();
+                format!("{} rows: {}", rows.len(), parts.join(gap))
+            };
+            let long = listed(|it| it.words().to_owned(), ", ");
+            parts.push((Severity::Note, long, listed(|it| it.letter().to_string(), "  ")));
+        }
+        parts
+    }
+}

@@ -1,0 +1,353 @@
+//! A heat map: two axes, a colour or character for each band of values, marks where there is no value, one contour, a cursor.
+//!
+//! ```text
+//! +- percent of baseline: k [MN/m] --------- gamma +
+//! |  7.5+##############@@@@@@@@@@@@@@@@@@@@@@@@@   |    bands of round bounds, darkest least
+//! |     |***OOOO######|####@@@@@@@@@@@@@@@@@@@@@   |    O the contour
+//! |  5.0+*****OOOO####|########@@@@@@@@@@@@@@@@@   |
+//! |     |-+-+-+-+OOOO-X-#-#-#-#-#-#-#-@-@-@-@-@-   |    X the cursor
+//! |  2.5++++*****OOOO#|############@@@@@@@@@@@@@   |
+//! |     |+++++*****OOO|O#################@@@@@@@   |
+//! |    0+PPPPPP+*****O|OOOO###################@@   |    P a mark: no number
+//! |     ++------+------+------+------+------+----  |
+//! |      1      2      3      4      5      6      |
+//! +------------------------------------------------+
+//! ```
+//!
+//! Colour is never the only channel: bands are told by characters wherever there are fewer than 256 colours, and the scale is
+//! written beside the map. Frame, axes and ticks are the chart's own.
+
+use std::borrow::Cow;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use ratatui::style::{Color, Modifier, Style};
+
+use super::levels::Levels;
+use super::{Axis, Chart, Layout, buffer_lines};
+use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme, ascii_pass};
+
+/// The bands in characters, least first.
+const RAMP: [char; super::levels::BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
+
+/// What is at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Spot {
+    /// A value.
+    Value(f64),
+    /// No value, and the letter that says why.
+    Mark(char, Role),
+    /// Nothing yet.
+    Empty,
+}
+
+/// A heat map. Points are spread evenly over both axes, from their lower to their upper bound.
+pub struct Heatmap<'a> {
+    /// What it shows; the vertical axis's unit is appended.
+    pub title: Cow<'a, str>,
+    /// The horizontal axis.
+    pub x: Axis<'a>,
+    /// The vertical axis.
+    pub y: Axis<'a>,
+    /// Points along them.
+    pub counts: (usize, usize),
+    /// What is at a point, counted from the lower left one.
+    pub spot: &'a dyn Fn(usize, usize) -> Spot,
+    /// The bands.
+    pub levels: &'a Levels,
+    /// A contour at this value.
+    pub contour: Option<f64>,
+    /// The point under the cursor.
+    pub cursor: Option<(usize, usize)>,
+    /// Whether it has the keys.
+    pub focused: bool,
+}
+
+impl Heatmap<'_> {
+    /// Draw it into an area, and tell where everything lies.
+    pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
+        let chart = Chart {
+            focused: self.focused,
+            ..Chart::new(&*self.title, self.x.clone(), self.y.clone(), Vec::new())
+        };
+        let layout = chart.render(area, buffer, theme).layout;
+        if layout.plot.is_empty() {
+            return layout;
+        }
+        self.bands(layout.plot, buffer, theme);
+        self.contour(layout.plot, buffer, theme);
+        self.cursor(layout.plot, buffer, theme);
+        layout
+    }
+
+    /// The map as lines of text, blanks at their ends removed.
+    pub fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
+        let area = Rect::new(0, 0, width, height);
+        let mut buffer = Buffer::empty(area);
+        self.render(area, &mut buffer, theme);
+        if theme.glyphs == GlyphSet::Ascii {
+            ascii_pass(&mut buffer);
+        }
+        buffer_lines(&buffer)
+    }
+
+    fn bands(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+        let halves = halves(theme);
+        for row in 0..plot.height {
+            for column in 0..plot.width {
+                let x = spread(column, plot.width, self.counts.0);
+                let at = |half: Half| (self.spot)(x, half.spread(plot, row, self.counts.1));
+                let (symbol, style) = if halves {
+                    two(at(Half::Upper), at(Half::Lower), self.levels, theme)
+                } else {
+                    one(at(Half::Middle), self.levels, theme)
+                };
+                put(buffer, (plot.x + column, plot.y + row), symbol, style);
+            }
+        }
+    }
+
+    /// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
+    fn contour(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+        let Some(level) = self.contour else { return };
+        let value = |column: u16, row: u16| {
+            let x = spread(column, plot.width, self.counts.0);
+            match (self.spot)(x, Half::Middle.spread(plot, row, self.counts.1)) {
+                Spot::Value(value) => Some(value - level),
+                Spot::Mark(..) | Spot::Empty => None,
+            }
+        };
+        for row in 0..plot.height {
+            for column in 0..plot.width {
+                let Some(here) = value(column, row) else { continue };
+                let crossed = |other: Option<f64>| {
+                    other.is_some_and(|other| {
+                        (here < 0.0) != (other < 0.0) && here.abs() <= other.abs()
+                    })
+                };
+                let beside = [
+                    column.checked_sub(1).map(|column| (column, row)),
+                    (column + 1 < plot.width).then_some((column + 1, row)),
+                    row.checked_sub(1).map(|row| (column, row)),
+                    (row + 1 < plot.height).then_some((column, row + 1)),
+                ];
+                if beside.into_iter().flatten().any(|(column, row)| crossed(value(column, row))) {
+                    over(buffer, (plot.x + column, plot.y + row), 'O', theme);
+                }
+            }
+        }
+    }
+
+    /// Its row and column, every other cell, and a cross.
+    fn cursor(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+        let Some((x, y)) = self.cursor else { return };
+        let (column, row) = place(plot, (x, y), self.counts);
+        let lines = theme.lines();
+        for other in (0..plot.width).filter(|other| (other % 2 == column % 2) && *other != column) {
+            over(buffer, (plot.x + other, plot.y + row), lines.horizontal, theme);
+        }
+        for other in (0..plot.height).filter(|other| *other != row) {
+            over(buffer, (plot.x + column, plot.y + other), lines.vertical, theme);
+        }
+        let cross = (plot.x + column, plot.y + row);
+        put(buffer, cross, 'X', Style::new().add_modifier(Modifier::REVERSED | Modifier::BOLD));
+    }
+}
+
+/// Whether a cell shows two values, one above the other.
+fn halves(theme: Theme) -> bool {
+    let coloured = matches!(theme.depth, ColourDepth::Ansi256 | ColourDepth::Rgb);
+    coloured && theme.glyphs != GlyphSet::Ascii
+}
+
+/// A part of a cell.
+#[derive(Clone, Copy)]
+enum Half {
+    Upper,
+    Middle,
+    Lower,
+}
+
+impl Half {
+    /// The point it shows, of `count` spread upward over a plot's rows.
+    fn spread(self, plot: Rect, row: u16, count: usize) -> usize {
+        let last = usize::from(plot.height.max(1)) - 1;
+        // Quarter cells from the middle of the lowest cell.
+        let quarters = 4 * (last - usize::from(row).min(last));
+        let quarters = match self {
+            Self::Upper => quarters + 1,
+            Self::Middle => quarters,
+            Self::Lower => quarters.saturating_sub(1),
+        };
+        rounded(quarters * (count - 1), 4 * last).min(count - 1)
+    }
+}
+
+/// The point a column shows.
+fn spread(column: u16, columns: u16, count: usize) -> usize {
+    let last = usize::from(columns.max(1)) - 1;
+    rounded(usize::from(column) * (count - 1), last).min(count - 1)
+}
+
+/// A point's column and row, from the top.
+fn place(plot: Rect, (x, y): (usize, usize), counts: (usize, usize)) -> (u16, u16) {
+    let along = |at: usize, count: usize, cells: u16| {
+        let last = usize::from(cells.max(1)) - 1;
+        u16::try_from(rounded(at * last, count - 1)).unwrap_or(u16::MAX)
+    };
+    let up = along(y, counts.1, plot.height);
+    (along(x, counts.0, plot.width), plot.height.saturating_sub(1).saturating_sub(up))
+}
+
+fn rounded(numerator: usize, denominator: usize) -> usize {
+    if denominator == 0 { 0 } else { (2 * numerator + denominator) / (2 * denominator) }
+}
+
+/// A cell of one value: the band's character, on its colour where there is one.
+fn one(spot: Spot, levels: &Levels, theme: Theme) -> (char, Style) {
+    match spot {
+        Spot::Value(value) => swatch(levels.index(value), levels.bands(), theme),
+        Spot::Mark(letter, role) => (letter, theme.style(role)),
+        Spot::Empty => (' ', Style::new()),
+    }
+}
+
+/// A band's character and style; also for the scale beside the map.
+pub fn swatch(band: usize, bands: usize, theme: Theme) -> (char, Style) {
+    let shade = shade(band, bands);
+    let Some((colour, ink)) = theme.heat(shade) else {
+        return (RAMP[shade], Style::new());
+    };
+    if halves(theme) {
+        return (' ', Style::new().bg(colour));
+    }
+    (RAMP[shade], Style::new().bg(colour).fg(ink))
+}
+
+/// The band's place in the ramp: few bands are spread over all of it.
+fn shade(band: usize, bands: usize) -> usize {
+    let last = RAMP.len() - 1;
+    if bands < 2 { last / 2 } else { rounded(band.min(bands - 1) * last, bands - 1) }
+}
+
+/// A cell of two values.
+fn two(upper: Spot, lower: Spot, levels: &Levels, theme: Theme) -> (char, Style) {
+    let colour = |spot: Spot| match spot {
+        Spot::Value(value) => theme.heat(shade(levels.index(value), levels.bands())),
+        Spot::Mark(..) | Spot::Empty => None,
+    };
+    match (upper, lower, colour(upper), colour(lower)) {
+        (Spot::Mark(letter, role), _, _, _) | (_, Spot::Mark(letter, role), _, _) => {
+            (letter, theme.style(role))
+        }
+        (_, _, Some(upper), Some(lower)) if upper.0 == lower.0 => (' ', Style::new().bg(upper.0)),
+        (_, _, Some(upper), Some(lower)) => ('▀', Style::new().fg(upper.0).bg(lower.0)),
+        (_, _, Some(upper), None) => ('▀', Style::new().fg(upper.0)),
+        (_, _, None, Some(lower)) => ('▄', Style::new().fg(lower.0)),
+        (_, _, None, None) => (' ', Style::new()),
+    }
+}
+
+fn put(buffer: &mut Buffer, at: (u16, u16), symbol: char, style: Style) {
+    if let Some(cell) = buffer.cell_mut(at) {
+        cell.reset();
+        cell.set_char(symbol).set_style(style);
+    }
+}
+
+/// A character over the map: the colour below stays, the ink is what can be read on it.
+fn over(buffer: &mut Buffer, at: (u16, u16), symbol: char, theme: Theme) {
+    let Some(cell) = buffer.cell_mut(at) else { return };
+    let below = cell.bg;
+    let mut style = Style::new().add_modifier(Modifier::BOLD);
+    if below != Color::Reset {
+        style = style.bg(below).fg(theme.ink_on(below));
+    }
+    cell.reset();
+    cell.set_char(symbol).set_style(style);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scale::{Scale, ViewRange};
+    use super::*;
+
+    /// A slope that rises to the right, with a mark in the lower left corner.
+    fn slope(x: usize, y: usize) -> Spot {
+        if x < 3 && y < 2 { Spot::Mark('P', Role::Error) } else { Spot::Value(x as f64) }
+    }
+
+    fn lines(theme: Theme, cursor: Option<(usize, usize)>) -> Vec<String> {
+        let levels = Levels::of(Scale::Linear, [0.0, 10.0]).unwrap();
+        let axis = |label, hi| Axis::new(label, ViewRange::new(0.0, hi));
+        let map = Heatmap {
+            title: "height: y".into(),
+            x: axis("x", 10.0),
+            y: axis("y", 5.0),
+            counts: (11, 6),
+            spot: &slope,
+            levels: &levels,
+            contour: Some(6.5),
+            cursor,
+            focused: false,
+        };
+        map.to_lines(29, 10, theme)
+    }
+
+    #[test]
+    fn bands_marks_contour_and_cursor_are_characters_without_colour() {
+        let text = lines(Theme::PLAIN, Some((4, 3))).join("\n");
+        insta::assert_snapshot!(text);
+    }
+
+    #[test]
+    fn points_and_cells_correspond() {
+        for (cells, count) in [(2, 2), (7, 3), (41, 101), (101, 41), (60, 60), (1, 5)] {
+            let plot = Rect::new(0, 0, cells, cells);
+            for index in 0..count {
+                let (column, row) = place(plot, (index, index), (count, count));
+                if usize::from(cells) >= count {
+                    assert_eq!(spread(column, cells, count), index);
+                    assert_eq!(Half::Middle.spread(plot, row, count), index);
+                }
+            }
+            assert_eq!(spread(0, cells, count), 0);
+            if cells > 1 {
+                assert_eq!(spread(cells - 1, cells, count), count - 1);
+                assert_eq!(Half::Upper.spread(plot, 0, count), count - 1);
+            }
+        }
+    }
+
+    #[test]
+    fn any_size_draws_inside_its_area() {
+        let theme = Theme { glyphs: GlyphSet::Block, depth: ColourDepth::Ansi256 };
+        let levels = Levels::of(Scale::Linear, [0.0, 10.0]).unwrap();
+        for width in 0..20 {
+            for height in 0..12 {
+                for counts in [(2, 2), (11, 6), (300, 200)] {
+                    let axis = Axis::new("x", ViewRange::new(0.0, 1.0));
+                    let map = Heatmap {
+                        title: "t".into(),
+                        x: axis.clone(),
+                        y: axis,
+                        counts,
+                        spot: &slope,
+                        levels: &levels,
+                        contour: Some(1.5),
+                        cursor: Some((1, 1)),
+                        focused: true,
+                    };
+                    let area = Rect::new(3, 2, width, height);
+                    let mut buffer = Buffer::empty(Rect::new(0, 0, 26, 16));
+                    map.render(area, &mut buffer, theme);
+                    let blank = |x: u16, y: u16| buffer[(x, y)].symbol() == " ";
+                    let outside = (0..26).flat_map(|x| (0..16).map(move |y| (x, y)));
+                    for (x, y) in outside.filter(|at| !area.contains((*at).into())) {
+                        assert!(blank(x, y), "{width}x{height}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,351 @@
+//! The setup of a sweep: choosing axes, ranges and output in place, and stepping the held variables.
+//!
+//! Every change is an edit of the scene's own `[sweep]` (or of a held variable), checked as a whole before it counts; a text
+//! that is refused stays in its field.
+
+use crossterm::event::{KeyCode, KeyEvent};
+use tui_input::Input;
+
+use super::{edit, input};
+use crate::model::results::RESULTS;
+use crate::model::scene::{Scene, Sweep};
+use crate::model::units::{self, Bare};
+use crate::model::variables::{self, Kind, Number, VARIABLES, Variable};
+use crate::study::sweep::{self, Axis};
+use crate::tui::app::App;
+use crate::tui::app::dialog::wrap;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::steps::{self, Size};
+use crate::tui::app::sweep::{Picture, SetupField, SetupRow, has_family, numeric, sweep_of};
+use crate::tui::message::{Action, Effect};
+
+/// The numbers of points the arrows go through.
+const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
+/// The most curves of a family.
+const CURVES_MAX: u64 = 7;
+
+/// Whether the setup has its own meaning for an action.
+pub(super) fn is_own(action: Action) -> bool {
+    step_of(action).is_some() || matches!(action, Action::Edit | Action::Reset)
+}
+
+fn step_of(action: Action) -> Option<(bool, Size)> {
+    match action {
+        Action::StepDown => Some((false, Size::Plain)),
+        Action::StepUp => Some((true, Size::Plain)),
+        Action::StepDownCoarse => Some((false, Size::Coarse)),
+        Action::StepUpCoarse => Some((true, Size::Coarse)),
+        Action::StepDownFine => Some((false, Size::Fine)),
+        Action::StepUpFine => Some((true, Size::Fine)),
+        _ => None,
+    }
+}
+
+/// An action of the setup.
+pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+    let Some(picture) = app.picture() else {
+        return Vec::new();
+    };
+    let row = app.setup_row(picture);
+    app.sweeping.row = row;
+    if let SetupRow::Held(index) = row {
+        app.editor.selected = index;
+    }
+    match (step_of(action), row) {
+        (Some((up, size)), SetupRow::Held(_)) => edit::step(app, up, size),
+        (Some((up, size)), row) => step(app, picture, row, (up, size)),
+        (None, SetupRow::Held(_)) if action == Action::Reset => edit::reset(app),
+        (None, _) if action == Action::Reset => {
+            app.say(Severity::Note, "only held variables are reset here: u undoes an edit");
+            Vec::new()
+        }
+        (None, SetupRow::Spacing(_)) => step(app, picture, row, (true, Size::Plain)),
+        (None, SetupRow::Held(index)) if !matches!(VARIABLES[index].kind, Kind::Number(_)) => {
+            edit::step(app, true, Size::Plain)
+        }
+        (None, row) => {
+            let input = Input::new(app.setup_text(row));
+            app.sweeping.field = Some(SetupField { row, input, fresh: true, error: None });
+            Vec::new()
+        }
+    }
+}
+
+/// A key while a field of the setup is open.
+pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+    match key.code {
+        KeyCode::Esc => {
+            app.sweeping.field = None;
+            Vec::new()
+        }
+        KeyCode::Enter | KeyCode::Down => commit(app, 1),
+        KeyCode::Up => commit(app, -1),
+        KeyCode::Tab | KeyCode::BackTab => commit(app, 0),
+        _ => {
+            if let Some(field) = &mut app.sweeping.field
+                && input::press(&mut field.input, &mut field.fresh, key)
+            {
+                field.error = None;
+            }
+            Vec::new()
+        }
+    }
+}
+
+/// Take the text and go on; a text that is refused stays, with the reason, and nothing else changes.
+fn commit(app: &mut App, then: isize) -> Vec<Effect> {
+    let (Some(field), Some(picture)) = (app.sweeping.field.take(), app.picture()) else {
+        return Vec::new();
+    };
+    let text = field.input.value().trim().to_owned();
+    let result = if field.fresh || text == app.setup_text(field.row) {
+        Ok(Vec::new())
+    } else {
+        take(app, picture, field.row, &text)
+    };
+    match result {
+        Ok(effects) => {
+            app.move_in_setup(picture, then);
+            effects
+        }
+        Err(error) => {
+            app.sweeping.field = Some(SetupField { error: Some(error), ..field });
+            Vec::new()
+        }
+    }
+}
+
+fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Vec<Effect>, String> {
+    let mut sweep = sweep_of(&app.scene);
+    let whole = |text: &str| {
+        text.parse::<usize>()
+            .map_err(|_not_a_number| format!("`{text}` must be a whole number, 2 or more"))
+    };
+    match row {
+        SetupRow::Name(1) if picture == Picture::Line && text == "none" => {
+            sweep.axes.truncate(1);
+            return Ok(store(app, sweep, "one curve".to_owned()));
+        }
+        SetupRow::Name(at) => {
+            let variable = variables::find(text).map_err(|error| error.to_string())?;
+            sweep.axes[at] = fresh_axis(&app.scene, variable)?;
+        }
+        SetupRow::From(at) | SetupRow::To(at) => {
+            let variable =
+                variables::find(&sweep.axes[at].name).map_err(|error| error.to_string())?;
+            let number = number_of(variable)?;
+            let axis = &mut sweep.axes[at];
+            let end = if row == SetupRow::From(at) { &mut axis.from } else { &mut axis.to };
+            *end = units::parse_relative(text, *end, number.quantity, Bare::Stored)
+                .map_err(|problem| format!("{}: {problem}", variable.symbol))?;
+        }
+        SetupRow::Points(at) => sweep.axes[at].count = whole(text)?,
+        SetupRow::Curves => {
+            let curves = whole(text)? as u64;
+            if !(2..=CURVES_MAX).contains(&curves) {
+                return Err(format!("curves = {curves} must be 2 to {CURVES_MAX}"));
+            }
+            app.sweeping.curves = curves;
+            return Ok(super::sweep::after_edit(app));
+        }
+        SetupRow::Output => {
+            let output = sweep::output(text).map_err(|error| error.to_string())?;
+            let at = app.sweeping.output.min(sweep.outputs.len() - 1);
+            return Ok(choose_output(app, sweep, at, output.name));
+        }
+        SetupRow::Held(index) => {
+            let value = VARIABLES[index].parse(&app.scene, text, Bare::Stored);
+            return edit::set(app, index, value.map_err(|error| error.to_string())?, None);
+        }
+        SetupRow::Heading(_) | SetupRow::Spacing(_) => return Ok(Vec::new()),
+    }
+    checked(app, picture, sweep, row)
+}
+
+/// Show another output in the place of one; where it is among them already, just that one.
+fn choose_output(app: &mut App, mut sweep: Sweep, at: usize, name: &str) -> Vec<Effect> {
+    if let Some(there) = sweep.outputs.iter().position(|one| one == name) {
+        app.sweeping.output = there;
+        return Vec::new();
+    }
+    name.clone_into(&mut sweep.outputs[at]);
+    store(app, sweep, format!("show {name}"))
+}
+
+/// One press of an arrow on a row of the sweep itself.
+fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)) -> Vec<Effect> {
+    let mut sweep = sweep_of(&app.scene);
+    let by = if up { 1 } else { -1 };
+    let result = match row {
+        SetupRow::Name(at) => return next_variable(app, picture, at, by),
+        SetupRow::From(at) | SetupRow::To(at) => step_end(&mut sweep, row, at, (up, size))
+            .and_then(|()| checked(app, picture, sweep, row)),
+        SetupRow::Points(at) => {
+            let count = &mut sweep.axes[at].count;
+            let next = if up {
+                COUNTS.into_iter().find(|other| *other > *count)
+            } else {
+                COUNTS.into_iter().rev().find(|other| *other < *count)
+            };
+            *count = next.unwrap_or(*count);
+            checked(app, picture, sweep, row)
+        }
+        SetupRow::Spacing(at) => {
+            sweep.axes[at].log = !sweep.axes[at].log;
+            checked(app, picture, sweep, row)
+        }
+        SetupRow::Curves => {
+            let curves = app.sweeping.curves.saturating_add_signed(by as i64);
+            app.sweeping.curves = curves.clamp(2, CURVES_MAX);
+            Ok(super::sweep::after_edit(app))
+        }
+        SetupRow::Output => {
+            let at = app.sweeping.output.min(sweep.outputs.len() - 1);
+            let here = RESULTS.iter().position(|column| column.name == sweep.outputs[at]);
+            let next = wrap(here.unwrap_or(0), by, RESULTS.len());
+            Ok(choose_output(app, sweep, at, RESULTS[next].name))
+        }
+        SetupRow::Heading(_) | SetupRow::Held(_) => Ok(Vec::new()),
+    };
+    result.unwrap_or_else(|error| {
+        app.say(Severity::Error, error);
+        Vec::new()
+    })
+}
+
+fn step_end(
+    sweep: &mut Sweep,
+    row: SetupRow,
+    at: usize,
+    (up, size): (bool, Size),
+) -> Result<(), String> {
+    let variable = variables::find(&sweep.axes[at].name).map_err(|error| error.to_string())?;
+    let number = number_of(variable)?;
+    let axis = &mut sweep.axes[at];
+    // A range's end is stepped by the size of the range: from 0 there is no size of its own.
+    let greatest = if axis.from.abs() > axis.to.abs() { axis.from } else { axis.to };
+    let stride = steps::decade(number, greatest);
+    let end = if row == SetupRow::From(at) { &mut axis.from } else { &mut axis.to };
+    let next = steps::stepped(number, *end, up, size, stride);
+    *end = next.ok_or_else(|| {
+        format!("{} cannot go further: it must be {}", variable.symbol, variable.allowed())
+    })?;
+    Ok(())
+}
+
+/// Another variable on an axis; on the second of the Sweep tab also none.
+fn next_variable(app: &mut App, picture: Picture, at: usize, by: isize) -> Vec<Effect> {
+    let mut sweep = sweep_of(&app.scene);
+    let other = variables::find(&sweep.axes[1 - at].name).map(|found| found.key);
+    let family = at == 1 && picture == Picture::Line;
+    let alone = family && !has_family(&app.scene);
+    let taken = |variable: &&'static Variable| {
+        // The stand-in second axis gives way; one that a person chose does not.
+        let stands_in = at == 0 && !has_family(&app.scene);
+        stands_in || other != Ok(variable.key)
+    };
+    let choices: Vec<&'static Variable> = numeric().filter(taken).collect();
+    let places = choices.len() + usize::from(family);
+    let here = variables::find(&sweep.axes[at].name)
+        .ok()
+        .and_then(|now| choices.iter().position(|variable| variable.key == now.key));
+    let here = if alone { places - 1 } else { here.unwrap_or(0) };
+    let next = if alone && by > 0 {
+        // From none to the usual one first.
+        variables::find(&sweep.axes[at].name)
+            .ok()
+            .and_then(|now| choices.iter().position(|variable| variable.key == now.key))
+            .unwrap_or(0)
+    } else {
+        wrap(here, by, places)
+    };
+    let Some(variable) = choices.get(next) else {
+        sweep.axes.truncate(1);
+        return store(app, sweep, "one curve".to_owned());
+    };
+    let result = fresh_axis(&app.scene, variable).and_then(|axis| {
+        sweep.axes[at] = axis;
+        checked(app, picture, sweep, SetupRow::Name(at))
+    });
+    result.unwrap_or_else(|error| {
+        app.say(Severity::Error, error);
+        Vec::new()
+    })
+}
+
+/// An axis over a variable: the thesis's range, or from half to twice the present value.
+fn fresh_axis(
+    scene: &Scene,
+    variable: &'static Variable,
+) -> Result<crate::model::scene::SweepAxis, String> {
+    let number = number_of(variable)?;
+    let (from, to) = number.thesis_range.unwrap_or_else(|| {
+        let value = (number.get)(scene).unwrap_or_else(|| steps::first_value(number));
+        let (from, to) = if value == 0.0 { (0.0, 1.0) } else { (0.5 * value, 2.0 * value) };
+        let most = match number.allowed {
+            variables::Allowed::Between(_, high) => high,
+            variables::Allowed::Below(_, high) => 0.75 * high,
+            variables::Allowed::Positive
+            | variables::Allowed::NonNegative
+            | variables::Allowed::Any => f64::INFINITY,
+        };
+        (from, if to < most { to } else { most })
+    });
+    let name = variable.symbol.to_owned();
+    Ok(crate::model::scene::SweepAxis { name, from, to, count: 41, log: false })
+}
+
+fn number_of(variable: &'static Variable) -> Result<&'static Number, String> {
+    match &variable.kind {
+        Kind::Number(number) => Ok(number),
+        Kind::Choice(_) | Kind::Switch { .. } => Err(format!(
+            "{} has no numbers to sweep over, only {}: choose a numeric variable",
+            variable.symbol,
+            variable.allowed()
+        )),
+    }
+}
+
+/// Store a sweep that can be made; the refusal names axis, value, rule and cure.
+fn checked(
+    app: &mut App,
+    picture: Picture,
+    mut sweep: Sweep,
+    row: SetupRow,
+) -> Result<Vec<Effect>, String> {
+    let second = matches!(
+        row,
+        SetupRow::Name(1)
+            | SetupRow::From(1)
+            | SetupRow::To(1)
+            | SetupRow::Points(1)
+            | SetupRow::Spacing(1)
+    );
+    // The stand-in second axis becomes the scene's own only when it is shown or touched.
+    if picture == Picture::Line && !second && !has_family(&app.scene) {
+        sweep.axes.truncate(1);
+    }
+    let axes = sweep.axes.iter().map(Axis::of).collect::<Result<Vec<_>, _>>();
+    let axes = axes.map_err(|error| error.to_string())?;
+    let design = sweep::Design::Factorial;
+    sweep::Plan::new(&app.scene, axes, design, &sweep.outputs)
+        .map_err(|error| error.to_string())?;
+    let words: Vec<String> = sweep
+        .axes
+        .iter()
+        .map(|axis| {
+            let show = units::shortest;
+            format!("{} {}..{}", axis.name, show(axis.from), show(axis.to))
+        })
+        .collect();
+    Ok(store(app, sweep, format!("sweep {}", words.join(", "))))
+}
+
+fn store(app: &mut App, sweep: Sweep, label: String) -> Vec<Effect> {
+    let mut scene = (*app.scene).clone();
+    scene.sweep = Some(sweep);
+    if scene == *app.scene {
+        return Vec::new();
+    }
+    edit::commit_scene(app, scene, label, None)
+}

@@ -1,0 +1,85 @@
+//! The dialog that writes a tab's table: a path, and the question before a file is replaced.
+
+use crossterm::event::{KeyCode, KeyEvent};
+use tui_input::Input;
+
+use super::input;
+use crate::files::error::FileError;
+use crate::files::{limit, stability};
+use crate::tui::app::App;
+use crate::tui::app::dialog::{Dialog, Save, Table};
+use crate::tui::app::notice::Severity;
+use crate::tui::app::runs::name_of;
+use crate::tui::message::Effect;
+
+/// Open the dialog on a table, if there is anything in it.
+pub(super) fn open(app: &mut App, table: Table) {
+    if text(app, table).is_none() {
+        app.say(Severity::Error, "nothing to export yet: r computes it");
+        return;
+    }
+    let name = match table {
+        Table::Limit => {
+            let report = app.limit.report.as_ref();
+            let is_base = report.is_some_and(|report| *report.scene == *app.base.scene);
+            let stem = if is_base { app.base.name.as_str() } else { "scene" };
+            let stem = stem.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml");
+            format!("{stem}-limit.csv")
+        }
+        Table::Battery => "battery.csv".to_owned(),
+    };
+    let (fresh, question) = (false, false);
+    let save = Save { input: Input::new(name), fresh, question, error: None };
+    app.dialog = Some(Dialog::ExportTable(table, save));
+}
+
+/// What there is to be written.
+fn text(app: &App, table: Table) -> Option<Result<String, FileError>> {
+    match table {
+        Table::Limit => {
+            let report = app.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
+            let name = name_of(&report.scene, &app.base.name, &app.base.scene);
+            Some(limit::shots(&name, report).csv())
+        }
+        Table::Battery => {
+            let rows = app.stability.rows();
+            (!rows.is_empty()).then(|| stability::csv(rows))
+        }
+    }
+}
+
+/// A key while the dialog is open.
+pub(super) fn press(app: &mut App, table: Table, mut state: Save, key: KeyEvent) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    match key.code {
+        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
+        KeyCode::Esc => return Vec::new(),
+        KeyCode::Char('y' | 'o') if state.question => effects = write(app, table, &mut state, true),
+        KeyCode::Enter if state.question => {}
+        KeyCode::Enter => effects = write(app, table, &mut state, false),
+        _ => {
+            if input::press(&mut state.input, &mut state.fresh, key) {
+                state.question = false;
+                state.error = None;
+            }
+        }
+    }
+    app.dialog = Some(Dialog::ExportTable(table, state));
+    effects
+}
+
+fn write(app: &App, table: Table, state: &mut Save, overwrite: bool) -> Vec<Effect> {
+    let name = state.input.value().trim();
+    if name.is_empty() || name.ends_with('/') {
+        state.error = Some("the path needs a file name, for example `table.csv`".to_owned());
+        return Vec::new();
+    }
+    let path = app.directory.join(name);
+    state.question = false;
+    match text(app, table) {
+        Some(Ok(text)) => return vec![Effect::ExportTable { path, overwrite, text }],
+        Some(Err(error)) => state.error = Some(error.to_string()),
+        None => {}
+    }
+    Vec::new()
+}

@@ -1,0 +1,137 @@
+//! The Thesis tab: asking for the report, filtering it, opening what a row shows, changing weights.
+
+use std::sync::Arc;
+
+use super::{edit, jobs};
+use crate::study::principles::PRINCIPLES;
+use crate::study::screening::{CONCEPTS, WEIGHTS_PERCENT, ranking};
+use crate::study::thesis::Opens;
+use crate::tui::app::accuracy::Measuring;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::thesis::Page;
+use crate::tui::app::{App, Base, Origin, Tab};
+use crate::tui::message::{Action, Effect, Message};
+use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
+
+/// A step of a weight, percent.
+const STEP: f64 = 1.0;
+/// No weight is greater.
+const WEIGHT_MAX: f64 = 100.0;
+
+/// The tab is shown: check the claims, unless they have been or are being.
+pub(super) fn enter(app: &mut App) -> Vec<Effect> {
+    let tab = &app.thesis;
+    let there = tab.report.as_ref().is_some_and(|(_, all)| *all) || tab.running.is_some();
+    if there { Vec::new() } else { check(app) }
+}
+
+/// Whether the tab has its own meaning for an action.
+pub(super) fn is_own(action: Action) -> bool {
+    matches!(
+        action,
+        Action::Run
+            | Action::Export
+            | Action::FocusNext
+            | Action::FocusPrevious
+            | Action::OpenDesign
+            | Action::NextVerdict
+            | Action::StepUp
+            | Action::StepDown
+            | Action::ResetAll
+    )
+}
+
+/// An action the tab has its own meaning for.
+pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+    let tab = &mut app.thesis;
+    match action {
+        Action::Run => return check(app),
+        Action::FocusNext => tab.page = tab.page.next(),
+        Action::FocusPrevious => tab.page = tab.page.next().next(),
+        Action::OpenDesign => return open(app),
+        Action::NextVerdict => tab.next_filter(),
+        Action::StepUp | Action::StepDown => {
+            let by = if action == Action::StepUp { STEP } else { -STEP };
+            let weight = &mut tab.weights[tab.criterion];
+            *weight = (*weight + by).clamp(0.0, WEIGHT_MAX);
+        }
+        Action::ResetAll => {
+            tab.weights = WEIGHTS_PERCENT;
+            app.say(Severity::Note, "the weights are those of Table 7.1 again");
+        }
+        _ => app.say(
+            Severity::Note,
+            "`cmra reproduce --csv FILE` writes the report; 1 and then e exports runs",
+        ),
+    }
+    Vec::new()
+}
+
+fn check(app: &mut App) -> Vec<Effect> {
+    let id = app.jobs.next_id();
+    let scene = Arc::clone(&app.scene);
+    app.thesis.running =
+        Some(Measuring { id, scene: Arc::clone(&scene), points: None, long: false });
+    vec![
+        Effect::Study(Study { id, scene, kind: StudyKind::Thesis }),
+        Effect::After(jobs::LONG, Message::LongJob(id)),
+    ]
+}
+
+/// Open what the selected row shows in the Run tab, as one edit.
+fn open(app: &mut App) -> Vec<Effect> {
+    let tab = &app.thesis;
+    let opens = match tab.page {
+        Page::Claims => tab.row().map_or(Opens::Nothing, |row| row.claim.opens),
+        Page::Principles => PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset),
+        Page::Screening => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
+    };
+    let id = tab.row().map_or("claim", |row| row.claim.id);
+    let base = match opens {
+        Opens::Nothing => None,
+        Opens::Scene(scene) => Some(Base {
+            name: format!("claim {id}"),
+            origin: Origin::Other,
+            scene: Arc::new(scene()),
+        }),
+        Opens::Preset(name) => {
+            app.presets.iter().find(|entry| entry.name == name).map(|entry| Base {
+                name: entry.name.clone(),
+                origin: Origin::Bundled,
+                scene: Arc::new(entry.scene.clone()),
+            })
+        }
+    };
+    let Some(base) = base else {
+        app.say(Severity::Note, "no scene shows this");
+        return Vec::new();
+    };
+    app.tab = Tab::Run;
+    let name = base.name.clone();
+    let effects = edit::load(app, base);
+    app.say(Severity::Note, format!("{name} loaded (u undoes, 7 goes back to the thesis)"));
+    effects
+}
+
+/// A report of the study under way.
+pub(super) fn report(app: &mut App, body: StudyBody) {
+    let tab = &mut app.thesis;
+    match body {
+        StudyBody::Part { done, total, part: Finding::Thesis(rows, all) } => {
+            if let Some(running) = &mut tab.running {
+                running.points = Some((done, total));
+            }
+            tab.report = Some((rows, all));
+        }
+        StudyBody::Ended(Finding::Thesis(rows, all)) => {
+            tab.running = None;
+            tab.report = Some((rows, all));
+        }
+        StudyBody::Failed(text) => {
+            tab.running = None;
+            app.say(Severity::Error, text);
+        }
+        // Findings of other kinds carry other numbers.
+        StudyBody::Part { .. } | StudyBody::Ended(_) => {}
+    }
+}

@@ -1,0 +1,107 @@
+//! The setup of a sweep as a list of rows, with the open field.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Cursor;
+use super::text::{columns, first_row, paint_row, put};
+use crate::model::variables::{self, VARIABLES};
+use crate::tui::app::App;
+use crate::tui::app::status::clip;
+use crate::tui::app::sweep::{Picture, SetupField, SetupRow};
+use crate::tui::theme::{Pane, Role};
+
+/// Columns within a row: cursor, `*`, label, value, unit.
+const LABEL: u16 = 2;
+const VALUE: u16 = 10;
+const VALUE_WIDTH: u16 = 7;
+const UNIT: u16 = VALUE + VALUE_WIDTH + 1;
+
+/// Draw the pane.
+pub(super) fn render(
+    app: &App,
+    picture: Picture,
+    area: Rect,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let focused = app.sweeping.on_setup && app.dialog.is_none();
+    let hint = if app.sweeping.on_setup { "" } else { "Tab" };
+    let inner = Pane::new("Setup").right(hint).focused(focused).render(area, buffer, app.theme);
+    let rows = app.setup_rows(picture);
+    let selected = app.setup_row(picture);
+    let here = rows.iter().position(|row| *row == selected).unwrap_or(0);
+    let height = usize::from(inner.height);
+    let first = if app.sweeping.on_setup { first_row(here, height, rows.len()) } else { 0 };
+    for (at, row) in (0..inner.height).zip(rows.iter().skip(first)) {
+        line(app, picture, *row, (inner, at), buffer);
+        if app.sweeping.on_setup && *row == selected {
+            put(buffer, inner, (0, at), ">", app.theme.style(Role::Title));
+            match app.sweeping.field.as_ref().filter(|field| field.row == *row) {
+                Some(field) => open(app, field, (inner, at), buffer, cursor),
+                None => paint_row(buffer, inner, at, app.theme.style(Role::Selection)),
+            }
+        }
+    }
+}
+
+fn line(app: &App, picture: Picture, row: SetupRow, (area, at): (Rect, u16), buffer: &mut Buffer) {
+    let style = |role| app.theme.style(role);
+    let shown = app.setup_shown(picture, row, usize::from(VALUE_WIDTH));
+    if let SetupRow::Heading(text) = row {
+        put(buffer, area, (0, at), text, style(Role::Title));
+        return;
+    }
+    if row == SetupRow::Output {
+        let title = crate::model::results::find(&shown.label)
+            .map_or_else(|| shown.label.clone(), crate::model::results::ResultColumn::title);
+        let text = clip(&title, usize::from(area.width.saturating_sub(LABEL)));
+        put(buffer, area, (LABEL, at), &text, style(Role::Text));
+        return;
+    }
+    let mut role = Role::Text;
+    if let SetupRow::Held(index) = row {
+        let variable = &VARIABLES[index];
+        if !variables::is_used(variable, &app.scene) {
+            role = Role::Dim;
+        }
+        if variable.value(&app.scene) != variable.value(&app.base.scene) {
+            put(buffer, area, (1, at), "*", style(Role::Note));
+        }
+    }
+    put(buffer, area, (LABEL, at), &shown.label, style(role));
+    let start = (VALUE + VALUE_WIDTH).saturating_sub(columns(&shown.value)).max(VALUE);
+    let end = put(buffer, area, (start, at), &shown.value, style(role));
+    if end < UNIT {
+        put(buffer, area, (UNIT, at), shown.unit, style(Role::Dim));
+    }
+}
+
+/// The field over the row: `[ 7.5MN/m_ ]`, to the end of the pane.
+fn open(
+    app: &App,
+    field: &SetupField,
+    (area, at): (Rect, u16),
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let start = if field.row == SetupRow::Output { LABEL } else { VALUE };
+    let room = area.width.saturating_sub(start + 1);
+    let scroll = field.input.visual_scroll(usize::from(room.saturating_sub(1)));
+    let shown: String = field.input.value().chars().skip(scroll).take(usize::from(room)).collect();
+    let style = app.theme.style(match (field.error.is_some(), field.fresh) {
+        (true, _) => Role::Error,
+        (false, true) => Role::Selection,
+        (false, false) => Role::Text,
+    });
+    let blank = " ".repeat(usize::from(room));
+    put(buffer, area, (start, at), &blank, app.theme.style(Role::Text));
+    put(buffer, area, (start - 1, at), "[", app.theme.style(Role::Focus));
+    put(buffer, area, (start, at), &shown, style);
+    put(buffer, area, (start + room, at), "]", app.theme.style(Role::Focus));
+    if field.error.is_some() {
+        put(buffer, area, (0, at), "x", app.theme.style(Role::Error));
+    }
+    let place = u16::try_from(field.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
+    *cursor = Some((area.x + start + place.min(room), area.y + at));
+}

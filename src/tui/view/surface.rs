@@ -1,0 +1,225 @@
+//! The Surface tab: a map of an output over two variables, its scale, and the slices through the cursor.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::rect;
+use super::sweep::{chart_axis, drawn, nothing, value_scale};
+use super::text::put;
+use crate::model::results::ResultColumn;
+use crate::model::units::significant;
+use crate::study::sweep::Fate;
+use crate::study::sweep::grid::{Cell, Grid};
+use crate::tui::app::App;
+use crate::tui::app::layout::SweepPanes;
+use crate::tui::app::status::clip;
+use crate::tui::app::sweep::{Contour, Picture};
+use crate::tui::chart::heatmap::swatch;
+use crate::tui::chart::{
+    self, Chart, Curve, Heatmap, Legend, Levels, Scale, Spot, Unit, ViewRange,
+};
+use crate::tui::theme::{Pane, Role};
+
+/// Draw map, scale and slices.
+pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) {
+    let Some(area) = panes.plots.first().map(|area| rect(*area)) else {
+        return;
+    };
+    let Some(found) = app.sweeping.found(Picture::Surface) else {
+        nothing(app, "Map", area, buffer);
+        for area in panes.scale.iter().chain(&panes.slices) {
+            Pane::new("").render(rect(*area), buffer, app.theme);
+        }
+        return;
+    };
+    let sight = Sight::of(app, &found.grid);
+    sight.map(app, area, buffer);
+    if let Some(area) = panes.scale {
+        sight.scale(app, rect(area), buffer);
+    }
+    for (area, along) in panes.slices.iter().zip([true, false]) {
+        sight.slice(app, along, rect(*area), buffer);
+    }
+}
+
+/// What is looked at: an output of a grid, with its bands.
+struct Sight<'a> {
+    grid: &'a Grid,
+    output: usize,
+    column: &'static ResultColumn,
+    levels: Option<Levels>,
+    unit: Unit<'static>,
+    range: ViewRange,
+}
+
+impl<'a> Sight<'a> {
+    fn of(app: &App, grid: &'a Grid) -> Self {
+        let (output, column) = app.shown_output(grid);
+        let (along, up) = grid.counts();
+        let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+        let values: Vec<f64> = points.map(|point| drawn(grid, point, output)).collect();
+        let scale = value_scale(app);
+        let range = ViewRange::of(scale, values.iter().copied());
+        let levels = Levels::of(scale, values);
+        let range = range.unwrap_or_default();
+        Self { grid, output, column, levels, unit: Unit::with_prefix(range, column.unit()), range }
+    }
+
+    /// The grid's index of a place counted from the lower left: axes may run downward.
+    fn turned(&self, x: usize, y: usize) -> (usize, usize) {
+        let (along, up) = self.grid.counts();
+        let axes = self.grid.plan().axes();
+        let turn = |at: usize, count: usize, axis: usize| {
+            let (from, to) = axes[axis].ends();
+            if from > to { count - 1 - at } else { at }
+        };
+        (turn(x, along, 0), turn(y, up, 1))
+    }
+
+    fn map(&self, app: &App, area: Rect, buffer: &mut Buffer) {
+        let axes = self.grid.plan().axes();
+        let old = app.sweep_is_old(Picture::Surface) && app.sweeping.computing.is_none();
+        let title = format!(
+            "{}{}, up: {}",
+            self.column.title(),
+            if old { ", old" } else { "" },
+            axes[1].symbol()
+        );
+        let Some(levels) = &self.levels else {
+            let inner = Pane::new(title).render(area, buffer, app.theme);
+            let text = "no point has a value here: v shows another output, Y a linear scale";
+            let text = clip(text, usize::from(inner.width));
+            put(buffer, inner, (1, inner.height / 2), &text, app.theme.style(Role::Dim));
+            return;
+        };
+        let spot = |x: usize, y: usize| {
+            let (x, y) = self.turned(x, y);
+            match self.grid.cell(x, y, self.output) {
+                Cell::Value(value) if value_scale(app).shows(value) => Spot::Value(value),
+                Cell::Value(_) => Spot::Mark('0', Role::Dim),
+                Cell::Fate(fate) => Spot::Mark(fate.letter(), role(fate)),
+                Cell::Waiting => Spot::Empty,
+            }
+        };
+        let (x, y) = app.cursor_point(self.grid);
+        let here = drawn(self.grid, (x, y), self.output);
+        let through = app.sweeping.contour == Contour::Cursor && here.is_finite();
+        let map = Heatmap {
+            title: title.into(),
+            x: chart_axis(&axes[0]),
+            y: chart_axis(&axes[1]),
+            counts: self.grid.counts(),
+            spot: &spot,
+            levels,
+            contour: through.then_some(here),
+            cursor: Some(self.turned(x, y)),
+            focused: !app.sweeping.on_setup && app.dialog.is_none(),
+        };
+        map.render(area, buffer, app.theme);
+    }
+
+    /// The bands from the greatest down, then what the letters mean.
+    fn scale(&self, app: &App, area: Rect, buffer: &mut Buffer) {
+        let unit = &self.unit.name;
+        let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
+        let hint = if app.sweeping.log_values { "Y linear" } else { "Y log" };
+        let inner = Pane::new(title).right(hint).render(area, buffer, app.theme);
+        let mut row = 0;
+        if let Some(levels) = &self.levels {
+            let (x, y) = app.cursor_point(self.grid);
+            let here = drawn(self.grid, (x, y), self.output);
+            for band in (0..levels.bands()).rev() {
+                let (symbol, style) = swatch(band, levels.bands(), app.theme);
+                let patch: String = [symbol; 3].iter().collect();
+                put(buffer, inner, (1, row), &patch, style);
+                let (from, to) = levels.band(band);
+                let show = |value: f64| significant(value * self.unit.factor, 4);
+                let text = format!("{:>7} .. {:<7}", show(from), show(to));
+                let mark = here.is_finite() && levels.index(here) == band;
+                let role = if mark { Role::Title } else { Role::Text };
+                let end = put(buffer, inner, (5, row), &text, app.theme.style(role));
+                if mark {
+                    put(buffer, inner, (end, row), "X", app.theme.style(Role::Title));
+                }
+                row += 1;
+            }
+        }
+        for (fate, words) in self.fates() {
+            let style = app.theme.style(role(fate));
+            put(buffer, inner, (2, row), &fate.letter().to_string(), style);
+            let words = clip(words, usize::from(inner.width.saturating_sub(5)));
+            put(buffer, inner, (5, row), &words, app.theme.style(Role::Text));
+            row += 1;
+        }
+        if app.sweeping.log_values && self.has_zero() {
+            put(buffer, inner, (2, row), "0", app.theme.style(Role::Dim));
+            let text = "zero or less: not on a log";
+            let text = clip(text, usize::from(inner.width.saturating_sub(5)));
+            put(buffer, inner, (5, row), &text, app.theme.style(Role::Text));
+        }
+    }
+
+    /// Whether a logarithmic scale leaves values out.
+    fn has_zero(&self) -> bool {
+        let (along, up) = self.grid.counts();
+        let mut points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+        points.any(|point| drawn(self.grid, point, self.output) <= 0.0)
+    }
+
+    /// The fates that stand in the map, each letter once.
+    fn fates(&self) -> Vec<(Fate, &'static str)> {
+        let (along, up) = self.grid.counts();
+        let mut list: Vec<(Fate, &'static str)> = Vec::new();
+        for (x, y) in (0..along).flat_map(|x| (0..up).map(move |y| (x, y))) {
+            if let Cell::Fate(fate) = self.grid.cell(x, y, self.output)
+                && !list.iter().any(|(other, _)| other.letter() == fate.letter())
+            {
+                list.push((fate, fate.without_value(self.column)));
+            }
+        }
+        list
+    }
+
+    /// The output along one axis, through the cursor.
+    fn slice(&self, app: &App, along: bool, area: Rect, buffer: &mut Buffer) {
+        let axes = self.grid.plan().axes();
+        let (x, y) = app.cursor_point(self.grid);
+        let (axis, held, count, place) = if along {
+            (&axes[0], &axes[1], self.grid.counts().0, x)
+        } else {
+            (&axes[1], &axes[0], self.grid.counts().1, y)
+        };
+        let at = |index: usize| axis.value(u64::try_from(index).unwrap_or(u64::MAX));
+        let point = |index: usize| if along { (index, y) } else { (x, index) };
+        let points: Vec<(f64, f64)> = (0..count)
+            .map(|index| (at(index), drawn(self.grid, point(index), self.output)))
+            .collect();
+        let scale = value_scale(app);
+        let view = match scale {
+            Scale::Linear => self.range.padded(scale, 0.05),
+            Scale::Log10 => self.range.rounded(scale),
+        };
+        let vertical = chart::Axis::new("", view).scale(scale).unit(self.unit.clone());
+        let other = if along { y } else { x };
+        let other = held.value(u64::try_from(other).unwrap_or(u64::MAX));
+        let chart = Chart {
+            legend: Legend::Hidden,
+            crosshair: Some(at(place)),
+            ..Chart::new(
+                format!("at {} {}", held.symbol(), significant(other, 3)),
+                chart_axis(axis),
+                vertical,
+                vec![Curve::new('*', "", &points)],
+            )
+        };
+        chart.render(area, buffer, app.theme);
+    }
+}
+
+fn role(fate: Fate) -> Role {
+    match fate {
+        Fate::Arrested | Fate::Separated => Role::Dim,
+        Fate::Perforated | Fate::Failed(_) => Role::Error,
+        Fate::Moving => Role::Warning,
+    }
+}

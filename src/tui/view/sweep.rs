@@ -1,0 +1,165 @@
+//! The Sweep tab: an output, or two, over one variable, with a curve for each value of a second one; what has no value is a
+//! letter on the axis, never a number.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::rect;
+use super::text::{columns, put};
+use crate::model::units::significant;
+use crate::study::sweep::grid::{Cell, Grid};
+use crate::study::sweep::{Axis, Spacing};
+use crate::tui::app::App;
+use crate::tui::app::layout::SweepPanes;
+use crate::tui::app::sweep::{Found, Picture};
+use crate::tui::chart::{self, Chart, Curve, Emphasis, Legend, MARKERS, Scale, Unit, ViewRange};
+use crate::tui::theme::{Pane, Role};
+
+/// Draw the charts.
+pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) {
+    let picture = Picture::Line;
+    let Some(found) = app.sweeping.found(picture) else {
+        if let Some(area) = panes.plots.first() {
+            nothing(app, "Curves", rect(*area), buffer);
+        }
+        return;
+    };
+    let outputs = found.grid.plan().outputs().len();
+    let (shown, _) = app.shown_output(&found.grid);
+    for (place, area) in panes.plots.iter().enumerate() {
+        // The shown output first, then the ones after it.
+        let output = (shown + place) % outputs;
+        if place > 0 && place >= outputs {
+            nothing(app, "", rect(*area), buffer);
+            continue;
+        }
+        curves(app, found, (output, place == 0), rect(*area), buffer);
+    }
+}
+
+/// A pane that has nothing to show yet.
+pub(super) fn nothing(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
+    let inner = Pane::new(title.to_owned()).render(area, buffer, app.theme);
+    let text = match (&app.sweeping.computing, &app.sweeping.problem) {
+        (Some(_), _) => "sweeping the first points",
+        (None, Some(_)) => "see the message below",
+        (None, None) => "not swept yet: r sweeps",
+    };
+    let column = inner.width.saturating_sub(columns(text)) / 2;
+    put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+}
+
+/// An axis of the sweep as one of a chart.
+pub(super) fn chart_axis(axis: &Axis) -> chart::Axis<'static> {
+    let (from, to) = axis.ends();
+    let view = ViewRange::new(from, to);
+    let scale = match axis.spacing() {
+        Spacing::Linear => Scale::Linear,
+        Spacing::Log => Scale::Log10,
+    };
+    let unit = axis.variable().unit().trim_matches('-');
+    chart::Axis::new(axis.symbol(), view).scale(scale).unit(Unit::with_prefix(view, unit))
+}
+
+/// The scale of values on the screen.
+pub(super) fn value_scale(app: &App) -> Scale {
+    if app.sweeping.log_values { Scale::Log10 } else { Scale::Linear }
+}
+
+/// The number of a point to draw; NaN where there is none.
+pub(super) fn drawn(grid: &Grid, (x, y): (usize, usize), output: usize) -> f64 {
+    match grid.cell(x, y, output) {
+        Cell::Value(value) => value,
+        Cell::Fate(_) | Cell::Waiting => f64::NAN,
+    }
+}
+
+fn at(axis: &Axis, index: usize) -> f64 {
+    axis.value(u64::try_from(index).unwrap_or(u64::MAX))
+}
+
+fn curves(
+    app: &App,
+    found: &Found,
+    (output, is_first): (usize, bool),
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let grid = &found.grid;
+    let column = grid.plan().outputs()[output];
+    let old = app.sweep_is_old(Picture::Line) && app.sweeping.computing.is_none();
+    let axes = grid.plan().axes();
+    let (along, repeats) = grid.counts();
+    let scale = value_scale(app);
+    let lines: Vec<Vec<(f64, f64)>> = (0..repeats)
+        .map(|y| (0..along).map(|x| (at(&axes[0], x), drawn(grid, (x, y), output))).collect())
+        .collect();
+    let values = || lines.iter().flatten().map(|point| point.1);
+    let title = column.title() + if old { ", old" } else { "" };
+    let Some(range) = ViewRange::of(scale, values()) else {
+        nothing_exists(app, &title, grid, area, buffer);
+        return;
+    };
+    let view = match scale {
+        Scale::Linear => range.padded(scale, 0.05),
+        Scale::Log10 => range.rounded(scale),
+    };
+    let y = chart::Axis::new("", view).scale(scale).unit(Unit::with_prefix(range, column.unit()));
+    let (x, selected) = app.cursor_point(grid);
+    let named = axes.get(1);
+    let curves = lines.iter().enumerate().map(|(index, points)| {
+        let name = named.map_or_else(String::new, |axis| {
+            // The first of the family also says what is repeated.
+            let value = significant(at(axis, index), 3);
+            if index == 0 { format!("{}={value}", axis.symbol()) } else { value }
+        });
+        let emphasis = match (old, index == selected) {
+            (true, _) => Emphasis::Stale,
+            (false, true) => Emphasis::Selected,
+            (false, false) => Emphasis::Normal,
+        };
+        let marker = MARKERS[index % MARKERS.len()];
+        Curve::new(marker, name, points).colour(index).emphasis(emphasis)
+    });
+    let chart = Chart {
+        legend: if named.is_some() { Legend::Shown } else { Legend::Hidden },
+        crosshair: Some(at(&axes[0], x)),
+        focused: is_first && !app.sweeping.on_setup && app.dialog.is_none(),
+        ..Chart::new(title, chart_axis(&axes[0]), y, curves.collect())
+    };
+    let layout = chart.render(area, buffer, app.theme).layout;
+    marks(app, grid, output, (layout.plot, layout.x), buffer);
+}
+
+/// A letter at the foot of the plot wherever the selected curve has a gap.
+fn marks(
+    app: &App,
+    grid: &Grid,
+    output: usize,
+    (plot, map): (Rect, chart::Mapping),
+    buffer: &mut Buffer,
+) {
+    let (along, _) = grid.counts();
+    let (_, selected) = app.cursor_point(grid);
+    for x in 0..along {
+        let gap = match grid.cell(x, selected, output) {
+            Cell::Fate(fate) => Some(fate),
+            Cell::Value(_) | Cell::Waiting => None,
+        };
+        let Some((fate, cell)) = gap.zip(map.cell(at(&grid.plan().axes()[0], x))) else { continue };
+        let place = (cell, plot.height.saturating_sub(1));
+        let letter = fate.letter().to_string();
+        put(buffer, plot, place, &letter, app.theme.style(Role::Warning));
+    }
+}
+
+/// No point of the sweep has this output.
+fn nothing_exists(app: &App, title: &str, grid: &Grid, area: Rect, buffer: &mut Buffer) {
+    let inner = Pane::new(title.to_owned()).render(area, buffer, app.theme);
+    let text = match grid.progress().0 {
+        0 => "sweeping the first points".to_owned(),
+        _ => "no point has this: v shows another output".to_owned(),
+    };
+    let column = inner.width.saturating_sub(columns(&text)) / 2;
+    put(buffer, inner, (column, inner.height / 2), &text, app.theme.style(Role::Dim));
+}

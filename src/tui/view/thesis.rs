@@ -1,0 +1,247 @@
+//! The Thesis tab: claims with the selected one in full, principles with what serves them, the screening matrix.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::text::{columns, first_row, paint_row, put};
+use crate::model::units::significant;
+use crate::study::principles::PRINCIPLES;
+use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
+use crate::study::thesis::Verdict;
+use crate::tui::app::App;
+use crate::tui::app::status::clip;
+use crate::tui::app::thesis::Page;
+use crate::tui::theme::{Pane, Role};
+
+/// From this width on the detail stands beside the list.
+const BESIDE: u16 = 110;
+/// Columns of a claim's place in the list.
+const PLACE: u16 = 25;
+/// Columns of a label of the detail.
+const LABEL: u16 = 12;
+
+/// Draw the tab.
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    match app.thesis.page {
+        Page::Claims => claims(app, area, buffer),
+        Page::Principles => principles(app, area, buffer),
+        Page::Screening => screening(app, area, buffer),
+    }
+}
+
+/// The list and the detail, beside or below each other.
+fn split(area: Rect, below: u16) -> (Rect, Rect) {
+    if area.width >= BESIDE {
+        let left = area.width * 11 / 20;
+        let detail = Rect { x: area.x + left, width: area.width - left, ..area };
+        return (Rect { width: left, ..area }, detail);
+    }
+    let below = below.min(area.height / 2);
+    let top = area.height - below;
+    (Rect { height: top, ..area }, Rect { y: area.y + top, height: below, ..area })
+}
+
+fn role(verdict: Verdict) -> Role {
+    match verdict {
+        Verdict::Reproduced | Verdict::TrendHolds => Role::Text,
+        Verdict::Corrected | Verdict::Misprint => Role::Warning,
+        Verdict::TrendFails => Role::Error,
+        Verdict::Unchecked => Role::Dim,
+    }
+}
+
+fn claims(app: &App, area: Rect, buffer: &mut Buffer) {
+    let tab = &app.thesis;
+    let (list, detail) = split(area, 11);
+    let shown = tab.shown();
+    let title = match tab.filter {
+        None => "Claims of the thesis".to_owned(),
+        Some(verdict) => format!("Claims: {}", verdict.words()),
+    };
+    let count = format!("{} of {}", shown.len(), tab.rows().len());
+    let pane = Pane::new(title).right(count).focused(app.dialog.is_none());
+    let inner = pane.render(list, buffer, app.theme);
+    if shown.is_empty() {
+        let text = match (&tab.running, tab.rows().is_empty()) {
+            (_, false) => "no row has this verdict: v for the next",
+            (Some(_), true) => "checking the first claims",
+            (None, true) => "r checks every claim",
+        };
+        put(buffer, inner, (1, 1), text, app.theme.style(Role::Dim));
+    }
+    let first = first_row(tab.selected, usize::from(inner.height), shown.len());
+    for (y, (index, row)) in (0..inner.height).zip(shown.iter().enumerate().skip(first)) {
+        let style = app.theme.style(role(row.found.verdict));
+        put(buffer, inner, (0, y), &row.found.verdict.letter().to_string(), style);
+        let place = clip(row.claim.place, usize::from(PLACE - 3));
+        put(buffer, inner, (2, y), &place, style);
+        let room = usize::from(inner.width.saturating_sub(PLACE));
+        put(buffer, inner, (PLACE, y), &clip(row.claim.says, room), style);
+        if index == tab.selected && app.dialog.is_none() {
+            paint_row(buffer, inner, y, app.theme.style(Role::Selection));
+        }
+    }
+    let pane = Pane::new(tab.row().map_or_else(String::new, |row| row.claim.place.to_owned()))
+        .right("Tab: principles");
+    let inner = pane.render(detail, buffer, app.theme);
+    if let Some(row) = tab.row() {
+        let found = &row.found;
+        let mut y = 0;
+        let verdict = format!("{} {}", found.verdict.letter(), found.verdict.words());
+        for (label, text) in [
+            ("says", row.claim.says),
+            ("computed", found.sound.as_str()),
+            ("as printed", found.printed.as_str()),
+            ("verdict", verdict.as_str()),
+            ("cause", found.cause),
+        ] {
+            if !text.is_empty() {
+                y = labelled(app, inner, y, (label, text), buffer);
+            }
+        }
+    }
+}
+
+/// A label and a text over as many rows as it needs; gives the row after it.
+fn labelled(
+    app: &App,
+    area: Rect,
+    from: u16,
+    (label, text): (&str, &str),
+    buffer: &mut Buffer,
+) -> u16 {
+    put(buffer, area, (0, from), label, app.theme.style(Role::Dim));
+    let room = usize::from(area.width.saturating_sub(LABEL).max(8));
+    let mut y = from;
+    for line in lines(text, room) {
+        put(buffer, area, (LABEL, y), &line, app.theme.style(Role::Text));
+        y += 1;
+    }
+    y
+}
+
+/// A text in lines of at most `room` columns, broken between words.
+fn lines(text: &str, room: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let last = lines.len() - 1;
+        let line = &mut lines[last];
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() <= room {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
+}
+
+fn principles(app: &App, area: Rect, buffer: &mut Buffer) {
+    let tab = &app.thesis;
+    let (list, detail) = split(area, 8);
+    let pane = Pane::new("Families and principles (Table 4.1)").focused(app.dialog.is_none());
+    let inner = pane.render(list, buffer, app.theme);
+    let mut y = 0;
+    let mut family = "";
+    for (index, principle) in PRINCIPLES.iter().enumerate() {
+        if principle.family != family {
+            family = principle.family;
+            put(buffer, inner, (0, y), family, app.theme.style(Role::Title));
+            y += 1;
+        }
+        if y >= inner.height {
+            break;
+        }
+        put(buffer, inner, (2, y), principle.name, app.theme.style(Role::Text));
+        if index == tab.principle && app.dialog.is_none() {
+            paint_row(buffer, inner, y, app.theme.style(Role::Selection));
+        }
+        y += 1;
+    }
+    let principle = &PRINCIPLES[tab.principle];
+    let title = format!("{}, section {}", principle.name, principle.section);
+    let inner = Pane::new(title).right("Tab: screening").render(detail, buffer, app.theme);
+    let functions: Vec<&str> = principle.functions.iter().map(|it| it.name()).collect();
+    let functions = functions.join(", ");
+    let mut presets: Vec<&str> = principle.preset.into_iter().collect();
+    for preset in principle.functions.iter().flat_map(|it| it.presets()) {
+        if !presets.contains(preset) {
+            presets.push(preset);
+        }
+    }
+    let presets = presets.join(", ");
+    let mut y = 0;
+    for (label, text) in [
+        ("idea", principle.idea),
+        ("functions", functions.as_str()),
+        ("computed", principle.computed),
+        ("presets", presets.as_str()),
+    ] {
+        y = labelled(app, inner, y, (label, text), buffer);
+    }
+}
+
+fn screening(app: &App, area: Rect, buffer: &mut Buffer) {
+    let tab = &app.thesis;
+    let pane = Pane::new("Screening matrix (Table 7.1), weights h/l")
+        .right("Tab: claims")
+        .focused(app.dialog.is_none());
+    let inner = pane.render(area, buffer, app.theme);
+    let (dim, text) = (app.theme.style(Role::Dim), app.theme.style(Role::Text));
+    let places = rank(&tab.weights);
+    let name = 22;
+    let cell = 6;
+    put(buffer, inner, (0, 0), "criterion", dim);
+    put(buffer, inner, (name, 0), "weight", dim);
+    let start = name + 8;
+    for (index, concept) in CONCEPTS.iter().enumerate() {
+        let column = start + cell * u16::try_from(index).unwrap_or(0);
+        put(buffer, inner, (column + 1, 0), &initials(concept.name), dim);
+    }
+    for (y, (index, criterion)) in (1..inner.height).zip(CRITERIA.iter().enumerate()) {
+        put(buffer, inner, (1, y), criterion, text);
+        let weight = format!("{} %", significant(tab.weights[index], 3));
+        put(buffer, inner, (name + 6 - columns(&weight).min(6), y), &weight, text);
+        for (at, concept) in CONCEPTS.iter().enumerate() {
+            let column = start + cell * u16::try_from(at).unwrap_or(0);
+            put(buffer, inner, (column + 2, y), &significant(concept.ratings[index], 2), text);
+        }
+        if index == tab.criterion && app.dialog.is_none() {
+            paint_row(buffer, inner, y, app.theme.style(Role::Selection));
+        }
+    }
+    for (y, label) in [(8, "total"), (9, "rank (printed)")] {
+        put(buffer, inner, (0, y), label, app.theme.style(Role::Title));
+    }
+    for place in &places {
+        let column = start + cell * u16::try_from(place.concept).unwrap_or(0);
+        put(buffer, inner, (column, 8), &format!("{:.2}", place.total), text);
+        let concept = &CONCEPTS[place.concept];
+        let printed = format!("{} ({})", place.rank, concept.rank);
+        let moved = place.rank != concept.rank;
+        let style = app.theme.style(if moved { Role::Warning } else { Role::Text });
+        put(buffer, inner, (column, 9), &printed, style);
+    }
+    for (y, place) in (10..inner.height).zip(ranking(&tab.weights)) {
+        let concept = &CONCEPTS[place.concept];
+        let line = format!(
+            "{}  {:<4}{:<24} {:.2}   section {}",
+            place.rank,
+            initials(concept.name),
+            concept.name,
+            place.total,
+            concept.section
+        );
+        put(buffer, inner, (1, y), &line, text);
+    }
+}
+
+/// Two letters of the first word and one of the second: `EmF` for `Emergent four-bar`.
+fn initials(name: &str) -> String {
+    let mut words = name.split(' ');
+    let first: String = words.next().unwrap_or_default().chars().take(2).collect();
+    let second: String = words.next().unwrap_or_default().chars().take(1).collect();
+    first + &second.to_uppercase()
+}

@@ -1,0 +1,76 @@
+//! `cmra limit` as a user meets it.
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn cmra(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("cmra").unwrap();
+    command.arg("limit").args(arguments);
+    command
+}
+
+fn output(arguments: &[&str]) -> String {
+    String::from_utf8(cmra(arguments).assert().success().get_output().stdout.clone()).unwrap()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&output(&[&["--json"], arguments].concat())).unwrap()
+}
+
+#[test]
+fn valid_limits_of_the_model_page_come_with_their_margin() {
+    for (set, limit) in [(["mount=rigid", "b=0"], 232.295_378), (["k=0", "gamma=1"], 347.708_052)] {
+        let found = json(&["--set", set[0], "--set", set[1], "--samples", "20"]);
+        let number = |key: &str| found[key].as_f64().unwrap();
+        assert!((number("limit_velocity_m_s") - limit).abs() < 5e-7, "{found}");
+        assert!((number("margin") - (limit / 100.0 - 1.0)).abs() < 1e-8);
+        assert_eq!(found["basis"], "closed form");
+        assert!(found["no_limit"].is_null());
+        assert_eq!(found["scatter"]["samples"], 20);
+        assert_eq!(found["shots"].as_array().unwrap().len(), 30);
+    }
+}
+
+#[test]
+fn the_page_says_what_there_is_and_what_there_is_not() {
+    let page = output(&["--set", "v_i=400", "--samples", "20"]);
+    for words in ["limit velocity  344.328", "it perforates", "Lambert-Jonas", "V50", "carries it"]
+    {
+        assert!(page.contains(words), "{words}: {page}");
+    }
+    let never = output(&["--set", "h=5"]);
+    assert!(never.contains("no limit: nothing from 1 to 5000 m/s perforates"), "{never}");
+    let always = output(&["--set", "S_y=0"]);
+    assert!(always.contains("no limit: everything"), "{always}");
+    assert!(json(&["--set", "S_y=0"])["limit_velocity_m_s"].is_null());
+    // Without scatter nothing is said of it.
+    assert!(!output(&["--scatter", "0"]).contains("V50"));
+}
+
+#[test]
+fn shots_are_rows_and_absent_velocities_empty() {
+    let table = output(&["--csv", "-", "--scatter", "0"]);
+    let mut lines = table.lines();
+    let head =
+        "scene,impact_velocity_m_s,outcome,residual_velocity_m_s,recht_ipson_m_s,lambert_jonas_m_s";
+    assert_eq!(lines.next(), Some(head));
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 30);
+    for row in rows {
+        assert_eq!(row[3].is_empty(), row[2] != "perforated", "{row:?}");
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_page_and_bad_options_are_refused() {
+    let seeded = |seed: &str| output(&["--seed", seed, "--samples", "20"]);
+    assert_eq!(seeded("3"), seeded("3"));
+    assert_ne!(seeded("3"), seeded("4"));
+    for (option, value, told) in
+        [("--scatter", "2", "outside 0..0.5"), ("--samples", "1", "outside 2..")]
+    {
+        let refused = cmra(&[option, value]).assert().code(2);
+        let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+        assert!(text.contains(told), "{text}");
+    }
+}

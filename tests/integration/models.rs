@@ -1,0 +1,55 @@
+//! `cmra run --compare`, and models set by name.
+
+use assert_cmd::Command;
+
+fn cmra(arguments: &[&str]) -> (String, i32) {
+    let output = Command::cargo_bin("cmra").unwrap().args(arguments).output().unwrap();
+    let text =
+        String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap();
+    (text, output.status.code().unwrap())
+}
+
+#[test]
+fn the_models_stand_in_one_table_and_as_rows() {
+    let (page, status) = cmra(&["run", "--compare", "models"]);
+    assert_eq!(status, 0);
+    for name in ["hydrodynamic", "lumped", "half-sine", "initial-velocity", "appendix", "finite"] {
+        assert!(page.lines().any(|line| line.starts_with(name)), "{name}: {page}");
+    }
+    assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
+    let (json, status) = cmra(&["run", "--compare", "models", "--json"]);
+    assert_eq!(status, 0);
+    let rows: Vec<serde_json::Value> = serde_json::from_str(&json).unwrap();
+    assert_eq!(rows.len(), 5);
+    assert_eq!(rows[0]["penetration_deviation"], 0.0);
+    let at_once = rows.iter().find(|row| row["model"] == "initial-velocity").unwrap();
+    assert!(at_once["final_penetration_m"].is_null() && at_once["peak_contact_force_n"].is_null());
+    let (csv, _) = cmra(&["run", "--compare", "quirks", "--csv", "-"]);
+    assert_eq!(csv.lines().count(), 11);
+    assert!(csv.starts_with("scene,model,outcome,final_penetration_m,"));
+}
+
+#[test]
+fn a_model_is_set_by_name_and_what_it_cannot_be_is_said() {
+    let (json, status) = cmra(&["run", "--set", "model=half-sine", "--set", "t_d=150us", "--json"]);
+    assert_eq!(status, 0);
+    let run: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(run["model"], "half-sine");
+    // m_p v pi/(2 t_d)
+    let peak = run["peak_contact_force_n"].as_f64().unwrap();
+    assert!((peak / 30_892.328 - 1.0).abs() < 1e-6, "{peak}");
+    let (text, status) = cmra(&["run", "--set", "model=magic"]);
+    assert_eq!(status, 2);
+    assert!(text.contains("hydrodynamic or half-sine or initial-velocity"), "{text}");
+    let (text, status) = cmra(&["run", "--set", "t_d=0"]);
+    assert_eq!(status, 2);
+    assert!(text.contains("t_d (contact.duration_s) = 0 s is impossible"), "{text}");
+    let stiff =
+        ["run", "--set", "model=lumped", "--set", "k_load=2MN/m", "--set", "k_unload=1MN/m"];
+    let (text, status) = cmra(&stiff);
+    assert_eq!(status, 2);
+    assert!(text.contains("k_unload") && text.contains("must be 2e6 N/m or more"), "{text}");
+    let (text, status) = cmra(&["accuracy", "--quick", "--set", "model=lumped"]);
+    assert_eq!(status, 2);
+    assert!(text.contains("set model = hydrodynamic"), "{text}");
+}

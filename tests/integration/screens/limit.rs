@@ -1,0 +1,202 @@
+//! The Limit tab: keys and whole screens, on a made-up limit whose digits never change a picture.
+
+use std::sync::Arc;
+
+use super::accuracy::studies;
+use super::bench::Bench;
+use cmra::model::run::Outcome;
+use cmra::model::scene::Scene;
+use cmra::study::limit::fit::{LambertJonas, RechtIpson};
+use cmra::study::limit::scatter::Scatter;
+use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
+use cmra::tui::app::limit::SCATTERING;
+use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::theme::GlyphSet;
+use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
+use insta::assert_snapshot;
+
+/// The made-up limit, m/s.
+const V_BL: f64 = 232.3;
+
+/// A plate that takes a little more than its own share beyond the limit.
+fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
+    let below = (0..6).map(|i| 0.5 + f64::from(i) / 12.0);
+    let above = (1..=24).map(|i| 1.0 + 1.5 * (f64::from(i) / 24.0).powi(2));
+    let law = |v: f64| 0.92 * (v.powf(2.2) - V_BL.powf(2.2)).powf(1.0 / 2.2);
+    let shot = |times: f64| Shot {
+        impact_m_s: times * V_BL,
+        outcome: if times > 1.0 { Outcome::Perforated } else { Outcome::Arrested },
+        residual_m_s: (times > 1.0).then(|| law(times * V_BL)),
+    };
+    let scatter = effort.scattering.map(|scattering| Scatter {
+        scattering,
+        found: 200,
+        without: 0,
+        v50_m_s: 232.5,
+        deviation_m_s: 9.876,
+        range90_m_s: (216.4, 248.9),
+        perforated: 0.015,
+        perforated95: (0.005, 0.043),
+    });
+    Report {
+        scene: Arc::clone(scene),
+        limit: Limit::Found { velocity_m_s: V_BL, basis: Basis::Outcome, stopped_at_m_s: None },
+        shots: below.chain(above).map(shot).collect(),
+        recht_ipson: Some(RechtIpson { a: 0.9412, limit_m_s: V_BL, misfit_m_s: 4.321 }),
+        lambert_jonas: Some(LambertJonas { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
+        scatter,
+        is_complete: true,
+    }
+}
+
+fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
+    for study in studies(bench) {
+        let StudyKind::Limit(effort) = study.kind else { continue };
+        let mut report = found(&study.scene, effort);
+        change(&mut report);
+        let body = StudyBody::Ended(Finding::Limit(Some(Arc::new(report))));
+        bench.send(Message::Study(StudyReport { id: study.id, body }));
+    }
+}
+
+/// Answer what was asked for.
+pub(super) fn answer(bench: &mut Bench) {
+    end(bench, |_| {});
+}
+
+/// The tab with its limit.
+fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+    let mut bench = Bench::open(glyphs, size);
+    bench.keys("8");
+    answer(&mut bench);
+    bench
+}
+
+#[test]
+fn the_limit_tab_at_every_size() {
+    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
+        for (columns, rows) in [(60, 16), (80, 24), (120, 36)] {
+            let mut bench = open(glyphs, (columns, rows));
+            assert_snapshot!(format!("limit_{columns}x{rows}_{glyphs}"), bench.screen());
+            bench.keys("v");
+            answer(&mut bench);
+            bench.keys("lLL");
+            assert_snapshot!(format!("limit_v50_{columns}x{rows}_{glyphs}"), bench.screen());
+        }
+    }
+}
+
+#[test]
+fn what_there_is_not_is_said() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("8");
+    assert_snapshot!("limit_begins", bench.screen());
+    end(&mut bench, |report| {
+        report.limit = Limit::Never;
+        (report.recht_ipson, report.lambert_jonas) = (None, None);
+        for shot in &mut report.shots {
+            (shot.outcome, shot.residual_m_s) = (Outcome::Arrested, None);
+        }
+    });
+    assert_snapshot!("limit_never", bench.screen());
+    bench.keys("r");
+    end(&mut bench, |report| {
+        report.limit =
+            Limit::Found { velocity_m_s: V_BL, basis: Basis::Outcome, stopped_at_m_s: Some(400.0) };
+    });
+    assert!(bench.screen().contains("no single limit: 400.0 m/s is stopped again"));
+}
+
+#[test]
+fn the_limit_is_found_once_a_scene_and_again_when_asked() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    assert!(
+        bench
+            .screen()
+            .contains("v_bl 232.300 m/s, margin +132.3 % at the scene's 100 m/s: it is stopped")
+    );
+    bench.keys("18");
+    assert!(studies(&mut bench).is_empty());
+    // An edit from within the tab makes it old; r finds the new scene's.
+    bench.keys("i");
+    assert!(bench.screen().contains("old: v_bl"), "{}", bench.screen());
+    assert!(bench.screen().contains("old: r finds the changed scene's limit"));
+    bench.keys("r");
+    let asked = studies(&mut bench);
+    assert_eq!((asked.len(), &asked[0].scene), (1, &bench.app.scene));
+    // Leaving and coming back does not ask twice.
+    bench.keys("18");
+    assert!(studies(&mut bench).is_empty());
+}
+
+#[test]
+fn progress_is_shown_and_a_stopped_search_keeps_what_it_has() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("8");
+    let study = studies(&mut bench).remove(0);
+    let send = |bench: &mut Bench, body| {
+        bench.send(Message::Study(StudyReport { id: study.id, body }));
+    };
+    let part = Finding::Limit(None);
+    send(&mut bench, StudyBody::Part { done: 12, total: 111, part });
+    assert!(bench.screen().contains("finding the limit: 12 of about 111 shots (Esc stops)"));
+    bench.keys("<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
+    let mut report = found(&bench.app.scene, Effort { scattering: None });
+    report.is_complete = false;
+    report.limit = Limit::Unknown;
+    report.shots.clear();
+    send(&mut bench, StudyBody::Ended(Finding::Limit(Some(Arc::new(report)))));
+    assert!(bench.screen().contains("stopped: r finds it again"), "{}", bench.screen());
+    bench.keys("e");
+    assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
+}
+
+#[test]
+fn v_asks_for_the_scatter_and_takes_it_away_again() {
+    let mut bench = open(GlyphSet::Ascii, (120, 36));
+    bench.keys("v");
+    let asked = studies(&mut bench).remove(0).kind;
+    assert_eq!(asked, StudyKind::Limit(Effort { scattering: Some(SCATTERING) }));
+    bench.keys("v");
+    let asked = studies(&mut bench).remove(0).kind;
+    assert_eq!(asked, StudyKind::Limit(Effort { scattering: None }));
+}
+
+#[test]
+fn the_crosshair_walks_from_shot_to_shot() {
+    let mut bench = open(GlyphSet::Ascii, (120, 36));
+    bench.keys("l");
+    let first = bench.message();
+    assert!(first.starts_with("232.9 m/s: through, "), "{first}");
+    assert!(first.contains("; Recht-Ipson "), "{first}");
+    bench.keys("h");
+    assert!(bench.message().contains("m/s: stopped"), "{}", bench.message());
+    bench.keys("HHHH");
+    assert!(bench.message().starts_with("116.2 m/s: stopped"), "{}", bench.message());
+}
+
+#[test]
+fn shots_are_exported_and_a_file_is_not_replaced_unasked() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("e");
+    assert_snapshot!("limit_export", bench.screen());
+    bench.keys("<Enter>");
+    let sent = |bench: &mut Bench| {
+        bench.effects.drain(..).find_map(|effect| match effect {
+            Effect::ExportTable { path, overwrite, text } => Some((path, overwrite, text)),
+            _ => None,
+        })
+    };
+    let (path, overwrite, text) = sent(&mut bench).expect("an export");
+    assert_eq!(path, std::path::Path::new("/home/ada/work/thesis-baseline-limit.csv"));
+    assert!(!overwrite);
+    assert_eq!(text.lines().count(), 31);
+    assert!(text.starts_with("scene,impact_velocity_m_s,outcome,"));
+    let done = |outcome| Message::Done(EffectReport::Exported(outcome));
+    bench.send(done(ExportOutcome::Exists(path.clone())));
+    bench.keys("y");
+    assert!(sent(&mut bench).expect("asked again").1);
+    bench.send(done(ExportOutcome::Written(vec![path])));
+    assert!(bench.app.dialog.is_none());
+}

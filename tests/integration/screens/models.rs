@@ -1,0 +1,39 @@
+//! The interaction models in the workbench: side by side by one key, their variables only where they matter.
+
+use cmra::model::scene::ContactModel;
+
+use super::bench::Bench;
+
+#[test]
+fn one_key_pins_every_other_model_and_takes_them_away_again() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("I");
+    bench.answer();
+    let names: Vec<&str> = bench.app.pins.iter().map(|pin| pin.name.as_str()).collect();
+    assert_eq!(names, ["lumped", "half-sine", "initial-velocity", "appendix"]);
+    assert!(bench.app.pins.iter().all(|pin| pin.scene.contact.model != ContactModel::Hydrodynamic));
+    bench.keys("I");
+    assert!(bench.app.pins.is_empty());
+    // Five pins of one's own leave no room for four.
+    for _ in 0..5 {
+        bench.keys(" l");
+    }
+    bench.keys("I");
+    assert_eq!(bench.app.pins.len(), 5);
+    assert!(bench.message().contains("3 of the eight pins are free"));
+}
+
+#[test]
+fn variables_of_a_model_are_listed_only_with_it() {
+    let mut bench = Bench::ascii(120, 60);
+    assert!(!bench.screen().contains("t_d"));
+    std::sync::Arc::make_mut(&mut bench.app.scene).contact.model = ContactModel::Appendix;
+    let listed = bench.app.editor.listed(&bench.app.scene);
+    let symbols: Vec<&str> =
+        listed.iter().map(|index| cmra::model::variables::VARIABLES[*index].symbol).collect();
+    for symbol in ["dt", "coupling", "dampsign", "stopping", "after", "scheme", "oblique", "jumps"]
+    {
+        assert!(symbols.contains(&symbol), "{symbol}");
+    }
+    assert!(!symbols.contains(&"t_d") && !symbols.contains(&"k_load"));
+}

@@ -1,0 +1,317 @@
+//! The Sweep and Surface tabs: whole screens on real sweeps of few points, and keys.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use super::bench::Bench;
+use cmra::files::preset;
+use cmra::study::sweep::crew::Crew;
+use cmra::study::sweep::grid::Grid;
+use cmra::tui::app::dialog::Dialog;
+use cmra::tui::app::sweep::SetupRow;
+use cmra::tui::app::{Base, Origin, Tab};
+use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
+use cmra::tui::view::view;
+use cmra::worker::sweeps::{SweepBody, SweepJob, SweepReport};
+use insta::assert_snapshot;
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use ratatui::style::Color;
+
+/// The sweeps asked for and not answered.
+fn jobs(bench: &mut Bench) -> Vec<SweepJob> {
+    let mut jobs = Vec::new();
+    bench.effects.retain(|effect| match effect {
+        Effect::Sweep(job) => {
+            jobs.push(job.clone());
+            false
+        }
+        _ => true,
+    });
+    jobs
+}
+
+/// A grid of the job, filled until so many points are done.
+fn grid(job: &SweepJob, points: usize) -> Arc<Grid> {
+    let stop = AtomicBool::new(false);
+    let crew = Crew { threads: 1, piece: 1 };
+    let grid = Grid::new(Arc::clone(&job.plan)).unwrap();
+    Arc::new(grid.fill(crew, &stop, &mut |grid, _| {
+        if grid.progress().0 >= points { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }))
+}
+
+fn say(bench: &mut Bench, job: &SweepJob, body: SweepBody) {
+    bench.send(Message::Sweep(SweepReport { id: job.id, body }));
+}
+
+/// Answer every sweep with its grid, as the thread would.
+pub(super) fn answer(bench: &mut Bench) {
+    for job in jobs(bench) {
+        let grid = grid(&job, usize::MAX);
+        say(bench, &job, SweepBody::Ended { grid, took: Duration::from_millis(8) });
+    }
+}
+
+/// A bench on a figure with so many points along every axis.
+fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+    let mut bench = Bench::open(glyphs, size);
+    let mut scene = preset::resolve(figure, None).unwrap().scene;
+    for axis in &mut scene.sweep.as_mut().unwrap().axes {
+        axis.count = count;
+    }
+    let scene = Arc::new(scene);
+    bench.app.scene = Arc::clone(&scene);
+    bench.app.base = Base { name: figure.to_owned(), origin: Origin::Bundled, scene };
+    bench
+}
+
+/// Press keys and answer what was asked for after each.
+fn keys(bench: &mut Bench, keys: &str) {
+    let mut rest = keys;
+    while let Some(first) = rest.chars().next() {
+        let name = rest.find('>').filter(|_| first == '<');
+        let (key, tail) = rest.split_at(name.map_or_else(|| first.len_utf8(), |end| end + 1));
+        bench.keys(key);
+        answer(bench);
+        rest = tail;
+    }
+}
+
+#[test]
+fn the_sweep_tabs_at_every_size() {
+    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
+        for (columns, rows) in [(60, 16), (80, 24), (120, 36)] {
+            let mut bench = open("figure-9.7", 21, glyphs, (columns, rows));
+            keys(&mut bench, "2lll");
+            assert_snapshot!(format!("lines_{columns}x{rows}_{glyphs}"), bench.screen());
+            keys(&mut bench, "3llkkk");
+            assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
+        }
+    }
+}
+
+#[test]
+fn one_curve_and_a_logarithmic_surface() {
+    let mut bench = open("figure-9.4", 41, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2vlll");
+    assert_snapshot!("lines_one_curve", bench.screen());
+    let mut bench = open("figure-9.9", 11, GlyphSet::Ascii, (120, 36));
+    keys(&mut bench, "3vYLKK");
+    assert_snapshot!("surface_log", bench.screen());
+}
+
+#[test]
+fn what_has_no_value_is_a_letter_with_its_meaning() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
+    keys(&mut bench, "3<Tab>jjjjj<Enter>v_i<Enter>");
+    keys(&mut bench, "<Enter>150<Enter><Enter>400<Enter><Tab>");
+    assert_snapshot!("surface_perforated", bench.screen());
+    assert!(bench.screen().contains("P  perforated"));
+    keys(&mut bench, "KKKK");
+    assert!(bench.message().ends_with("perforated"), "{}", bench.message());
+}
+
+#[test]
+fn a_coloured_map_shows_two_values_in_a_cell_and_ascii_one_with_its_character() {
+    let draw = |glyphs| {
+        let mut bench = open("figure-9.7", 21, glyphs, (80, 24));
+        bench.app.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
+        keys(&mut bench, "3");
+        let mut terminal = Terminal::new(TestBackend::new(80, 24)).unwrap();
+        terminal.draw(|frame| view(&bench.app, frame)).unwrap();
+        terminal.backend().buffer().clone()
+    };
+    let coloured = |cell: &&ratatui::buffer::Cell| matches!(cell.bg, Color::Indexed(_));
+    let block = draw(GlyphSet::Block);
+    assert!(block.content.iter().filter(coloured).count() > 500);
+    assert!(block.content.iter().any(|cell| cell.symbol() == "▀"));
+    let ascii = draw(GlyphSet::Ascii);
+    let with_both = ascii.content.iter().filter(coloured).filter(|cell| cell.symbol() != " ");
+    assert!(with_both.count() > 400);
+    assert!(ascii.content.iter().all(|cell| cell.symbol().is_ascii()));
+}
+
+#[test]
+fn moving_the_cursor_loads_that_design_and_one_undo_takes_it_back() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "3");
+    let before = Arc::clone(&bench.app.scene);
+    keys(&mut bench, "llkkk");
+    let scene = &bench.app.scene;
+    // The baseline is nearest to point 1, 0 of 21 x 21.
+    assert!((scene.plate.mass_ratio - (0.8 + 3.0 * 0.31)).abs() < 1e-12);
+    assert!((scene.mechanism.spring.coefficient - 3.0 * 375e3).abs() < 1e-6);
+    assert!(bench.message().contains("gamma 1.73 k 1.125e6"), "{}", bench.message());
+    // The run of this design is computed, the surface is not: it is the same.
+    assert_eq!(bench.app.shown.as_ref().unwrap().run.scene, bench.app.scene);
+    assert!(jobs(&mut bench).is_empty());
+    keys(&mut bench, "u");
+    assert_eq!(bench.app.scene, before);
+    keys(&mut bench, "l<Enter>");
+    assert_eq!(bench.app.tab, Tab::Run);
+    assert!(bench.app.is_modified());
+}
+
+#[test]
+fn the_cursor_stops_at_the_ends_of_its_axes() {
+    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "3LLLKKK");
+    assert_eq!(bench.app.scene.plate.mass_ratio.to_bits(), 7f64.to_bits());
+    assert_eq!(bench.app.scene.mechanism.spring.coefficient.to_bits(), 7.5e6f64.to_bits());
+    keys(&mut bench, "HHHJJJ");
+    assert_eq!(bench.app.scene.plate.mass_ratio.to_bits(), 0.8f64.to_bits());
+}
+
+#[test]
+fn a_held_variable_redraws_at_once_coarse_first() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "3<Tab>");
+    let held = |row: &SetupRow| matches!(row, SetupRow::Held(_));
+    let rows = bench.app.setup_choices(bench.app.picture().unwrap());
+    let v_i = rows.iter().copied().filter(held).nth(2).unwrap();
+    bench.app.sweeping.row = v_i;
+    bench.keys("l");
+    assert_eq!(bench.app.scene.projectile.velocity_m_s.to_bits(), 101f64.to_bits());
+    let job = jobs(&mut bench).remove(0);
+    assert_eq!(job.plan.base().projectile.velocity_m_s.to_bits(), 101f64.to_bits());
+    let part = grid(&job, 36);
+    assert!(!part.is_complete());
+    say(&mut bench, &job, SweepBody::Part { grid: part, elapsed: Duration::from_millis(40) });
+    assert!(bench.screen().contains("sweeping: 36 of 441 points"), "{}", bench.screen());
+    assert_snapshot!("surface_coarse", bench.screen());
+    // A newer edit: what the older sweep still says is dropped.
+    bench.keys("l");
+    let newer = jobs(&mut bench).remove(0);
+    let late = grid(&job, usize::MAX);
+    say(&mut bench, &job, SweepBody::Ended { grid: late, took: Duration::from_millis(8) });
+    assert!(bench.app.sweeping.computing.is_some());
+    let found = grid(&newer, usize::MAX);
+    say(&mut bench, &newer, SweepBody::Ended { grid: found, took: Duration::from_millis(8) });
+    assert!(bench.screen().contains("441 points in 8.0 ms"), "{}", bench.screen());
+}
+
+#[test]
+fn a_stopped_sweep_keeps_its_part_and_says_so() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    bench.keys("3");
+    let job = jobs(&mut bench).remove(0);
+    let progress = SweepBody::Progress { done: 10, total: 441, elapsed: Duration::from_secs(5) };
+    say(&mut bench, &job, progress);
+    assert!(bench.message().contains("will take about 4 min more"), "{}", bench.message());
+    bench.keys("<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelSweep)));
+    let found = grid(&job, 100);
+    say(&mut bench, &job, SweepBody::Ended { grid: found, took: Duration::from_millis(8) });
+    assert!(bench.message().contains("what was finished is shown"));
+    assert!(bench.screen().contains("stopped after 100 of 441 points: r sweeps again"));
+    bench.keys("r");
+    assert_eq!(jobs(&mut bench).len(), 1);
+}
+
+#[test]
+fn a_refused_text_stays_with_its_reason() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "3<Tab>");
+    for (to, text, fragments) in [
+        (SetupRow::From(0), "-1", &["axis gamma", "reaches -1", "greater than 0"][..]),
+        (SetupRow::To(0), "0.8", &["axis gamma", "both ends are 0.8", "differ"]),
+        (SetupRow::To(1), "12 kg", &["k", "`kg` is not a unit"]),
+        (SetupRow::Points(0), "1", &["axis gamma", "count = 1", "2 points"]),
+        (SetupRow::Points(1), "few", &["`few`", "whole number"]),
+        (SetupRow::Name(0), "k", &["axis k", "swept twice"]),
+        (SetupRow::Name(0), "gama", &["`gama`", "did you mean `gamma`"]),
+        (SetupRow::Name(1), "interface", &["no numbers", "fused or plastic"]),
+        (SetupRow::Output, "depth", &["output depth", "results are"]),
+    ] {
+        bench.app.sweeping.row = to;
+        let before = Arc::clone(&bench.app.scene);
+        keys(&mut bench, &format!("<Enter>{text}<Enter>"));
+        let field = bench.app.sweeping.field.clone().expect("the field is still open");
+        assert_eq!(field.input.value(), text);
+        for fragment in fragments {
+            assert!(bench.message().contains(fragment), "{}: {fragment}", bench.message());
+        }
+        assert_eq!(bench.app.scene, before);
+        assert!(jobs(&mut bench).is_empty());
+        keys(&mut bench, "<Esc>");
+    }
+    // From 0 no equal ratios: refused in words, nothing changes.
+    bench.app.sweeping.row = SetupRow::Spacing(1);
+    keys(&mut bench, "l");
+    assert!(bench.message().contains("greater than 0"), "{}", bench.message());
+}
+
+#[test]
+fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
+    let mut bench = open("figure-9.2", 11, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2<Tab>");
+    let sweep = |bench: &Bench| bench.app.scene.sweep.clone().unwrap();
+    // A family appears, and goes.
+    bench.app.sweeping.row = SetupRow::Name(1);
+    keys(&mut bench, "l");
+    assert_eq!(sweep(&bench).axes.len(), 2);
+    assert!(bench.screen().contains("curves        5"), "{}", bench.screen());
+    keys(&mut bench, "<Enter>none<Enter>");
+    assert_eq!(sweep(&bench).axes.len(), 1);
+    keys(&mut bench, "u");
+    assert_eq!(sweep(&bench).axes.len(), 2);
+    // Another variable, with the thesis's range.
+    bench.app.sweeping.row = SetupRow::Name(0);
+    keys(&mut bench, "<Enter>d<Enter>");
+    assert_eq!((sweep(&bench).axes[0].name.as_str(), sweep(&bench).axes[0].to), ("d", 0.5));
+    keys(&mut bench, "<Enter>1mm<Enter><Enter>50mm<Enter>");
+    let axis = sweep(&bench).axes[0].clone();
+    assert!((axis.from - 1e-3).abs() < 1e-15 && (axis.to - 0.05).abs() < 1e-15);
+    bench.app.sweeping.row = SetupRow::Spacing(0);
+    keys(&mut bench, "<Enter>");
+    assert!(sweep(&bench).axes[0].log);
+    bench.app.sweeping.row = SetupRow::Output;
+    keys(&mut bench, "<Enter>stroke_m<Enter>");
+    assert_eq!(sweep(&bench).outputs[0], "stroke_m");
+    assert!(bench.screen().contains("stroke [mm]"), "{}", bench.screen());
+    // The whole way back.
+    keys(&mut bench, "uuuuuu");
+    assert_eq!(bench.app.scene, bench.app.base.scene);
+}
+
+#[test]
+fn a_scene_without_a_sweep_gets_usual_axes() {
+    let mut bench = Bench::ascii(80, 24);
+    keys(&mut bench, "3");
+    assert!(bench.screen().contains("percent of baseline, up: k"), "{}", bench.screen());
+    assert!(!bench.app.is_modified(), "looking changes nothing");
+    keys(&mut bench, "2");
+    assert!(bench.screen().contains("variable  gamma"), "{}", bench.screen());
+}
+
+#[test]
+fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
+    let mut bench = open("figure-9.7", 5, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "3e");
+    assert_snapshot!("surface_export", bench.screen());
+    bench.press("<Enter>");
+    let export = bench.effects.iter().find_map(|effect| match effect {
+        Effect::ExportSweep(export) => Some(export.clone()),
+        _ => None,
+    });
+    let export = export.expect("an export");
+    assert!(export.path.ends_with("figure-9.7-gamma-k.csv") && !export.overwrite);
+    let text = cmra::files::sweep::grid_csv(&export.name, &export.grid).unwrap();
+    let text = String::from_utf8(text).unwrap();
+    assert!(
+        text.starts_with("gamma,k,outcome,percent_of_baseline,max_plate_displacement_m,error\n")
+    );
+    assert_eq!(text.lines().count(), 1 + 25);
+    bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x.csv".into()))));
+    assert!(matches!(&bench.app.dialog, Some(Dialog::ExportSweep(save)) if save.question));
+    bench.press("y");
+    let forced = bench
+        .effects
+        .iter()
+        .any(|effect| matches!(effect, Effect::ExportSweep(it) if it.overwrite));
+    assert!(forced);
+}

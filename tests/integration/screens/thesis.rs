@@ -1,0 +1,110 @@
+//! The Thesis tab: claims come in as they are checked, are filtered and opened; weights change the ranking.
+
+use std::sync::Arc;
+
+use super::bench::Bench;
+use cmra::study::thesis::{Row, Verdict, check, claims};
+use cmra::tui::app::Tab;
+use cmra::tui::message::{Effect, Message};
+use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
+use insta::assert_snapshot;
+
+/// The tab with the quick claims of the first chapters answered.
+fn bench(columns: u16, rows: u16) -> Bench {
+    let mut bench = Bench::ascii(columns, rows);
+    bench.keys("7");
+    let id = asked(&bench).expect("the claims are asked for");
+    let rows: Vec<Row> = claims().take(24).map(check).collect();
+    send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(rows), true)));
+    bench
+}
+
+/// The number of the study of the claims that was asked for.
+fn asked(bench: &Bench) -> Option<u64> {
+    bench.effects.iter().rev().find_map(|effect| match effect {
+        Effect::Study(study) if study.kind == StudyKind::Thesis => Some(study.id),
+        _ => None,
+    })
+}
+
+fn send(bench: &mut Bench, id: u64, body: StudyBody) {
+    bench.send(Message::Study(StudyReport { id, body }));
+}
+
+#[test]
+fn the_pages_at_two_sizes() {
+    for (columns, rows) in [(80, 24), (120, 40)] {
+        let mut bench = bench(columns, rows);
+        bench.keys("jjj");
+        assert_snapshot!(format!("thesis_claims_{columns}x{rows}"), bench.screen());
+        bench.keys("<Tab>jj");
+        assert_snapshot!(format!("thesis_principles_{columns}x{rows}"), bench.screen());
+        bench.keys("<Tab>G");
+        for _ in 0..35 {
+            bench.keys("h");
+        }
+        assert_snapshot!(format!("thesis_screening_{columns}x{rows}"), bench.screen());
+    }
+}
+
+#[test]
+fn rows_come_in_parts_and_a_stopped_report_says_so() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("7");
+    assert!(bench.screen().contains("checking the first claims"));
+    let id = asked(&bench).unwrap();
+    let some: Vec<Row> = claims().take(2).map(check).collect();
+    let part = Finding::Thesis(Arc::new(some.clone()), false);
+    send(&mut bench, id, StudyBody::Part { done: 2, total: 114, part });
+    assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc stops)"));
+    bench.keys("<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
+    send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(some), false)));
+    assert!(bench.screen().contains("stopped: r checks all"));
+}
+
+#[test]
+fn enter_opens_what_shows_a_claim_and_undo_comes_back() {
+    let mut bench = bench(80, 24);
+    // 2.3.1, the inelastic collision: a free plate.
+    bench.keys("jj<Enter>");
+    assert_eq!(bench.app.tab, Tab::Run);
+    assert!(bench.app.scene.mechanism.spring.coefficient.abs() < f64::EPSILON);
+    assert_eq!(bench.app.base.name, "claim 2.3.1-inelastic");
+    bench.keys("u7");
+    assert!((bench.app.scene.mechanism.spring.coefficient - 1e5).abs() < 1e-9);
+    bench.keys("g<Enter>");
+    assert!(bench.message().contains("no scene shows this"), "{}", bench.message());
+    assert_eq!(bench.app.tab, Tab::Thesis);
+}
+
+#[test]
+fn the_filter_goes_through_all_verdicts() {
+    let mut bench = bench(80, 24);
+    let all = bench.app.thesis.shown().len();
+    let mut seen = 0;
+    for verdict in Verdict::ALL {
+        bench.keys("v");
+        assert_eq!(bench.app.thesis.filter, Some(verdict));
+        let shown = bench.app.thesis.shown();
+        assert!(shown.iter().all(|row| row.found.verdict == verdict));
+        seen += shown.len();
+    }
+    assert_eq!(seen, all);
+    bench.keys("v");
+    assert_eq!(bench.app.thesis.filter, None);
+}
+
+#[test]
+fn weights_change_the_ranking_and_come_back() {
+    let mut bench = bench(80, 24);
+    bench.keys("<Tab><Tab>G");
+    for _ in 0..40 {
+        bench.keys("h");
+    }
+    assert!(bench.app.thesis.weights[6].abs() < 1e-12);
+    let screen = bench.screen();
+    assert!(screen.contains("4 (2)"), "{screen}");
+    bench.keys("D");
+    assert!((bench.app.thesis.weights[6] - 35.0).abs() < 1e-12);
+}

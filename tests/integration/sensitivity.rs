@@ -1,0 +1,63 @@
+//! `cmra sensitivity` as a user meets it.
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn cmra(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("cmra").unwrap();
+    command.arg("sensitivity").args(arguments);
+    command
+}
+
+fn output(arguments: &[&str]) -> String {
+    String::from_utf8(cmra(arguments).assert().success().get_output().stdout.clone()).unwrap()
+}
+
+const QUICK: [&str; 4] = ["--samples", "64", "--trajectories", "10"];
+
+/// On a rigid mount the mass ratio does nothing, and what is left explains everything.
+#[test]
+fn what_does_nothing_has_indices_of_zero() {
+    let asked = ["--json", "--set", "mount=rigid", "--over", "gamma=1..2", "--over", "v_i=80..120"];
+    let text = output(&[&asked[..], &["--output", "final_penetration_m"], &QUICK].concat());
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let by = |symbol: &str| {
+        let all = found["variables"].as_array().unwrap();
+        all.iter().find(|entry| entry["variable"] == symbol).unwrap().clone()
+    };
+    assert_eq!(by("gamma")["swing"], 0.0);
+    assert!(by("gamma")["sobol_total"].as_f64().unwrap().abs() < 1e-12);
+    assert_eq!(by("gamma")["morris_mu_star"], 0.0);
+    assert!((by("v_i")["sobol_total"].as_f64().unwrap() - 1.0).abs() < 0.2);
+    assert!((found["output_of_scene"].as_f64().unwrap() - 7.113_055e-3).abs() < 5e-10);
+    assert_eq!(found["samples_used"], 64);
+}
+
+#[test]
+fn the_page_has_all_three_and_the_bounds_of_the_thesis() {
+    let page = output(&QUICK);
+    for words in ["percent of baseline", "one at a time", "Morris", "Sobol", "0.8 .. 7", "####"] {
+        assert!(page.contains(words), "{words}: {page}");
+    }
+    assert_eq!(page, output(&[&QUICK[..], &["--threads", "1"]].concat()));
+    assert_ne!(page, output(&[&QUICK[..], &["--seed", "2"]].concat()));
+    let table = output(&[&QUICK[..], &["--csv", "-"]].concat());
+    assert_eq!(table.lines().count(), 6);
+    assert!(table.starts_with("scene,output,variable,key,low,high,"));
+}
+
+#[test]
+fn bad_options_are_refused_before_anything_runs() {
+    for (arguments, told) in [
+        (&["--samples", "1000"][..], "write 1024"),
+        (&["--trajectories", "1"], "outside 2.."),
+        (&["--over", "gamma=2..2"], "both ends are 2"),
+        (&["--over", "gama=1..2"], "did you mean `gamma`"),
+        (&["--output", "depth"], "depth"),
+        (&["--set", "mount=rigid"], "no variable of Table 9.2"),
+    ] {
+        let refused = cmra(arguments).assert().code(2);
+        let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+        assert!(text.contains(told), "{text}");
+    }
+}

@@ -1,0 +1,296 @@
+//! Sweeps as a script sees them, and the thesis's figures by their presets: captions, and the trends of section 9.3.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+mod figures;
+
+/// Exit code, standard output, standard error.
+struct Done {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+/// Run `cmra sweep` with arguments split at spaces, in a directory.
+fn sweep(place: &Path, arguments: &str) -> Done {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_cmra"));
+    command.current_dir(place).env_clear().env("HOME", place).arg("sweep");
+    let output = command.args(arguments.split_whitespace()).output().unwrap();
+    Done {
+        code: output.status.code().unwrap(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+fn rows(text: &str) -> Vec<Vec<String>> {
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+    let record = |record: csv::StringRecord| record.iter().map(str::to_owned).collect();
+    reader.records().map(|row| record(row.unwrap())).collect()
+}
+
+#[test]
+fn a_csv_has_the_axes_first_then_every_key_of_a_run() {
+    let place = tempfile::tempdir().unwrap();
+    let done = sweep(place.path(), "--over gamma=0.8..7:3 --over d=0..50mm:2 --csv -");
+    assert_eq!(done.code, 0, "{}", done.err);
+    let rows = rows(&done.out);
+    assert_eq!(rows.len(), 1 + 6);
+    assert_eq!(rows[0][..3], ["gamma", "d", "scene"]);
+    let run = Command::new(env!("CARGO_BIN_EXE_cmra"))
+        .current_dir(place.path())
+        .env_clear()
+        .env("HOME", place.path())
+        .args(["run", "--json", "--set", "gamma=3.9", "--set", "d=50mm"])
+        .output()
+        .unwrap();
+    let run: Value = serde_json::from_slice(&run.stdout).unwrap();
+    let place_of = |name: &str| rows[0].iter().position(|have| have == name).unwrap();
+    let row = &rows[4];
+    assert_eq!(row[..2], ["3.9", "0.05"]);
+    for (key, value) in run.as_object().unwrap() {
+        if !rows[0].contains(key) {
+            let elsewhere = [
+                "title",
+                "complete",
+                "run_time_s",
+                "error_estimate_basis",
+                "method_reason",
+                "energy_j",
+                "events",
+                "variables",
+                "version",
+            ];
+            assert!(elsewhere.contains(&key.as_str()), "{key} is missing");
+            continue;
+        }
+        let field = &row[place_of(key)];
+        match value {
+            Value::Null => assert_eq!(field, "", "{key}"),
+            Value::Number(number) => {
+                let (found, exact) = (field.parse::<f64>().unwrap(), number.as_f64().unwrap());
+                // A run with a series takes other steps than one without: the last digits differ.
+                let close = (found - exact).abs() <= 1e-10 * exact.abs() + 1e-12;
+                assert!(close || key.contains("energy") || key.contains("estimate"), "{key}");
+            }
+            Value::String(text) => assert_eq!(field, text, "{key}"),
+            Value::Array(list) => {
+                let words: Vec<&str> = list.iter().filter_map(Value::as_str).collect();
+                assert_eq!(*field, words.join("; "), "{key}");
+            }
+            Value::Bool(_) | Value::Object(_) => panic!("{key}"),
+        }
+    }
+}
+
+#[test]
+fn parts_one_after_the_other_are_the_whole() {
+    let place = tempfile::tempdir().unwrap();
+    let what = "figure-9.7 --over gamma=0.8..7:23 --over k=1e3..7.5e6:11:log";
+    for format in ["", "--outputs all "] {
+        let whole = sweep(place.path(), &format!("{what} {format}--threads 1 --csv -"));
+        assert_eq!(whole.code, 0, "{}", whole.err);
+        let mut joined = String::new();
+        for part in 1..=3 {
+            let arguments = format!("{what} {format}--threads 2 --shard {part}/3 --csv -");
+            joined += &sweep(place.path(), &arguments).out;
+        }
+        assert_eq!(joined, whole.out);
+        assert_eq!(rows(&joined).len(), 1 + 23 * 11);
+    }
+}
+
+#[test]
+fn designs_are_seeded_and_keep_to_the_ranges() {
+    let place = tempfile::tempdir().unwrap();
+    let table = |options: &str| {
+        let what = "figure-9.10 --over d=0..0.5 --over gamma=0.8..7 --csv -";
+        let done = sweep(place.path(), &format!("{what} {options}"));
+        assert_eq!(done.code, 0, "{}", done.err);
+        done.out
+    };
+    for design in ["lhs", "sobol"] {
+        let first = table(&format!("--design {design} --points 40 --seed 7"));
+        assert_eq!(first, table(&format!("--design {design} --points 40 --seed 7 --threads 1")));
+        assert_ne!(first, table(&format!("--design {design} --points 40 --seed 8")));
+        let rows = rows(&first);
+        assert_eq!(rows.len(), 41);
+        for row in &rows[1..] {
+            let value = |at: usize| row[at].parse::<f64>().unwrap();
+            assert!((0.0..=0.5).contains(&value(0)) && (0.8..=7.0).contains(&value(1)));
+        }
+    }
+}
+
+#[test]
+fn json_is_one_object_with_the_same_rows() {
+    let place = tempfile::tempdir().unwrap();
+    let done = sweep(place.path(), "figure-9.4 --over b=0..2000:5 --json");
+    let value: Value = serde_json::from_str(&done.out).unwrap();
+    assert_eq!(value["axes"][0]["name"], "b");
+    assert_eq!(value["rows"].as_array().unwrap().len(), 5);
+    // Nothing stops the free plate.
+    assert!(value["rows"][0]["max_plate_displacement_m"].is_null());
+    assert_eq!(value["rows"][0]["outcome"], "arrested");
+    let depth = value["rows"][2]["percent_of_baseline"].as_f64().unwrap();
+    assert!((depth - 100.0 * 5.836_233 / 7.113_055).abs() < 1e-4, "{depth}");
+}
+
+#[test]
+fn a_perforated_point_keeps_its_row_and_says_so() {
+    let place = tempfile::tempdir().unwrap();
+    let done = sweep(
+        place.path(),
+        "rigid-mount --over v_i=230..240:2 --outputs percent_of_baseline,residual_velocity_m_s --csv -",
+    );
+    let rows = rows(&done.out);
+    assert_eq!(rows[1], ["230", "arrested", "100", "", ""]);
+    assert_eq!(rows[2][1..3], ["perforated", ""]);
+    assert!(rows[2][3].parse::<f64>().unwrap() > 0.0);
+}
+
+#[test]
+fn a_failed_point_keeps_its_row_and_says_why() {
+    let place = tempfile::tempdir().unwrap();
+    // A horizon within the contact: that is `moving`, not failed, and no depth exists.
+    let done = sweep(place.path(), "--set horizon=50us --over gamma=1..2:2 --csv -");
+    assert_eq!(done.code, 0, "{}", done.err);
+    let rows = rows(&done.out);
+    let outcome = rows[0].iter().position(|name| name == "outcome").unwrap();
+    let depth = rows[0].iter().position(|name| name == "final_penetration_m").unwrap();
+    assert_eq!((rows[1][outcome].as_str(), rows[1][depth].as_str()), ("moving", ""));
+}
+
+#[test]
+fn bad_sweeps_are_refused_before_anything_runs() {
+    let place = tempfile::tempdir().unwrap();
+    for (arguments, fragments) in [
+        ("--csv -", &["thesis-baseline", "--over gamma=0.8..7:101"][..]),
+        ("--over gamma=0.8..7:0 --csv x.csv", &["axis gamma", "count = 0", "2 points"]),
+        ("--over gamma=1..1:5 --csv x.csv", &["axis gamma", "both ends are 1", "differ"]),
+        ("--over theta=0..95deg:5 --csv x.csv", &["axis theta", "95 deg", "below 90"]),
+        ("--over k=0..1MN/m:5:log --csv x.csv", &["axis k", "greater than 0", "leave out log"]),
+        ("--over k=0..1e6:5 --over k=0..1:3 --csv x.csv", &["axis k", "twice"]),
+        ("--over x_stop=-1..1:5 --csv x.csv", &["x_stop=-1", "behind the plate's start"]),
+        ("--over gamma=1..2:5 --shard 3/2 --csv x.csv", &["shard 3/2", "I/N"]),
+        ("--over gamma=1..2:5 --outputs depth --csv x.csv", &["output depth", "results are"]),
+        ("--over gamma=1..2:5 --points 9 --csv x.csv", &["--points", "--design lhs or sobol"]),
+    ] {
+        let done = sweep(place.path(), arguments);
+        assert_eq!(done.code, 2, "{arguments}: {}", done.err);
+        assert_eq!(done.out, "");
+        for fragment in fragments {
+            assert!(done.err.contains(fragment), "{arguments}: {} lacks {fragment}", done.err);
+        }
+        assert!(!place.path().join("x.csv").exists());
+    }
+}
+
+#[test]
+fn an_existing_file_is_left_alone_unless_forced() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("x.csv");
+    fs::write(&path, "mine").unwrap();
+    let what = "figure-9.2 --over gamma=1..2:3 --csv x.csv";
+    let done = sweep(place.path(), what);
+    assert_eq!(done.code, 2);
+    assert!(done.err.contains("--force"), "{}", done.err);
+    assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
+    let done = sweep(place.path(), &format!("{what} --force"));
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert_eq!(rows(&fs::read_to_string(&path).unwrap()).len(), 4);
+}
+
+#[test]
+fn the_scene_beside_the_rows_makes_them_again() {
+    let place = tempfile::tempdir().unwrap();
+    let read = |name: &str| fs::read_to_string(place.path().join(name)).unwrap();
+    for (name, what) in [
+        ("a", "figure-9.7 --set b=20 --over gamma=0.8..7:5 --over k=1e3..1e6:4:log"),
+        ("b", "--over d=0..0.5:4 --outputs all"),
+        ("c", "figure-9.10 --design sobol --points 9 --seed 3"),
+    ] {
+        let done = sweep(place.path(), &format!("{what} --csv {name}.csv"));
+        assert_eq!(done.code, 0, "{}", done.err);
+        let sidecar = read(&format!("{name}.toml"));
+        let again = sidecar.lines().find_map(|line| line.strip_prefix("# again: cmra sweep "));
+        let again = sweep(place.path(), again.expect("how to make it again"));
+        assert_eq!(again.code, 0, "{}", again.err);
+        // The scene's name is the file's now.
+        let rows_of = |text: &str| -> Vec<Vec<String>> {
+            let mut rows = rows(text);
+            if let Some(at) = rows[0].iter().position(|name| name == "scene") {
+                for row in &mut rows {
+                    row.remove(at);
+                }
+            }
+            rows
+        };
+        assert_eq!(rows_of(&again.out), rows_of(&read(&format!("{name}.csv"))), "{what}");
+    }
+    // Someone's own scene is never replaced, and that is said before anything runs.
+    fs::write(place.path().join("mine.toml"), "format = 1\n").unwrap();
+    let done = sweep(place.path(), "figure-9.2 --csv mine.csv --force");
+    assert_eq!(done.code, 2, "{}", done.err);
+    assert!(!place.path().join("mine.csv").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_keeps_the_finished_rows() {
+    use std::process::Stdio;
+    use std::time::{Duration, Instant};
+    let place = tempfile::tempdir().unwrap();
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_cmra"));
+    // Ten million points: nobody waits for that here.
+    let what = "sweep --over gamma=0.8..7:10000 --over k=1..7.5e6:1000 --csv x.csv";
+    let mut child = command
+        .current_dir(place.path())
+        .env_clear()
+        .env("HOME", place.path())
+        .args(what.split(' '))
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let start = Instant::now();
+    let written = || {
+        let entries = fs::read_dir(place.path()).unwrap();
+        let sizes = entries.map(|entry| entry.unwrap().metadata().map_or(0, |found| found.len()));
+        sizes.sum::<u64>()
+    };
+    while written() < 10_000 {
+        assert!(start.elapsed() < Duration::from_secs(60), "nothing was written");
+        std::thread::yield_now();
+    }
+    let pid = rustix::process::Pid::from_raw(i32::try_from(child.id()).unwrap()).unwrap();
+    rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
+    let status = child.wait().unwrap();
+    let mut err = String::new();
+    std::io::Read::read_to_string(&mut child.stderr.take().unwrap(), &mut err).unwrap();
+    assert_eq!(status.code(), Some(1), "{err}");
+    assert!(err.contains("will take about"), "{err}");
+    assert!(err.contains("interrupted") && err.contains("are kept"), "{err}");
+    let rows = rows(&fs::read_to_string(place.path().join("x.csv")).unwrap());
+    assert!(rows.len() > 10 && rows.len() < 10_000_000);
+    assert!(rows.iter().all(|row| row.len() == rows[0].len()), "every row is whole");
+}
+
+#[test]
+fn the_page_shows_curves_maps_and_extremes() {
+    let place = tempfile::tempdir().unwrap();
+    let page = |arguments: &str| {
+        let done = sweep(place.path(), arguments);
+        assert_eq!(done.code, 0, "{}", done.err);
+        let timed = |line: &&str| !line.contains(" in ");
+        done.out.lines().filter(timed).collect::<Vec<_>>().join("\n")
+    };
+    insta::assert_snapshot!("sweep_page_one_axis", page("figure-9.4 --over b=0..2000:41"));
+    let two = "figure-9.7 --over gamma=0.8..7:21 --over k=0..7.5e6:21";
+    insta::assert_snapshot!("sweep_page_two_axes", page(two));
+    let three = "--over gamma=0.8..7:3 --over k=0..7.5e6:3 --over v_i=100..400:4";
+    insta::assert_snapshot!("sweep_page_three_axes", page(three));
+}

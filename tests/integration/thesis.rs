@@ -1,0 +1,130 @@
+//! The reproduction report: enough rows, in order, with the verdicts that were looked through and stored.
+
+use std::collections::HashSet;
+use std::ops::ControlFlow;
+
+use assert_cmd::Command;
+use cmra::files::bundled::BUNDLED;
+use cmra::files::thesis::{differences, rows};
+use cmra::model::variables::validate;
+use cmra::study::thesis::{self, Opens, Verdict, reproduce, tally};
+
+#[test]
+fn every_verdict_is_the_stored_one() {
+    let report = reproduce(&mut |_, _| ControlFlow::Continue(()));
+    assert!(report.len() >= 60, "{}", report.len());
+    assert_eq!(differences(&report), Vec::<String>::new());
+    let counts = tally(&report);
+    assert_eq!(counts.iter().sum::<usize>(), report.len());
+    assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
+    // What was computed is said, unless nothing can be.
+    for row in &report {
+        let told = !row.found.sound.is_empty() || !row.found.printed.is_empty();
+        assert!(told || row.found.verdict == Verdict::Unchecked, "{}", row.claim.id);
+        assert!(
+            !row.found.cause.is_empty() && !row.found.sound.contains("NaN"),
+            "{}",
+            row.claim.id
+        );
+    }
+    let table = rows(&report);
+    assert_eq!(table.rows.len(), report.len());
+    assert!(
+        table
+            .csv()
+            .unwrap()
+            .starts_with("id,where,says,sound,as_printed,verdict,cause,preset,runs\n")
+    );
+}
+
+#[test]
+fn a_verdict_that_changes_is_told() {
+    let mut report: Vec<_> = thesis::claims().take(3).map(thesis::check).collect();
+    report[1].found.verdict = Verdict::Reproduced;
+    let told = differences(&report);
+    assert!(told[0].starts_with("2.3.1-constant: reproduced, stored is misprint"), "{}", told[0]);
+    // The rows that were not computed are missing.
+    assert_eq!(told.len(), 1 + thesis::claims().count() - 3);
+}
+
+#[test]
+fn claims_have_names_of_their_own_and_open_what_exists() {
+    let mut ids = HashSet::new();
+    for claim in thesis::claims() {
+        assert!(ids.insert(claim.id), "{} twice", claim.id);
+        match claim.opens {
+            Opens::Nothing => {}
+            Opens::Scene(scene) => assert_eq!(validate(&scene()), Ok(()), "{}", claim.id),
+            Opens::Preset(name) => {
+                assert!(BUNDLED.iter().any(|preset| preset.name == name), "{}: {name}", claim.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_command_prints_rows_as_text_and_json_and_holds_them_to_the_stored_table() {
+    let output = Command::cargo_bin("cmra")
+        .unwrap()
+        .args(["reproduce", "--only", "A.2", "--json"])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    let rows: Vec<serde_json::Value> = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(rows.len() >= 5);
+    let coupling = rows.iter().find(|row| row["id"] == "A.2-coupling").unwrap();
+    assert_eq!(coupling["verdict"], "reproduced with correction");
+    assert!(coupling["sound"].as_str().unwrap().starts_with("64."));
+    assert!(coupling["as_printed"].as_str().unwrap().starts_with("82."));
+}
+
+fn cmra(arguments: &[&str]) -> (String, String, i32) {
+    let output = Command::cargo_bin("cmra").unwrap().args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (text(output.stdout), text(output.stderr), output.status.code().unwrap())
+}
+
+#[test]
+fn weights_of_ones_own_change_the_ranking() {
+    let (page, _, status) = cmra(&["design", "screening", "--weight", "analysis=0"]);
+    assert_eq!(status, 0);
+    let fourth = page.lines().find(|line| line.starts_with("   4  ")).unwrap();
+    assert!(fourth.contains("Helical rotating spring") && fourth.contains("3.3 (2)"), "{page}");
+    for wrong in ["analysis=101", "analysis", "a=5", "magic=5"] {
+        let (_, error, status) = cmra(&["design", "screening", "--weight", wrong]);
+        assert_eq!(status, 2, "{wrong}");
+        assert!(error.contains("ease of analysis"), "{error}");
+    }
+    let (json, _, _) = cmra(&["design", "principles", "--json"]);
+    let rows: Vec<serde_json::Value> = serde_json::from_str(&json).unwrap();
+    assert_eq!(rows.len(), 7);
+}
+
+#[test]
+fn a_shot_beyond_the_critical_obliquity_is_warned_of() {
+    let (page, _, status) = cmra(&["design", "shot"]);
+    assert_eq!(status, 0);
+    assert!(page.contains("critical obliquity") && page.contains("36."), "{page}");
+    let steep = ["run", "--set", "theta=50deg", "--json"];
+    let (json, _, _) = cmra(&steep);
+    assert!(json.contains("ricochet is likely"), "{json}");
+    // A stronger rod holds out longer: Tate's tangent falls with the cube root of Y_p.
+    let (json, _, _) = cmra(&["run", "--set", "theta=30deg", "--set", "Y_p=1GPa", "--json"]);
+    assert!(!json.contains("ricochet"));
+    let (json, _, _) = cmra(&["run", "--set", "theta=30deg", "--set", "Y_p=5GPa", "--json"]);
+    assert!(json.contains("ricochet"));
+}
+
+#[test]
+fn principles_and_concepts_link_to_presets_that_exist() {
+    let known = |name: &str| BUNDLED.iter().any(|preset| preset.name == name);
+    for principle in cmra::study::principles::PRINCIPLES {
+        assert!(principle.preset.is_none_or(known), "{}", principle.name);
+    }
+    for function in cmra::study::principles::Function::ALL {
+        assert!(function.presets().iter().all(|name| known(name)), "{}", function.name());
+    }
+    for concept in cmra::study::screening::CONCEPTS {
+        assert!(known(concept.preset), "{}", concept.name);
+    }
+}
