@@ -158,13 +158,20 @@ impl Constants {
         s
     }
 
-    /// The part of the unit for which the truncated terms stay below the tolerance, in what matters to depth and time.
+    /// The part of the unit for which the truncated terms stay below the tolerance, in what matters to depth and time. The
+    /// plate's way is measured against `plate_m`, m, if that is less than the travel.
     #[inline]
-    pub(super) fn trusted<const N: usize>(&self, s: &Series<N>, tolerance: f64) -> f64 {
+    pub(super) fn trusted<const N: usize>(
+        &self,
+        s: &Series<N>,
+        tolerance: f64,
+        plate_m: f64,
+    ) -> f64 {
         let length = s.travel[0].abs() + s.travel[1].abs();
         let (per_length, per_speed) = (1.0 / length, 1.0 / self.velocity_m_s);
+        let share = if plate_m < length { length / plate_m } else { 1.0 };
         let size = |j: usize| {
-            let lengths = larger(s.travel[j].abs(), s.plate[j].abs()) * per_length;
+            let lengths = larger(s.travel[j].abs(), share * s.plate[j].abs()) * per_length;
             larger(lengths, larger(s.slip[j].abs(), s.speed[j].abs()) * per_speed)
         };
         // The last two terms: one of them may vanish by symmetry.

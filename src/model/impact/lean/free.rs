@@ -7,15 +7,25 @@
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::{AreaLaw, Piece};
+use crate::model::impact::lean::expansion::Clock;
+use crate::model::impact::lean::way::Track;
+use crate::model::impact::lean::{Contact, ContactEnd};
 use crate::numerics::larger;
 use crate::numerics::quadrature::GAUSS_16;
 
 /// Part of the tolerance that the rule's error may take by that measure.
 const SHARE: f64 = 0.03;
 
+/// Shots on a rigid or free plate that leave with a part of their velocity between these are done in closed form: above, an
+/// integration is as good and cheaper; below, the quadrature for the time is not fine enough.
+const FAST_EXIT: f64 = 0.5;
+const SLOW_EXIT: f64 = 0.05;
+/// Points of the graded quadrature on each of its stretches.
+const CLOSED_POINTS: usize = 2;
+
 /// When a contact ends that starts at zero travel, s; `None` where the rule has not converged to `tolerance`, or a piece has no
 /// polynomial area.
-pub(super) fn arrest_time_s(passage: &Passage<'_>, ending: Ending, tolerance: f64) -> Option<f64> {
+fn arrest_time_s(passage: &Passage<'_>, ending: Ending, tolerance: f64) -> Option<f64> {
     let Ending::Arrest { travel_m } = ending else { return None };
     let (s, c) = (passage.strength_pa, passage.drag_kg_m3);
     let per_volume = 2.0 * c / passage.mass_kg;
@@ -43,6 +53,60 @@ pub(super) fn arrest_time_s(passage: &Passage<'_>, ending: Ending, tolerance: f6
         volume_m3 += ahead.volume_m3(length_m);
     }
     Some(t_s)
+}
+
+/// When and how fast a shot that is not stopped before is at a travel in the first piece: (s, m/s).
+pub(super) fn at_travel(
+    passage: &Passage<'_>,
+    travel_m: f64,
+    tolerance: f64,
+) -> Option<(f64, f64)> {
+    let slip = |q_m: f64| passage.slip_squared(q_m).sqrt();
+    let t_s = travel_m * whole(tolerance, |part| 1.0 / slip(travel_m * part))?;
+    Some((t_s, slip(travel_m)))
+}
+
+impl Contact {
+    /// A plate that is rigid or free: no integration where the rule for the time converges.
+    pub(super) fn closed(&self, tolerance: f64) -> Option<ContactEnd> {
+        if self.spring.coefficient != 0.0 || self.damper.coefficient != 0.0 {
+            return None;
+        }
+        let c = &self.constants;
+        let passage = Passage {
+            geometry: &self.geometry,
+            mass_kg: 1.0 / c.slip_mobility,
+            strength_pa: c.strength_pa,
+            drag_kg_m3: c.drag_kg_m3,
+            velocity_m_s: c.velocity_m_s,
+        };
+        let ending = passage.ending();
+        let (t_s, travel_m, slip) = match ending {
+            Ending::Exit { velocity_m_s } => {
+                let left = velocity_m_s / c.velocity_m_s;
+                if !(SLOW_EXIT..FAST_EXIT).contains(&left) {
+                    return None;
+                }
+                (None, self.geometry.exit_m, velocity_m_s)
+            }
+            Ending::Arrest { travel_m } => {
+                (arrest_time_s(&passage, ending, tolerance), travel_m, 0.0)
+            }
+        };
+        // Near the ballistic limit the time wants a finer rule.
+        let t_s = t_s.or_else(|| Some(passage.history(ending, CLOSED_POINTS).last()?.t_s))?;
+        let share = c.cos * c.plate_mobility / c.slip_mobility;
+        let plate_m = self.start_m + share * (c.velocity_m_s * t_s - travel_m);
+        let state = [travel_m, slip, plate_m, share * (c.velocity_m_s - slip)];
+        let arrested = matches!(ending, Ending::Arrest { .. });
+        let clock = Clock::Even { unit_s: t_s };
+        Some(
+            self.end(
+                arrested,
+                &Track { t_s, state, clock, piece: 0, farthest_m: plate_m, steps: 0 },
+            ),
+        )
+    }
 }
 
 /// The volume swept over the last stretch before a travel: a cubic in its length.

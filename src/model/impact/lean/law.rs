@@ -62,7 +62,7 @@ pub(super) struct Power<const N: usize> {
     /// df/dz at the start.
     tangent: f64,
     force: [f64; N],
-    /// i z[i].
+    /// i times the coefficient i of z.
     slope: [f64; N],
 }
 
