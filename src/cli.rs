@@ -24,6 +24,8 @@ mod presets;
 mod reproduce;
 mod run;
 mod scene;
+mod search;
+mod seek;
 mod sensitivity;
 mod stability;
 mod summary;
@@ -72,6 +74,8 @@ enum Command {
     Design(design::DesignArguments),
     /// Compare the scene with a rigid mount, a free plate and a solid plate of equal areal mass
     Worth(worth::WorthArguments),
+    /// Find every value of a variable that gives a result a wanted value
+    Seek(seek::SeekArguments),
     /// Tell which variables matter: one at a time, Morris's elementary effects and Sobol's indices
     Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
@@ -126,6 +130,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
         Some(Command::Design(arguments)) => design::run(&arguments),
         Some(Command::Worth(arguments)) => worth::run(&arguments),
+        Some(Command::Seek(arguments)) => seek::run(&arguments),
         Some(Command::Sensitivity(arguments)) => sensitivity::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Paths) => paths::run(),

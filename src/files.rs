@@ -15,6 +15,7 @@ pub mod paths;
 pub mod preset;
 pub mod read;
 pub mod rows;
+pub mod seek;
 pub mod sensitivity;
 pub mod session;
 pub mod stability;

@@ -27,6 +27,8 @@ mod random;
 #[cfg(test)]
 mod screens;
 #[cfg(test)]
+mod seek;
+#[cfg(test)]
 mod sensitivity;
 #[cfg(test)]
 mod stability;

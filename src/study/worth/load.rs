@@ -9,7 +9,7 @@ use crate::numerics::larger;
 ///
 /// A rigid mount takes all of the contact force along the plate's normal. A spring's greatest force is at the greatest
 /// displacement, where the damper is at rest; with a damper the samples are searched as well.
-pub(super) fn peak_n(run: &Run) -> Option<f64> {
+pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;
     }
