@@ -17,6 +17,7 @@ mod error;
 mod json;
 mod limit;
 mod man;
+mod optimise;
 mod output;
 mod paths;
 mod plain;
@@ -76,6 +77,9 @@ enum Command {
     Worth(worth::WorthArguments),
     /// Find every value of a variable that gives a result a wanted value
     Seek(seek::SeekArguments),
+    /// Look for the designs that nothing beats: one best under constraints, or a Pareto front
+    #[command(visible_alias = "optimize")]
+    Optimise(optimise::OptimiseArguments),
     /// Tell which variables matter: one at a time, Morris's elementary effects and Sobol's indices
     Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
@@ -131,6 +135,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Design(arguments)) => design::run(&arguments),
         Some(Command::Worth(arguments)) => worth::run(&arguments),
         Some(Command::Seek(arguments)) => seek::run(&arguments),
+        Some(Command::Optimise(arguments)) => optimise::run(&arguments),
         Some(Command::Sensitivity(arguments)) => sensitivity::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Paths) => paths::run(),

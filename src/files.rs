@@ -10,6 +10,7 @@ pub mod bundled;
 pub mod csv;
 pub mod error;
 pub mod export;
+pub mod front;
 pub mod limit;
 pub mod paths;
 pub mod preset;

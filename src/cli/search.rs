@@ -7,10 +7,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::cli::output;
+use crate::cli::sweep::axes::over;
 use crate::cli::sweep::interruptible;
 use crate::cli::sweep::page::duration;
+use crate::cli::{CliError, output};
+use crate::model::scene::Scene;
 use crate::study::search::field::Field;
+use crate::study::sensitivity::thesis_axes;
+use crate::study::sweep::Axis;
 use crate::study::sweep::crew::Crew;
 
 /// How long a search may take before progress is shown, and how often then.
@@ -70,6 +74,21 @@ impl Pace {
 /// The threads asked for, or one for each core.
 pub(super) fn threads(asked: Option<u16>) -> usize {
     asked.map_or_else(|| Crew::of_machine().threads, usize::from)
+}
+
+/// Variables and their bounds; without any those of Table 9.2.
+pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliError> {
+    if !texts.is_empty() {
+        return texts.iter().map(|text| over(text, false)).collect();
+    }
+    let axes = thesis_axes(scene)?;
+    if axes.is_empty() {
+        return Err(CliError::Option(
+            "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
+                .to_owned(),
+        ));
+    }
+    Ok(axes)
 }
 
 /// Try a few designs spread over the bounds, and say how long so many runs will take where that is long.

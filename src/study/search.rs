@@ -4,5 +4,8 @@
 //! files, screens or a clock.
 
 pub mod field;
+pub mod front;
 pub mod measure;
+pub mod nsga;
+pub mod recommended;
 pub mod seek;

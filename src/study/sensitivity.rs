@@ -33,6 +33,13 @@ pub struct Effort {
     pub threads: usize,
 }
 
+impl Effort {
+    /// Runs for so many variables.
+    pub fn runs(self, inputs: usize) -> usize {
+        1 + 2 * inputs + self.trajectories * (inputs + 1) + self.rows * (inputs + 2)
+    }
+}
+
 /// One bar of the tornado: the result with one variable at its bounds, the others as in the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bar {
@@ -124,7 +131,7 @@ pub fn study(
     let axes = field.axes().to_vec();
     let output = field.measures()[0];
     let inputs = axes.len();
-    let total = 1 + 2 * inputs + effort.trajectories * (inputs + 1) + effort.rows * (inputs + 2);
+    let total = effort.runs(inputs);
     let here = |axis: &Axis| (axis.number().get)(scene).unwrap_or(f64::NAN);
     let own: Vec<f64> = axes.iter().map(here).collect();
     let mut range = Range { field, watch, done: 0, total };

@@ -15,6 +15,8 @@ mod limit;
 #[cfg(test)]
 mod models;
 #[cfg(test)]
+mod optimise;
+#[cfg(test)]
 mod physics;
 #[cfg(test)]
 mod plans;

@@ -10,14 +10,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::impact::{Settings, simulate};
 use crate::model::results::ResultColumn;
+use crate::model::run::EndReason;
 use crate::model::scene::{Mount, Scene};
 use crate::study::search::measure::{
-    CONTACT_FORCE, DESIGN_MEASURES, FARTHEST, Force, Way, mass_kg, measure, mount_force_n,
-    mount_force_of,
+    CONTACT_FORCE, DESIGN_MEASURES, FARTHEST, Way, mass_kg, measure, mount_force_n, needs_course,
 };
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::grid::tells;
 use crate::study::sweep::{Axis, Design, Evaluator, Failure, Fate, Plan, Rows, SweepError};
+use crate::study::worth::load::holds_still;
 
 /// Designs a thread takes at once.
 const PIECE: u64 = 16;
@@ -40,6 +41,9 @@ pub struct Field {
     ways: Vec<Way>,
     farthest: Option<usize>,
     contact: Option<usize>,
+    /// The force into the mount is asked for, and the error estimate.
+    needs_course: bool,
+    estimate: bool,
     threads: usize,
 }
 
@@ -93,7 +97,9 @@ impl Field {
         }
         // A plan refuses all that a sweep over these axes would refuse.
         let plan = Plan::new(scene, axes, Design::Sobol { points: 2, seed: 0 }, &outputs)?;
-        Ok(Self { plan, measures, ways, farthest, contact, threads })
+        let needs_course = ways.contains(&Way::MountForce);
+        let estimate = outputs.contains(&"error_estimate");
+        Ok(Self { plan, measures, ways, farthest, contact, needs_course, estimate, threads })
     }
 
     /// The axes.
@@ -158,7 +164,8 @@ impl Field {
         evaluator: &mut Evaluator<'p>,
         points: Range<u64>,
     ) -> Vec<Found> {
-        let whole = catch_unwind(AssertUnwindSafe(|| self.rows(plan, evaluator, points.clone())));
+        let whole =
+            catch_unwind(AssertUnwindSafe(|| self.rows((plan, stop), evaluator, points.clone())));
         if let Ok(found) = whole {
             return found;
         }
@@ -166,7 +173,7 @@ impl Field {
         let mut all = Vec::new();
         for point in points {
             let mut fresh = Evaluator::new(plan, stop);
-            let work = AssertUnwindSafe(|| self.rows(plan, &mut fresh, point..point + 1));
+            let work = AssertUnwindSafe(|| self.rows((plan, stop), &mut fresh, point..point + 1));
             match catch_unwind(work) {
                 Ok(found) if found.is_empty() => break,
                 Ok(found) => all.extend(found),
@@ -179,12 +186,37 @@ impl Field {
         all
     }
 
-    fn rows(&self, plan: &Plan, evaluator: &mut Evaluator<'_>, points: Range<u64>) -> Vec<Found> {
-        let rows = evaluator.rows(points.clone());
-        (0..rows.len())
-            .zip(points)
-            .map(|(row, point)| self.found(plan, &rows, row, point))
-            .collect()
+    fn rows(
+        &self,
+        (plan, stop): (&Plan, &AtomicBool),
+        evaluator: &mut Evaluator<'_>,
+        points: Range<u64>,
+    ) -> Vec<Found> {
+        let by_course = |point: &u64| self.needs_course && needs_course(&plan.scene(*point));
+        let (mut slow, mut quick) = (Vec::new(), Vec::new());
+        for point in points.clone() {
+            if by_course(&point) { slow.push(point) } else { quick.push(point) }
+        }
+        let rows = evaluator.rows_of(&quick);
+        let mut quickly = (0..rows.len()).zip(&quick).map(|(row, point)| {
+            let farthest = self.farthest.and_then(|place| rows.value(row, place));
+            if self.needs_course && holds_still(&plan.scene(*point), farthest) {
+                return self.course(plan.scene(*point), stop);
+            }
+            Some(self.found(plan, &rows, row, *point))
+        });
+        let mut all = Vec::new();
+        for point in points {
+            // What was stopped is not there: no later point counts.
+            let found = if slow.contains(&point) {
+                self.course(plan.scene(point), stop)
+            } else {
+                quickly.next().flatten()
+            };
+            let Some(found) = found else { break };
+            all.push(found);
+        }
+        all
     }
 
     fn found(&self, plan: &Plan, rows: &Rows, row: usize, point: u64) -> Found {
@@ -198,23 +230,33 @@ impl Field {
                 Way::Result(place) => rows.value(row, *place),
                 Way::Masses => mass_kg(column.name, &plan.scene(point), at(self.farthest)),
                 Way::MountForce => {
-                    let scene = plan.scene(point);
-                    match mount_force_n(&scene, at(self.farthest), at(self.contact)) {
-                        Force::Known(force) => force,
-                        Force::AlongTheCourse => force_along(scene),
-                    }
+                    mount_force_n(&plan.scene(point), at(self.farthest), at(self.contact))
                 }
             }
         };
         Found { fate, values: self.ways.iter().zip(&self.measures).map(value).collect() }
     }
-}
 
-/// The greatest force into the mount from the whole course of a run.
-fn force_along(scene: Scene) -> Option<f64> {
-    let settings = Settings { series: true, estimate: false };
-    let run = simulate(&Arc::new(scene), &settings, &mut |_| ControlFlow::Continue(())).ok()?;
-    mount_force_of(&run)
+    /// A design by a run that keeps its series; `None` when it was stopped.
+    fn course(&self, scene: Scene, stop: &AtomicBool) -> Option<Found> {
+        let settings = Settings { series: true, estimate: self.estimate };
+        let mut observer = |_t_s: f64| {
+            let stopped = stop.load(Ordering::Relaxed);
+            if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let Ok(run) = simulate(&Arc::new(scene), &settings, &mut observer) else {
+            let fate = Fate::Failed(Failure::Refused);
+            return Some(Found { fate, values: vec![None; self.measures.len()] });
+        };
+        if run.end == EndReason::Cancelled {
+            return None;
+        }
+        let fate = Fate::of(&run);
+        let value = |column: &&'static ResultColumn| {
+            tells(column, fate).then(|| column.value(&run)).flatten()
+        };
+        Some(Found { fate, values: self.measures.iter().map(value).collect() })
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use crate::model::mechanism::Mechanism;
 use crate::model::results::{RESULTS, ResultColumn};
-use crate::model::run::Run;
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, Quantity};
 use crate::numerics::larger;
@@ -98,37 +97,27 @@ pub(super) fn mass_kg(name: &str, scene: &Scene, farthest_m: Option<f64>) -> Opt
     }
 }
 
-/// A force into the mount.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Force {
-    /// It is this, or does not exist.
-    Known(Option<f64>),
-    /// It has to be looked for along the whole course.
-    AlongTheCourse,
+/// Whether the force into the mount has to be looked for along the whole course of a run.
+pub(super) fn needs_course(scene: &Scene) -> bool {
+    let mechanism = Mechanism::of(scene);
+    let sprung = scene.plate.mount == Mount::Sprung;
+    sprung && (mechanism.stop.is_some() || mechanism.damper.coefficient > 0.0)
 }
 
-/// The force into the mount, as far as no series is needed for it.
+/// The force into the mount where no series is needed for it.
 pub(super) fn mount_force_n(
     scene: &Scene,
     farthest_m: Option<f64>,
     contact_n: Option<f64>,
-) -> Force {
+) -> Option<f64> {
     if scene.plate.mount == Mount::Rigid {
-        return Force::Known(contact_n.map(|force| force * scene.cos_obliquity()));
+        return Some(contact_n? * scene.cos_obliquity());
     }
     let mechanism = Mechanism::of(scene);
-    if mechanism.stop.is_some() || mechanism.damper.coefficient > 0.0 {
-        return Force::AlongTheCourse;
-    }
     if mechanism.is_absent() {
-        return Force::Known(None);
+        return None;
     }
     let force = |x: f64| mechanism.spring.force(x).abs();
     let start_m = 0.0 - scene.plate.cocking_m;
-    Force::Known(farthest_m.map(|farthest| larger(force(farthest), force(start_m))))
-}
-
-/// The force into the mount of a run that kept its series.
-pub(super) fn mount_force_of(run: &Run) -> Option<f64> {
-    load::peak_n(run)
+    Some(larger(force(farthest_m?), force(start_m)))
 }
