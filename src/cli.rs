@@ -24,6 +24,7 @@ mod plain;
 mod presets;
 mod reproduce;
 mod run;
+mod scatter;
 mod scene;
 mod search;
 mod seek;
@@ -80,6 +81,8 @@ enum Command {
     /// Look for the designs that nothing beats: one best under constraints, or a Pareto front
     #[command(visible_alias = "optimize")]
     Optimise(optimise::OptimiseArguments),
+    /// Draw the inputs within their tolerances, and tell how the results scatter
+    Scatter(scatter::ScatterArguments),
     /// Tell which variables matter: one at a time, Morris's elementary effects and Sobol's indices
     Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
@@ -136,6 +139,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Worth(arguments)) => worth::run(&arguments),
         Some(Command::Seek(arguments)) => seek::run(&arguments),
         Some(Command::Optimise(arguments)) => optimise::run(&arguments),
+        Some(Command::Scatter(arguments)) => scatter::run(&arguments),
         Some(Command::Sensitivity(arguments)) => sensitivity::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Paths) => paths::run(),

@@ -16,6 +16,7 @@ pub mod paths;
 pub mod preset;
 pub mod read;
 pub mod rows;
+pub mod scatter;
 pub mod seek;
 pub mod sensitivity;
 pub mod session;

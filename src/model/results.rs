@@ -17,6 +17,12 @@ pub struct ResultColumn {
     pub get: fn(&Run) -> Option<f64>,
 }
 
+impl PartialEq for ResultColumn {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
 impl ResultColumn {
     /// The unit its name ends in; `%` for a percentage, empty for a pure number.
     pub fn unit(&self) -> &'static str {

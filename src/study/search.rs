@@ -8,4 +8,5 @@ pub mod front;
 pub mod measure;
 pub mod nsga;
 pub mod recommended;
+pub mod scatter;
 pub mod seek;

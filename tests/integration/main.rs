@@ -27,6 +27,8 @@ mod pty;
 #[cfg(test)]
 mod random;
 #[cfg(test)]
+mod scatter;
+#[cfg(test)]
 mod screens;
 #[cfg(test)]
 mod seek;
