@@ -28,7 +28,7 @@ const POLISHED: usize = 600;
 const CHALLENGED: usize = 200;
 
 /// A measure that is to be small, or great.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Objective {
     /// The measure.
     pub measure: &'static ResultColumn,
@@ -37,7 +37,7 @@ pub struct Objective {
 }
 
 /// A measure with a bound.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
     /// The measure.
     pub measure: &'static ResultColumn,
@@ -68,7 +68,7 @@ impl Constraint {
 }
 
 /// What is looked for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     /// The variables and their bounds.
     pub axes: Vec<Axis>,

@@ -33,7 +33,7 @@ const Z95: f64 = 1.959_963_984_540_054;
 pub const USUAL_DEVIATION: f64 = 0.02;
 
 /// What is asked for.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     /// The inputs that scatter.
     pub tolerances: Vec<Tolerance>,

@@ -20,7 +20,7 @@ pub const SCAN: (u64, u64) = (3, 100_000);
 pub const SCAN_USUAL: u64 = 65;
 
 /// What is sought.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Goal {
     /// The variable, its bounds, and as many points as the scan has.
     pub axis: Axis,

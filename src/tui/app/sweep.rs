@@ -170,7 +170,13 @@ impl App {
         match self.tab {
             Tab::Sweep => Some(Picture::Line),
             Tab::Surface => Some(Picture::Surface),
-            Tab::Run | Tab::Accuracy | Tab::Stability | Tab::Log | Tab::Thesis | Tab::Limit => None,
+            Tab::Run
+            | Tab::Accuracy
+            | Tab::Stability
+            | Tab::Log
+            | Tab::Thesis
+            | Tab::Limit
+            | Tab::Search => None,
         }
     }
 
