@@ -11,6 +11,7 @@ mod design;
 pub mod error;
 pub mod evaluate;
 pub mod grid;
+pub mod quadratic;
 mod quick;
 mod sobol;
 pub mod summary;

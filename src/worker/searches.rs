@@ -92,3 +92,61 @@ pub(super) fn make(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::scene::InterfaceLaw;
+    use crate::study::search::nsga::Effort;
+    use crate::study::sweep::Spacing;
+
+    fn axis(name: &str, ends: (f64, f64), count: u64) -> Axis {
+        Axis::new(name, ends, count, Spacing::Linear).unwrap()
+    }
+
+    fn front_request() -> Request {
+        Request::Front(Task {
+            axes: vec![axis("gamma", (0.8, 7.0), 2), axis("k", (1e3, 7.5e6), 2)],
+            objectives: front::objectives(&["final_penetration_m", "stroke_m"], &[] as &[&str])
+                .unwrap(),
+            constraints: Vec::new(),
+            laws: vec![InterfaceLaw::Fused],
+            effort: Effort { population: 20, generations: 20, seed: 1 },
+            threads: 1,
+        })
+    }
+
+    #[test]
+    fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
+        let mut parts = 0;
+        let mut tell = |done: usize, _: usize, part: &dyn Fn() -> Option<Answer>| {
+            parts += usize::from(matches!(part(), Some(Answer::Front(_))));
+            if done > 200 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let answer = make(&Arc::default(), &front_request(), &mut tell).unwrap();
+        let Answer::Front(front) = answer else { panic!("not a front") };
+        assert!(parts >= 8 && !front.is_complete && !front.designs.is_empty(), "{parts}");
+        assert!(front.runs > 200 && front.runs < 420);
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_refused_in_words() {
+        let goal = |measure: &str| Goal {
+            axis: axis("k", (0.0, 1e6), 9),
+            measure: measure.to_owned(),
+            target: 60.0,
+            threads: 1,
+        };
+        let go_on: Tell<'_> = &mut |_, _, _| ControlFlow::Continue(());
+        let refused = make(&Arc::default(), &Request::Seek(goal("depth")), go_on).unwrap_err();
+        assert!(refused.contains("output depth"), "{refused}");
+        let found = make(&Arc::default(), &Request::Seek(goal("percent_of_baseline")), go_on);
+        assert!(matches!(found, Ok(Answer::Seek(report)) if report.solutions.is_empty()));
+        let none = Request::Sensitivity {
+            axes: Vec::new(),
+            output: "stroke_m".to_owned(),
+            effort: sensitivity::Effort { rows: 16, trajectories: 2, seed: 1, threads: 1 },
+        };
+        assert!(make(&Arc::default(), &none, go_on).is_err());
+    }
+}

@@ -14,6 +14,7 @@ use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, Kind as VariableKind};
 use crate::study::sweep::grid::{Cell, Grid};
+use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, Fate, Plan, SweepError, USUAL_OUTPUTS};
 
 pub use super::setup::{SetupField, SetupRow};
@@ -103,6 +104,8 @@ pub struct Sweeping {
     pub log_values: bool,
     /// The contour.
     pub contour: Contour,
+    /// The surface shows what a fitted quadratic leaves over.
+    pub residuals: bool,
     /// Curves of a family.
     pub curves: u64,
 }
@@ -120,6 +123,7 @@ impl Default for Sweeping {
             output: 0,
             log_values: false,
             contour: Contour::Cursor,
+            residuals: false,
             curves: CURVES,
         }
     }
@@ -141,6 +145,27 @@ impl Sweeping {
             Picture::Surface => self.surface = Some(found),
         }
     }
+}
+
+/// The quadratic that fits an output of a grid of two axes; `None` where there is none.
+pub fn quadratic(grid: &Grid, output: usize) -> Option<Quadratic> {
+    let (along, up) = grid.counts();
+    let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+    Quadratic::through(points.map(|(x, y)| {
+        let value = match grid.cell(x, y, output) {
+            Cell::Value(value) => value,
+            Cell::Fate(_) | Cell::Waiting => f64::NAN,
+        };
+        let (u, v) = place(grid, (x, y));
+        (u, v, value)
+    }))
+}
+
+/// A point of a grid in shares of its axes, -1 to 1.
+pub fn place(grid: &Grid, (x, y): (usize, usize)) -> (f64, f64) {
+    let share = |at: usize, count: usize| 2.0 * at as f64 / (count.max(2) - 1) as f64 - 1.0;
+    let (along, up) = grid.counts();
+    (share(x, along), share(y, up))
 }
 
 /// The sweep of a scene, with usual axes and outputs where it has none; always two axes.
@@ -314,6 +339,16 @@ impl App {
                     parts.push(same(severity, format!("{count} {word}")));
                 }
             }
+        }
+        if let Some(found) =
+            found.filter(|_| picture == Picture::Surface && self.sweeping.residuals)
+        {
+            let (output, _) = self.shown_output(&found.grid);
+            let text = quadratic(&found.grid, output).map_or_else(
+                || "no quadratic fits".to_owned(),
+                |fit| format!("quadratic fit: R2 {}", units::fixed_significant(fit.r_squared, 4)),
+            );
+            parts.push(same(Severity::Note, text));
         }
         let law = format!("interface {}", self.scene_word("interface.law"));
         parts.push(same(Severity::Note, law));

@@ -230,6 +230,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Surface, &[special(C::Enter)], A::OpenDesign, "open in Run", "open this design in the Run tab", 3),
     bind(Surface, &[plain('v')], A::Quantity, "output", "the other output", 4),
     bind(Surface, &[plain('o')], A::Contour, "contour", "the contour through the cursor: all designs as good as this one", 5),
+    bind(Surface, &[plain('F')], A::Difference, "fit", "what a fitted quadratic (its R2 in the status row) leaves over, or the values again", 7),
     bind(Surface, &[plain('Y')], A::LogY, "log", "logarithmic or linear scale of values", 0),
 
     bind(Accuracy, &[plain('k'), special(C::Up)], A::Up, "up", "method above", 0),

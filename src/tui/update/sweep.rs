@@ -103,7 +103,7 @@ pub(super) fn is_own(app: &App, action: Action) -> bool {
             | Action::LogY
             | Action::Contour
             | Action::OpenDesign
-    );
+    ) || (action == Action::Difference && app.picture() == Some(Picture::Surface));
     let both =
         matches!(action, Action::Run | Action::Export | Action::FocusNext | Action::FocusPrevious);
     both || (plot && !app.sweeping.on_setup) || (app.sweeping.on_setup && setup::is_own(action))
@@ -142,6 +142,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
                 Contour::Off => Contour::Cursor,
             };
         }
+        Action::Difference => app.sweeping.residuals = !app.sweeping.residuals,
         Action::OpenDesign => {
             app.tab = Tab::Run;
             app.say(Severity::Note, "this design is the current scene: u undoes, Space pins it");

@@ -315,3 +315,20 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
         .any(|effect| matches!(effect, Effect::ExportSweep(it) if it.overwrite));
     assert!(forced);
 }
+
+/// The thesis calls its surfaces response surfaces: F shows how far a quadratic follows one, and what it leaves over.
+#[test]
+fn a_quadratic_fit_shows_what_it_leaves_over() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (120, 40));
+    keys(&mut bench, "3");
+    assert!(!bench.screen().contains("quadratic fit"));
+    keys(&mut bench, "F");
+    let screen = bench.screen();
+    assert!(
+        screen.contains("off the fit: ") && screen.contains("quadratic fit: R2 0.9"),
+        "{screen}"
+    );
+    assert_snapshot!("surface_off_the_fit", screen);
+    keys(&mut bench, "F");
+    assert!(!bench.screen().contains("off the fit"));
+}
