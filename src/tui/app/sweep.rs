@@ -71,6 +71,41 @@ impl Computing {
     }
 }
 
+/// Which points the Sweep tab visits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spread {
+    /// Every combination: curves.
+    #[default]
+    Grid,
+    /// A Latin hypercube: dots.
+    Hypercube,
+    /// Sobol's sequence: dots.
+    Sobol,
+}
+
+impl Spread {
+    /// All, in order.
+    pub const ALL: [Self; 3] = [Self::Grid, Self::Hypercube, Self::Sobol];
+
+    /// Its word in the setup.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Grid => "grid",
+            Self::Hypercube => "lhs",
+            Self::Sobol => "sobol",
+        }
+    }
+
+    /// The design of so many points.
+    fn design(self, points: u64) -> Design {
+        match self {
+            Self::Grid => Design::Factorial,
+            Self::Hypercube => Design::LatinHypercube { points, seed: 0 },
+            Self::Sobol => Design::Sobol { points, seed: 0 },
+        }
+    }
+}
+
 /// Which contour is drawn over a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Contour {
@@ -108,6 +143,8 @@ pub struct Sweeping {
     pub residuals: bool,
     /// Curves of a family.
     pub curves: u64,
+    /// Which points the Sweep tab visits.
+    pub spread: Spread,
 }
 
 impl Default for Sweeping {
@@ -125,6 +162,7 @@ impl Default for Sweeping {
             contour: Contour::Cursor,
             residuals: false,
             curves: CURVES,
+            spread: Spread::Grid,
         }
     }
 }
@@ -221,7 +259,11 @@ impl App {
             Picture::Line => {}
             Picture::Surface => axes.push(Axis::of(&sweep.axes[1])?),
         }
-        Plan::new(&self.scene, axes, Design::Factorial, &sweep.outputs)
+        let design = match picture {
+            Picture::Line => self.sweeping.spread.design(axes[0].count()),
+            Picture::Surface => Design::Factorial,
+        };
+        Plan::new(&self.scene, axes, design, &sweep.outputs)
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.
@@ -240,6 +282,9 @@ impl App {
 
     /// The grid point nearest to the scene.
     pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
+        if !grid.is_full() {
+            return (self.nearest_point(grid), 0);
+        }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
             let value = (axis.number().get)(&self.scene)?;
@@ -247,6 +292,21 @@ impl App {
         };
         let axes = grid.plan().axes();
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
+    }
+
+    /// The point of a design nearest to the scene, each axis by its length.
+    fn nearest_point(&self, grid: &Grid) -> usize {
+        let axes = grid.plan().axes();
+        let away = |x: usize| -> f64 {
+            let one = |(at, axis): (usize, &Axis)| {
+                let here = (axis.number().get)(&self.scene).and_then(|value| axis.share(value));
+                let there = axis.share(grid.coordinate((x, 0), at));
+                (here.unwrap_or(0.0) - there.unwrap_or(0.0)).powi(2)
+            };
+            axes.iter().enumerate().map(one).sum()
+        };
+        let points = 0..grid.counts().0;
+        points.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0)
     }
 
     /// What is under the cursor, in at most this many columns: units and long names go first.
@@ -260,18 +320,17 @@ impl App {
         let grid = &self.sweeping.found(picture)?.grid;
         let (x, y) = self.cursor_point(grid);
         let axes = grid.plan().axes();
-        let at = |axis: &Axis, index: usize| {
-            let value = axis.value(u64::try_from(index).unwrap_or(0));
+        let at = |(place, axis): (usize, &Axis)| {
+            let value = grid.coordinate((x, y), place);
             let shown = match words {
                 Words::Long => axis_value(axis, value),
                 Words::Short => units::significant(value, 5),
             };
             format!("{} {shown}", axis.symbol())
         };
-        let mut parts: Vec<String> =
-            axes.iter().zip([x, y]).map(|(axis, index)| at(axis, index)).collect();
-        let away = axes.iter().zip([x, y]).any(|(axis, index)| {
-            let value = axis.value(u64::try_from(index).unwrap_or(0));
+        let mut parts: Vec<String> = axes.iter().enumerate().map(at).collect();
+        let away = axes.iter().enumerate().any(|(place, axis)| {
+            let value = grid.coordinate((x, y), place);
             (axis.number().get)(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");

@@ -332,3 +332,22 @@ fn a_quadratic_fit_shows_what_it_leaves_over() {
     keys(&mut bench, "F");
     assert!(!bench.screen().contains("off the fit"));
 }
+
+/// A Latin hypercube of the two axes: dots, each its own design; the cursor goes through them in order.
+#[test]
+fn other_designs_are_dots_and_the_cursor_walks_them() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2<Tab>jjjjjl");
+    assert!(bench.screen().contains("lhs"), "{}", bench.screen());
+    assert!(bench.screen().contains("21 points in 8.0 ms"), "{}", bench.screen());
+    assert_snapshot!("lines_of_a_hypercube", bench.screen());
+    keys(&mut bench, "<Tab>hHHH");
+    let gamma = |bench: &Bench| bench.app.scene.plate.mass_ratio;
+    let first = gamma(&bench);
+    // One point in each of 21 slices of 0.8 to 7.
+    assert!(first > 0.8 && first < 0.8 + 6.2 / 21.0, "{first}");
+    keys(&mut bench, "l");
+    assert!(gamma(&bench) > first && gamma(&bench) < 0.8 + 2.0 * 6.2 / 21.0);
+    keys(&mut bench, "<Tab>l");
+    assert!(bench.screen().contains("sobol"), "{}", bench.screen());
+}
