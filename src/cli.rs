@@ -17,13 +17,17 @@ mod error;
 mod json;
 mod limit;
 mod man;
+mod optimise;
 mod output;
 mod paths;
 mod plain;
 mod presets;
 mod reproduce;
 mod run;
+mod scatter;
 mod scene;
+mod search;
+mod seek;
 mod sensitivity;
 mod stability;
 mod summary;
@@ -72,6 +76,13 @@ enum Command {
     Design(design::DesignArguments),
     /// Compare the scene with a rigid mount, a free plate and a solid plate of equal areal mass
     Worth(worth::WorthArguments),
+    /// Find every value of a variable that gives a result a wanted value
+    Seek(seek::SeekArguments),
+    /// Look for the designs that nothing beats: one best under constraints, or a Pareto front
+    #[command(visible_alias = "optimize")]
+    Optimise(optimise::OptimiseArguments),
+    /// Draw the inputs within their tolerances, and tell how the results scatter
+    Scatter(scatter::ScatterArguments),
     /// Tell which variables matter: one at a time, Morris's elementary effects and Sobol's indices
     Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
@@ -126,6 +137,9 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
         Some(Command::Design(arguments)) => design::run(&arguments),
         Some(Command::Worth(arguments)) => worth::run(&arguments),
+        Some(Command::Seek(arguments)) => seek::run(&arguments),
+        Some(Command::Optimise(arguments)) => optimise::run(&arguments),
+        Some(Command::Scatter(arguments)) => scatter::run(&arguments),
         Some(Command::Sensitivity(arguments)) => sensitivity::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Paths) => paths::run(),

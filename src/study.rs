@@ -8,6 +8,7 @@ pub mod limit;
 pub mod models;
 pub mod principles;
 pub mod screening;
+pub mod search;
 pub mod sensitivity;
 pub mod stability;
 pub mod sweep;

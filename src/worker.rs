@@ -7,6 +7,7 @@
 
 pub mod cache;
 mod job;
+pub mod searches;
 pub mod studies;
 pub mod sweeps;
 

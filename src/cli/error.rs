@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use crate::files::error::FileError;
 use crate::model::variables::VariableError;
+use crate::study::search::scatter::ScatterError;
 use crate::study::sweep::SweepError;
 use crate::tui::TuiError;
 
@@ -49,6 +50,9 @@ pub enum CliError {
     /// The sweep is refused before it begins.
     #[error(transparent)]
     Sweep(#[from] SweepError),
+    /// The scatter is refused before it begins.
+    #[error(transparent)]
+    Scatter(#[from] ScatterError),
     /// A sweep of a scene that has none, without `--over`.
     #[error("{scene} has no [sweep] of its own: name an axis, for example --over gamma=0.8..7:101")]
     NothingToSweep {
@@ -115,6 +119,7 @@ impl CliError {
             | Self::Set { .. }
             | Self::Over { .. }
             | Self::Sweep(_)
+            | Self::Scatter(_)
             | Self::NothingToSweep { .. }
             | Self::Option(_)
             | Self::Scene(_)

@@ -2,25 +2,19 @@
 
 mod page;
 
-use std::io::IsTerminal as _;
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
 
 use clap::Args;
 
 use crate::cli::scene::SceneArguments;
-use crate::cli::sweep::axes::over;
+use crate::cli::search::{Pace, bounds, say_if_long, threads};
 use crate::cli::table::{deliver, write};
 use crate::cli::{CliError, output};
 use crate::files::sensitivity as files;
-use crate::study::sensitivity::{Effort, study, thesis_axes};
-use crate::study::sweep::crew::Crew;
+use crate::study::search::field::Field;
+use crate::study::sensitivity::{Effort, study};
 
-/// How long it may take before progress is shown, and how often then.
-const PATIENCE: Duration = Duration::from_millis(500);
-const EVERY: Duration = Duration::from_millis(200);
 /// Rows of the design and trajectories at the most.
 const SAMPLES_MAX: usize = 1 << 20;
 const TRAJECTORIES_MAX: usize = 100_000;
@@ -72,7 +66,7 @@ impl SensitivityArguments {
                 "--trajectories {trajectories} is outside 2..{TRAJECTORIES_MAX}"
             )));
         }
-        let threads = self.threads.map_or_else(|| Crew::of_machine().threads, usize::from);
+        let threads = threads(self.threads);
         Ok(Effort { rows, trajectories, seed: self.seed, threads })
     }
 }
@@ -81,32 +75,15 @@ impl SensitivityArguments {
 pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
     let effort = arguments.effort()?;
     let preset = arguments.scene.load()?;
-    let axes = if arguments.over.is_empty() {
-        thesis_axes(&preset.scene)?
-    } else {
-        let axes = arguments.over.iter().map(|text| over(text, false));
-        axes.collect::<Result<Vec<_>, _>>()?
-    };
-    if axes.is_empty() {
-        return Err(CliError::Option(
-            "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
-                .to_owned(),
-        ));
+    let axes = bounds(&arguments.over, &preset.scene)?;
+    if let Ok(field) = Field::new(&preset.scene, axes.clone(), &[&arguments.output], effort.threads)
+    {
+        say_if_long(&field, effort.runs(axes.len()), effort.threads);
     }
-    let start = Instant::now();
-    let mut told = start;
-    let is_shown = std::io::stderr().is_terminal();
-    let watch = &mut |done: usize, total: usize| {
-        if is_shown && start.elapsed() > PATIENCE && told.elapsed() > EVERY {
-            told = Instant::now();
-            output::progress(&format!("{done} of {total} runs"));
-        }
-        ControlFlow::Continue(())
-    };
+    let mut pace = Pace::begin();
+    let watch = &mut |done: usize, total: usize| pace.watch(done, total);
     let report = study(&preset.scene, axes, &arguments.output, effort, watch)?;
-    if told > start {
-        output::progress("");
-    }
+    let stopped = pace.end();
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
     if arguments.json {
@@ -119,5 +96,5 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         let page = page::text(name, &report);
         deliver(&page, &rows, (false, arguments.csv.as_deref(), arguments.force))?;
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(if stopped { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }

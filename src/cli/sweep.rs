@@ -3,7 +3,7 @@
 //! Rows are written as they are made, so that a sweep needs no memory; an interrupt keeps the finished ones.
 
 pub(super) mod axes;
-mod page;
+pub(super) mod page;
 mod sidecar;
 
 use std::io::{self, IsTerminal as _};
@@ -139,7 +139,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
 }
 
 /// A flag that the first interrupt sets; the second one ends the process.
-fn interruptible() -> Arc<AtomicBool> {
+pub(super) fn interruptible() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     for signal in [SIGINT, SIGTERM] {
         // In this order: the second finds the flag set. Where it cannot be done, the interrupt just ends the process.

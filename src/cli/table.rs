@@ -47,8 +47,13 @@ pub(super) fn deliver(
 
 /// Write the rows to a file.
 pub(super) fn write(path: &Path, rows: &Rows, force: bool) -> Result<(), CliError> {
+    write_text(path, &rows.csv()?, force)
+}
+
+/// Write a table that is a text already.
+pub(super) fn write_text(path: &Path, text: &str, force: bool) -> Result<(), CliError> {
     let existing = if force { Existing::Replace } else { Existing::Keep };
-    atomic::write(path, rows.csv()?.as_bytes(), existing).map_err(|error| match error {
+    atomic::write(path, text.as_bytes(), existing).map_err(|error| match error {
         FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
         other => CliError::File(other),
     })?;

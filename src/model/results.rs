@@ -4,6 +4,7 @@
 //! same wherever it is met. Nothing here knows files or screens; the time a run took is measured by whoever ran it.
 
 use crate::model::run::Run;
+use crate::model::units::{self, Engineering};
 
 /// One number a run comes down to.
 #[derive(Clone, Copy, Debug)]
@@ -16,10 +17,16 @@ pub struct ResultColumn {
     pub get: fn(&Run) -> Option<f64>,
 }
 
+impl PartialEq for ResultColumn {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
 impl ResultColumn {
     /// The unit its name ends in; `%` for a percentage, empty for a pure number.
     pub fn unit(&self) -> &'static str {
-        let endings = [("_m_s", "m/s"), ("_m", "m"), ("_s", "s"), ("_n", "N")];
+        let endings = [("_m_s", "m/s"), ("_m", "m"), ("_s", "s"), ("_n", "N"), ("_kg", "kg")];
         if self.name.starts_with("percent") {
             return "%";
         }
@@ -28,8 +35,23 @@ impl ResultColumn {
 
     /// Its name in words, without the unit: `max plate displacement`.
     pub fn title(&self) -> String {
-        let ending = ["_m_s", "_m", "_s", "_n"].into_iter().find(|end| self.name.ends_with(end));
+        let ending =
+            ["_m_s", "_m", "_s", "_n", "_kg"].into_iter().find(|end| self.name.ends_with(end));
         self.name.strip_suffix(ending.unwrap_or("")).unwrap_or(self.name).replace('_', " ")
+    }
+
+    /// A value with its unit, in so many digits: `64.27 %`, `37.98 mm`, `61.2 g`.
+    pub fn show(&self, value: f64, digits: usize) -> String {
+        match self.unit() {
+            "" => units::significant(value, digits),
+            "%" => format!("{} %", units::significant(value, digits)),
+            // A prefix stands before grams, not before kilograms.
+            "kg" if value.abs() < 1e3 => {
+                Engineering { value: 1e3 * value, unit: "g", digits }.to_string()
+            }
+            "kg" => format!("{} kg", units::significant(value, digits)),
+            unit => Engineering { value, unit, digits }.to_string(),
+        }
     }
 
     /// Its value for a run; `None` where it does not exist.

@@ -5,14 +5,12 @@
 //! say, where a depth is asked for) is left out and counted. Must not know files, screens or a clock.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
-use crate::model::impact::{Settings, simulate};
 use crate::model::results::ResultColumn;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind, VARIABLES};
-use crate::study::sweep::crew::Crew;
-use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
+use crate::study::search::field::{Field, Found};
+use crate::study::sweep::{Axis, Spacing, SweepError};
 use effects::{Effect, morris};
 use indices::{Sobol, sobol};
 
@@ -33,6 +31,13 @@ pub struct Effort {
     pub seed: u64,
     /// Threads; no digit depends on it.
     pub threads: usize,
+}
+
+impl Effort {
+    /// Runs for so many variables.
+    pub fn runs(self, inputs: usize) -> usize {
+        1 + 2 * inputs + self.trajectories * (inputs + 1) + self.rows * (inputs + 2)
+    }
 }
 
 /// One bar of the tornado: the result with one variable at its bounds, the others as in the scene.
@@ -122,37 +127,37 @@ pub fn study(
     if axes.len() > indices::INPUTS_MAX {
         return Err(SweepError::TooManyAxes { count: axes.len(), most: indices::INPUTS_MAX });
     }
-    // A plan refuses all that a sweep over these axes would refuse.
-    let design = Design::Sobol { points: effort.rows as u64, seed: effort.seed };
-    let plan = Plan::new(scene, axes, design, &[output])?;
-    let (axes, output) = (plan.axes().to_vec(), plan.outputs()[0]);
+    let field = Field::new(scene, axes, &[output], effort.threads)?;
+    let axes = field.axes().to_vec();
+    let output = field.measures()[0];
     let inputs = axes.len();
-    let total = 1 + 2 * inputs + effort.trajectories * (inputs + 1) + effort.rows * (inputs + 2);
-    let mut range = Range { output, threads: effort.threads, watch, done: 0, total };
-    let own = range.values(vec![scene.clone()]);
-    let ends = axes.iter().flat_map(|axis| [axis.ends().0, axis.ends().1].map(|end| (axis, end)));
-    let scenes = ends.map(|(axis, end)| {
-        let mut scene = scene.clone();
-        (axis.number().set)(&mut scene, Some(end));
-        scene
-    });
-    let ends = range.values(scenes.collect()).unwrap_or_else(|| vec![f64::NAN; 2 * inputs]);
+    let total = effort.runs(inputs);
+    let here = |axis: &Axis| (axis.number().get)(scene).unwrap_or(f64::NAN);
+    let own: Vec<f64> = axes.iter().map(here).collect();
+    let mut range = Range { field, watch, done: 0, total };
+    let at_own = range.values(std::slice::from_ref(&own));
+    let mut ends = Vec::new();
+    for (at, axis) in axes.iter().enumerate() {
+        for end in [axis.ends().0, axis.ends().1] {
+            let mut design = own.clone();
+            design[at] = end;
+            ends.push(design);
+        }
+    }
+    let ends = range.values(&ends).unwrap_or_else(|| vec![f64::NAN; 2 * inputs]);
     let known = |value: f64| value.is_finite().then_some(value);
     let bars = ends.chunks(2).map(|pair| Bar { low: known(pair[0]), high: known(pair[1]) });
     let mut function = |points: &[Vec<f64>]| {
         let place = |point: &Vec<f64>| {
-            let mut scene = scene.clone();
-            for (axis, share) in axes.iter().zip(point) {
-                (axis.number().set)(&mut scene, Some(axis.at_share(*share)));
-            }
-            scene
+            axes.iter().zip(point).map(|(axis, share)| axis.at_share(*share)).collect()
         };
-        range.values(points.iter().map(place).collect())
+        let designs: Vec<Vec<f64>> = points.iter().map(place).collect();
+        range.values(&designs)
     };
     let effects = morris(inputs, effort.trajectories, effort.seed, &mut function);
     let sobol = sobol(inputs, effort.rows, effort.seed, &mut function);
     Ok(Report {
-        own: own.and_then(|values| known(values[0])),
+        own: at_own.and_then(|values| known(values[0])),
         bars: bars.collect(),
         effects: effects.unwrap_or_default(),
         sobol,
@@ -162,45 +167,24 @@ pub fn study(
     })
 }
 
-/// Where scenes are run.
+/// Where designs are evaluated.
 struct Range<'w> {
-    output: &'static ResultColumn,
-    threads: usize,
+    field: Field,
     watch: Watch<'w>,
     done: usize,
     total: usize,
 }
 
 impl Range<'_> {
-    /// The result for each scene, NaN where it has none; `None` when stopped.
-    fn values(&mut self, scenes: Vec<Scene>) -> Option<Vec<f64>> {
-        let scenes: Vec<Arc<Scene>> = scenes.into_iter().map(Arc::new).collect();
-        let output = self.output;
-        let estimate = output.name == "error_estimate";
-        let settings = Settings { series: false, estimate };
-        let one = |scene: &Arc<Scene>| {
-            let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(()));
-            let told = run.ok().filter(|run| run.end.is_complete());
-            told.and_then(|run| output.value(&run)).unwrap_or(f64::NAN)
-        };
-        let crew = Crew { threads: self.threads, piece: 16 };
-        let mut values = Vec::with_capacity(scenes.len());
-        let piece = |range: std::ops::Range<u64>| {
-            let at = |index: u64| usize::try_from(index).ok().and_then(|at| scenes.get(at));
-            range.filter_map(at).map(one).collect::<Vec<f64>>()
-        };
+    /// The result for each design, NaN where it has none; `None` when stopped.
+    fn values(&mut self, designs: &[Vec<f64>]) -> Option<Vec<f64>> {
         let (done, total) = (self.done, self.total);
         let watch = &mut *self.watch;
-        let ended = crew.work(
-            0..scenes.len() as u64,
-            || piece,
-            |_, found: Vec<f64>| {
-                values.extend(found);
-                watch(done + values.len(), total)
-            },
-        );
-        self.done += values.len();
-        ended.is_continue().then_some(values)
+        let ended = self.field.evaluate(designs, &mut |more| watch(done + more, total));
+        let ControlFlow::Continue(found) = ended else { return None };
+        self.done += found.len();
+        let value = |found: &Found| found.values[0].unwrap_or(f64::NAN);
+        Some(found.iter().map(value).collect())
     }
 }
 

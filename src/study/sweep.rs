@@ -11,11 +11,13 @@ mod design;
 pub mod error;
 pub mod evaluate;
 pub mod grid;
+pub mod quadratic;
 mod quick;
 mod sobol;
 pub mod summary;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::model::results::{self, RESULTS, ResultColumn};
 use crate::model::scene::Scene;
@@ -85,6 +87,8 @@ pub struct Plan {
     design: Design,
     points: u64,
     outputs: Vec<&'static ResultColumn>,
+    /// Points in the place of the design's: for each a value on every axis.
+    list: Option<Arc<[f64]>>,
 }
 
 impl PartialEq for Plan {
@@ -94,6 +98,7 @@ impl PartialEq for Plan {
         self.base == other.base
             && self.axes == other.axes
             && self.design == other.design
+            && self.list == other.list
             && names(self) == names(other)
     }
 }
@@ -124,7 +129,7 @@ impl Plan {
         let points = points(&axes, design)?;
         let mut base = scene.clone();
         (base.title, base.notes, base.sweep) = (String::new(), String::new(), None);
-        let mut plan = Self { base, axes, design, points, outputs };
+        let mut plan = Self { base, axes, design, points, outputs, list: None };
         plan.check_corners()?;
         // What the axes set is not held: two plans that differ only there are one.
         for axis in &plan.axes {
@@ -141,6 +146,13 @@ impl Plan {
         let sweep = scene.sweep.as_ref().ok_or(SweepError::NoAxis)?;
         let axes = sweep.axes.iter().map(Axis::of).collect::<Result<_, _>>()?;
         Self::new(scene, axes, Design::Factorial, &sweep.outputs)
+    }
+
+    /// The same over these points in the place of its design: each has a value for every axis, in the stored unit. Whether a
+    /// point makes physical sense is the caller's business.
+    pub(in crate::study) fn over_points(&self, points: &[Vec<f64>]) -> Self {
+        let list = points.iter().flatten().copied().collect();
+        Self { points: points.len() as u64, list: Some(list), ..self.clone() }
     }
 
     /// The scene whose other variables are held, without title, notes and sweep.
@@ -170,6 +182,10 @@ impl Plan {
 
     /// The value of axis `axis` at point `index`, in the stored unit.
     pub fn coordinate(&self, index: u64, axis: usize) -> f64 {
+        if let Some(list) = &self.list {
+            let at = usize::try_from(index).unwrap_or(usize::MAX);
+            return list[at * self.axes.len() + axis];
+        }
         match self.design {
             Design::Factorial => {
                 let faster: u64 = self.axes[axis + 1..].iter().map(Axis::count).product();
@@ -185,7 +201,9 @@ impl Plan {
     /// Give a scene the values of point `index`.
     pub fn place(&self, scene: &mut Scene, index: u64) {
         for (at, axis) in self.axes.iter().enumerate() {
-            (axis.number().set)(scene, Some(self.coordinate(index, at)));
+            let value = self.coordinate(index, at);
+            // Among listed points NaN stands for a variable that is absent, such as a stop.
+            (axis.number().set)(scene, (!value.is_nan()).then_some(value));
         }
     }
 

@@ -16,7 +16,7 @@ use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
 use crate::study::limit::{self, Limit};
 
-mod load;
+pub(in crate::study) mod load;
 mod solid;
 
 pub use solid::thickness_of_limit_m;
@@ -164,7 +164,7 @@ pub fn compare(
     variables::validate(scene)?;
     let face_m2 = scene.plate_mass_kg() / plate_areal(scene);
     let own = run(scene)?;
-    let spring_energy_j = spring_energy_j(&own);
+    let spring_energy_j = spring_energy_j(scene, own.max_plate_displacement_m);
     let spring_kg =
         masses.spring_kg.or_else(|| spring_energy_j.map(|energy| SPRING_KG_PER_J * energy));
     let mount_kg = masses.mount_kg;
@@ -265,14 +265,14 @@ fn entry(
     })
 }
 
-/// Greatest energy in the spring: cocked, or at the greatest displacement.
-fn spring_energy_j(run: &Run) -> Option<f64> {
-    let spring = Mechanism::of(&run.scene).spring;
-    if spring.coefficient == 0.0 {
+/// Greatest energy in the spring, J: cocked, or at the greatest displacement, m.
+pub(in crate::study) fn spring_energy_j(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
+    let spring = Mechanism::of(scene).spring;
+    if scene.plate.mount == Mount::Rigid || spring.coefficient == 0.0 {
         return Some(0.0);
     }
-    let farthest = spring.integral(run.max_plate_displacement_m?);
-    Some(larger(farthest, spring.integral(run.start_m())))
+    let farthest = spring.integral(farthest_m?);
+    Some(larger(farthest, spring.integral(0.0 - scene.plate.cocking_m)))
 }
 
 #[cfg(test)]

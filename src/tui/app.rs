@@ -21,6 +21,7 @@ pub mod log;
 pub mod notice;
 pub mod quantity;
 pub mod runs;
+pub mod search;
 pub mod setup;
 pub mod stability;
 pub mod status;
@@ -37,6 +38,7 @@ use layout::Layout;
 use limit::Ballistic;
 use notice::{Notice, Severity};
 use runs::{Jobs, Pin, Shown};
+use search::Searching;
 use stability::Stability;
 use sweep::Sweeping;
 use thesis::Thesis;
@@ -60,11 +62,13 @@ pub enum Tab {
     Thesis,
     /// The ballistic limit and the velocity left beyond it.
     Limit,
+    /// Designs that reach a goal, that nothing beats; what matters, how it scatters, whether it is worth it.
+    Search,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Run,
         Self::Sweep,
         Self::Surface,
@@ -73,6 +77,7 @@ impl Tab {
         Self::Log,
         Self::Thesis,
         Self::Limit,
+        Self::Search,
     ];
 
     /// The text in the title row, with the key that leads there.
@@ -86,16 +91,21 @@ impl Tab {
             Self::Log => "6:Log",
             Self::Thesis => "7:Thesis",
             Self::Limit => "8:Limit",
+            Self::Search => "9:Search",
         }
     }
 
-    /// A shorter text, for where eight full ones have no room.
+    /// A shorter text, for where nine full ones have no room.
     pub fn short_title(self) -> &'static str {
         match self {
             Self::Surface => "3:Surf",
             Self::Accuracy => "4:Acc",
             Self::Stability => "5:Stab",
-            Self::Run | Self::Sweep | Self::Log | Self::Thesis | Self::Limit => self.title(),
+            Self::Sweep => "2:Swp",
+            Self::Thesis => "7:Ths",
+            Self::Limit => "8:Lim",
+            Self::Search => "9:Srch",
+            Self::Run | Self::Log => self.title(),
         }
     }
 }
@@ -171,6 +181,8 @@ pub struct App {
     pub thesis: Thesis,
     /// The Limit tab.
     pub limit: Ballistic,
+    /// The Search tab.
+    pub searching: Searching,
     /// The dialog on top, if any.
     pub dialog: Option<Dialog>,
     /// The newest message, until the next key.
@@ -214,6 +226,7 @@ impl App {
             stability: Stability::default(),
             thesis: Thesis::default(),
             limit: Ballistic::default(),
+            searching: Searching::default(),
             dialog: None,
             notice: None,
             log: Vec::new(),
@@ -264,6 +277,8 @@ impl App {
                 thesis::Page::Screening => Place::Screening,
             },
             Tab::Limit => Place::Limit,
+            Tab::Search if self.searching.on_setup => Place::SearchSetup,
+            Tab::Search => Place::Search,
         }
     }
 

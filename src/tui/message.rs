@@ -206,6 +206,10 @@ pub enum Place {
     Screening,
     /// The Limit tab.
     Limit,
+    /// The setup of the Search tab.
+    SearchSetup,
+    /// What the Search tab has found.
+    Search,
 }
 
 /// Everything the workbench can do by a key.
@@ -225,6 +229,8 @@ pub enum Action {
     TabThesis,
     NextVerdict,
     TabLimit,
+    TabSearch,
+    SearchNext,
     Scatter,
     TabNext,
     TabPrevious,

@@ -21,6 +21,7 @@ mod input;
 mod jobs;
 mod limit;
 mod runs;
+mod search;
 mod setup;
 mod stability;
 mod sweep;
@@ -76,6 +77,8 @@ fn studied(app: &mut App, report: StudyReport) -> Vec<Effect> {
         thesis::report(app, report.body);
     } else if of(&app.limit.finding) {
         limit::report(app, report.body);
+    } else if of(&app.searching.running) {
+        search::report(app, report.body);
     }
     Vec::new()
 }
@@ -99,6 +102,9 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     }
     if app.sweeping.field.is_some() && app.picture().is_some() {
         return setup::press(app, key);
+    }
+    if app.searching.field.is_some() && app.tab == crate::tui::app::Tab::Search {
+        return search::press(app, key);
     }
     if let Some(action) = message::action_for(app.place(), key) {
         return act::act(app, action);

@@ -23,6 +23,7 @@ mod presets;
 mod rows;
 mod runs;
 mod save;
+mod search;
 mod setup;
 mod side;
 mod stability;
@@ -58,6 +59,9 @@ fn draw(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
         Body::Stability(area) => stability::render(app, rect(*area), buffer),
         Body::Log(area) => log::render(app, rect(*area), buffer),
         Body::Limit(area) => limit::render(app, rect(*area), buffer),
+        Body::Search(setup, found) => {
+            search::render(app, (rect(*setup), rect(*found)), buffer, cursor);
+        }
         Body::Thesis(area) => thesis::render(app, rect(*area), buffer),
     }
     rows::title(app, rect(layout.title), buffer);

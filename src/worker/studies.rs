@@ -12,6 +12,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::job::contained;
+use super::searches::{self, Answer, Request};
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, Effort};
 use crate::study::limit;
@@ -40,7 +41,7 @@ pub struct Study {
 }
 
 /// What a study is of.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum StudyKind {
     /// Error against run time of every method.
     Accuracy(Effort),
@@ -52,19 +53,22 @@ pub enum StudyKind {
     Thesis,
     /// The ballistic limit.
     Limit(limit::Effort),
+    /// A search for designs.
+    Search(Arc<Request>),
 }
 
 impl StudyKind {
-    const COUNT: usize = 5;
+    const COUNT: usize = 6;
 
     /// Studies of one place replace each other.
-    fn place(self) -> usize {
+    fn place(&self) -> usize {
         match self {
             Self::Accuracy(_) => 0,
             Self::Map(..) => 1,
             Self::Battery => 2,
             Self::Thesis => 3,
             Self::Limit(_) => 4,
+            Self::Search(_) => 5,
         }
     }
 }
@@ -82,6 +86,8 @@ pub enum Finding {
     Thesis(Arc<Vec<thesis::Row>>, bool),
     /// The ballistic limit; `None` while it is looked for.
     Limit(Option<Arc<limit::Report>>),
+    /// What a search has; `None` while there is nothing to show.
+    Search(Option<Answer>),
 }
 
 /// What the thread says of a study.
@@ -187,12 +193,12 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
         ControlFlow::Continue(())
     };
     let now_s = || start.elapsed().as_secs_f64();
-    let work = || match study.kind {
+    let work = || match &study.kind {
         StudyKind::Accuracy(effort) => {
             let watch = &mut |report: &accuracy::Report, done, total| {
                 tell(done, total, &|| Finding::Accuracy(Arc::new(report.clone())))
             };
-            accuracy::compare_openly(&study.scene, effort, &mut { now_s }, watch)
+            accuracy::compare_openly(&study.scene, *effort, &mut { now_s }, watch)
                 .map(|report| Finding::Accuracy(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
@@ -204,14 +210,15 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
                 let stopped = stop.load(Ordering::Relaxed);
                 if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
-            match map::map(&study.scene, (method, axis), MAP_CELLS, watch) {
+            match map::map(&study.scene, (*method, *axis), MAP_CELLS, watch) {
                 ControlFlow::Continue(map) => Ok(Finding::Map(Arc::new(map))),
                 ControlFlow::Break(()) => Err("the map was stopped: r draws it again".to_owned()),
             }
         }
         StudyKind::Battery => battery(&now_s, &mut tell),
         StudyKind::Thesis => Ok(claims(&mut tell)),
-        StudyKind::Limit(effort) => ballistic(study, effort, &mut tell),
+        StudyKind::Limit(effort) => ballistic(study, *effort, &mut tell),
+        StudyKind::Search(request) => search(study, request, &mut tell),
     };
     match contained(work).0 {
         Ok(found) => StudyBody::Ended(found),
@@ -310,6 +317,13 @@ fn ballistic(study: &Study, effort: limit::Effort, tell: Tell<'_>) -> Result<Fin
     limit::find(&study.scene, effort, watch)
         .map(|report| Finding::Limit(Some(Arc::new(report))))
         .map_err(|error| error.to_string())
+}
+
+/// A search; what there is when it is stopped is kept.
+fn search(study: &Study, request: &Request, tell: Tell<'_>) -> Result<Finding, String> {
+    let tell: searches::Tell<'_> =
+        &mut |done, total, part| tell(done, total, &|| Finding::Search(part()));
+    searches::make(&study.scene, request, tell).map(|answer| Finding::Search(Some(answer)))
 }
 
 #[cfg(test)]

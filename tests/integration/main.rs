@@ -15,6 +15,8 @@ mod limit;
 #[cfg(test)]
 mod models;
 #[cfg(test)]
+mod optimise;
+#[cfg(test)]
 mod physics;
 #[cfg(test)]
 mod plans;
@@ -25,7 +27,11 @@ mod pty;
 #[cfg(test)]
 mod random;
 #[cfg(test)]
+mod scatter;
+#[cfg(test)]
 mod screens;
+#[cfg(test)]
+mod seek;
 #[cfg(test)]
 mod sensitivity;
 #[cfg(test)]

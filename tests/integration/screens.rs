@@ -6,6 +6,7 @@ mod keys;
 mod limit;
 mod models;
 mod readme;
+mod search;
 mod stability;
 mod sweep;
 mod thesis;

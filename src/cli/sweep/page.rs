@@ -252,7 +252,7 @@ fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {
 }
 
 /// A time as a person says it: `0.31 s`, `12 min`, `5.2 h`.
-pub(super) fn duration(seconds: f64) -> String {
+pub(in crate::cli) fn duration(seconds: f64) -> String {
     let (value, unit) = match seconds {
         s if s < 60.0 => return Engineering { value: s, unit: "s", digits: 2 }.to_string(),
         s if s < 5400.0 => (s / 60.0, "min"),

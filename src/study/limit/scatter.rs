@@ -126,15 +126,19 @@ fn scattered(scene: &Scene, deviation: f64, random: &mut Random) -> Scene {
 }
 
 /// Quantile of sorted values, interpolated.
-fn quantile(sorted: &[f64], share: f64) -> f64 {
+pub(in crate::study) fn quantile(sorted: &[f64], share: f64) -> f64 {
     let place = share * (sorted.len() - 1) as f64;
-    let below = (0..sorted.len()).rfind(|index| *index as f64 <= place).unwrap_or(0);
+    let (mut below, mut beyond) = (0, sorted.len());
+    while beyond - below > 1 {
+        let middle = below + (beyond - below) / 2;
+        if middle as f64 <= place { below = middle } else { beyond = middle }
+    }
     let above = if below + 1 < sorted.len() { below + 1 } else { below };
     sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
 }
 
 /// Wilson's interval of a proportion (*Journal of the American Statistical Association* 22 (1927) 209-212).
-fn wilson(p: f64, n: f64) -> (f64, f64) {
+pub(in crate::study) fn wilson(p: f64, n: f64) -> (f64, f64) {
     let z2 = Z95 * Z95;
     let centre = (p + 0.5 * z2 / n) / (1.0 + z2 / n);
     let half = Z95 / (1.0 + z2 / n) * (p * (1.0 - p) / n + 0.25 * z2 / (n * n)).sqrt();

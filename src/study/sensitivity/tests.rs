@@ -1,6 +1,9 @@
 //! The study on scenes whose answer is known.
 
+use std::sync::Arc;
+
 use super::*;
+use crate::model::impact::{Settings, simulate};
 
 const EFFORT: Effort = Effort { rows: 256, trajectories: 20, seed: 1, threads: 2 };
 

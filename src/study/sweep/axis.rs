@@ -167,6 +167,17 @@ impl Axis {
         self.between(share, 1.0 - share)
     }
 
+    /// The share of the way at which a value lies; `None` outside the ends.
+    pub fn share(&self, value: f64) -> Option<f64> {
+        let place = |value: f64| match self.spacing {
+            Spacing::Linear => value,
+            Spacing::Log => value.ln(),
+        };
+        let (from, to) = (place(self.from), place(self.to));
+        let share = (place(value) - from) / (to - from);
+        (0.0..=1.0).contains(&share).then_some(share)
+    }
+
     /// The mean of the ends, weighted by how far each is: multiplied before divided, so that round numbers stay round.
     fn between(&self, gone: f64, left: f64) -> f64 {
         let (low, high) =
@@ -241,6 +252,19 @@ mod tests {
             for index in 0..17 {
                 let (a, b) = (up.value(index), down.value(16 - index));
                 assert_eq!(a.to_bits(), b.to_bits(), "{spacing:?} {index}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_share_and_its_value_belong_together() {
+        for spacing in [Spacing::Linear, Spacing::Log] {
+            for axis in [axis(1.0, 1e4, 41, spacing), axis(1e4, 1.0, 41, spacing)] {
+                for share in [0.0, 0.125, 0.7, 1.0] {
+                    let back = axis.share(axis.at_share(share)).unwrap();
+                    assert!((back - share).abs() < 1e-13, "{share} {back}");
+                }
+                assert!(axis.share(0.5).is_none() && axis.share(2e4).is_none());
             }
         }
     }

@@ -1,4 +1,5 @@
-//! A full grid of one or two axes kept in memory, filled coarse first: what a screen shows.
+//! A full grid of one or two axes, or the points of another design in a row, kept in memory and filled coarse first: what a
+//! screen shows.
 //!
 //! Every pass visits the points of a stride that none before it has; whatever is asked of a point that is not there yet is
 //! answered by the nearest coarser one. The finished grid does not depend on the passes.
@@ -43,14 +44,16 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// An empty grid for a factorial plan of one or two axes and at most [`GRID_MAX`] points; `None` for other plans.
+    /// An empty grid for a factorial plan of one or two axes, or a plan of any other design, of at most [`GRID_MAX`] points;
+    /// `None` for other plans.
     pub fn new(plan: Arc<Plan>) -> Option<Self> {
-        let counts = match plan.axes() {
-            [x] => (x.count(), 1),
-            [x, y] => (x.count(), y.count()),
-            _ => return None,
+        let counts = match (plan.design(), plan.axes()) {
+            (Design::Factorial, [x]) => (x.count(), 1),
+            (Design::Factorial, [x, y]) => (x.count(), y.count()),
+            (Design::Factorial, _) => return None,
+            (Design::LatinHypercube { .. } | Design::Sobol { .. }, _) => (plan.points(), 1),
         };
-        if plan.design() != Design::Factorial || plan.points() > GRID_MAX {
+        if plan.points() > GRID_MAX {
             return None;
         }
         let counts = (usize::try_from(counts.0).ok()?, usize::try_from(counts.1).ok()?);
@@ -73,6 +76,16 @@ impl Grid {
     /// Points along the first axis and the second.
     pub fn counts(&self) -> (usize, usize) {
         self.counts
+    }
+
+    /// Whether it is a full grid: then neighbours are neighbours along its axes.
+    pub fn is_full(&self) -> bool {
+        self.plan.design() == Design::Factorial
+    }
+
+    /// The value of an axis at a point, in the stored unit.
+    pub fn coordinate(&self, (x, y): (usize, usize), axis: usize) -> f64 {
+        self.plan.coordinate((x * self.counts.1 + y) as u64, axis)
     }
 
     /// Points done, and in all.
@@ -108,7 +121,7 @@ impl Grid {
                     None => Cell::Fate(fate),
                 };
             }
-            if stride >= COARSEST {
+            if stride >= COARSEST || !self.is_full() {
                 return Cell::Waiting;
             }
             stride *= 2;

@@ -292,3 +292,25 @@ fn a_perforation_is_never_a_number() {
     assert!(matches!(grid.cell(4, 0, 1), Cell::Value(_)));
     assert_eq!(grid.cell(3, 0, 1), Cell::Fate(Fate::Arrested));
 }
+
+/// A design other than the full grid is kept point by point, with the values of a sweep over it.
+#[test]
+fn a_hypercube_is_kept_as_a_row_of_points() {
+    let axes = vec![axis("gamma", 0.8, 7.0, 5), axis("k", 0.0, 7.5e6, 5)];
+    let design = Design::LatinHypercube { points: 37, seed: 3 };
+    let plan = Arc::new(Plan::new(&Scene::default(), axes, design, &USUAL_OUTPUTS).unwrap());
+    let stop = AtomicBool::new(false);
+    let crew = Crew { threads: 2, piece: 4 };
+    let empty = Grid::new(Arc::clone(&plan)).unwrap();
+    assert_eq!((empty.counts(), empty.is_full()), ((37, 1), false));
+    let filled = empty.fill(crew, &stop, &mut |_, _| ControlFlow::Continue(()));
+    assert!(filled.is_complete());
+    let rows = Evaluator::new(&plan, &stop).rows(0..37);
+    for (x, index) in (0..37).zip(0u64..) {
+        let exact = plan.coordinate(index, 1);
+        assert_eq!(filled.coordinate((x, 0), 1).to_bits(), exact.to_bits());
+        for output in 0..2 {
+            assert_eq!(filled.value(x, 0, output), rows.value(x, output));
+        }
+    }
+}

@@ -2,18 +2,21 @@
 
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EventKind, Outcome, Run, Sample};
-use crate::model::scene::{ContactModel, Mount};
+use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
 
 /// The greatest force into the mount, N.
 ///
 /// A rigid mount takes all of the contact force along the plate's normal. A spring's greatest force is at the greatest
 /// displacement, where the damper is at rest; with a damper the samples are searched as well.
-pub(super) fn peak_n(run: &Run) -> Option<f64> {
+pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;
     }
     if run.scene.plate.mount == Mount::Rigid {
+        return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
+    }
+    if holds_still(&run.scene, run.max_plate_displacement_m) {
         return Some(run.peak_contact_force_n? * run.scene.cos_obliquity());
     }
     let mechanism = Mechanism::of(&run.scene);
@@ -31,6 +34,15 @@ pub(super) fn peak_n(run: &Run) -> Option<f64> {
     let turned = run.max_plate_displacement_m.filter(|_| mechanism.stop.is_none());
     let turn = turned.map_or(0.0, |farthest| spring.force(farthest).abs());
     Some(larger(larger(sampled, turn), spring.force(run.start_m()).abs())).filter(|f| f.is_finite())
+}
+
+/// Whether a sprung plate never leaves its place: a singular spring or damper takes whatever comes, like a rigid mount.
+pub(in crate::study) fn holds_still(scene: &Scene, farthest_m: Option<f64>) -> bool {
+    let acts = !Mechanism::of(scene).is_absent();
+    scene.plate.mount == Mount::Sprung
+        && acts
+        && scene.plate.cocking_m == 0.0
+        && farthest_m.is_some_and(|farthest| farthest.abs() < f64::MIN_POSITIVE)
 }
 
 /// The impulse into the mount along the plate's normal, N s: what projectile and plate have lost of their momentum when the

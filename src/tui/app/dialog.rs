@@ -34,6 +34,8 @@ pub enum Table {
     Limit,
     /// The battery of the Stability tab.
     Battery,
+    /// What the Search tab shows.
+    Search,
 }
 
 impl Table {
@@ -42,6 +44,7 @@ impl Table {
         match self {
             Self::Limit => "Export the shots to CSV",
             Self::Battery => "Export the battery to CSV",
+            Self::Search => "Export what was found to CSV",
         }
     }
 }
@@ -201,6 +204,8 @@ pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
         Place::Principles,
         Place::Screening,
         Place::Limit,
+        Place::SearchSetup,
+        Place::Search,
     ];
     let others = order.into_iter().filter(|place| *place != focus);
     let places = [focus, Place::Anywhere].into_iter().chain(others);

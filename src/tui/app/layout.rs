@@ -77,6 +77,8 @@ pub enum Body {
     Thesis(Area),
     /// The Limit tab.
     Limit(Area),
+    /// The Search tab: setup, and what was found.
+    Search(Area, Area),
 }
 
 /// The panes of the Run tab.
@@ -131,7 +133,8 @@ impl Layout {
             | Body::Stability(_)
             | Body::Log(_)
             | Body::Thesis(_)
-            | Body::Limit(_) => 40,
+            | Body::Limit(_)
+            | Body::Search(..) => 40,
         }
     }
 
@@ -147,7 +150,8 @@ impl Layout {
             | Body::Stability(_)
             | Body::Log(_)
             | Body::Thesis(_)
-            | Body::Limit(_) => 10,
+            | Body::Limit(_)
+            | Body::Search(..) => 10,
         }
     }
 
@@ -160,6 +164,7 @@ impl Layout {
             Body::Sweep(panes) => {
                 panes.setup.map_or(10, |area| usize::from(area.height.saturating_sub(2)))
             }
+            Body::Search(setup, _) => usize::from(setup.height.saturating_sub(2)),
             Body::TooSmall | Body::Run(_) | Body::Accuracy(_) | Body::Limit(_) => 10,
         }
     }
@@ -192,6 +197,10 @@ pub fn layout(
             Tab::Log => Body::Log(body),
             Tab::Thesis => Body::Thesis(body),
             Tab::Limit => Body::Limit(body),
+            Tab::Search => {
+                let (setup, found) = body.split_left(setup_width(body.width));
+                Body::Search(setup, found)
+            }
             Tab::Run if full_pane => Body::Run(full(body, focus)),
             Tab::Run if width < WIDE => Body::Run(narrow(body, height, focus, pins)),
             Tab::Run => Body::Run(wide(body, height, focus, pins)),
@@ -223,7 +232,9 @@ fn full(body: Area, focus: Place) -> Panes {
         | Place::Claims
         | Place::Principles
         | Place::Screening
-        | Place::Limit => Panes { variables: Some(body), ..Panes::default() },
+        | Place::Limit
+        | Place::Search
+        | Place::SearchSetup => Panes { variables: Some(body), ..Panes::default() },
         Place::Charts => Panes { charts: stacked(body), ..Panes::default() },
         Place::Runs => Panes { runs: Some(body), ..Panes::default() },
     }

@@ -3,7 +3,7 @@
 use tui_input::Input;
 
 use super::App;
-use super::sweep::{Picture, has_family, sweep_of};
+use super::sweep::{Picture, Spread, has_family, sweep_of};
 use crate::model::scene::SweepAxis;
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES};
@@ -23,6 +23,8 @@ pub enum SetupRow {
     Points(usize),
     /// How they are spread.
     Spacing(usize),
+    /// Which points there are.
+    Design,
     /// The number of curves of a family.
     Curves,
     /// The output shown.
@@ -67,9 +69,13 @@ impl App {
                 rows.extend(axis(1));
             }
             Picture::Line => {
-                rows.extend([R::Heading("Repeat for"), R::Name(1)]);
+                let grid = self.sweeping.spread == Spread::Grid;
+                rows.push(R::Design);
+                rows.extend([R::Heading(if grid { "Repeat for" } else { "And" }), R::Name(1)]);
                 if has_family(&self.scene) {
-                    rows.extend([R::From(1), R::To(1), R::Curves, R::Spacing(1)]);
+                    rows.extend([R::From(1), R::To(1)]);
+                    rows.extend(grid.then_some(R::Curves));
+                    rows.push(R::Spacing(1));
                 }
             }
         }
@@ -132,6 +138,7 @@ impl App {
                 let word = if axis(at).log { "log" } else { "linear" };
                 shown("spacing", word.to_owned(), "")
             }
+            SetupRow::Design => shown("design", self.sweeping.spread.word().to_owned(), ""),
             SetupRow::Curves => shown("curves", self.sweeping.curves.to_string(), ""),
             SetupRow::Output => {
                 let at = self.sweeping.output.min(sweep.outputs.len() - 1);
@@ -161,7 +168,7 @@ impl App {
                 sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)].clone()
             }
             SetupRow::Held(index) => VARIABLES[index].show(&self.scene),
-            SetupRow::Heading(_) | SetupRow::Spacing(_) => String::new(),
+            SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Design => String::new(),
         }
     }
 
@@ -186,6 +193,10 @@ impl App {
             | SetupRow::To(at)
             | SetupRow::Points(at)
             | SetupRow::Spacing(at) => of_axis(at),
+            SetupRow::Design => {
+                "every combination; or a Latin hypercube or Sobol's sequence of so many points"
+                    .to_owned()
+            }
             SetupRow::Curves => "how many curves, their values spread over the range".to_owned(),
             SetupRow::Output => {
                 let name = &sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)];

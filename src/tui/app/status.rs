@@ -29,7 +29,8 @@ impl App {
     fn message(&self, width: usize) -> (Severity, String) {
         let field_error = self.editor.field.as_ref().and_then(|field| field.error.clone());
         let in_setup = self.sweeping.field.as_ref().and_then(|field| field.error.clone());
-        if let Some(error) = field_error.or(in_setup) {
+        let in_search = self.searching.field.as_ref().and_then(|field| field.error.clone());
+        if let Some(error) = field_error.or(in_setup).or(in_search) {
             return (Severity::Error, error);
         }
         if let Some(notice) = &self.notice {
@@ -69,6 +70,11 @@ impl App {
             && let Some((severity, text)) = self.limit_readout()
         {
             return (severity, clip(&text, room));
+        }
+        if self.tab == Tab::Search
+            && let Some(text) = self.search_readout()
+        {
+            return (Severity::Note, clip(&text, room));
         }
         if self.tab == Tab::Thesis
             && let Some(text) = self.thesis_readout()
@@ -131,6 +137,9 @@ impl App {
         }
         if self.tab == Tab::Limit {
             return self.limit_status();
+        }
+        if self.tab == Tab::Search {
+            return self.search_status();
         }
         if self.tab == Tab::Thesis {
             return self.thesis_status();

@@ -14,6 +14,7 @@ use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, Kind as VariableKind};
 use crate::study::sweep::grid::{Cell, Grid};
+use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, Fate, Plan, SweepError, USUAL_OUTPUTS};
 
 pub use super::setup::{SetupField, SetupRow};
@@ -70,6 +71,41 @@ impl Computing {
     }
 }
 
+/// Which points the Sweep tab visits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spread {
+    /// Every combination: curves.
+    #[default]
+    Grid,
+    /// A Latin hypercube: dots.
+    Hypercube,
+    /// Sobol's sequence: dots.
+    Sobol,
+}
+
+impl Spread {
+    /// All, in order.
+    pub const ALL: [Self; 3] = [Self::Grid, Self::Hypercube, Self::Sobol];
+
+    /// Its word in the setup.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Grid => "grid",
+            Self::Hypercube => "lhs",
+            Self::Sobol => "sobol",
+        }
+    }
+
+    /// The design of so many points.
+    fn design(self, points: u64) -> Design {
+        match self {
+            Self::Grid => Design::Factorial,
+            Self::Hypercube => Design::LatinHypercube { points, seed: 0 },
+            Self::Sobol => Design::Sobol { points, seed: 0 },
+        }
+    }
+}
+
 /// Which contour is drawn over a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Contour {
@@ -103,8 +139,12 @@ pub struct Sweeping {
     pub log_values: bool,
     /// The contour.
     pub contour: Contour,
+    /// The surface shows what a fitted quadratic leaves over.
+    pub residuals: bool,
     /// Curves of a family.
     pub curves: u64,
+    /// Which points the Sweep tab visits.
+    pub spread: Spread,
 }
 
 impl Default for Sweeping {
@@ -120,7 +160,9 @@ impl Default for Sweeping {
             output: 0,
             log_values: false,
             contour: Contour::Cursor,
+            residuals: false,
             curves: CURVES,
+            spread: Spread::Grid,
         }
     }
 }
@@ -141,6 +183,27 @@ impl Sweeping {
             Picture::Surface => self.surface = Some(found),
         }
     }
+}
+
+/// The quadratic that fits an output of a grid of two axes; `None` where there is none.
+pub fn quadratic(grid: &Grid, output: usize) -> Option<Quadratic> {
+    let (along, up) = grid.counts();
+    let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+    Quadratic::through(points.map(|(x, y)| {
+        let value = match grid.cell(x, y, output) {
+            Cell::Value(value) => value,
+            Cell::Fate(_) | Cell::Waiting => f64::NAN,
+        };
+        let (u, v) = place(grid, (x, y));
+        (u, v, value)
+    }))
+}
+
+/// A point of a grid in shares of its axes, -1 to 1.
+pub fn place(grid: &Grid, (x, y): (usize, usize)) -> (f64, f64) {
+    let share = |at: usize, count: usize| 2.0 * at as f64 / (count.max(2) - 1) as f64 - 1.0;
+    let (along, up) = grid.counts();
+    (share(x, along), share(y, up))
 }
 
 /// The sweep of a scene, with usual axes and outputs where it has none; always two axes.
@@ -170,7 +233,13 @@ impl App {
         match self.tab {
             Tab::Sweep => Some(Picture::Line),
             Tab::Surface => Some(Picture::Surface),
-            Tab::Run | Tab::Accuracy | Tab::Stability | Tab::Log | Tab::Thesis | Tab::Limit => None,
+            Tab::Run
+            | Tab::Accuracy
+            | Tab::Stability
+            | Tab::Log
+            | Tab::Thesis
+            | Tab::Limit
+            | Tab::Search => None,
         }
     }
 
@@ -190,7 +259,11 @@ impl App {
             Picture::Line => {}
             Picture::Surface => axes.push(Axis::of(&sweep.axes[1])?),
         }
-        Plan::new(&self.scene, axes, Design::Factorial, &sweep.outputs)
+        let design = match picture {
+            Picture::Line => self.sweeping.spread.design(axes[0].count()),
+            Picture::Surface => Design::Factorial,
+        };
+        Plan::new(&self.scene, axes, design, &sweep.outputs)
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.
@@ -209,6 +282,9 @@ impl App {
 
     /// The grid point nearest to the scene.
     pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
+        if !grid.is_full() {
+            return (self.nearest_point(grid), 0);
+        }
         let along = |axis: Option<&Axis>| {
             let axis = axis?;
             let value = (axis.number().get)(&self.scene)?;
@@ -216,6 +292,21 @@ impl App {
         };
         let axes = grid.plan().axes();
         (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
+    }
+
+    /// The point of a design nearest to the scene, each axis by its length.
+    fn nearest_point(&self, grid: &Grid) -> usize {
+        let axes = grid.plan().axes();
+        let away = |x: usize| -> f64 {
+            let one = |(at, axis): (usize, &Axis)| {
+                let here = (axis.number().get)(&self.scene).and_then(|value| axis.share(value));
+                let there = axis.share(grid.coordinate((x, 0), at));
+                (here.unwrap_or(0.0) - there.unwrap_or(0.0)).powi(2)
+            };
+            axes.iter().enumerate().map(one).sum()
+        };
+        let points = 0..grid.counts().0;
+        points.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0)
     }
 
     /// What is under the cursor, in at most this many columns: units and long names go first.
@@ -229,18 +320,17 @@ impl App {
         let grid = &self.sweeping.found(picture)?.grid;
         let (x, y) = self.cursor_point(grid);
         let axes = grid.plan().axes();
-        let at = |axis: &Axis, index: usize| {
-            let value = axis.value(u64::try_from(index).unwrap_or(0));
+        let at = |(place, axis): (usize, &Axis)| {
+            let value = grid.coordinate((x, y), place);
             let shown = match words {
                 Words::Long => axis_value(axis, value),
                 Words::Short => units::significant(value, 5),
             };
             format!("{} {shown}", axis.symbol())
         };
-        let mut parts: Vec<String> =
-            axes.iter().zip([x, y]).map(|(axis, index)| at(axis, index)).collect();
-        let away = axes.iter().zip([x, y]).any(|(axis, index)| {
-            let value = axis.value(u64::try_from(index).unwrap_or(0));
+        let mut parts: Vec<String> = axes.iter().enumerate().map(at).collect();
+        let away = axes.iter().enumerate().any(|(place, axis)| {
+            let value = grid.coordinate((x, y), place);
             (axis.number().get)(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
@@ -308,6 +398,16 @@ impl App {
                     parts.push(same(severity, format!("{count} {word}")));
                 }
             }
+        }
+        if let Some(found) =
+            found.filter(|_| picture == Picture::Surface && self.sweeping.residuals)
+        {
+            let (output, _) = self.shown_output(&found.grid);
+            let text = quadratic(&found.grid, output).map_or_else(
+                || "no quadratic fits".to_owned(),
+                |fit| format!("quadratic fit: R2 {}", units::fixed_significant(fit.r_squared, 4)),
+            );
+            parts.push(same(Severity::Note, text));
         }
         let law = format!("interface {}", self.scene_word("interface.law"));
         parts.push(same(Severity::Note, law));

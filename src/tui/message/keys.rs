@@ -103,7 +103,7 @@ use Action as A;
 use KeyCode as C;
 use Place::{
     Accuracy, Anywhere, Battery, Charts, Claims, Limit, Lines, Log, Map, Principles, Runs,
-    Screening, Setup, Surface, Variables,
+    Screening, Search, SearchSetup, Setup, Surface, Variables,
 };
 
 /// THE key table.
@@ -115,7 +115,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[special(C::Tab)], A::FocusNext, "pane", "next pane", 3),
     bind(Anywhere, &[special(C::BackTab), shifted(C::BackTab)], A::FocusPrevious, "previous pane", "previous pane", 0),
     bind(Anywhere, &[plain('p')], A::Presets, "preset", "choose a preset", 5),
-    bind(Anywhere, &[plain('e')], A::Export, "export", "export to CSV: runs; in the tabs Sweep, Surface, Accuracy, Limit and in the battery, what was found there", 6),
+    bind(Anywhere, &[plain('e')], A::Export, "export", "export to CSV: runs; in the tabs Sweep, Surface, Accuracy, Limit, Search and in the battery, what was found there", 6),
     bind(Anywhere, &[plain('u')], A::Undo, "undo", "undo the last edit", 7),
     bind(Anywhere, &[ctrl('r')], A::Redo, "redo", "redo", 0),
     bind(Anywhere, &[plain('U')], A::History, "history", "list of edits, old and new", 0),
@@ -143,6 +143,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[plain('6')], A::TabLog, "Log", "the Log tab: warnings, events, energy, paths", 0),
     bind(Anywhere, &[plain('7')], A::TabThesis, "Thesis", "the Thesis tab: its claims recomputed, its principles, its screening matrix", 0),
     bind(Anywhere, &[plain('8')], A::TabLimit, "Limit", "the Limit tab: the ballistic limit, and the velocity left beyond it", 0),
+    bind(Anywhere, &[plain('9')], A::TabSearch, "Search", "the Search tab: goal seek, the best designs, what matters, scatter, is it worth it", 0),
     bind(Anywhere, &[plain('}')], A::TabNext, "next tab", "next tab", 0),
     bind(Anywhere, &[plain('{')], A::TabPrevious, "previous tab", "previous tab", 0),
     bind(Anywhere, &[ctrl('z')], A::Suspend, "suspend", "suspend; `fg` comes back", 0),
@@ -229,6 +230,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Surface, &[special(C::Enter)], A::OpenDesign, "open in Run", "open this design in the Run tab", 3),
     bind(Surface, &[plain('v')], A::Quantity, "output", "the other output", 4),
     bind(Surface, &[plain('o')], A::Contour, "contour", "the contour through the cursor: all designs as good as this one", 5),
+    bind(Surface, &[plain('F')], A::Difference, "fit", "what a fitted quadratic (its R2 in the status row) leaves over, or the values again", 7),
     bind(Surface, &[plain('Y')], A::LogY, "log", "logarithmic or linear scale of values", 0),
 
     bind(Accuracy, &[plain('k'), special(C::Up)], A::Up, "up", "method above", 0),
@@ -302,6 +304,24 @@ pub static BINDINGS: &[Binding] = &[
     bind(Limit, &[plain('H'), shifted(C::Left)], A::CursorLeftFar, "far left", "crosshair five shots slower", 0),
     bind(Limit, &[plain('L'), shifted(C::Right)], A::CursorRightFar, "far right", "crosshair five shots faster", 0),
     bind(Limit, &[plain('v')], A::Scatter, "V50", "V50 and spread with every input scattered by 2 %, or without", 3),
+
+    bind(SearchSetup, &[plain('k'), special(C::Up)], A::Up, "up", "row above", 0),
+    bind(SearchSetup, &[plain('j'), special(C::Down)], A::Down, "row", "row below", 3),
+    bind(SearchSetup, &[plain('g'), special(C::Home)], A::First, "first", "first row", 0),
+    bind(SearchSetup, &[plain('G'), special(C::End)], A::Last, "last", "last row", 0),
+    bind(SearchSetup, &[special(C::Enter)], A::Edit, "edit", "type a variable, bounds (0.8..7, 1e3..1e6:log, off), a goal, a result", 2),
+    bind(SearchSetup, &[plain('h'), special(C::Left)], A::StepDown, "less", "the one before, or off", 0),
+    bind(SearchSetup, &[plain('l'), special(C::Right)], A::StepUp, "change", "the next one, or on", 4),
+    bind(SearchSetup, &[plain('v')], A::SearchNext, "search", "the next search: seek, best designs, what matters, scatter, worth it", 5),
+
+    bind(Search, &[plain('v')], A::SearchNext, "search", "the next search: seek, best designs, what matters, scatter, worth it", 2),
+    bind(Search, &[plain('l'), special(C::Right), plain('j'), special(C::Down)], A::CursorRight, "design", "the next design or solution", 3),
+    bind(Search, &[plain('h'), special(C::Left), plain('k'), special(C::Up)], A::CursorLeft, "before", "the design or solution before", 0),
+    bind(Search, &[plain('L'), shifted(C::Right), special(C::PageDown)], A::CursorRightFar, "far right", "ten designs on", 0),
+    bind(Search, &[plain('H'), shifted(C::Left), special(C::PageUp)], A::CursorLeftFar, "far left", "ten designs back", 0),
+    bind(Search, &[special(C::Enter)], A::OpenDesign, "open", "load this design into the scene and open the Run tab (u undoes)", 4),
+    bind(Search, &[plain('X')], A::LogX, "log across", "logarithmic or linear axis across", 0),
+    bind(Search, &[plain('Y')], A::LogY, "log up", "logarithmic or linear axis upward", 0),
 ];
 
 /// The action of a key in a place, if any: the place's own bindings first, then those that work anywhere.

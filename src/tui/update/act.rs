@@ -9,7 +9,8 @@ use crate::tui::app::{App, Tab, runs as run_words};
 use crate::tui::message::{Action, Effect, Place};
 
 use super::{
-    accuracy, charts, dialogs, edit, export, field, jobs, limit, runs, stability, sweep, thesis,
+    accuracy, charts, dialogs, edit, export, field, jobs, limit, runs, search, stability, sweep,
+    thesis,
 };
 
 /// Do it, in the pane that has the keys.
@@ -37,6 +38,9 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     if app.tab == Tab::Limit && limit::is_own(action) {
         return limit::act(app, action);
     }
+    if app.tab == Tab::Search && search::is_own(app, action) {
+        return search::act(app, action);
+    }
     anywhere(app, action)
 }
 
@@ -46,11 +50,10 @@ fn presets(app: &mut App) -> Vec<Effect> {
     vec![Effect::ListPresets]
 }
 
-/// What an action does where no tab has its own meaning for it.
+/// What an action does where no tab has its own meaning for it; the first ones only some tabs have.
 fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
     use Action as A;
     match action {
-        // Only some tabs have these.
         A::MapVariable
         | A::MapMethod
         | A::SlopeGuides
@@ -60,6 +63,7 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
         | A::Contour
         | A::NextVerdict
         | A::Scatter
+        | A::SearchNext
         | A::OpenDesign => {}
         A::TabRun
         | A::TabSweep
@@ -69,6 +73,7 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
         | A::TabLog
         | A::TabThesis
         | A::TabLimit
+        | A::TabSearch
         | A::TabNext
         | A::TabPrevious => return tabs(app, action),
         A::FocusNext | A::FocusPrevious => focus(app, action),
@@ -84,12 +89,11 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
         A::Filter => field::open_filter(app),
         A::Undo | A::Redo => return history(app, action),
         A::Interface => return edit::switch_interface(app),
-        A::Models => return runs::models(app),
         A::History | A::Help | A::Palette => overlay(app, action),
         A::Presets => return presets(app),
         A::Save | A::SaveAs => return dialogs::save(app, action == A::SaveAs),
         A::Export => export::open(app),
-        A::Pin | A::Unpin | A::Adopt | A::ShowHide => return runs::act(app, action),
+        A::Models | A::Pin | A::Unpin | A::Adopt | A::ShowHide => return runs::act(app, action),
         A::Copy => return copy(app),
         A::Run => return jobs::run_now(app),
         A::AutoRun => return auto_run(app),
@@ -152,6 +156,7 @@ fn tabs(app: &mut App, action: Action) -> Vec<Effect> {
         Action::TabLog => Tab::Log,
         Action::TabThesis => Tab::Thesis,
         Action::TabLimit => Tab::Limit,
+        Action::TabSearch => Tab::Search,
         Action::TabPrevious => Tab::ALL[(at + count - 1) % count],
         _ => Tab::ALL[(at + 1) % count],
     };
@@ -162,6 +167,7 @@ fn tabs(app: &mut App, action: Action) -> Vec<Effect> {
         Tab::Stability => stability::enter(app),
         Tab::Thesis => thesis::enter(app),
         Tab::Limit => limit::enter(app),
+        Tab::Search => search::enter(app),
         Tab::Run | Tab::Log => Vec::new(),
     }
 }
@@ -218,7 +224,8 @@ fn movement(app: &mut App, action: Action) {
             }
         }
         // The cursor's own steps.
-        Place::Lines | Place::Surface | Place::Limit => {}
+        Place::Lines | Place::Surface | Place::Limit | Place::Search => {}
+        Place::SearchSetup => app.move_in_search(by(8)),
         Place::Accuracy => {
             let last = Method::ALL.len() - 1;
             let selected = app.accuracy.selected;
@@ -255,7 +262,9 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let running = app.jobs.current.is_some();
     let (accuracy, stability) = (&app.accuracy, &app.stability);
     let (thesis, limit) = (&app.thesis.running, &app.limit.finding);
-    let studies = [&accuracy.measuring, &stability.mapping, &stability.running, thesis, limit];
+    let (mapping, battery) = (&stability.mapping, &stability.running);
+    let search = &app.searching.running;
+    let studies = [&accuracy.measuring, mapping, battery, thesis, limit, search];
     let studying = studies.iter().any(|study| study.is_some());
     let sweeping = app.sweeping.computing.as_ref();
     let long = app.jobs.current.as_ref().is_some_and(|job| job.long)

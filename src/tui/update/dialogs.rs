@@ -169,6 +169,10 @@ fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
             effects.extend(act::act(app, row.action));
             return effects;
         }
+        Place::SearchSetup | Place::Search => {
+            app.tab = crate::tui::app::Tab::Search;
+            app.searching.on_setup = row.place == Place::SearchSetup;
+        }
         Place::Log => app.tab = crate::tui::app::Tab::Log,
         Place::Claims | Place::Principles | Place::Screening => {
             use crate::tui::app::thesis::Page;

@@ -92,7 +92,8 @@ pub(super) fn long(app: &mut App, id: u64) {
     let (accuracy, stability) = (&mut app.accuracy, &mut app.stability);
     let (thesis, limit) = (&mut app.thesis.running, &mut app.limit.finding);
     let (mapping, battery) = (&mut stability.mapping, &mut stability.running);
-    for study in [&mut accuracy.measuring, mapping, battery, thesis, limit] {
+    let search = &mut app.searching.running;
+    for study in [&mut accuracy.measuring, mapping, battery, thesis, limit, search] {
         if let Some(study) = study.as_mut().filter(|study| study.id == id) {
             study.long = true;
         }

@@ -14,6 +14,7 @@ use super::{edit, jobs};
 /// One of the actions on runs.
 pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     match action {
+        Action::Models => models(app),
         Action::Pin => {
             let name = name_of(&app.scene, &app.base.name, &app.base.scene);
             let scene = Arc::clone(&app.scene);
@@ -51,7 +52,7 @@ pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect>
 }
 
 /// Pin the scene by every interaction model but its own; take them away when all are there.
-pub(super) fn models(app: &mut App) -> Vec<Effect> {
+fn models(app: &mut App) -> Vec<Effect> {
     let own = app.scene.contact.model;
     let wanted: Vec<(&str, Arc<Scene>)> = by_every_model(&app.scene)
         .into_iter()

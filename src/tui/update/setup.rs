@@ -16,7 +16,9 @@ use crate::tui::app::App;
 use crate::tui::app::dialog::wrap;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::steps::{self, Size};
-use crate::tui::app::sweep::{Picture, SetupField, SetupRow, has_family, numeric, sweep_of};
+use crate::tui::app::sweep::{
+    Picture, SetupField, SetupRow, Spread, has_family, numeric, sweep_of,
+};
 use crate::tui::message::{Action, Effect};
 
 /// The numbers of points the arrows go through.
@@ -59,7 +61,9 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
             app.say(Severity::Note, "only held variables are reset here: u undoes an edit");
             Vec::new()
         }
-        (None, SetupRow::Spacing(_)) => step(app, picture, row, (true, Size::Plain)),
+        (None, SetupRow::Spacing(_) | SetupRow::Design) => {
+            step(app, picture, row, (true, Size::Plain))
+        }
         (None, SetupRow::Held(index)) if !matches!(VARIABLES[index].kind, Kind::Number(_)) => {
             edit::step(app, true, Size::Plain)
         }
@@ -157,7 +161,7 @@ fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Ve
             let value = VARIABLES[index].parse(&app.scene, text, Bare::Stored);
             return edit::set(app, index, value.map_err(|error| error.to_string())?, None);
         }
-        SetupRow::Heading(_) | SetupRow::Spacing(_) => return Ok(Vec::new()),
+        SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Design => return Ok(Vec::new()),
     }
     checked(app, picture, sweep, row)
 }
@@ -193,6 +197,12 @@ fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)
         SetupRow::Spacing(at) => {
             sweep.axes[at].log = !sweep.axes[at].log;
             checked(app, picture, sweep, row)
+        }
+        SetupRow::Design => {
+            let all = Spread::ALL;
+            let at = all.iter().position(|one| *one == app.sweeping.spread).unwrap_or(0);
+            app.sweeping.spread = all[wrap(at, by, all.len())];
+            Ok(super::sweep::after_edit(app))
         }
         SetupRow::Curves => {
             let curves = app.sweeping.curves.saturating_add_signed(by as i64);

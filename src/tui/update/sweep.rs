@@ -7,6 +7,7 @@ use tui_input::Input;
 
 use super::{edit, input, jobs, setup};
 use crate::study::sweep::Axis;
+use crate::study::sweep::grid::Grid;
 use crate::tui::app::dialog::{Dialog, Save};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::name_of;
@@ -103,7 +104,7 @@ pub(super) fn is_own(app: &App, action: Action) -> bool {
             | Action::LogY
             | Action::Contour
             | Action::OpenDesign
-    );
+    ) || (action == Action::Difference && app.picture() == Some(Picture::Surface));
     let both =
         matches!(action, Action::Run | Action::Export | Action::FocusNext | Action::FocusPrevious);
     both || (plot && !app.sweeping.on_setup) || (app.sweeping.on_setup && setup::is_own(action))
@@ -142,6 +143,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
                 Contour::Off => Contour::Cursor,
             };
         }
+        Action::Difference => app.sweeping.residuals = !app.sweeping.residuals,
         Action::OpenDesign => {
             app.tab = Tab::Run;
             app.say(Severity::Note, "this design is the current scene: u undoes, Space pins it");
@@ -176,6 +178,9 @@ fn walk(app: &mut App, action: Action) -> Vec<Effect> {
         return Vec::new();
     };
     let grid = Arc::clone(&found.grid);
+    if !grid.is_full() {
+        return walk_along(app, &grid, if x == 0 { y } else { x });
+    }
     let at = app.cursor_point(&grid);
     let axes = grid.plan().axes();
     let mut scene = (*app.scene).clone();
@@ -189,6 +194,27 @@ fn walk(app: &mut App, action: Action) -> Vec<Effect> {
         words.push(format!("{}={}", axis.symbol(), crate::model::units::significant(value, 5)));
     }
     if words.is_empty() || scene == *app.scene {
+        return Vec::new();
+    }
+    edit::commit_scene(app, scene, format!("cursor to {}", words.join(" ")), Some(CURSOR))
+}
+
+/// Move through the points of a design in the order of the first axis.
+fn walk_along(app: &mut App, grid: &Grid, by: isize) -> Vec<Effect> {
+    let mut order: Vec<usize> = (0..grid.counts().0).collect();
+    let along = |x: &usize| grid.coordinate((*x, 0), 0);
+    order.sort_by(|a, b| along(a).total_cmp(&along(b)));
+    let here = app.cursor_point(grid).0;
+    let at = order.iter().position(|x| *x == here).unwrap_or(0);
+    let next = order[at.saturating_add_signed(by).min(order.len() - 1)];
+    let mut scene = (*app.scene).clone();
+    let mut words = Vec::new();
+    for (place, axis) in grid.plan().axes().iter().enumerate() {
+        let value = grid.coordinate((next, 0), place);
+        (axis.number().set)(&mut scene, Some(value));
+        words.push(format!("{}={}", axis.symbol(), crate::model::units::significant(value, 5)));
+    }
+    if scene == *app.scene {
         return Vec::new();
     }
     edit::commit_scene(app, scene, format!("cursor to {}", words.join(" ")), Some(CURSOR))

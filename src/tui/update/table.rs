@@ -27,6 +27,7 @@ pub(super) fn open(app: &mut App, table: Table) {
             format!("{stem}-limit.csv")
         }
         Table::Battery => "battery.csv".to_owned(),
+        Table::Search => app.searching.page.file().to_owned(),
     };
     let (fresh, question) = (false, false);
     let save = Save { input: Input::new(name), fresh, question, error: None };
@@ -45,6 +46,7 @@ fn text(app: &App, table: Table) -> Option<Result<String, FileError>> {
             let rows = app.stability.rows();
             (!rows.is_empty()).then(|| stability::csv(rows))
         }
+        Table::Search => app.search_csv(),
     }
 }
 

@@ -95,6 +95,8 @@ fn place(place: Place) -> &'static str {
         Place::Principles => "Principles",
         Place::Screening => "Screening",
         Place::Limit => "Limit",
+        Place::SearchSetup => "Search setup",
+        Place::Search => "Search",
     }
 }
 

@@ -50,6 +50,9 @@ fn special(app: &App) -> Option<Keys> {
             ("Up/Down", "ok and move"),
             ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
         ]),
+        None if app.searching.field.is_some() => {
+            Some(&[("Enter", "ok"), ("Esc", "old value"), ("Up/Down", "ok and move")])
+        }
         None if app.editor.filter_field.is_some() => {
             Some(&[("Enter", "keep"), ("Esc", "all rows again"), ("Up/Down", "move")])
         }
@@ -113,7 +116,9 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
                 Place::Log | Place::Accuracy | Place::Limit => {
                     row.action != Action::FocusNext && !elsewhere.contains(&row.action)
                 }
-                Place::Battery => !elsewhere.contains(&row.action),
+                Place::Battery | Place::SearchSetup | Place::Search => {
+                    !elsewhere.contains(&row.action)
+                }
                 Place::Map | Place::Claims | Place::Principles | Place::Screening => {
                     row.action != Action::Export && !elsewhere.contains(&row.action)
                 }

@@ -10,10 +10,11 @@ use crate::model::results::ResultColumn;
 use crate::model::units::significant;
 use crate::study::sweep::Fate;
 use crate::study::sweep::grid::{Cell, Grid};
+use crate::study::sweep::quadratic::Quadratic;
 use crate::tui::app::App;
 use crate::tui::app::layout::SweepPanes;
 use crate::tui::app::status::clip;
-use crate::tui::app::sweep::{Contour, Picture};
+use crate::tui::app::sweep::{Contour, Picture, place, quadratic};
 use crate::tui::chart::heatmap::swatch;
 use crate::tui::chart::{
     self, Chart, Curve, Heatmap, Legend, Levels, Scale, Spot, Unit, ViewRange,
@@ -47,6 +48,8 @@ struct Sight<'a> {
     grid: &'a Grid,
     output: usize,
     column: &'static ResultColumn,
+    /// What is taken off the values.
+    fit: Option<Quadratic>,
     levels: Option<Levels>,
     unit: Unit<'static>,
     range: ViewRange,
@@ -57,12 +60,26 @@ impl<'a> Sight<'a> {
         let (output, column) = app.shown_output(grid);
         let (along, up) = grid.counts();
         let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-        let values: Vec<f64> = points.map(|point| drawn(grid, point, output)).collect();
-        let scale = value_scale(app);
+        let fit = quadratic(grid, output).filter(|_| app.sweeping.residuals);
+        let values: Vec<f64> = points.map(|point| seen(grid, point, output, fit)).collect();
+        let scale = scale_of(app);
         let range = ViewRange::of(scale, values.iter().copied());
         let levels = Levels::of(scale, values);
         let range = range.unwrap_or_default();
-        Self { grid, output, column, levels, unit: Unit::with_prefix(range, column.unit()), range }
+        Self {
+            grid,
+            output,
+            column,
+            fit,
+            levels,
+            unit: Unit::with_prefix(range, column.unit()),
+            range,
+        }
+    }
+
+    /// What is shown at a point; NaN where there is nothing.
+    fn value(&self, point: (usize, usize)) -> f64 {
+        seen(self.grid, point, self.output, self.fit)
     }
 
     /// The grid's index of a place counted from the lower left: axes may run downward.
@@ -80,7 +97,8 @@ impl<'a> Sight<'a> {
         let axes = self.grid.plan().axes();
         let old = app.sweep_is_old(Picture::Surface) && app.sweeping.computing.is_none();
         let title = format!(
-            "{}{}, up: {}",
+            "{}{}{}, up: {}",
+            if self.fit.is_some() { "off the fit: " } else { "" },
             self.column.title(),
             if old { ", old" } else { "" },
             axes[1].symbol()
@@ -95,14 +113,16 @@ impl<'a> Sight<'a> {
         let spot = |x: usize, y: usize| {
             let (x, y) = self.turned(x, y);
             match self.grid.cell(x, y, self.output) {
-                Cell::Value(value) if value_scale(app).shows(value) => Spot::Value(value),
+                Cell::Value(_) if scale_of(app).shows(self.value((x, y))) => {
+                    Spot::Value(self.value((x, y)))
+                }
                 Cell::Value(_) => Spot::Mark('0', Role::Dim),
                 Cell::Fate(fate) => Spot::Mark(fate.letter(), role(fate)),
                 Cell::Waiting => Spot::Empty,
             }
         };
         let (x, y) = app.cursor_point(self.grid);
-        let here = drawn(self.grid, (x, y), self.output);
+        let here = self.value((x, y));
         let through = app.sweeping.contour == Contour::Cursor && here.is_finite();
         let map = Heatmap {
             title: title.into(),
@@ -127,7 +147,7 @@ impl<'a> Sight<'a> {
         let mut row = 0;
         if let Some(levels) = &self.levels {
             let (x, y) = app.cursor_point(self.grid);
-            let here = drawn(self.grid, (x, y), self.output);
+            let here = self.value((x, y));
             for band in (0..levels.bands()).rev() {
                 let (symbol, style) = swatch(band, levels.bands(), app.theme);
                 let patch: String = [symbol; 3].iter().collect();
@@ -151,7 +171,7 @@ impl<'a> Sight<'a> {
             put(buffer, inner, (5, row), &words, app.theme.style(Role::Text));
             row += 1;
         }
-        if app.sweeping.log_values && self.has_zero() {
+        if scale_of(app) == Scale::Log10 && self.has_zero() {
             put(buffer, inner, (2, row), "0", app.theme.style(Role::Dim));
             let text = "zero or less: not on a log";
             let text = clip(text, usize::from(inner.width.saturating_sub(5)));
@@ -191,10 +211,9 @@ impl<'a> Sight<'a> {
         };
         let at = |index: usize| axis.value(u64::try_from(index).unwrap_or(u64::MAX));
         let point = |index: usize| if along { (index, y) } else { (x, index) };
-        let points: Vec<(f64, f64)> = (0..count)
-            .map(|index| (at(index), drawn(self.grid, point(index), self.output)))
-            .collect();
-        let scale = value_scale(app);
+        let points: Vec<(f64, f64)> =
+            (0..count).map(|index| (at(index), self.value(point(index)))).collect();
+        let scale = scale_of(app);
         let view = match scale {
             Scale::Linear => self.range.padded(scale, 0.05),
             Scale::Log10 => self.range.rounded(scale),
@@ -214,6 +233,17 @@ impl<'a> Sight<'a> {
         };
         chart.render(area, buffer, app.theme);
     }
+}
+
+/// A value, or what is left of it beside a fit.
+fn seen(grid: &Grid, point: (usize, usize), output: usize, fit: Option<Quadratic>) -> f64 {
+    let (u, v) = place(grid, point);
+    drawn(grid, point, output) - fit.map_or(0.0, |fit| fit.value(u, v))
+}
+
+/// The scale of what is shown: what a fit leaves over has both signs.
+fn scale_of(app: &App) -> Scale {
+    if app.sweeping.residuals { Scale::Linear } else { value_scale(app) }
 }
 
 fn role(fate: Fate) -> Role {

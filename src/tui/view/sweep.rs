@@ -91,9 +91,15 @@ fn curves(
     let axes = grid.plan().axes();
     let (along, repeats) = grid.counts();
     let scale = value_scale(app);
-    let lines: Vec<Vec<(f64, f64)>> = (0..repeats)
-        .map(|y| (0..along).map(|x| (at(&axes[0], x), drawn(grid, (x, y), output))).collect())
-        .collect();
+    let line = |y: usize| -> Vec<(f64, f64)> {
+        let point = |x: usize| (grid.coordinate((x, y), 0), drawn(grid, (x, y), output));
+        if grid.is_full() {
+            return (0..along).map(point).collect();
+        }
+        // Dots: the points of a design are no neighbours.
+        (0..along).flat_map(|x| [point(x), (f64::NAN, f64::NAN)]).collect()
+    };
+    let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
     let values = || lines.iter().flatten().map(|point| point.1);
     let title = column.title() + if old { ", old" } else { "" };
     let Some(range) = ViewRange::of(scale, values()) else {
@@ -106,7 +112,7 @@ fn curves(
     };
     let y = chart::Axis::new("", view).scale(scale).unit(Unit::with_prefix(range, column.unit()));
     let (x, selected) = app.cursor_point(grid);
-    let named = axes.get(1);
+    let named = axes.get(1).filter(|_| grid.is_full());
     let curves = lines.iter().enumerate().map(|(index, points)| {
         let name = named.map_or_else(String::new, |axis| {
             // The first of the family also says what is repeated.
@@ -123,7 +129,7 @@ fn curves(
     });
     let chart = Chart {
         legend: if named.is_some() { Legend::Shown } else { Legend::Hidden },
-        crosshair: Some(at(&axes[0], x)),
+        crosshair: Some(grid.coordinate((x, selected), 0)),
         focused: is_first && !app.sweeping.on_setup && app.dialog.is_none(),
         ..Chart::new(title, chart_axis(&axes[0]), y, curves.collect())
     };
@@ -146,7 +152,9 @@ fn marks(
             Cell::Fate(fate) => Some(fate),
             Cell::Value(_) | Cell::Waiting => None,
         };
-        let Some((fate, cell)) = gap.zip(map.cell(at(&grid.plan().axes()[0], x))) else { continue };
+        let Some((fate, cell)) = gap.zip(map.cell(grid.coordinate((x, selected), 0))) else {
+            continue;
+        };
         let place = (cell, plot.height.saturating_sub(1));
         let letter = fate.letter().to_string();
         put(buffer, plot, place, &letter, app.theme.style(Role::Warning));

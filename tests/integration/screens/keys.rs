@@ -48,6 +48,8 @@ fn no_key_does_two_things_in_one_place() {
         Place::Principles,
         Place::Screening,
         Place::Limit,
+        Place::SearchSetup,
+        Place::Search,
     ] {
         let mut seen = HashSet::new();
         for binding in BINDINGS.iter().filter(|row| row.place == place) {
@@ -89,6 +91,8 @@ fn every_key_works_in_its_place_and_draws() {
                 Place::Principles => bench.keys("7<Tab>"),
                 Place::Screening => bench.keys("7<Tab><Tab>"),
                 Place::Limit => bench.keys("8"),
+                Place::SearchSetup => bench.keys("9<Tab>"),
+                Place::Search => bench.keys("9"),
             }
             bench.send(Message::Key(KeyEvent::new(key.0, key.1)));
             bench.answer();

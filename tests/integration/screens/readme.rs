@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use cmra::tui::message::{BINDINGS, Place};
 
-const PLACES: [(Place, &str); 15] = [
+const PLACES: [(Place, &str); 17] = [
     (Place::Anywhere, "anywhere"),
     (Place::Variables, "Variables"),
     (Place::Charts, "Charts"),
@@ -20,6 +20,8 @@ const PLACES: [(Place, &str); 15] = [
     (Place::Principles, "Principles"),
     (Place::Screening, "Screening"),
     (Place::Limit, "Limit"),
+    (Place::SearchSetup, "Search setup"),
+    (Place::Search, "Search"),
 ];
 
 /// The key table as the README has it.

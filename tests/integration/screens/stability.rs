@@ -65,7 +65,10 @@ pub(super) fn answer(bench: &mut Bench) {
         let found = match study.kind {
             StudyKind::Map(method, axis) => Finding::Map(Arc::new(map(method, axis))),
             StudyKind::Battery => Finding::Battery(Arc::new(rows(12)), true),
-            StudyKind::Accuracy(_) | StudyKind::Thesis | StudyKind::Limit(_) => continue,
+            StudyKind::Accuracy(_)
+            | StudyKind::Thesis
+            | StudyKind::Limit(_)
+            | StudyKind::Search(_) => continue,
         };
         bench.send(Message::Study(StudyReport { id: study.id, body: StudyBody::Ended(found) }));
     }

@@ -315,3 +315,39 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
         .any(|effect| matches!(effect, Effect::ExportSweep(it) if it.overwrite));
     assert!(forced);
 }
+
+/// The thesis calls its surfaces response surfaces: F shows how far a quadratic follows one, and what it leaves over.
+#[test]
+fn a_quadratic_fit_shows_what_it_leaves_over() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (120, 40));
+    keys(&mut bench, "3");
+    assert!(!bench.screen().contains("quadratic fit"));
+    keys(&mut bench, "F");
+    let screen = bench.screen();
+    assert!(
+        screen.contains("off the fit: ") && screen.contains("quadratic fit: R2 0.9"),
+        "{screen}"
+    );
+    assert_snapshot!("surface_off_the_fit", screen);
+    keys(&mut bench, "F");
+    assert!(!bench.screen().contains("off the fit"));
+}
+
+/// A Latin hypercube of the two axes: dots, each its own design; the cursor goes through them in order.
+#[test]
+fn other_designs_are_dots_and_the_cursor_walks_them() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2<Tab>jjjjjl");
+    assert!(bench.screen().contains("lhs"), "{}", bench.screen());
+    assert!(bench.screen().contains("21 points in 8.0 ms"), "{}", bench.screen());
+    assert_snapshot!("lines_of_a_hypercube", bench.screen());
+    keys(&mut bench, "<Tab>hHHH");
+    let gamma = |bench: &Bench| bench.app.scene.plate.mass_ratio;
+    let first = gamma(&bench);
+    // One point in each of 21 slices of 0.8 to 7.
+    assert!(first > 0.8 && first < 0.8 + 6.2 / 21.0, "{first}");
+    keys(&mut bench, "l");
+    assert!(gamma(&bench) > first && gamma(&bench) < 0.8 + 2.0 * 6.2 / 21.0);
+    keys(&mut bench, "<Tab>l");
+    assert!(bench.screen().contains("sobol"), "{}", bench.screen());
+}

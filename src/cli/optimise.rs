@@ -1,0 +1,166 @@
+//! `cmra optimise [SCENE] --over ...`: the designs that nothing beats, as a page, CSV or JSON.
+
+mod page;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Args, ValueEnum};
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::search::{Pace, bounds, say_if_long, threads};
+use crate::cli::table::write_text;
+use crate::cli::{CliError, output};
+use crate::files::front as files;
+use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::search::field::Field;
+use crate::study::search::front::{Constraint, Task, objectives, optimise};
+use crate::study::search::measure::{measure, parse_value};
+use crate::study::search::nsga::Effort;
+
+/// Points of a generation, and generations.
+const POPULATION: (usize, usize) = (8, 2000);
+const GENERATIONS_MAX: usize = 100_000;
+
+/// The interface laws to look on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Laws {
+    /// The two of them, one after the other
+    Both,
+    /// What is joined stays joined
+    Fused,
+    /// The interface gives way where it would have to carry too much
+    Plastic,
+}
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Results are the keys of `cmra run --json`, and plate_mass_kg, spring_mass_kg, system_mass_kg (plate and least \
+    steel spring), peak_mount_force_n. Without --minimise and --maximise: depth, stroke, system mass and mount force, all small.\n\
+    Several objectives: NSGA-II, the whole front. One objective: the same, then COBYLA from the best design.\n\
+    Exit status 1 when no design keeps every constraint."
+)]
+pub(super) struct OptimiseArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2]
+    #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
+    over: Vec<String>,
+    /// Results to make small, separated by commas
+    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "minimize")]
+    minimise: Vec<String>,
+    /// Results to make great, separated by commas
+    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "maximize")]
+    maximise: Vec<String>,
+    /// A bound to keep; may be repeated.
+    #[arg(
+        long,
+        value_name = "RESULT<=VALUE",
+        allow_hyphen_values = true,
+        help = "A bound to keep, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit>=VALUE'; may be repeated"
+    )]
+    subject_to: Vec<String>,
+    /// The interface laws to look on
+    #[arg(long, value_enum, default_value = "both")]
+    laws: Laws,
+    /// Designs of a generation, even; the front has as many at the most
+    #[arg(long, value_name = "COUNT", default_value_t = 100)]
+    population: usize,
+    /// Generations after the first
+    #[arg(long, value_name = "COUNT", default_value_t = 100)]
+    generations: usize,
+    /// Seed: the same seed gives the same digits
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
+    /// Threads; the digits do not depend on it [default: one for each core]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Print JSON instead of the page
+    #[arg(long)]
+    json: bool,
+    /// Write a row a design to this file; `-` writes to standard output instead of the page
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long, requires = "csv")]
+    force: bool,
+}
+
+impl OptimiseArguments {
+    fn effort(&self) -> Result<Effort, CliError> {
+        let (population, generations) = (self.population, self.generations);
+        let (least, most) = POPULATION;
+        if !(least..=most).contains(&population) || population % 2 == 1 {
+            return Err(CliError::Option(format!(
+                "--population {population} is not an even number in {least}..{most}: 100 is usual"
+            )));
+        }
+        if generations > GENERATIONS_MAX {
+            return Err(CliError::Option(format!(
+                "--generations {generations} is more than {GENERATIONS_MAX}: 100 is usual"
+            )));
+        }
+        Ok(Effort { population, generations, seed: self.seed })
+    }
+
+    fn task(&self, scene: &Scene) -> Result<Task, CliError> {
+        let constraints = self.subject_to.iter().map(|text| constraint(text));
+        Ok(Task {
+            axes: bounds(&self.over, scene)?,
+            objectives: objectives(&self.minimise, &self.maximise)?,
+            constraints: constraints.collect::<Result<_, _>>()?,
+            laws: match self.laws {
+                Laws::Both => vec![InterfaceLaw::Fused, InterfaceLaw::Plastic],
+                Laws::Fused => vec![InterfaceLaw::Fused],
+                Laws::Plastic => vec![InterfaceLaw::Plastic],
+            },
+            effort: self.effort()?,
+            threads: threads(self.threads),
+        })
+    }
+}
+
+/// Read `RESULT<=VALUE` or `RESULT>=VALUE`.
+fn constraint(text: &str) -> Result<Constraint, CliError> {
+    let refuse = |why: &str| CliError::Option(format!("--subject-to {text}: {why}"));
+    let split = |sign: &str| text.split_once(sign);
+    let (name, value, at_most) = split("<=")
+        .map(|(name, value)| (name, value, true))
+        .or_else(|| split(">=").map(|(name, value)| (name, value, false)))
+        .ok_or_else(|| {
+            refuse("write RESULT<=VALUE or RESULT>=VALUE, for example 'stroke_m<=50mm'")
+        })?;
+    let measure = measure(name)?;
+    let bound = parse_value(measure, value).map_err(|why| refuse(&why))?;
+    Ok(Constraint { measure, at_most, bound })
+}
+
+/// Look; exit status 1 when no design keeps every constraint, or after an interrupt.
+pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
+    let preset = arguments.scene.load()?;
+    let task = arguments.task(&preset.scene)?;
+    let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
+    // The slower law stands for both.
+    let mut slowest = preset.scene.clone();
+    slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
+    let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?;
+    say_if_long(&field, task.runs(), task.threads);
+    let mut pace = Pace::begin();
+    let fronts = optimise(&preset.scene, &task, &mut |done, total, _| pace.watch(done, total))?;
+    let stopped = pace.end();
+    let name = preset.name.as_str();
+    let csv = files::csv(name, &task, &fronts)?;
+    match arguments.csv.as_deref() {
+        Some(path) if path == Path::new("-") => output::print(&csv)?,
+        path => {
+            if let Some(path) = path {
+                write_text(path, &csv, arguments.force)?;
+            }
+            let json = || files::json(name, &task, &fronts);
+            let page = || page::text(name, &task, &fronts);
+            output::print(&if arguments.json { json() } else { page() })?;
+        }
+    }
+    let found = fronts.iter().all(|front| !front.designs.is_empty()) && !stopped;
+    Ok(if found { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}

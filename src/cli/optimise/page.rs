@@ -1,0 +1,138 @@
+//! Fronts as a page of text: a few designs spread over each, and where the scene and the thesis's designs stand.
+
+use std::fmt::Write as _;
+
+use crate::files::front::law;
+use crate::model::results::ResultColumn;
+use crate::model::units::significant;
+use crate::study::search::front::{Candidate, Design, Front, Standing, Task};
+use crate::study::sweep::Spacing;
+
+/// Designs of a front that are listed.
+const LISTED: usize = 16;
+/// Columns of a cell.
+const CELL: usize = 12;
+
+/// The page.
+pub(super) fn text(name: &str, task: &Task, fronts: &[Front]) -> String {
+    let objective = |it: &crate::study::search::front::Objective| {
+        let most = if it.maximise { "greatest " } else { "least " };
+        most.to_owned() + &it.measure.title()
+    };
+    let objectives: Vec<String> = task.objectives.iter().map(objective).collect();
+    let mut page = format!("{name}: {}\n", objectives.join(", "));
+    for constraint in &task.constraints {
+        let _ = writeln!(page, "  subject to {}", constraint.words());
+    }
+    for axis in &task.axes {
+        let (low, high) = axis.ends();
+        let unit = axis.variable().unit().trim_matches('-');
+        let log = if axis.spacing() == Spacing::Log { " (log)" } else { "" };
+        let range = format!("{} .. {} {unit}", significant(low, 4), significant(high, 4));
+        let _ = writeln!(page, "  {:8}{}{log}", axis.symbol(), range.trim_end());
+    }
+    for front in fronts {
+        one(&mut page, task, front);
+    }
+    page
+}
+
+fn one(page: &mut String, task: &Task, front: &Front) {
+    let count = front.designs.len();
+    let kind = match (task.objectives.len(), count) {
+        (_, 0) => "no design keeps every constraint".to_owned(),
+        (1, _) => "the best design".to_owned(),
+        (_, _) => format!("a front of {count} designs"),
+    };
+    let early = if front.is_complete { "" } else { ", stopped early" };
+    let _ = writeln!(
+        page,
+        "\ninterface {}: {kind} ({} runs, {} generations, seed {}{early})",
+        law(front.law),
+        front.runs,
+        front.generations,
+        task.effort.seed
+    );
+    let measures = task.measures();
+    let head: String = task
+        .axes
+        .iter()
+        .map(|axis| axis.symbol().to_owned())
+        .chain(measures.iter().map(|column| short(column)))
+        .fold(String::new(), |line, cell| line + &format!("{cell:>CELL$}"));
+    if count > 0 {
+        let _ = writeln!(page, "      {head}");
+    }
+    // Spread over the front, the first and the last among them.
+    let listed = count.min(LISTED);
+    for place in 0..listed {
+        let at = if listed > 1 { place * (count - 1) / (listed - 1) } else { 0 };
+        let _ = writeln!(page, "{:>6}{}", at + 1, cells(task, &front.designs[at]));
+    }
+    if listed < count {
+        let _ = writeln!(page, "      ({listed} of {count}; --csv FILE has them all)");
+    }
+    page.push('\n');
+    for candidate in &front.candidates {
+        stands(page, task, candidate);
+    }
+}
+
+/// A column's head: its title, clipped.
+fn short(column: &ResultColumn) -> String {
+    let words = match column.name {
+        "final_penetration_m" => "depth",
+        "percent_of_baseline" => "of baseline",
+        "max_plate_displacement_m" => "plate",
+        "peak_mount_force_n" => "mount force",
+        "system_mass_kg" => "system",
+        "peak_contact_force_n" => "contact",
+        _ => return column.title().chars().take(CELL - 1).collect(),
+    };
+    words.to_owned()
+}
+
+fn cells(task: &Task, design: &Design) -> String {
+    let values = design.values.iter().map(|value| significant(*value, 4));
+    let measures = task.measures();
+    let results =
+        design.measures.iter().zip(&measures).map(|(value, column)| shown(column, *value));
+    values.chain(results).fold(String::new(), |line, cell| line + &format!("{cell:>CELL$}"))
+}
+
+fn shown(column: &ResultColumn, value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| column.show(value, 4))
+}
+
+fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
+    let measures = task.measures();
+    let found: Vec<String> = candidate
+        .measures
+        .iter()
+        .zip(&measures)
+        .map(|(value, column)| shown(column, *value))
+        .collect();
+    let words = match &candidate.standing {
+        Standing::OnFront => "on the front: no design of it is better".to_owned(),
+        Standing::Beaten { by } => format!("off the front: design {} is better throughout", by + 1),
+        Standing::Breaks(at) => format!("breaks {}", task.constraints[*at].words()),
+        Standing::NoValue(fate) => match missing(task, candidate) {
+            Some(column) if column.name == "peak_mount_force_n" => {
+                "off the front: a rigid stop is hit, the force has no bound".to_owned()
+            }
+            Some(column) => format!("off the front: {}", fate.without_value(column)),
+            None => format!("off the front: {}", fate.word()),
+        },
+        Standing::Impossible => "cannot be made of this scene".to_owned(),
+    };
+    let _ = writeln!(page, "  {:20}{words}\n  {:20}{}", candidate.name, "", found.join("  "));
+    if candidate.source != "as it is" {
+        let _ = writeln!(page, "  {:20}{}", "", candidate.source);
+    }
+}
+
+/// The first measure a candidate has not.
+fn missing(task: &Task, candidate: &Candidate) -> Option<&'static ResultColumn> {
+    let at = candidate.measures.iter().position(Option::is_none)?;
+    task.measures().get(at).copied()
+}

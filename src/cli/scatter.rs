@@ -1,0 +1,113 @@
+//! `cmra scatter [SCENE]`: how the results scatter when the inputs do, as a page, CSV or JSON.
+
+mod page;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Args;
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::search::{Pace, say_if_long, threads};
+use crate::cli::table::{deliver, write};
+use crate::cli::{CliError, output};
+use crate::files::scatter as files;
+use crate::model::scene::Scene;
+use crate::study::search::scatter::{
+    Task, Tolerance, USUAL_DEVIATION, field, scatter, usual_measures, usual_tolerances,
+};
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "DISTRIBUTION is normal:WIDTH (a standard deviation), lognormal:WIDTH, uniform:WIDTH (a half width) or uniform:LO..HI, \
+    triangular:LO..HI, about the scene's own value; WIDTH is a percentage of it or a value with a unit: normal:2%, uniform:0.1mm. \
+    A draw without physical sense is drawn again: the distribution is truncated to what is allowed, and how often is told.\n\
+    Memory: eight bytes a sample and result; 10 million samples at the most."
+)]
+pub(super) struct ScatterArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// An input and how it scatters; may be repeated.
+    #[arg(
+        long,
+        value_name = "NAME=DISTRIBUTION",
+        allow_hyphen_values = true,
+        help = "An input and how it scatters: v_i=normal:2%, h=uniform:24mm..27mm; may be repeated [default: velocity, masses, \
+                lengths, strength, density, drag, spring and damper, each lognormal by 2 %]"
+    )]
+    vary: Vec<String>,
+    /// Results, separated by commas [default: all but those that tell of the computation]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    outputs: Vec<String>,
+    /// Samples
+    #[arg(long, value_name = "COUNT", default_value_t = 10_000)]
+    samples: usize,
+    /// Seed: the same seed gives the same digits
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
+    /// Threads; the digits do not depend on it [default: one for each core]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Print JSON instead of the page
+    #[arg(long)]
+    json: bool,
+    /// Write a row a result to this file; `-` writes to standard output instead of the page
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long, requires = "csv")]
+    force: bool,
+}
+
+impl ScatterArguments {
+    fn task(&self, scene: &Scene) -> Result<Task, CliError> {
+        let tolerances = if self.vary.is_empty() {
+            usual_tolerances(scene, USUAL_DEVIATION)
+        } else {
+            self.vary.iter().map(|text| vary(text, scene)).collect::<Result<_, _>>()?
+        };
+        let named = self.outputs.iter().map(|name| name.trim().to_owned());
+        let measures = if self.outputs.is_empty() {
+            usual_measures().into_iter().map(str::to_owned).collect()
+        } else {
+            named.collect()
+        };
+        let (samples, seed, threads) = (self.samples, self.seed, threads(self.threads));
+        Ok(Task { tolerances, measures, samples, seed, threads })
+    }
+}
+
+fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
+    let refuse = |why: &str| CliError::Option(format!("--vary {text}: {why}"));
+    let (name, how) = text.split_once('=').ok_or_else(|| {
+        refuse("write NAME=DISTRIBUTION, for example v_i=normal:2% or h=uniform:24mm..27mm")
+    })?;
+    Tolerance::parse(name.trim(), how, scene).map_err(|why| refuse(&why))
+}
+
+/// Draw; exit status 1 when a sample failed, or after an interrupt.
+pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
+    let preset = arguments.scene.load()?;
+    let task = arguments.task(&preset.scene)?;
+    say_if_long(&field(&preset.scene, &task)?, task.samples, task.threads);
+    let mut pace = Pace::begin();
+    let report = scatter(&preset.scene, &task, &mut |done, total| pace.watch(done, total))?;
+    let stopped = pace.end();
+    let name = preset.name.as_str();
+    let rows = files::rows(name, &report);
+    if arguments.json {
+        // The object tells more than the rows; the file still holds these.
+        if let Some(path) = arguments.csv.as_deref().filter(|path| *path != Path::new("-")) {
+            write(path, &rows, arguments.force)?;
+        }
+        output::print(&files::json(name, &report))?;
+    } else {
+        let page = page::text(name, &report);
+        deliver(&page, &rows, (false, arguments.csv.as_deref(), arguments.force))?;
+    }
+    if report.census[4] > 0 {
+        output::note(&format!("{} samples failed and are left out", report.census[4]));
+    }
+    let good = report.census[4] == 0 && !stopped;
+    Ok(if good { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}

@@ -1,0 +1,118 @@
+//! What the commands that look for designs have in common: reading bounds, saying how far they are and how long it will take,
+//! and ending early with what there is.
+
+use std::io::IsTerminal as _;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use crate::cli::sweep::axes::over;
+use crate::cli::sweep::interruptible;
+use crate::cli::sweep::page::duration;
+use crate::cli::{CliError, output};
+use crate::model::scene::Scene;
+use crate::study::search::field::Field;
+use crate::study::sensitivity::thesis_axes;
+use crate::study::sweep::Axis;
+use crate::study::sweep::crew::Crew;
+
+/// How long a search may take before progress is shown, and how often then.
+const PATIENCE: Duration = Duration::from_millis(500);
+const EVERY: Duration = Duration::from_millis(200);
+/// A search expected to take longer says so before it begins.
+const LONG: Duration = Duration::from_secs(60);
+/// Designs tried for that, and how long they may take.
+const TRIED: usize = 32;
+const TRYING: Duration = Duration::from_millis(250);
+/// Searches of fewer runs are not asked how long they will take.
+const FEW: usize = 2000;
+
+/// A search under way, seen from outside.
+pub(super) struct Pace {
+    start: Instant,
+    told: Instant,
+    shown: bool,
+    stop: Arc<AtomicBool>,
+}
+
+impl Pace {
+    /// It begins now; the first interrupt stops it, the second ends the process.
+    pub(super) fn begin() -> Self {
+        let now = Instant::now();
+        Self { start: now, told: now, shown: false, stop: interruptible() }
+    }
+
+    /// After so many runs of about so many: show it now and then; `Break` after an interrupt.
+    pub(super) fn watch(&mut self, done: usize, total: usize) -> ControlFlow<()> {
+        let wanted = self.start.elapsed() > PATIENCE && self.told.elapsed() > EVERY;
+        if wanted && std::io::stderr().is_terminal() {
+            self.told = Instant::now();
+            self.shown = true;
+            output::progress(&format!("{done} of {total} runs"));
+        }
+        if self.stop.load(Ordering::Relaxed) {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    /// Take the progress line away; whether the search was interrupted, which is then said.
+    pub(super) fn end(&self) -> bool {
+        if self.shown {
+            output::progress("");
+        }
+        let stopped = self.stop.load(Ordering::Relaxed);
+        if stopped {
+            output::note("interrupted: what was finished is shown");
+        }
+        stopped
+    }
+}
+
+/// The threads asked for, or one for each core.
+pub(super) fn threads(asked: Option<u16>) -> usize {
+    asked.map_or_else(|| Crew::of_machine().threads, usize::from)
+}
+
+/// Variables and their bounds; without any those of Table 9.2.
+pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliError> {
+    if !texts.is_empty() {
+        return texts.iter().map(|text| over(text, false)).collect();
+    }
+    let axes = thesis_axes(scene)?;
+    if axes.is_empty() {
+        return Err(CliError::Option(
+            "no variable of Table 9.2 has an effect on this scene: name one, for example --over v_i=80..120"
+                .to_owned(),
+        ));
+    }
+    Ok(axes)
+}
+
+/// Try a few designs spread over the bounds, and say how long so many runs will take where that is long.
+pub(super) fn say_if_long(field: &Field, runs: usize, threads: usize) {
+    if runs < FEW {
+        return;
+    }
+    let start = Instant::now();
+    let mut tried = 0;
+    while tried < TRIED && start.elapsed() < TRYING {
+        // Shares that do not fall on one line through the box.
+        let share = |axis: usize| (0.5 + 0.618_034 * (tried * (axis + 1)) as f64).fract();
+        let axes = field.axes().iter().enumerate();
+        let design = axes.map(|(at, axis)| axis.at_share(share(at))).collect();
+        let _ = field.evaluate(&[design], &mut |_| ControlFlow::Continue(()));
+        tried += 1;
+    }
+    let each_s = start.elapsed().as_secs_f64() / tried.max(1) as f64;
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let takes_s = each_s * runs as f64 / threads.min(cores) as f64;
+    if takes_s > LONG.as_secs_f64() {
+        output::note(&format!(
+            "{runs} runs will take about {} (estimated from {tried} of them); an interrupt keeps what is finished",
+            duration(takes_s)
+        ));
+    }
+}

@@ -1,0 +1,103 @@
+//! `cmra seek [SCENE] --over k=0..7.5e6 --goal percent_of_baseline=60`: which values of one variable reach a goal.
+
+mod page;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Args;
+
+use crate::cli::scene::SceneArguments;
+use crate::cli::search::{Pace, say_if_long, threads};
+use crate::cli::sweep::axes::over;
+use crate::cli::table::{deliver, write};
+use crate::cli::{CliError, output};
+use crate::files::seek as files;
+use crate::study::search::field::Field;
+use crate::study::search::measure::{measure, parse_value};
+use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek};
+use crate::study::sweep::Axis;
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The interval is scanned at COUNT points, then every crossing of the goal is closed in; solutions that lie closer \
+    together than the scan's points may be missed: raise COUNT.\n\
+    Results are the keys of `cmra run --json`, and plate_mass_kg, spring_mass_kg, system_mass_kg, peak_mount_force_n.\n\
+    Exit status 1 when nothing reaches the goal."
+)]
+pub(super) struct SeekArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// The variable and its bounds; COUNT points of the scan [default: 65]
+    #[arg(long, value_name = "NAME=LO..HI[:COUNT][:log]", allow_hyphen_values = true)]
+    over: String,
+    /// The result and the value it should have.
+    #[arg(
+        long,
+        value_name = "RESULT=VALUE",
+        allow_hyphen_values = true,
+        help = "The result and the value it should have, SI or with a unit: percent_of_baseline=60, stroke_m=45mm"
+    )]
+    goal: String,
+    /// Threads; the digits do not depend on it [default: one for each core]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Print JSON instead of the page
+    #[arg(long)]
+    json: bool,
+    /// Write a row a solution to this file; `-` writes to standard output instead of the page
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long, requires = "csv")]
+    force: bool,
+}
+
+impl SeekArguments {
+    fn goal(&self) -> Result<Goal, CliError> {
+        let refuse = |why: &str| CliError::Option(format!("--goal {}: {why}", self.goal));
+        let (name, value) = self.goal.split_once('=').ok_or_else(|| {
+            refuse("write RESULT=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")
+        })?;
+        let column = measure(name)?;
+        let target = parse_value(column, value).map_err(|why| refuse(&why))?;
+        let asked = over(&self.over, false)?;
+        // Without a COUNT the axis has the two ends alone.
+        let has_count = self.over.split(':').skip(1).any(|part| part.trim().parse::<u64>().is_ok());
+        let count = if has_count { asked.count() } else { SCAN_USUAL };
+        if !(SCAN.0..=SCAN.1).contains(&count) {
+            return Err(CliError::Option(format!(
+                "--over {}: COUNT = {count} is outside {} to {}: a scan of {SCAN_USUAL} points is usual",
+                self.over, SCAN.0, SCAN.1
+            )));
+        }
+        let axis = Axis::new(asked.symbol(), asked.ends(), count, asked.spacing())?;
+        let (measure, threads) = (column.name.to_owned(), threads(self.threads));
+        Ok(Goal { axis, measure, target, threads })
+    }
+}
+
+/// Seek; exit status 1 when nothing reaches the goal.
+pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
+    let goal = arguments.goal()?;
+    let preset = arguments.scene.load()?;
+    let field = Field::new(&preset.scene, vec![goal.axis], &[&goal.measure], goal.threads)?;
+    say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), goal.threads);
+    let mut pace = Pace::begin();
+    let report = seek(&preset.scene, &goal, &mut |done, total| pace.watch(done, total))?;
+    let stopped = pace.end();
+    let name = preset.name.as_str();
+    let rows = files::rows(name, &report);
+    if arguments.json {
+        // The object tells more than the rows; the file still holds these.
+        if let Some(path) = arguments.csv.as_deref().filter(|path| *path != Path::new("-")) {
+            write(path, &rows, arguments.force)?;
+        }
+        output::print(&files::json(name, &report))?;
+    } else {
+        let page = page::text(name, &report);
+        deliver(&page, &rows, (false, arguments.csv.as_deref(), arguments.force))?;
+    }
+    let found = !report.solutions.is_empty() && !stopped;
+    Ok(if found { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}

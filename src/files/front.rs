@@ -1,0 +1,135 @@
+//! Pareto fronts for machines: a row a design, or one JSON object. SI, percent for percentages.
+
+use serde_json::{Map, Value, json};
+
+use crate::files::error::FileError;
+use crate::files::rows::number;
+use crate::model::scene::InterfaceLaw;
+use crate::study::search::front::{Candidate, Front, Standing, Task};
+use crate::study::sweep::{Axis, Spacing};
+
+/// The law's word.
+pub fn law(law: InterfaceLaw) -> &'static str {
+    match law {
+        InterfaceLaw::Fused => "fused",
+        InterfaceLaw::Plastic => "plastic",
+    }
+}
+
+/// A candidate's standing in a word.
+pub fn standing(standing: &Standing) -> &'static str {
+    match standing {
+        Standing::OnFront => "on the front",
+        Standing::Beaten { .. } => "beaten",
+        Standing::Breaks(_) => "breaks a constraint",
+        Standing::NoValue(_) => "no value",
+        Standing::Impossible => "impossible",
+    }
+}
+
+/// Every front as CSV: scene, law, kind (`front`, or the name of a candidate), the variables, the measures, the outcome.
+///
+/// # Errors
+/// [`FileError::Csv`] should a row be malformed.
+pub fn csv(name: &str, task: &Task, fronts: &[Front]) -> Result<String, FileError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let symbols = task.axes.iter().map(Axis::symbol);
+    let measures = task.measures();
+    let columns = ["scene", "interface", "design"].into_iter().chain(symbols);
+    writer.write_record(columns.chain(measures.iter().map(|it| it.name)).chain(["outcome"]))?;
+    let text = |value: Option<f64>| value.map_or_else(String::new, crate::model::units::shortest);
+    for front in fronts {
+        let lead = |kind: &str| vec![name.to_owned(), law(front.law).to_owned(), kind.to_owned()];
+        for design in &front.designs {
+            let mut row = lead("front");
+            row.extend(design.values.iter().map(|value| text(Some(*value))));
+            row.extend(design.measures.iter().map(|value| text(*value)));
+            row.push(design.fate.word().to_owned());
+            writer.write_record(row)?;
+        }
+        for candidate in &front.candidates {
+            let mut row = lead(candidate.name);
+            row.extend(values(task, candidate).into_iter().map(text));
+            row.extend(candidate.measures.iter().map(|value| text(*value)));
+            row.push(standing(&candidate.standing).to_owned());
+            writer.write_record(row)?;
+        }
+    }
+    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// A candidate's values of the variables.
+fn values(task: &Task, candidate: &Candidate) -> Vec<Option<f64>> {
+    let value = |axis: &Axis| (axis.number().get)(candidate.scene.as_ref()?);
+    task.axes.iter().map(value).collect()
+}
+
+/// Everything, as one object; null for what does not exist.
+pub fn json(name: &str, task: &Task, fronts: &[Front]) -> String {
+    let variables = task.axes.iter().map(|axis| {
+        let (low, high) = axis.ends();
+        json!({
+            "variable": axis.symbol(), "key": axis.variable().key, "low": number(Some(low)),
+            "high": number(Some(high)), "log": axis.spacing() == Spacing::Log,
+        })
+    });
+    let objectives = task.objectives.iter().map(
+        |objective| json!({ "output": objective.measure.name, "maximise": objective.maximise }),
+    );
+    let constraints = task.constraints.iter().map(|constraint| {
+        let sign = if constraint.at_most { "<=" } else { ">=" };
+        json!({ "output": constraint.measure.name, "is": sign, "bound": number(Some(constraint.bound)) })
+    });
+    let object = json!({
+        "scene": name,
+        "variables": variables.collect::<Vec<_>>(),
+        "objectives": objectives.collect::<Vec<_>>(),
+        "constraints": constraints.collect::<Vec<_>>(),
+        "seed": task.effort.seed,
+        "population": task.effort.population,
+        "generations": task.effort.generations,
+        "fronts": fronts.iter().map(|front| of_front(task, front)).collect::<Vec<_>>(),
+    });
+    // Keys are strings and every number is finite, so nothing can be refused.
+    serde_json::to_string_pretty(&object).unwrap_or_default() + "\n"
+}
+
+fn of_front(task: &Task, front: &Front) -> Value {
+    let measures = task.measures();
+    let named = |values: &[Option<f64>], found: &[Option<f64>]| {
+        let symbols = task.axes.iter().map(Axis::symbol).zip(values);
+        let results = measures.iter().map(|column| column.name).zip(found);
+        let entries = symbols.chain(results);
+        entries.map(|(key, value)| (key.to_owned(), number(*value))).collect::<Map<String, Value>>()
+    };
+    let designs = front.designs.iter().map(|design| {
+        let own: Vec<Option<f64>> = design.values.iter().map(|value| Some(*value)).collect();
+        let mut object = named(&own, &design.measures);
+        object.insert("outcome".to_owned(), Value::from(design.fate.word()));
+        Value::Object(object)
+    });
+    let candidates = front.candidates.iter().map(|candidate| {
+        let mut object = named(&values(task, candidate), &candidate.measures);
+        object.insert("name".to_owned(), Value::from(candidate.name));
+        object.insert("source".to_owned(), Value::from(candidate.source));
+        object.insert("standing".to_owned(), Value::from(standing(&candidate.standing)));
+        let by = match candidate.standing {
+            Standing::Beaten { by } => Some(by),
+            Standing::OnFront
+            | Standing::Breaks(_)
+            | Standing::NoValue(_)
+            | Standing::Impossible => None,
+        };
+        object.insert("beaten_by".to_owned(), by.map_or(Value::Null, Value::from));
+        Value::Object(object)
+    });
+    json!({
+        "interface": law(front.law),
+        "runs": front.runs,
+        "generations": front.generations,
+        "complete": front.is_complete,
+        "designs": designs.collect::<Vec<_>>(),
+        "candidates": candidates.collect::<Vec<_>>(),
+    })
+}

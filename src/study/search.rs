@@ -1,0 +1,12 @@
+//! Looking for designs: goal seek, constrained optimisation with Pareto fronts, and scatter over tolerances.
+//!
+//! All of them ask one [`field::Field`] for the measures of designs, many at once, by the same evaluation as sweeps. Must not know
+//! files, screens or a clock.
+
+pub mod field;
+pub mod front;
+pub mod measure;
+pub mod nsga;
+pub mod recommended;
+pub mod scatter;
+pub mod seek;

@@ -1,0 +1,485 @@
+//! The Pareto front of a scene: designs that nothing beats in all objectives at once, under constraints, on one interface law or
+//! both; and where the scene itself and the designs of the thesis stand against it.
+//!
+//! A candidate that nothing on the front beats is challenged: COBYLA looks from it for a design that does. With one objective the best design is closed in further by COBYLA (M. J. D. Powell, "A direct search optimization method that
+//! models the objective and constraint functions by linear interpolation", 1994). Must not know files, screens or a clock.
+
+use std::cell::RefCell;
+use std::collections::{HashMap, HashSet};
+use std::ops::ControlFlow;
+
+use crate::model::results::ResultColumn;
+use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::search::field::{Field, Found};
+use crate::study::search::measure::measure;
+use crate::study::search::nsga::{self, Effort, Individual, Judged};
+use crate::study::search::recommended::{self, RECOMMENDED};
+use crate::study::sweep::{Axis, Fate, SweepError};
+use polish::{Trial, polish};
+
+mod polish;
+
+/// The objectives of the workbench: depth, stroke, mass and force into the mount.
+pub const USUAL: [&str; 4] =
+    ["final_penetration_m", "stroke_m", "system_mass_kg", "peak_mount_force_n"];
+
+/// Runs to close in a single best design, and to look for one that beats a candidate.
+const POLISHED: usize = 600;
+const CHALLENGED: usize = 200;
+
+/// A measure that is to be small, or great.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Objective {
+    /// The measure.
+    pub measure: &'static ResultColumn,
+    /// Great is good.
+    pub maximise: bool,
+}
+
+/// A measure with a bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constraint {
+    /// The measure.
+    pub measure: &'static ResultColumn,
+    /// It must be this at most; otherwise at least.
+    pub at_most: bool,
+    /// The bound, SI; percent for percentages.
+    pub bound: f64,
+}
+
+impl Constraint {
+    /// How far a value is from the bound, relative to that; negative where it breaks the constraint.
+    fn margin(&self, value: f64) -> f64 {
+        let left = if self.at_most { self.bound - value } else { value - self.bound };
+        left / if self.bound == 0.0 { 1.0 } else { self.bound.abs() }
+    }
+
+    /// By how much a value violates it, relative to the bound; 0 where it keeps it.
+    pub fn violation(&self, value: f64) -> f64 {
+        let margin = self.margin(value);
+        if margin < 0.0 { -margin } else { 0.0 }
+    }
+
+    /// In words: `stroke <= 50 mm`.
+    pub fn words(&self) -> String {
+        let sign = if self.at_most { "<=" } else { ">=" };
+        format!("{} {sign} {}", self.measure.title(), self.measure.show(self.bound, 4))
+    }
+}
+
+/// What is looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Task {
+    /// The variables and their bounds.
+    pub axes: Vec<Axis>,
+    /// What is to be good.
+    pub objectives: Vec<Objective>,
+    /// What has to be kept.
+    pub constraints: Vec<Constraint>,
+    /// On which interface laws.
+    pub laws: Vec<InterfaceLaw>,
+    /// How much is done for each.
+    pub effort: Effort,
+    /// Threads; no digit depends on it.
+    pub threads: usize,
+}
+
+impl Task {
+    /// Every measure that is needed, the objectives first, each once.
+    pub fn measures(&self) -> Vec<&'static ResultColumn> {
+        let all = self.objectives.iter().map(|it| it.measure);
+        let mut list: Vec<&'static ResultColumn> = Vec::new();
+        for column in all.chain(self.constraints.iter().map(|it| it.measure)) {
+            if !list.iter().any(|known| known.name == column.name) {
+                list.push(column);
+            }
+        }
+        list
+    }
+
+    /// Runs for all laws together.
+    pub fn runs(&self) -> usize {
+        self.laws.len() * self.effort.evaluations()
+    }
+
+    /// The place of a measure among those of a design.
+    fn place(&self, column: &ResultColumn) -> usize {
+        self.measures().iter().position(|other| other.name == column.name).unwrap_or(0)
+    }
+}
+
+/// A design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// The variables, in their stored units.
+    pub values: Vec<f64>,
+    /// Its measures, in the order of [`Task::measures`].
+    pub measures: Vec<Option<f64>>,
+    /// What becomes of it.
+    pub fate: Fate,
+}
+
+/// How a design stands against a front.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Standing {
+    /// Nothing on the front beats it.
+    OnFront,
+    /// This design of the front is better in every objective it differs in.
+    Beaten {
+        /// Its place on the front.
+        by: usize,
+    },
+    /// It breaks this constraint, by its place.
+    Breaks(usize),
+    /// A measure does not exist: what became of it.
+    NoValue(Fate),
+    /// It cannot be made of this scene.
+    Impossible,
+}
+
+/// A design of the thesis, or the scene itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// Its name.
+    pub name: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+    /// Its scene.
+    pub scene: Option<Scene>,
+    /// What becomes of it; `None` where it cannot be made of this scene.
+    pub fate: Option<Fate>,
+    /// Its measures, in the order of [`Task::measures`].
+    pub measures: Vec<Option<f64>>,
+    /// How it stands.
+    pub standing: Standing,
+}
+
+/// The front on one interface law.
+#[derive(Clone, Debug)]
+pub struct Front {
+    /// The law.
+    pub law: InterfaceLaw,
+    /// The scene whose other variables were held.
+    pub base: Scene,
+    /// The designs, by the first objective.
+    pub designs: Vec<Design>,
+    /// The scene itself and the designs of the thesis.
+    pub candidates: Vec<Candidate>,
+    /// Generations made.
+    pub generations: usize,
+    /// Runs made.
+    pub runs: usize,
+    /// Whether it was done to its end.
+    pub is_complete: bool,
+}
+
+/// Told with the runs done and how many there are, and now and then with the front so far; `Break` stops.
+pub type Watch<'a> = &'a mut dyn FnMut(usize, usize, Option<&Front>) -> ControlFlow<()>;
+
+/// Look for the fronts, law by law.
+///
+/// # Errors
+/// A [`SweepError`] when bounds, names or the scene make no sense: then nothing has run.
+pub fn optimise(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Vec<Front>, SweepError> {
+    // All laws are checked before any is run.
+    let mut fields = Vec::new();
+    for law in &task.laws {
+        let mut own = scene.clone();
+        own.interface.law = *law;
+        let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
+        let field = Field::new(&own, task.axes.clone(), &names, task.threads)?;
+        fields.push((own, field));
+    }
+    let mut fronts: Vec<Front> = Vec::new();
+    let mut done = 0;
+    for (own, field) in fields {
+        let search = Search { task, field: &field, scene: &own, before: done };
+        let front = search.run(watch);
+        done += front.runs;
+        let stopped = !front.is_complete;
+        fronts.push(front);
+        if stopped {
+            break;
+        }
+    }
+    Ok(fronts)
+}
+
+/// What a search has so far.
+struct State<'w> {
+    /// The designs of the present generation, by their shares.
+    known: HashMap<Vec<u64>, Design>,
+    front: Front,
+    watch: Watch<'w>,
+}
+
+/// The search on one law.
+struct Search<'a> {
+    task: &'a Task,
+    field: &'a Field,
+    scene: &'a Scene,
+    /// Runs made for the laws before.
+    before: usize,
+}
+
+impl Search<'_> {
+    fn run(&self, watch: Watch<'_>) -> Front {
+        let state = RefCell::new(State { known: HashMap::new(), front: self.blank(), watch });
+        let mut function = |points: &[Vec<f64>]| {
+            let found = self.evaluate_all(points, &state)?;
+            Some(found.iter().map(|found| self.judge(&found.values)).collect())
+        };
+        let mut observe = |generation: usize, people: &[Individual]| {
+            let mut state = state.borrow_mut();
+            // Only those that are there can be shown or chosen later.
+            let there: HashSet<Vec<u64>> = people.iter().map(|one| bits(&one.shares)).collect();
+            state.known.retain(|shares, _| there.contains(shares));
+            state.front.generations = generation;
+            state.front.designs = Self::designs(&nsga::front(people), &state.known);
+            let State { front, watch, .. } = &mut *state;
+            if watch(self.before + front.runs, self.task.runs(), Some(front)).is_break() {
+                front.is_complete = false;
+            }
+        };
+        // The scene itself and what the thesis recommends are tried first, where the bounds hold them.
+        let own = std::iter::once(self.scene.clone());
+        let thesis = RECOMMENDED.iter().filter_map(|it| recommended::scene_of(it, self.scene));
+        let starts: Vec<Vec<f64>> =
+            own.chain(thesis).filter_map(|it| self.shares_of(&it)).collect();
+        let inputs = self.task.axes.len();
+        let people = nsga::evolve(inputs, &starts, self.task.effort, &mut function, &mut observe);
+        let mut best = nsga::front(&people);
+        let whole = state.borrow().front.is_complete;
+        if let ([start], true, 1) = (best.as_slice(), whole, self.task.objectives.len()) {
+            let mut attempt = |shares: &[f64]| {
+                let found = self.evaluate_all(&[shares.to_vec()], &state)?.into_iter().next()?;
+                Some(Trial {
+                    judged: self.judge(&found.values),
+                    margins: self.margins(&found.values),
+                })
+            };
+            best =
+                vec![polish(start.clone(), (self.task.constraints.len(), POLISHED), &mut attempt)];
+        }
+        {
+            let mut state = state.borrow_mut();
+            let designs = Self::designs(&best, &state.known);
+            state.front.designs = designs;
+        }
+        let mut candidates = self.candidates();
+        for candidate in &mut candidates {
+            self.challenge(candidate, &state);
+        }
+        let mut front = state.into_inner().front;
+        front.designs.sort_by(|a, b| first(a).total_cmp(&first(b)));
+        front.candidates = candidates;
+        for candidate in &mut front.candidates {
+            candidate.standing = self.standing(&front.designs, candidate);
+        }
+        front
+    }
+
+    fn blank(&self) -> Front {
+        Front {
+            law: self.scene.interface.law,
+            base: self.scene.clone(),
+            designs: Vec::new(),
+            candidates: Vec::new(),
+            generations: 0,
+            runs: 0,
+            is_complete: true,
+        }
+    }
+
+    /// The measures at points of the unit cube, which are kept; `None` when it was stopped.
+    fn evaluate_all(&self, points: &[Vec<f64>], state: &RefCell<State<'_>>) -> Option<Vec<Found>> {
+        let mut state = state.borrow_mut();
+        let State { known, front, watch } = &mut *state;
+        if !front.is_complete {
+            return None;
+        }
+        let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
+        let before = self.before + front.runs;
+        let ended =
+            self.field.evaluate(&designs, &mut |more| watch(before + more, self.task.runs(), None));
+        front.is_complete = ended.is_continue();
+        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
+        front.runs += found.len();
+        for ((shares, values), found) in points.iter().zip(designs).zip(&found) {
+            known.insert(bits(shares), Self::design(values, found.clone()));
+        }
+        front.is_complete.then_some(found)
+    }
+
+    /// How far each constraint is from its bound, relative to that; negative where it is broken.
+    fn margins(&self, measures: &[Option<f64>]) -> Vec<f64> {
+        let margin = |constraint: &Constraint| {
+            let value = measures[self.task.place(constraint.measure)];
+            value.map_or(-1.0, |value| constraint.margin(value))
+        };
+        self.task.constraints.iter().map(margin).collect()
+    }
+
+    /// The values of a point of the unit cube.
+    fn place(&self, shares: &[f64]) -> Vec<f64> {
+        let axes = self.field.axes().iter();
+        axes.zip(shares).map(|(axis, share)| axis.at_share(*share)).collect()
+    }
+
+    /// Where a scene lies, if within the bounds and like the scene in everything else.
+    fn shares_of(&self, scene: &Scene) -> Option<Vec<f64>> {
+        let mut held = scene.clone();
+        for axis in self.field.axes() {
+            (axis.number().set)(&mut held, (axis.number().get)(self.scene));
+        }
+        if held != *self.scene {
+            return None;
+        }
+        let share = |axis: &Axis| axis.share((axis.number().get)(scene)?);
+        self.field.axes().iter().map(share).collect()
+    }
+
+    fn design(values: Vec<f64>, found: Found) -> Design {
+        Design { values, measures: found.values, fate: found.fate }
+    }
+
+    fn designs(best: &[Individual], known: &HashMap<Vec<u64>, Design>) -> Vec<Design> {
+        let of = |one: &Individual| known.get(&bits(&one.shares)).cloned();
+        let mut designs: Vec<Design> = best.iter().filter_map(of).collect();
+        designs.sort_by(|a, b| first(a).total_cmp(&first(b)));
+        designs
+    }
+
+    /// What measures come to.
+    fn judge(&self, measures: &[Option<f64>]) -> Judged {
+        let value = |column: &ResultColumn| measures[self.task.place(column)];
+        let objectives = self.task.objectives.iter().map(|objective| {
+            let value = value(objective.measure)?;
+            Some(if objective.maximise { -value } else { value })
+        });
+        let objectives: Option<Vec<f64>> = objectives.collect();
+        let broken = self.task.constraints.iter().map(|constraint| {
+            value(constraint.measure).map_or(f64::INFINITY, |value| constraint.violation(value))
+        });
+        let violation: f64 = broken.sum();
+        match objectives {
+            Some(objectives) => Judged { objectives, violation },
+            None => Judged {
+                objectives: vec![f64::INFINITY; self.task.objectives.len()],
+                violation: f64::INFINITY,
+            },
+        }
+    }
+
+    fn candidates(&self) -> Vec<Candidate> {
+        let own = ("the scene itself", "as it is", Some(self.scene.clone()));
+        let thesis = RECOMMENDED
+            .iter()
+            .map(|it| (it.name, it.source, recommended::scene_of(it, self.scene)));
+        let all = std::iter::once(own).chain(thesis);
+        all.map(|(name, source, scene)| {
+            let found = scene.as_ref().and_then(|scene| self.evaluate(scene));
+            let none = || vec![None; self.field.measures().len()];
+            let (scene, fate, measures) = match found {
+                Some(found) => (scene, Some(found.fate), found.values),
+                None => (None, None, none()),
+            };
+            Candidate { name, source, scene, fate, measures, standing: Standing::Impossible }
+        })
+        .collect()
+    }
+
+    /// Look from a candidate that nothing beats yet for a design that does: the first objective as good as can be, no other worse.
+    /// What is found joins the front.
+    fn challenge(&self, candidate: &Candidate, state: &RefCell<State<'_>>) {
+        let Some(shares) = candidate.scene.as_ref().and_then(|scene| self.shares_of(scene)) else {
+            return;
+        };
+        let judged = self.judge(&candidate.measures);
+        if self.standing(&state.borrow().front.designs, candidate) != Standing::OnFront {
+            return;
+        }
+        let held = judged.objectives.clone();
+        let mut attempt = |shares: &[f64]| {
+            let found = self.evaluate_all(&[shares.to_vec()], state)?.into_iter().next()?;
+            let judged = self.judge(&found.values);
+            let rest = judged.objectives.iter().zip(&held).skip(1);
+            let mut margins: Vec<f64> = rest
+                .map(|(own, held)| (held - own) / if *held == 0.0 { 1.0 } else { held.abs() })
+                .collect();
+            margins.extend(self.margins(&found.values));
+            Some(Trial { judged, margins })
+        };
+        let others = held.len() - 1 + self.task.constraints.len();
+        let start = Individual { shares, judged: judged.clone() };
+        let better = polish(start, (others, CHALLENGED), &mut attempt);
+        if !better.judged.dominates(&judged) {
+            return;
+        }
+        let mut state = state.borrow_mut();
+        let State { known, front, .. } = &mut *state;
+        let beaten = |design: &Design| self.judge(&design.measures).dominates(&better.judged);
+        if let Some(design) = known.get(&bits(&better.shares))
+            && !front.designs.iter().any(beaten)
+        {
+            front.designs.retain(|other| !better.judged.dominates(&self.judge(&other.measures)));
+            front.designs.push(design.clone());
+        }
+    }
+
+    fn standing(&self, front: &[Design], candidate: &Candidate) -> Standing {
+        let Some(fate) = candidate.fate else { return Standing::Impossible };
+        let judged = self.judge(&candidate.measures);
+        let broken = self.task.constraints.iter().position(|constraint| {
+            let value = candidate.measures[self.task.place(constraint.measure)];
+            value.is_some_and(|value| constraint.violation(value) > 0.0)
+        });
+        let beats = |design: &Design| self.judge(&design.measures).dominates(&judged);
+        match (broken, judged.is_feasible()) {
+            (Some(constraint), _) => Standing::Breaks(constraint),
+            (None, false) => Standing::NoValue(fate),
+            (None, true) => {
+                let by = front.iter().position(beats);
+                by.map_or(Standing::OnFront, |by| Standing::Beaten { by })
+            }
+        }
+    }
+
+    /// The measures of any scene, by a field of one point.
+    fn evaluate(&self, scene: &Scene) -> Option<Found> {
+        let axis = *self.field.axes().first()?;
+        let names: Vec<&str> = self.field.measures().iter().map(|column| column.name).collect();
+        let field = Field::new(scene, vec![axis], &names, 1).ok()?;
+        let value = (axis.number().get)(scene).unwrap_or(f64::NAN);
+        let ended = field.evaluate(&[vec![value]], &mut |_| ControlFlow::Continue(()));
+        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
+        found.into_iter().next()
+    }
+}
+
+/// The first measure, by which fronts are sorted.
+fn first(design: &Design) -> f64 {
+    design.measures[0].unwrap_or(f64::NAN)
+}
+
+fn bits(shares: &[f64]) -> Vec<u64> {
+    shares.iter().map(|share| share.to_bits()).collect()
+}
+
+/// The usual objectives, those named, or the names' own.
+///
+/// # Errors
+/// A [`SweepError`] for an unknown name.
+pub fn objectives(
+    minimise: &[impl AsRef<str>],
+    maximise: &[impl AsRef<str>],
+) -> Result<Vec<Objective>, SweepError> {
+    let of = |name: &str, maximise| Ok(Objective { measure: measure(name)?, maximise });
+    let small = minimise.iter().map(|name| of(name.as_ref(), false));
+    let great = maximise.iter().map(|name| of(name.as_ref(), true));
+    let named: Vec<Objective> = small.chain(great).collect::<Result<_, SweepError>>()?;
+    if named.is_empty() { USUAL.iter().map(|name| of(name, false)).collect() } else { Ok(named) }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,347 @@
+//! Monte Carlo over tolerances: how the results scatter when the inputs do, and how likely a perforation is.
+//!
+//! Inputs are independent and drawn by one seeded stream, so that no digit depends on the number of threads. A draw without
+//! physical sense is drawn again and counted: the distribution is the one asked for, truncated to what is allowed. The values
+//! of a result are kept for its quantiles, eight bytes each: [`SAMPLES_MAX`] is the limit. Must not know files, screens or a
+//! clock.
+
+use std::ops::ControlFlow;
+
+use crate::model::results::{RESULTS, ResultColumn};
+use crate::model::scene::Scene;
+use crate::model::variables::{self, Kind, Number, VariableError};
+use crate::numerics::random::Random;
+use crate::study::limit::scatter::{quantile, wilson};
+use crate::study::search::field::Field;
+use crate::study::search::measure::DESIGN_MEASURES;
+use crate::study::sweep::{Axis, Fate, Spacing, SweepError};
+pub use tolerance::{Distribution, Tolerance};
+
+mod tolerance;
+
+/// The most samples: some 80 MB a result.
+pub const SAMPLES_MAX: usize = 10_000_000;
+/// Samples evaluated at once.
+const BATCH: usize = 2048;
+/// Draws of one sample before it is given up.
+const DRAWS_MAX: usize = 10_000;
+/// The quantiles that are told.
+pub const SHARES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
+/// Standard normal quantile of a two-sided 95 % interval.
+const Z95: f64 = 1.959_963_984_540_054;
+/// Relative deviation where none is asked for.
+pub const USUAL_DEVIATION: f64 = 0.02;
+
+/// What is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Task {
+    /// The inputs that scatter.
+    pub tolerances: Vec<Tolerance>,
+    /// Names of the measures.
+    pub measures: Vec<String>,
+    /// Number of samples, >= 2.
+    pub samples: usize,
+    /// Seed.
+    pub seed: u64,
+    /// Threads; no digit depends on it.
+    pub threads: usize,
+}
+
+/// A quantile and where it lies with 95 % confidence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantile {
+    /// Which part lies below it.
+    pub share: f64,
+    /// The estimate.
+    pub value: f64,
+    /// The interval, from order statistics.
+    pub range95: (f64, f64),
+}
+
+/// How one measure scatters.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    /// The measure.
+    pub measure: &'static ResultColumn,
+    /// Its value for the scene itself.
+    pub nominal: Option<f64>,
+    /// Mean and its 95 % interval; `None` without two values.
+    pub mean: Option<(f64, (f64, f64))>,
+    /// Standard deviation.
+    pub deviation: Option<f64>,
+    /// The quantiles of [`SHARES`].
+    pub quantiles: Vec<Quantile>,
+    /// All values, rising.
+    pub sorted: Vec<f64>,
+}
+
+/// What was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The inputs.
+    pub tolerances: Vec<Tolerance>,
+    /// Draws of each input that made no physical sense and were drawn again.
+    pub redrawn: Vec<usize>,
+    /// Seed.
+    pub seed: u64,
+    /// Samples done.
+    pub samples: usize,
+    /// How many were arrested, perforated, separated, left moving, failed.
+    pub census: [usize; 5],
+    /// What becomes of the scene itself.
+    pub nominal: Option<Fate>,
+    /// Part of the samples that perforate, of those that came to an end, and its 95 % interval (Wilson's); `None` without any.
+    pub perforated: Option<(f64, (f64, f64))>,
+    /// Measure by measure.
+    pub summaries: Vec<Summary>,
+    /// Whether it was done to its end.
+    pub is_complete: bool,
+}
+
+/// Told with the samples done and how many there are; `Break` stops, and keeps what there is.
+pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
+
+/// Why nothing was drawn.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ScatterError {
+    /// Names or the scene make no sense.
+    #[error(transparent)]
+    Sweep(#[from] SweepError),
+    /// No input scatters.
+    #[error("nothing scatters: name an input, for example v_i=normal:2%")]
+    Nothing,
+    /// One input twice.
+    #[error("{symbol} scatters twice: give each input one distribution")]
+    Twice {
+        /// The variable.
+        symbol: &'static str,
+    },
+    /// Too few or too many samples.
+    #[error("samples = {samples} is outside 2 to {SAMPLES_MAX}: 10000 is usual")]
+    Samples {
+        /// What was asked.
+        samples: usize,
+    },
+    /// No draw makes physical sense.
+    #[error("none of {DRAWS_MAX} draws makes physical sense, the last because {source}")]
+    NoSense {
+        /// Why not.
+        source: Box<VariableError>,
+    },
+}
+
+/// The measures that say something of a design, in the order of tables: what tells of the computation is left out.
+pub fn usual_measures() -> Vec<&'static str> {
+    let computing = ["energy_residual", "error_estimate", "steps", "rejected", "rhs_evaluations"];
+    let results = RESULTS.iter().map(|column| column.name);
+    let told = results.filter(|name| !computing.contains(name));
+    told.chain(DESIGN_MEASURES.iter().map(|column| column.name)).collect()
+}
+
+/// The inputs that scatter where none are named: velocity, masses, lengths, strength, density, drag, spring and damper
+/// coefficients that are not zero, lognormal by a relative deviation.
+pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
+    let symbols = ["v_i", "m_p", "R", "h", "rho", "S_y", "C_d", "gamma", "d", "b", "k"];
+    let found = symbols.iter().filter_map(|symbol| variables::find(symbol).ok());
+    let used = found.filter(|variable| variables::is_used(variable, scene));
+    used.filter_map(|variable| {
+        let Kind::Number(number) = &variable.kind else { return None };
+        let median = (number.get)(scene).filter(|value| *value > 0.0)?;
+        Tolerance::new(variable.symbol, Distribution::LogNormal { median, deviation }).ok()
+    })
+    .collect()
+}
+
+/// Draw and evaluate.
+///
+/// # Errors
+/// A [`ScatterError`] when something about it is bad: then nothing has run; or when no draw makes sense.
+pub fn scatter(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Report, ScatterError> {
+    let field = field(scene, task)?;
+    let mut draw = Draw::new(scene, task);
+    let mut report = Report {
+        tolerances: task.tolerances.clone(),
+        redrawn: Vec::new(),
+        seed: task.seed,
+        samples: 0,
+        census: [0; 5],
+        nominal: None,
+        perforated: None,
+        summaries: Vec::new(),
+        is_complete: true,
+    };
+    let own: Vec<f64> = task.tolerances.iter().map(|it| it.nominal(scene)).collect();
+    let ended = field.evaluate(&[own], &mut |_| ControlFlow::Continue(()));
+    let (ControlFlow::Continue(nominal) | ControlFlow::Break(nominal)) = ended;
+    let nominal = nominal.into_iter().next();
+    let mut values: Vec<Vec<f64>> = vec![Vec::new(); field.measures().len()];
+    while report.samples < task.samples && report.is_complete {
+        let left = task.samples - report.samples;
+        let count = if left < BATCH { left } else { BATCH };
+        let designs = (0..count).map(|_| draw.sample()).collect::<Result<Vec<_>, _>>()?;
+        let before = report.samples;
+        let ended = field.evaluate(&designs, &mut |more| watch(before + more, task.samples));
+        report.is_complete = ended.is_continue();
+        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
+        report.samples += found.len();
+        for found in found {
+            report.census[place(found.fate)] += 1;
+            for (list, value) in values.iter_mut().zip(found.values) {
+                list.extend(value);
+            }
+        }
+    }
+    report.redrawn = draw.redrawn;
+    report.perforated = perforated(&report.census);
+    report.nominal = nominal.as_ref().map(|found| found.fate);
+    report.summaries = values
+        .into_iter()
+        .enumerate()
+        .map(|(at, values)| {
+            let nominal = nominal.as_ref().and_then(|found| found.values[at]);
+            Summary::of(field.measures()[at], nominal, values)
+        })
+        .collect();
+    Ok(report)
+}
+
+/// Where the samples are evaluated: for asking how long it will take, too.
+///
+/// # Errors
+/// As [`scatter`].
+pub fn field(scene: &Scene, task: &Task) -> Result<Field, ScatterError> {
+    if task.tolerances.is_empty() {
+        return Err(ScatterError::Nothing);
+    }
+    if !(2..=SAMPLES_MAX).contains(&task.samples) {
+        return Err(ScatterError::Samples { samples: task.samples });
+    }
+    for (at, tolerance) in task.tolerances.iter().enumerate() {
+        if task.tolerances[..at].iter().any(|other| other.symbol() == tolerance.symbol()) {
+            return Err(ScatterError::Twice { symbol: tolerance.symbol() });
+        }
+    }
+    let axes = task.tolerances.iter().map(|tolerance| tolerance.axis(scene));
+    let axes = axes.collect::<Result<Vec<Axis>, SweepError>>()?;
+    Ok(Field::new(scene, axes, &task.measures, task.threads)?)
+}
+
+/// The stream of samples.
+struct Draw<'t> {
+    tolerances: &'t [Tolerance],
+    scene: Scene,
+    random: Random,
+    redrawn: Vec<usize>,
+}
+
+impl<'t> Draw<'t> {
+    fn new(scene: &Scene, task: &'t Task) -> Self {
+        Self {
+            tolerances: &task.tolerances,
+            scene: scene.clone(),
+            random: Random::new(task.seed),
+            redrawn: vec![0; task.tolerances.len()],
+        }
+    }
+
+    /// A value for every input, which together make physical sense.
+    fn sample(&mut self) -> Result<Vec<f64>, ScatterError> {
+        let mut last = None;
+        for _ in 0..DRAWS_MAX {
+            let mut values = Vec::with_capacity(self.tolerances.len());
+            for (tolerance, redrawn) in self.tolerances.iter().zip(&mut self.redrawn) {
+                let mut value = tolerance.distribution.draw(&mut self.random);
+                for _ in 0..DRAWS_MAX {
+                    if tolerance.number().allowed.contains(value) {
+                        break;
+                    }
+                    *redrawn += 1;
+                    value = tolerance.distribution.draw(&mut self.random);
+                }
+                (tolerance.number().set)(&mut self.scene, Some(value));
+                values.push(value);
+            }
+            match variables::validate(&self.scene) {
+                Ok(()) => return Ok(values),
+                Err(error) => last = Some(error),
+            }
+        }
+        match last {
+            Some(source) => Err(ScatterError::NoSense { source: Box::new(source) }),
+            None => Err(ScatterError::Nothing),
+        }
+    }
+}
+
+fn place(fate: Fate) -> usize {
+    match fate {
+        Fate::Arrested => 0,
+        Fate::Perforated => 1,
+        Fate::Separated => 2,
+        Fate::Moving => 3,
+        Fate::Failed(_) => 4,
+    }
+}
+
+/// The part that perforates, of all that came to an end.
+fn perforated(census: &[usize; 5]) -> Option<(f64, (f64, f64))> {
+    let ended = (census[0] + census[1] + census[2]) as f64;
+    let part = census[1] as f64 / ended;
+    (ended > 0.0).then(|| {
+        let (low, high) = wilson(part, ended);
+        // None and all leave nothing on that side but rounding.
+        let low = if census[1] == 0 { 0.0 } else { low };
+        (part, (low, if part < 1.0 { high } else { 1.0 }))
+    })
+}
+
+impl Summary {
+    fn of(measure: &'static ResultColumn, nominal: Option<f64>, mut values: Vec<f64>) -> Self {
+        values.sort_by(f64::total_cmp);
+        let mut summary = Self {
+            measure,
+            nominal,
+            mean: None,
+            deviation: None,
+            quantiles: Vec::new(),
+            sorted: values,
+        };
+        let count = summary.sorted.len();
+        if count < 2 {
+            return summary;
+        }
+        let n = count as f64;
+        // Shifted by a value, so that a small variance does not drown in a great mean.
+        let origin = summary.sorted[count / 2];
+        let (mut sum, mut squares) = (0.0, 0.0);
+        for value in &summary.sorted {
+            sum += value - origin;
+            squares += (value - origin).powi(2);
+        }
+        let mean = origin + sum / n;
+        let variance = (squares - sum * sum / n) / (n - 1.0);
+        let deviation = if variance > 0.0 { variance.sqrt() } else { 0.0 };
+        let half = Z95 * deviation / n.sqrt();
+        summary.mean = Some((mean, (mean - half, mean + half)));
+        summary.deviation = Some(deviation);
+        summary.quantiles =
+            SHARES.iter().map(|share| quantile_of(&summary.sorted, *share)).collect();
+        summary
+    }
+
+    /// The quantile of one of [`SHARES`].
+    pub fn quantile(&self, share: f64) -> Option<Quantile> {
+        self.quantiles.iter().find(|it| (it.share - share).abs() < 1e-12).copied()
+    }
+}
+
+/// A quantile with the order statistics that enclose it with 95 % confidence (normal approximation of the binomial).
+fn quantile_of(sorted: &[f64], share: f64) -> Quantile {
+    let n = sorted.len() as f64;
+    let half = Z95 * (share * (1.0 - share) / n).sqrt();
+    let at = |share: f64| quantile(sorted, share.clamp(0.0, 1.0));
+    Quantile { share, value: at(share), range95: (at(share - half), at(share + half)) }
+}
+
+#[cfg(test)]
+mod tests;

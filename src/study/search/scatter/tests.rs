@@ -1,0 +1,174 @@
+//! Scatter whose answer is known: quantiles through a monotone closed form, moments of the distributions, proportions.
+
+use std::f64::consts::PI;
+
+use super::*;
+use crate::model::scene::Mount;
+
+fn task(tolerances: Vec<Tolerance>, measures: &[&str], samples: usize) -> Task {
+    let measures = measures.iter().map(|name| (*name).to_owned()).collect();
+    Task { tolerances, measures, samples, seed: 1, threads: 2 }
+}
+
+fn run(scene: &Scene, task: &Task) -> Report {
+    scatter(scene, task, &mut |_, _| ControlFlow::Continue(())).unwrap()
+}
+
+fn rigid() -> Scene {
+    let mut scene = Scene::default();
+    scene.plate.mount = Mount::Rigid;
+    scene
+}
+
+/// Depth p <= R of a rigid mount is a rising function of velocity: V(p) = m/(2c) ln(1 + c v²/S); so its quantiles are those of
+/// the velocity, put through it.
+#[test]
+fn valid_quantiles_through_a_monotone_closed_form() {
+    let mut scene = rigid();
+    scene.projectile.velocity_m_s = 60.0;
+    let (mean, deviation) = (60.0, 3.0);
+    let velocity = Tolerance::new("v_i", Distribution::Normal { mean, deviation }).unwrap();
+    let report = run(&scene, &task(vec![velocity], &["final_penetration_m"], 20_000));
+    let summary = &report.summaries[0];
+    // Standard normal quantiles, Abramowitz and Stegun table 26.5.
+    for (share, z) in [(0.01, -2.326_348), (0.25, -0.674_490), (0.5, 0.0), (0.95, 1.644_854)] {
+        let v = mean + deviation * z;
+        let (s, c) = (scene.target.flow_strength_pa, scene.drag_kg_m3());
+        let volume = scene.projectile.mass_kg / (2.0 * c) * (c * v * v / s).ln_1p();
+        let depth = depth_of(&scene, volume);
+        let found = summary.quantile(share).unwrap();
+        let (low, high) = found.range95;
+        assert!(low < found.value && found.value < high);
+        // Twice the interval: 95 % of them hold the exact value.
+        let width = high - low;
+        assert!((found.value - depth).abs() < width, "{share}: {found:?} {depth}");
+        assert!(width < 0.02 * depth);
+    }
+    assert_eq!((report.samples, report.census[0], report.is_complete), (20_000, 20_000, true));
+    let (part, (low, high)) = report.perforated.unwrap();
+    assert!(part == 0.0 && low == 0.0 && high > 1e-4 && high < 3e-4, "{high}");
+}
+
+/// The depth below which a hemisphere has swept a volume under dishing, by bisection.
+fn depth_of(scene: &Scene, volume: f64) -> f64 {
+    let (r, h) = (scene.projectile.tip_radius_m, scene.target.thickness_m);
+    let swept = |p: f64| (h + 2.0 * r) / h * PI * (r * p * p - p.powi(3) / 3.0);
+    let (mut low, mut high) = (0.0, r);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if swept(middle) < volume { low = middle } else { high = middle }
+    }
+    low
+}
+
+/// A rigid plate's limit is 232.295378 m/s (model page): of velocities uniform over 182.295378 to 282.295378 half perforate.
+#[test]
+fn valid_probability_of_perforation() {
+    let limit = 232.295_378;
+    let (low, high) = (limit - 50.0, limit + 50.0);
+    let velocity = Tolerance::new("v_i", Distribution::Uniform { low, high }).unwrap();
+    let report = run(&rigid(), &task(vec![velocity], &["percent_of_baseline"], 4000));
+    let (part, (low, high)) = report.perforated.unwrap();
+    assert!((part - 0.5).abs() < 0.03 && low < part && part < high && high - low < 0.04);
+    assert_eq!(report.census[1] + report.summaries[0].sorted.len(), 4000);
+}
+
+#[test]
+fn valid_moments_of_the_distributions() {
+    let mut random = Random::new(11);
+    let mut moments = |distribution: Distribution| {
+        let values: Vec<f64> = (0..40_000).map(|_| distribution.draw(&mut random)).collect();
+        let mean = values.iter().sum::<f64>() / 40_000.0;
+        (mean, (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / 40_000.0).sqrt())
+    };
+    let near = |(mean, deviation): (f64, f64), exact: (f64, f64)| {
+        // Five standard errors.
+        assert!((mean - exact.0).abs() < 0.025 * exact.1, "{mean} {exact:?}");
+        assert!((deviation - exact.1).abs() < 0.025 * exact.1, "{deviation} {exact:?}");
+    };
+    near(moments(Distribution::Normal { mean: 3.0, deviation: 0.5 }), (3.0, 0.5));
+    near(moments(Distribution::Uniform { low: 1.0, high: 4.0 }), (2.5, 3.0 / 12f64.sqrt()));
+    // (a + b + c)/3, and sqrt((a² + b² + c² - ab - ac - bc)/18).
+    let deviation = ((1.0 + 4.0 + 16.0 - 2.0 - 4.0 - 8.0) / 18.0f64).sqrt();
+    near(
+        moments(Distribution::Triangular { low: 1.0, mode: 2.0, high: 4.0 }),
+        (7.0 / 3.0, deviation),
+    );
+    // exp(sigma²/2), and that times sqrt(exp(sigma²) - 1).
+    let (mean, s2) = (0.02f64.exp(), 0.04f64);
+    near(
+        moments(Distribution::LogNormal { median: 1.0, deviation: 0.2 }),
+        (mean, mean * s2.exp_m1().sqrt()),
+    );
+}
+
+#[test]
+fn what_is_impossible_is_drawn_again_and_counted() {
+    let thick = Distribution::Normal { mean: 0.0254, deviation: 0.0254 };
+    let thickness = Tolerance::new("h", thick).unwrap();
+    let report = run(&rigid(), &task(vec![thickness], &["percent_of_baseline"], 2000));
+    // A normal one deviation above zero is negative in 15.87 %, so 0.1886 a sample are drawn again.
+    let share = report.redrawn[0] as f64 / 2000.0;
+    assert!((share - 0.1886).abs() < 0.04, "{share}");
+    assert_eq!(report.samples, 2000);
+}
+
+#[test]
+fn no_digit_depends_on_the_threads_and_a_stop_keeps_what_there_is() {
+    let scene = Scene::default();
+    let tolerances = usual_tolerances(&scene, USUAL_DEVIATION);
+    let symbols: Vec<&str> = tolerances.iter().map(Tolerance::symbol).collect();
+    assert_eq!(symbols, ["v_i", "m_p", "R", "h", "rho", "S_y", "C_d", "gamma", "k"]);
+    let asked = task(tolerances, &["percent_of_baseline", "stroke_m"], 3000);
+    let one = run(&scene, &Task { threads: 1, ..asked.clone() });
+    assert_eq!(one, run(&scene, &Task { threads: 3, ..asked.clone() }));
+    assert_ne!(one.summaries, run(&scene, &Task { seed: 2, ..asked.clone() }).summaries);
+    let stop: Watch<'_> = &mut |done, _| {
+        if done > 2100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let cut = scatter(&scene, &asked, stop).unwrap();
+    assert!(!cut.is_complete && cut.samples > 2000 && cut.samples < 3000);
+    assert_eq!(cut.summaries[0].sorted.len(), cut.samples);
+}
+
+#[test]
+fn tolerances_are_read_as_people_write_them() {
+    let scene = Scene::default();
+    let read =
+        |name: &str, text: &str| Tolerance::parse(name, text, &scene).map(|it| it.distribution);
+    let normal = |mean, deviation| Ok(Distribution::Normal { mean, deviation });
+    assert_eq!(read("v_i", "normal:2%"), normal(100.0, 2.0));
+    assert_eq!(read("v_i", "2%"), normal(100.0, 2.0));
+    assert_eq!(read("projectile.velocity_m_s", "normal: 3 m/s"), normal(100.0, 3.0));
+    let (low, high) = (0.024, 0.027);
+    assert_eq!(read("h", "uniform:24mm..27mm"), Ok(Distribution::Uniform { low, high }));
+    let mode = 0.0254;
+    assert_eq!(
+        read("h", "triangular:24mm..27mm"),
+        Ok(Distribution::Triangular { low, mode, high })
+    );
+    let Ok(Distribution::LogNormal { median, deviation }) = read("S_y", "lognormal:5%") else {
+        panic!("not lognormal")
+    };
+    assert!((median - 1.52e8).abs() < 1.0 && (deviation - 0.05).abs() < 1e-12);
+    for (name, text, told) in [
+        ("v_i", "gauss:2%", "no distribution"),
+        ("v_i", "normal:2kg", "`kg` is not a unit"),
+        ("d", "normal:2%", "a percentage of 0"),
+        ("v_i", "normal:-3", "greater than 0"),
+        ("h", "uniform:27mm..24mm", "lower one"),
+        ("h", "uniform:-27mm..-24mm", "nothing that is allowed"),
+        ("d", "lognormal:5%", "above 0"),
+        ("interface", "normal:2%", "no numbers"),
+        ("gama", "normal:2%", "did you mean"),
+        ("x_stop", "normal:1mm", "absent"),
+    ] {
+        let error = read(name, text).unwrap_err();
+        assert!(error.contains(told), "{name} {text}: {error}");
+    }
+    let twice = task(vec![usual_tolerances(&scene, 0.02)[0]; 2], &["stroke_m"], 100);
+    let go_on: Watch<'_> = &mut |_, _| ControlFlow::Continue(());
+    assert_eq!(scatter(&scene, &twice, go_on), Err(ScatterError::Twice { symbol: "v_i" }));
+    let none = scatter(&scene, &task(Vec::new(), &["stroke_m"], 100), go_on);
+    assert_eq!(none, Err(ScatterError::Nothing));
+}

@@ -1,0 +1,267 @@
+//! An input that scatters: its distribution, and how people write it.
+
+use super::{Axis, Kind, Number, Random, Scene, Spacing, SweepError, variables};
+use crate::model::units::{self, Bare, significant};
+use crate::model::variables::Variable;
+
+/// How an input scatters; values in its stored unit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Distribution {
+    /// Normal.
+    Normal {
+        /// Mean.
+        mean: f64,
+        /// Standard deviation, > 0.
+        deviation: f64,
+    },
+    /// The logarithm is normal.
+    LogNormal {
+        /// Median, > 0.
+        median: f64,
+        /// Standard deviation of the logarithm, > 0.
+        deviation: f64,
+    },
+    /// As likely everywhere between its ends.
+    Uniform {
+        /// Least value.
+        low: f64,
+        /// Greatest value, > low.
+        high: f64,
+    },
+    /// Likelier the nearer to the mode, nothing beyond its ends.
+    Triangular {
+        /// Least value.
+        low: f64,
+        /// The likeliest value.
+        mode: f64,
+        /// Greatest value, > low.
+        high: f64,
+    },
+}
+
+impl Distribution {
+    /// A value.
+    pub(super) fn draw(self, random: &mut Random) -> f64 {
+        match self {
+            Self::Normal { mean, deviation } => mean + deviation * random.normal(),
+            Self::LogNormal { median, deviation } => median * (deviation * random.normal()).exp(),
+            Self::Uniform { low, high } => low + (high - low) * random.unit(),
+            Self::Triangular { low, mode, high } => {
+                let (throw, turn) = (random.unit(), (mode - low) / (high - low));
+                if throw < turn {
+                    low + ((high - low) * (mode - low) * throw).sqrt()
+                } else {
+                    high - ((high - low) * (high - mode) * (1.0 - throw)).sqrt()
+                }
+            }
+        }
+    }
+
+    /// Its word on the command line and in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Normal { .. } => "normal",
+            Self::LogNormal { .. } => "lognormal",
+            Self::Uniform { .. } => "uniform",
+            Self::Triangular { .. } => "triangular",
+        }
+    }
+
+    /// In words, without the unit: `normal, 100 +- 2`.
+    pub fn words(self) -> String {
+        let show = |value: f64| significant(value, 5);
+        match self {
+            Self::Normal { mean, deviation } => {
+                format!("normal, {} +- {}", show(mean), show(deviation))
+            }
+            Self::LogNormal { median, deviation } => {
+                format!("lognormal, {} +- {} %", show(median), show(100.0 * deviation))
+            }
+            Self::Uniform { low, high } => format!("uniform, {} to {}", show(low), show(high)),
+            Self::Triangular { low, mode, high } => {
+                format!("triangular, {} to {}, mostly {}", show(low), show(high), show(mode))
+            }
+        }
+    }
+
+    /// Its two numbers: mean and deviation, median and deviation, or its ends.
+    pub fn numbers(self) -> (f64, f64) {
+        match self {
+            Self::Normal { mean, deviation } => (mean, deviation),
+            Self::LogNormal { median, deviation } => (median, deviation),
+            Self::Uniform { low, high } | Self::Triangular { low, high, .. } => (low, high),
+        }
+    }
+}
+
+/// An input and how it scatters.
+#[derive(Clone, Copy)]
+pub struct Tolerance {
+    variable: &'static Variable,
+    number: &'static Number,
+    /// How.
+    pub distribution: Distribution,
+}
+
+impl std::fmt::Debug for Tolerance {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {:?}", self.symbol(), self.distribution)
+    }
+}
+
+impl PartialEq for Tolerance {
+    fn eq(&self, other: &Self) -> bool {
+        self.symbol() == other.symbol() && self.distribution == other.distribution
+    }
+}
+
+impl Tolerance {
+    /// An input by its name.
+    ///
+    /// # Errors
+    /// [`SweepError`] for a variable that does not exist or has no numbers.
+    pub fn new(name: &str, distribution: Distribution) -> Result<Self, SweepError> {
+        let variable = variables::find(name).map_err(|source| SweepError::Axis {
+            axis: name.to_owned(),
+            source: Box::new(source),
+        })?;
+        let Kind::Number(number) = &variable.kind else {
+            return Err(SweepError::NoNumbers {
+                axis: variable.symbol,
+                choices: variable.allowed(),
+            });
+        };
+        Ok(Self { variable, number, distribution })
+    }
+
+    /// Read `normal:2%`, `normal:0.5mm`, `lognormal:5%`, `uniform:24mm..27mm`, `uniform:5%`, `triangular:24mm..27mm`; a deviation
+    /// or half width alone is about the scene's own value.
+    ///
+    /// # Errors
+    /// What is wrong, and what to write.
+    pub fn parse(name: &str, text: &str, scene: &Scene) -> Result<Self, String> {
+        let blank = Distribution::Uniform { low: 0.0, high: 1.0 };
+        let own = Self::new(name, blank).map_err(|error| error.to_string())?;
+        let (kind, rest) = text.split_once(':').unwrap_or(("normal", text));
+        let nominal = (own.number.get)(scene);
+        let about = || {
+            nominal.ok_or_else(|| {
+                format!("{} is absent in the scene: write uniform:LO..HI", own.symbol())
+            })
+        };
+        let distribution = match kind.trim() {
+            "normal" => {
+                Distribution::Normal { mean: about()?, deviation: own.width(rest, about()?)? }
+            }
+            "lognormal" => {
+                let median = about()?;
+                if median <= 0.0 {
+                    return Err(format!(
+                        "{} = {}: a lognormal needs a value above 0; write normal or uniform",
+                        own.symbol(),
+                        units::shortest(median)
+                    ));
+                }
+                Distribution::LogNormal { median, deviation: own.width(rest, median)? / median }
+            }
+            "uniform" => {
+                let (low, high) = own.ends(rest, nominal)?;
+                Distribution::Uniform { low, high }
+            }
+            "triangular" => {
+                let (low, high) = own.ends(rest, nominal)?;
+                let mode = nominal.unwrap_or(0.5 * (low + high)).clamp(low, high);
+                Distribution::Triangular { low, mode, high }
+            }
+            other => {
+                return Err(format!(
+                    "`{other}` is no distribution: write normal:2%, lognormal:5%, uniform:LO..HI or triangular:LO..HI"
+                ));
+            }
+        };
+        Ok(Self { distribution, ..own })
+    }
+
+    /// A deviation or half width: a share of the scene's own value, or a value with a unit.
+    fn width(&self, text: &str, nominal: f64) -> Result<f64, String> {
+        let text = text.trim();
+        let width = match text.strip_suffix('%') {
+            Some(percent) => {
+                let share = units::parse(percent, units::Quantity::Number, Bare::Si);
+                share.map_err(|problem| problem.to_string())? / 100.0 * nominal.abs()
+            }
+            None => self.value(text)?,
+        };
+        if width > 0.0 {
+            return Ok(width);
+        }
+        let why = if text.ends_with('%') && nominal == 0.0 { " (a percentage of 0)" } else { "" };
+        Err(format!(
+            "the width `{text}`{why} must be greater than 0: write for example 2% or a value with a unit"
+        ))
+    }
+
+    fn value(&self, text: &str) -> Result<f64, String> {
+        units::parse(text, self.number.quantity, Bare::Si).map_err(|problem| problem.to_string())
+    }
+
+    /// `LO..HI`, or a half width about the scene's own value.
+    fn ends(&self, text: &str, nominal: Option<f64>) -> Result<(f64, f64), String> {
+        let (low, high) = match (text.split_once(".."), nominal) {
+            (Some((low, high)), _) => (self.value(low)?, self.value(high)?),
+            (None, Some(nominal)) => {
+                let half = self.width(text, nominal)?;
+                (nominal - half, nominal + half)
+            }
+            (None, None) => return Err(format!("write {}=uniform:LO..HI", self.symbol())),
+        };
+        if low >= high {
+            return Err(format!(
+                "{} to {}: the first end must be the lower one",
+                units::shortest(low),
+                units::shortest(high)
+            ));
+        }
+        let some = self.number.allowed.contains(low) || self.number.allowed.contains(high);
+        let some = some || self.number.allowed.contains(0.5 * (low + high));
+        if !some {
+            return Err(format!(
+                "{} to {} holds nothing that is allowed: {} must be {}",
+                units::shortest(low),
+                units::shortest(high),
+                self.variable.meaning,
+                self.number.allowed.describe(self.number.quantity)
+            ));
+        }
+        Ok((low, high))
+    }
+
+    /// The variable's symbol.
+    pub fn symbol(&self) -> &'static str {
+        self.variable.symbol
+    }
+
+    /// The variable.
+    pub fn variable(&self) -> &'static Variable {
+        self.variable
+    }
+
+    pub(super) fn number(&self) -> &'static Number {
+        self.number
+    }
+
+    /// The scene's own value; NaN where the variable is absent.
+    pub(super) fn nominal(&self, scene: &Scene) -> f64 {
+        (self.number.get)(scene).unwrap_or(f64::NAN)
+    }
+
+    /// An axis for the evaluation alone: its ends are the scene's own value and the nearest allowed one, since the samples are
+    /// listed and each is checked by itself.
+    pub(super) fn axis(&self, scene: &Scene) -> Result<Axis, SweepError> {
+        let (first, second) = self.distribution.numbers();
+        let own = (self.number.get)(scene).unwrap_or(0.5 * (first + second));
+        let beside = [own.next_up(), own.next_down()];
+        let other = beside.into_iter().find(|value| self.number.allowed.contains(*value));
+        Axis::new(self.symbol(), (own, other.unwrap_or(own)), 2, Spacing::Linear)
+    }
+}

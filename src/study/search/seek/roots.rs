@@ -1,0 +1,403 @@
+//! All places on 0 to 1 where a function takes a wanted value, whether it is continuous or not, and defined everywhere or not.
+//!
+//! A scan brackets the crossings; the ends of stretches without a value are closed in by bisection, so that a crossing between the
+//! last point of the scan and the edge is not missed; a valley of the distance to the goal that does not change sign is searched
+//! by golden section. Brackets are closed by regula falsi in the Illinois form, safeguarded by bisection.
+
+use crate::numerics::minimum;
+
+/// Bisections of an edge: to 1e-13 of the scan's spacing.
+const EDGE_STEPS: usize = 42;
+/// Rounds of a bracket.
+const ROUNDS: usize = 120;
+/// A bracket is closed at this width.
+const WIDTH: f64 = 1e-15;
+/// A value this near to the goal, relative to the goal or the spread of values, is the goal: far above the noise of a run.
+const NEAR: f64 = 1e-7;
+/// So near that neighbours of the scan count as a plateau.
+const SAME: f64 = 1e-12;
+/// Stretches without a value that are closed in, at the most.
+const HOLES_MAX: usize = 64;
+
+/// The function, many places at once: `None` for a place without a value; all of it `None` when it was stopped.
+pub type Function<'a> = &'a mut dyn FnMut(&[f64]) -> Option<Vec<Option<f64>>>;
+
+/// The function was stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stopped;
+
+/// A place and the value there.
+pub type Point = (f64, f64);
+
+/// What a crossing is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The goal is reached in passing.
+    Root,
+    /// The goal is reached at a least or greatest value.
+    Touch,
+    /// The goal is met all the way from `from` to `to`.
+    Plateau,
+    /// The goal is jumped over between `from` and `to`.
+    Jump,
+}
+
+/// A crossing of the goal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// What it is.
+    pub kind: Kind,
+    /// Where; the nearer end for a root.
+    pub from: Point,
+    /// The other end.
+    pub to: Point,
+}
+
+/// A search under way.
+pub struct Hunt<'f> {
+    target: f64,
+    function: Function<'f>,
+    /// What was found, in order.
+    pub crossings: Vec<Crossing>,
+    /// Every place that has a value.
+    pub seen: Vec<Point>,
+    /// The scan.
+    pub scan: Vec<(f64, Option<f64>)>,
+    spread: f64,
+}
+
+impl<'f> Hunt<'f> {
+    /// A search for the places where the function is `target`.
+    pub fn new(target: f64, function: Function<'f>) -> Self {
+        let (crossings, seen, scan) = (Vec::new(), Vec::new(), Vec::new());
+        Self { target, function, crossings, seen, scan, spread: 0.0 }
+    }
+
+    /// Search with a scan of so many points, at least 2.
+    ///
+    /// # Errors
+    /// [`Stopped`]; what was found until then is kept.
+    pub fn run(&mut self, points: usize) -> Result<(), Stopped> {
+        let last = points.max(2) - 1;
+        let shares: Vec<f64> = (0..=last).map(|at| at as f64 / last as f64).collect();
+        let values = self.values(&shares)?;
+        self.scan = shares.into_iter().zip(values).collect();
+        let known = || self.scan.iter().filter_map(|point| point.1);
+        let (least, most) = known().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), v| {
+            (if v < least { v } else { least }, if v > most { v } else { most })
+        });
+        self.spread = if most > least { most - least } else { 0.0 };
+        let stretches = self.stretches()?;
+        for stretch in stretches {
+            self.along(&stretch)?;
+        }
+        self.tidy();
+        Ok(())
+    }
+
+    fn values(&mut self, shares: &[f64]) -> Result<Vec<Option<f64>>, Stopped> {
+        let values = (self.function)(shares).ok_or(Stopped)?;
+        let known =
+            shares.iter().zip(&values).filter_map(|(share, value)| Some((*share, (*value)?)));
+        self.seen.extend(known);
+        Ok(values)
+    }
+
+    /// The function at one place.
+    fn value(&mut self, share: f64) -> Result<Option<f64>, Stopped> {
+        self.values(&[share]).map(|values| values.first().copied().flatten())
+    }
+
+    fn near(&self) -> f64 {
+        let scale = self.target.abs();
+        NEAR * if scale > self.spread { scale } else { self.spread }
+    }
+
+    /// Stretches of the scan that have values throughout, each lengthened to its edges.
+    fn stretches(&mut self) -> Result<Vec<Vec<Point>>, Stopped> {
+        let scan = self.scan.clone();
+        let mut stretches: Vec<Vec<Point>> = Vec::new();
+        let mut holes = 0;
+        for (at, (share, value)) in scan.iter().enumerate() {
+            let before = at.checked_sub(1).map(|before| scan[before]);
+            let Some(value) = value else {
+                if let Some((from, Some(known))) = before
+                    && holes < HOLES_MAX
+                {
+                    holes += 1;
+                    let edge = self.edge((from, known), *share)?;
+                    if let Some(stretch) = stretches.last_mut() {
+                        stretch.extend(edge);
+                    }
+                }
+                continue;
+            };
+            if let Some((gap, None)) = before {
+                let mut begun = Vec::new();
+                if holes < HOLES_MAX {
+                    holes += 1;
+                    begun.extend(self.edge((*share, *value), gap)?);
+                }
+                stretches.push(begun);
+            } else if before.is_none() {
+                stretches.push(Vec::new());
+            }
+            if let Some(stretch) = stretches.last_mut() {
+                stretch.push((*share, *value));
+            }
+        }
+        Ok(stretches)
+    }
+
+    /// The farthest place towards `gap` that still has a value, where that is farther than the known one.
+    fn edge(&mut self, known: Point, gap: f64) -> Result<Option<Point>, Stopped> {
+        let (mut inside, mut outside) = (known, gap);
+        for _ in 0..EDGE_STEPS {
+            let middle = 0.5 * (inside.0 + outside);
+            match self.value(middle)? {
+                Some(value) => inside = (middle, value),
+                None => outside = middle,
+            }
+        }
+        Ok((inside.0.to_bits() != known.0.to_bits()).then_some(inside))
+    }
+
+    /// Every crossing along points that all have values.
+    fn along(&mut self, points: &[Point]) -> Result<(), Stopped> {
+        let off = |point: &Point| point.1 - self.target;
+        let same = SAME * self.target.abs();
+        let hits = |point: &Point| (point.1 - self.target).abs() <= same;
+        let mut found = Vec::new();
+        for (at, point) in points.iter().enumerate().filter(|(_, point)| hits(point)) {
+            let joins = at > 0 && hits(&points[at - 1]);
+            match found.last_mut() {
+                Some(Crossing { kind, to, .. }) if joins => (*kind, *to) = (Kind::Plateau, *point),
+                _ => found.push(Crossing { kind: Kind::Root, from: *point, to: *point }),
+            }
+        }
+        self.crossings.extend(found);
+        let crosses = |pair: &[Point]| off(&pair[0]) * off(&pair[1]) < 0.0;
+        let brackets: Vec<(Point, Point)> = points
+            .windows(2)
+            .filter(|pair| crosses(pair) && !hits(&pair[0]) && !hits(&pair[1]))
+            .map(|pair| (pair[0], pair[1]))
+            .collect();
+        let valleys: Vec<(Point, Point)> = points
+            .windows(3)
+            .filter(|three| {
+                let (a, b, c) = (off(&three[0]), off(&three[1]), off(&three[2]));
+                let one_side = a * b > 0.0 && b * c > 0.0;
+                one_side && b.abs() <= a.abs() && b.abs() <= c.abs() && !hits(&three[1])
+            })
+            .map(|three| (three[0], three[2]))
+            .collect();
+        for (a, b) in brackets {
+            self.close(a, b)?;
+        }
+        for (a, b) in valleys {
+            self.valley(a, b)?;
+        }
+        Ok(())
+    }
+
+    /// A stretch on one side of the goal with a nearest place inside: it may cross the goal twice, or touch it.
+    fn valley(&mut self, a: Point, b: Point) -> Result<(), Stopped> {
+        let target = self.target;
+        let side = (a.1 - target).signum();
+        let is_beyond = move |value: f64| (value - target) * side < 0.0;
+        let mut best = a;
+        let mut stopped = false;
+        minimum::in_bracket(a.0, b.0, |share| {
+            // Once the goal is crossed the rest is the business of the brackets.
+            if stopped || is_beyond(best.1) {
+                return (share - best.0).abs();
+            }
+            match self.value(share) {
+                Err(Stopped) => stopped = true,
+                Ok(Some(value)) if is_beyond(value) => best = (share, value),
+                Ok(Some(value)) if (value - target).abs() < (best.1 - target).abs() => {
+                    best = (share, value);
+                }
+                Ok(_) => {}
+            }
+            let last = self.seen.last().filter(|seen| seen.0.to_bits() == share.to_bits());
+            last.map_or(f64::INFINITY, |seen| (seen.1 - target).abs())
+        });
+        if stopped {
+            return Err(Stopped);
+        }
+        if is_beyond(best.1) {
+            self.close(a, best)?;
+            return self.close(best, b);
+        }
+        if (best.1 - target).abs() <= self.near() {
+            self.crossings.push(Crossing { kind: Kind::Touch, from: best, to: best });
+        }
+        Ok(())
+    }
+
+    /// Close a bracket; where the function has no value inside, both sides up to the hole.
+    fn close(&mut self, a: Point, b: Point) -> Result<(), Stopped> {
+        let (mut a, mut b) = (a, b);
+        let off = |point: Point, target: f64| point.1 - target;
+        let (mut weight_a, mut weight_b) = (1.0, 1.0);
+        for round in 0..ROUNDS {
+            if (b.0 - a.0).abs() <= WIDTH {
+                break;
+            }
+            let (fa, fb) = (weight_a * off(a, self.target), weight_b * off(b, self.target));
+            let secant = (a.0 * fb - b.0 * fa) / (fb - fa);
+            let inside = (secant - a.0) * (secant - b.0) < 0.0;
+            let share = if inside && round % 3 != 2 { secant } else { 0.5 * (a.0 + b.0) };
+            let Some(value) = self.value(share)? else {
+                return self.around((a, b), share);
+            };
+            let point = (share, value);
+            let f = off(point, self.target);
+            if f == 0.0 {
+                self.crossings.push(Crossing { kind: Kind::Root, from: point, to: point });
+                return Ok(());
+            }
+            if (f > 0.0) == (fb > 0.0) {
+                (b, weight_b, weight_a) = (point, 1.0, 0.5 * weight_a);
+            } else {
+                (a, weight_a, weight_b) = (point, 1.0, 0.5 * weight_b);
+            }
+        }
+        let (near, far) =
+            if off(a, self.target).abs() <= off(b, self.target).abs() { (a, b) } else { (b, a) };
+        let kind =
+            if off(near, self.target).abs() <= self.near() { Kind::Root } else { Kind::Jump };
+        let (from, to) = if kind == Kind::Root { (near, far) } else { (a, b) };
+        self.crossings.push(Crossing { kind, from, to });
+        Ok(())
+    }
+
+    /// A bracket with a place without a value inside: each side may still cross before the hole.
+    fn around(&mut self, (a, b): (Point, Point), hole: f64) -> Result<(), Stopped> {
+        for known in [a, b] {
+            let edge = self.edge(known, hole)?;
+            if let Some(edge) =
+                edge.filter(|edge| (edge.1 - self.target) * (known.1 - self.target) < 0.0)
+            {
+                self.close_simply(known, edge)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Bisection alone, for the rare bracket beside a hole.
+    fn close_simply(&mut self, a: Point, b: Point) -> Result<(), Stopped> {
+        let (mut a, mut b) = (a, b);
+        while (b.0 - a.0).abs() > 4.0 * WIDTH {
+            let middle = 0.5 * (a.0 + b.0);
+            if middle.to_bits() == a.0.to_bits() || middle.to_bits() == b.0.to_bits() {
+                break;
+            }
+            let Some(value) = self.value(middle)? else { return Ok(()) };
+            let point = (middle, value);
+            if (value > self.target) == (b.1 > self.target) { b = point } else { a = point }
+        }
+        let kind = if (a.1 - self.target).abs() <= self.near() { Kind::Root } else { Kind::Jump };
+        self.crossings.push(Crossing { kind, from: a, to: b });
+        Ok(())
+    }
+
+    /// In order, each once.
+    fn tidy(&mut self) {
+        self.crossings.sort_by(|a, b| a.from.0.total_cmp(&b.from.0));
+        self.crossings.dedup_by(|b, a| {
+            a.kind != Kind::Plateau && a.kind == b.kind && (b.from.0 - a.from.0).abs() < 1e-12
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn hunt(f: impl Fn(f64) -> Option<f64>, target: f64, points: usize) -> Vec<Crossing> {
+        let function: Function<'_> = &mut |shares| Some(shares.iter().map(|s| f(*s)).collect());
+        let mut hunt = Hunt::new(target, function);
+        hunt.run(points).unwrap();
+        hunt.crossings
+    }
+
+    fn roots(found: &[Crossing]) -> Vec<f64> {
+        found.iter().filter(|it| it.kind == Kind::Root).map(|it| it.from.0).collect()
+    }
+
+    fn assert_near(found: &[f64], exact: &[f64]) {
+        assert_eq!(found.len(), exact.len(), "{found:?} {exact:?}");
+        for (found, exact) in found.iter().zip(exact) {
+            assert!((found - exact).abs() < 1e-13, "{found} {exact}");
+        }
+    }
+
+    #[test]
+    fn every_crossing_of_a_wave_is_found_once() {
+        let pi = std::f64::consts::PI;
+        let exact: Vec<f64> = (0..6).map(|n| (f64::from(n) + 1.0 / 6.0) / 5.0).collect();
+        let exact: Vec<f64> = exact.into_iter().filter(|s| *s < 1.0).collect();
+        // sin(10 pi s - pi/3) = 0 at s = (n + 1/3)/10; take all of them.
+        let all: Vec<f64> = (0..10).map(|n| (f64::from(n) + 1.0 / 3.0) / 10.0).collect();
+        let found = hunt(|s| Some((10.0 * pi * s - pi / 3.0).sin() + 2.0), 2.0, 41);
+        assert_near(&roots(&found), &all);
+        // tan-like slopes of one sign only: cos² touches nothing between.
+        let half = hunt(|s| Some((5.0 * pi * s - pi / 6.0).sin() + 2.0), 2.0, 41);
+        assert_near(&roots(&half), &exact[..5]);
+    }
+
+    #[test]
+    fn a_touch_is_told_from_a_crossing_and_from_a_miss() {
+        let touch = hunt(|s| Some((s - 0.372).powi(2) + 1.0), 1.0, 21);
+        assert_eq!((touch.len(), touch[0].kind), (1, Kind::Touch));
+        assert!((touch[0].from.0 - 0.372).abs() < 1e-3);
+        let twice = hunt(|s| Some((s - 0.372).powi(2) + 1.0), 1.0 + 1e-6, 21);
+        assert_near(&roots(&twice), &[0.371, 0.373]);
+        assert!(hunt(|s| Some((s - 0.372).powi(2) + 1.0), 0.99, 21).is_empty());
+    }
+
+    #[test]
+    fn a_jump_and_a_pole_are_no_solutions() {
+        let step = hunt(|s| Some(if s < 0.3217 { 1.0 } else { 3.0 }), 2.0, 17);
+        assert_eq!((step.len(), step[0].kind), (1, Kind::Jump));
+        assert!((step[0].from.0 - 0.3217).abs() < 1e-13 && (step[0].to.0 - 0.3217).abs() < 1e-13);
+        let pole = hunt(|s| Some(1.0 / (s - 0.4321)), 0.0, 17);
+        assert!(pole.iter().all(|it| it.kind == Kind::Jump), "{pole:?}");
+    }
+
+    #[test]
+    fn a_crossing_between_the_scan_and_an_edge_is_found() {
+        // Known only below 0.43; crosses at 0.42, between the points 0.4 and 0.5.
+        let known = |s: f64| (s < 0.43).then_some(s);
+        assert_near(&roots(&hunt(known, 0.42, 11)), &[0.42]);
+        let above = |s: f64| (s > 0.57).then_some(s);
+        assert_near(&roots(&hunt(above, 0.58, 11)), &[0.58]);
+        // A hole within a bracket: crossing before it, and one that falls into it.
+        let hole = |s: f64| (!(0.44..0.46).contains(&s)).then_some(s);
+        assert_near(&roots(&hunt(hole, 0.43, 11)), &[0.43]);
+        assert!(roots(&hunt(hole, 0.45, 11)).is_empty());
+        assert!(hunt(|_| None, 1.0, 11).is_empty());
+    }
+
+    #[test]
+    fn what_does_not_depend_on_the_place_is_one_plateau() {
+        let flat = hunt(|_| Some(7.0), 7.0, 11);
+        assert_eq!(flat.len(), 1);
+        assert_eq!((flat[0].kind, flat[0].from.0, flat[0].to.0), (Kind::Plateau, 0.0, 1.0));
+        assert!(hunt(|_| Some(7.0), 8.0, 11).is_empty());
+    }
+
+    #[test]
+    fn a_stop_keeps_what_was_found() {
+        let mut asked = 0;
+        let function: Function<'_> = &mut |shares| {
+            asked += 1;
+            (asked < 3).then(|| shares.iter().map(|s| Some(s * s)).collect())
+        };
+        let mut hunt = Hunt::new(0.123, function);
+        assert!(hunt.run(11) == Err(Stopped));
+        assert_eq!(hunt.scan.len(), 11);
+    }
+}

@@ -1,0 +1,98 @@
+//! Goals whose answer is known in closed form.
+
+use std::f64::consts::PI;
+
+use super::*;
+use crate::model::scene::Mount;
+use crate::study::sweep::Spacing;
+
+fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Goal {
+    let axis = Axis::new(name, ends, 33, Spacing::Linear).unwrap();
+    Goal { axis, measure: measure.to_owned(), target, threads: 2 }
+}
+
+fn found(scene: &Scene, goal: &Goal) -> Report {
+    seek(scene, goal, &mut |_, _| ControlFlow::Continue(())).unwrap()
+}
+
+fn close(value: f64, exact: f64, relative: f64) {
+    assert!((value - exact).abs() <= relative * exact.abs(), "{value} is not {exact}");
+}
+
+/// Swept volume for a depth p <= R of a hemisphere under dishing, m³ (model page, section 2).
+fn volume(scene: &Scene, p: f64) -> f64 {
+    let (r, h) = (scene.projectile.tip_radius_m, scene.target.thickness_m);
+    (h + 2.0 * r) / h * PI * (r * p * p - p.powi(3) / 3.0)
+}
+
+/// On a rigid mount the velocity for a depth is v² = (S/c)(exp(2cV/m) - 1).
+#[test]
+fn valid_velocity_for_a_depth_on_a_rigid_mount() {
+    let mut scene = Scene::default();
+    scene.plate.mount = Mount::Rigid;
+    for depth_m in [1e-3, 3e-3, 5.5e-3] {
+        let (s, c) = (scene.target.flow_strength_pa, scene.drag_kg_m3());
+        let exponent = 2.0 * c * volume(&scene, depth_m) / scene.projectile.mass_kg;
+        let exact = (s / c * exponent.exp_m1()).sqrt();
+        let report = found(&scene, &goal("v_i", (5.0, 150.0), "final_penetration_m", depth_m));
+        assert_eq!(report.solutions.len(), 1, "{depth_m}");
+        close(report.solutions[0].place.at, exact, 1e-9);
+        assert_eq!(report.solutions[0].fate, Some(Fate::Arrested));
+        assert!(report.jumps.is_empty() && report.gaps.is_empty() && report.is_complete);
+    }
+}
+
+/// A free plate: V = mu/(2c) ln(1 + c v²/S) gives the reduced mass for a depth, and so gamma.
+#[test]
+fn valid_mass_ratio_for_a_depth_in_a_free_plate() {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.coefficient = 0.0;
+    scene.mechanism.damper.coefficient = 0.0;
+    let depth_m = 4.2e-3;
+    let (s, c, v) =
+        (scene.target.flow_strength_pa, scene.drag_kg_m3(), scene.projectile.velocity_m_s);
+    let mu = volume(&scene, depth_m) * 2.0 * c / (c * v * v / s).ln_1p();
+    let exact = mu / (scene.projectile.mass_kg - mu);
+    let report = found(&scene, &goal("gamma", (0.3, 7.0), "final_penetration_m", depth_m));
+    assert_eq!(report.solutions.len(), 1);
+    close(report.solutions[0].place.at, exact, 1e-9);
+    // The model page's own number: gamma = 1 for 4.568088344392 mm.
+    let printed = goal("gamma", (0.3, 7.0), "final_penetration_m", 4.568_088_344_392e-3);
+    close(found(&scene, &printed).solutions[0].place.at, 1.0, 1e-10);
+}
+
+#[test]
+fn what_cannot_be_reached_names_the_nearest() {
+    let scene = Scene::default();
+    let report = found(&scene, &goal("k", (0.0, 7.5e6), "percent_of_baseline", 10.0));
+    assert!(report.solutions.is_empty());
+    // Softest is best without cocking, so the nearest is no spring at all: the free plate's 64.22 %.
+    let nearest = report.nearest.unwrap();
+    assert!(nearest.at.abs() < 1.0, "{nearest:?}");
+    close(nearest.value, 100.0 * 4.568_088_344_392 / 7.113_055, 1e-6);
+}
+
+/// Beyond the limit there is no depth: the gap is told, and the depth just before it is still found.
+#[test]
+fn perforations_are_a_gap_and_not_a_number() {
+    let mut scene = Scene::default();
+    scene.plate.mount = Mount::Rigid;
+    let report = found(&scene, &goal("v_i", (100.0, 400.0), "final_penetration_m", 0.02));
+    assert_eq!(report.solutions.len(), 1);
+    let gap = report.gaps.last().unwrap();
+    assert_eq!((gap.fate, gap.to), (Fate::Perforated, 400.0));
+    assert!(gap.from > 232.295_378 && report.solutions[0].place.at < 232.295_378);
+}
+
+#[test]
+fn no_digit_depends_on_the_threads_and_bad_goals_are_refused() {
+    let scene = Scene::default();
+    let asked = goal("d", (0.0, 0.5), "percent_of_baseline", 50.0);
+    let one = found(&scene, &Goal { threads: 1, ..asked.clone() });
+    assert_eq!(one.solutions, found(&scene, &Goal { threads: 3, ..asked.clone() }).solutions);
+    let go_on: Watch<'_> = &mut |_, _| ControlFlow::Continue(());
+    assert!(seek(&scene, &Goal { measure: "depth".to_owned(), ..asked.clone() }, go_on).is_err());
+    let stop: Watch<'_> = &mut |_, _| ControlFlow::Break(());
+    let stopped = seek(&scene, &asked, stop).unwrap();
+    assert!(!stopped.is_complete && stopped.solutions.is_empty());
+}

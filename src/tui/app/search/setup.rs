@@ -1,0 +1,470 @@
+//! What is looked for, as a list of rows that can be stepped and typed into. No drawing.
+
+use tui_input::Input;
+
+use super::Page;
+use crate::model::results::ResultColumn;
+use crate::model::scene::Scene;
+use crate::model::units::{self, Bare, significant};
+use crate::model::variables::{self, Group, Kind};
+use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
+use crate::study::search::measure::measure;
+use crate::study::search::nsga;
+use crate::study::search::scatter::{self, usual_measures, usual_tolerances};
+use crate::study::search::seek::Goal;
+use crate::study::sensitivity;
+use crate::study::sweep::crew::Crew;
+use crate::study::sweep::{Axis, Spacing};
+use crate::tui::app::App;
+use crate::worker::searches::Request;
+
+/// A variable with its bounds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bound {
+    /// Its symbol.
+    pub name: &'static str,
+    /// First and last value, in the stored unit.
+    pub ends: (f64, f64),
+    /// At equal ratios.
+    pub log: bool,
+    /// It is varied; otherwise held.
+    pub on: bool,
+}
+
+/// What is looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setup {
+    /// Goal seek: the variable.
+    pub seek: Bound,
+    /// Points of its scan.
+    pub points: u64,
+    /// The result and its wanted value.
+    pub goal: (&'static str, f64),
+    /// Variables of fronts and sensitivity; empty: those of Table 9.2.
+    pub bounds: Vec<Bound>,
+    /// Which of the usual objectives count.
+    pub objectives: [bool; 4],
+    /// The greatest stroke allowed, m.
+    pub stroke_m: Option<f64>,
+    /// Points of a generation, and generations.
+    pub effort: (usize, usize),
+    /// Measures drawn across and up, by their place.
+    pub axes: (usize, usize),
+    /// The result of sensitivity and scatter.
+    pub output: &'static str,
+    /// Relative deviation of every input, percent.
+    pub percent: f64,
+    /// Samples.
+    pub samples: usize,
+}
+
+impl Default for Setup {
+    fn default() -> Self {
+        Self {
+            seek: Bound { name: "d", ends: (0.0, 0.5), log: false, on: true },
+            points: 65,
+            goal: ("percent_of_baseline", 60.0),
+            bounds: Vec::new(),
+            objectives: [true; 4],
+            stroke_m: Some(1.0),
+            effort: (60, 40),
+            axes: (0, 1),
+            output: "percent_of_baseline",
+            percent: 2.0,
+            samples: 10_000,
+        }
+    }
+}
+
+/// One row of the setup.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Row {
+    /// Which search.
+    #[default]
+    Page,
+    /// A heading.
+    Heading(&'static str),
+    /// Goal seek: the variable.
+    Name,
+    /// Its first value.
+    From,
+    /// Its last value.
+    To,
+    /// How its scan is spread.
+    Spacing,
+    /// Points of the scan.
+    Points,
+    /// The result that has a goal.
+    Result,
+    /// The goal.
+    Goal,
+    /// A variable with its bounds.
+    Bound(usize),
+    /// An objective.
+    Objective(usize),
+    /// The greatest stroke.
+    Stroke,
+    /// Points of a generation.
+    Population,
+    /// Generations.
+    Generations,
+    /// The measure across.
+    Across,
+    /// The measure up.
+    Up,
+    /// The result of sensitivity and scatter.
+    Output,
+    /// Relative deviation of the inputs.
+    Percent,
+    /// Samples.
+    Samples,
+}
+
+/// A text being typed.
+#[derive(Clone, Debug)]
+pub struct SearchField {
+    /// The row.
+    pub row: Row,
+    /// The text.
+    pub input: Input,
+    /// The old text is still selected: the first character replaces it.
+    pub fresh: bool,
+    /// Why the text is no good.
+    pub error: Option<String>,
+}
+
+/// Short names of the usual objectives.
+pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount force"];
+
+/// The bounds a variable gets when it is chosen: Table 9.2's, or half to double of what the scene has.
+///
+/// # Errors
+/// Why there is no such variable, or none with numbers.
+pub fn bound(scene: &Scene, name: &str) -> Result<Bound, String> {
+    let variable = variables::find(name).map_err(|error| error.to_string())?;
+    let Kind::Number(number) = &variable.kind else {
+        return Err(format!("{} has no numbers, only {}", variable.symbol, variable.allowed()));
+    };
+    let ends = number.thesis_range.unwrap_or_else(|| match (number.get)(scene) {
+        Some(value) if value > 0.0 => {
+            let double = 2.0 * value;
+            (0.5 * value, if number.allowed.contains(double) { double } else { value })
+        }
+        Some(_) | None => (0.0, 1.0),
+    });
+    Ok(Bound { name: variable.symbol, ends, log: false, on: true })
+}
+
+/// Read `0.8..7`, `1e3..7.5e6:log`, with units or without; `off` and `on`.
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
+    match text.trim() {
+        "off" => return Ok(Bound { on: false, ..old.clone() }),
+        "on" => return Ok(Bound { on: true, ..old.clone() }),
+        _ => {}
+    }
+    let (range, log) = match text.trim().strip_suffix(":log") {
+        Some(range) => (range, true),
+        None => (text.trim(), false),
+    };
+    let (low, high) = range.split_once("..").ok_or("write LO..HI, LO..HI:log or off: 0.8..7")?;
+    let variable = variables::find(old.name).map_err(|error| error.to_string())?;
+    let Kind::Number(number) = &variable.kind else { return Err("no numbers".to_owned()) };
+    let read = |text: &str| {
+        units::parse(text, number.quantity, Bare::Stored).map_err(|problem| problem.to_string())
+    };
+    let new = Bound { ends: (read(low)?, read(high)?), log, on: true, ..old.clone() };
+    axis(&new, 2).map(|_| new)
+}
+
+/// A checked axis of a bound.
+fn axis(bound: &Bound, count: u64) -> Result<Axis, String> {
+    let spacing = if bound.log { Spacing::Log } else { Spacing::Linear };
+    Axis::new(bound.name, bound.ends, count, spacing).map_err(|error| error.to_string())
+}
+
+/// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, the shot's and the target's off.
+fn usual_bounds(scene: &Scene) -> Vec<Bound> {
+    let thesis = sensitivity::thesis_axes(scene).unwrap_or_default();
+    let mut list: Vec<Bound> = thesis
+        .iter()
+        .map(|axis| Bound { name: axis.symbol(), ends: axis.ends(), log: false, on: true })
+        .collect();
+    let others = variables::VARIABLES.iter().filter(|variable| {
+        let group = matches!(variable.group, Group::Projectile | Group::Target);
+        group && variables::is_used(variable, scene)
+    });
+    for variable in others {
+        let positive = match &variable.kind {
+            Kind::Number(number) => (number.get)(scene).is_some_and(|value| value > 0.0),
+            Kind::Choice(_) | Kind::Switch { .. } => false,
+        };
+        if let Ok(bound) = bound(scene, variable.symbol)
+            && positive
+        {
+            list.push(Bound { on: false, ..bound });
+        }
+    }
+    list
+}
+
+impl App {
+    /// The variables of fronts and sensitivity.
+    pub fn search_bounds(&self) -> Vec<Bound> {
+        let kept = &self.searching.setup.bounds;
+        if kept.is_empty() { usual_bounds(&self.scene) } else { kept.clone() }
+    }
+
+    /// The rows of the setup, headings included.
+    pub fn search_rows(&self) -> Vec<Row> {
+        let bounds = || (0..self.search_bounds().len()).map(Row::Bound);
+        let mut rows = vec![Row::Page];
+        match self.searching.page {
+            Page::Seek => rows.extend([
+                Row::Heading("Vary"),
+                Row::Name,
+                Row::From,
+                Row::To,
+                Row::Spacing,
+                Row::Points,
+                Row::Heading("Until"),
+                Row::Result,
+                Row::Goal,
+            ]),
+            Page::Front => {
+                rows.push(Row::Heading("Make small"));
+                rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
+                rows.extend([Row::Stroke, Row::Heading("Vary")]);
+                rows.extend(bounds());
+                rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
+                rows.extend([Row::Heading("Effort"), Row::Population, Row::Generations]);
+            }
+            Page::Sensitivity => {
+                rows.extend([Row::Heading("Of"), Row::Output, Row::Heading("Vary")]);
+                rows.extend(bounds());
+            }
+            Page::Scatter => rows.extend([
+                Row::Heading("Every input"),
+                Row::Percent,
+                Row::Samples,
+                Row::Heading("Show"),
+                Row::Output,
+            ]),
+            Page::Worth => {}
+        }
+        rows
+    }
+
+    /// The selected row; the first one where the selection is not there any more.
+    pub fn search_row(&self) -> Row {
+        if self.search_rows().contains(&self.searching.row) {
+            self.searching.row
+        } else {
+            Row::Page
+        }
+    }
+
+    /// Move the selection, stopping at the ends.
+    pub fn move_in_search(&mut self, by: isize) {
+        let mut rows = self.search_rows();
+        rows.retain(|row| !matches!(row, Row::Heading(_)));
+        let row = self.search_row();
+        let here = rows.iter().position(|one| *one == row).unwrap_or(0);
+        self.searching.row = rows[here.saturating_add_signed(by).min(rows.len() - 1)];
+    }
+
+    /// What a row shows: its label and its value.
+    pub fn search_shown(&self, row: Row) -> (String, String) {
+        let setup = &self.searching.setup;
+        let title =
+            |name: &str| measure(name).map_or_else(|_| name.to_owned(), ResultColumn::title);
+        let text = |label: &str, value: String| (label.to_owned(), value);
+        let on = |on: bool| if on { "yes" } else { "no" }.to_owned();
+        let number = |value: f64| significant(value, 5);
+        match row {
+            Row::Page => text("search", self.searching.page.title().to_owned()),
+            Row::Heading(heading) => text(heading, String::new()),
+            Row::Name => text("variable", setup.seek.name.to_owned()),
+            Row::From => text("from", number(setup.seek.ends.0)),
+            Row::To => text("to", number(setup.seek.ends.1)),
+            Row::Spacing => {
+                text("spacing", if setup.seek.log { "log" } else { "linear" }.to_owned())
+            }
+            Row::Points => text("points", setup.points.to_string()),
+            Row::Result => (title(setup.goal.0), String::new()),
+            Row::Goal => text("is", self.search_text(row)),
+            Row::Bound(at) => {
+                let bounds = self.search_bounds();
+                bounds.get(at).map_or_else(
+                    || (String::new(), String::new()),
+                    |bound| {
+                        text(bound.name, if bound.on { range(bound) } else { "held".to_owned() })
+                    },
+                )
+            }
+            Row::Objective(at) => text(OBJECTIVES[at], on(setup.objectives[at])),
+            Row::Stroke => text("stroke at most", self.search_text(row)),
+            Row::Population => text("designs", setup.effort.0.to_string()),
+            Row::Generations => text("generations", setup.effort.1.to_string()),
+            Row::Across => text("across", self.axis_title(setup.axes.0)),
+            Row::Up => text("up", self.axis_title(setup.axes.1)),
+            Row::Output => (title(setup.output), String::new()),
+            Row::Percent => text("deviation", format!("{} %", number(setup.percent))),
+            Row::Samples => text("samples", setup.samples.to_string()),
+        }
+    }
+
+    fn axis_title(&self, at: usize) -> String {
+        let chosen = self.chosen_objectives();
+        let name = chosen.get(at.min(chosen.len().saturating_sub(1)));
+        name.map_or_else(|| "-".to_owned(), |at| OBJECTIVES[*at].to_owned())
+    }
+
+    /// The places of the objectives that count.
+    pub fn chosen_objectives(&self) -> Vec<usize> {
+        (0..OBJECTIVES.len()).filter(|at| self.searching.setup.objectives[*at]).collect()
+    }
+
+    /// The text a field opens with.
+    pub fn search_text(&self, row: Row) -> String {
+        let setup = &self.searching.setup;
+        match row {
+            Row::Name => setup.seek.name.to_owned(),
+            Row::From => units::shortest(setup.seek.ends.0),
+            Row::To => units::shortest(setup.seek.ends.1),
+            Row::Points => setup.points.to_string(),
+            Row::Result => setup.goal.0.to_owned(),
+            Row::Goal => measure(setup.goal.0)
+                .map_or_else(|_| String::new(), |column| column.show(setup.goal.1, 6)),
+            Row::Bound(at) => self.search_bounds().get(at).map_or_else(String::new, range),
+            Row::Stroke => match setup.stroke_m {
+                Some(stroke) => {
+                    units::Engineering { value: stroke, unit: "m", digits: 4 }.to_string()
+                }
+                None => "none".to_owned(),
+            },
+            Row::Population => setup.effort.0.to_string(),
+            Row::Generations => setup.effort.1.to_string(),
+            Row::Output => setup.output.to_owned(),
+            Row::Percent => significant(setup.percent, 5),
+            Row::Samples => setup.samples.to_string(),
+            Row::Page
+            | Row::Heading(_)
+            | Row::Spacing
+            | Row::Objective(_)
+            | Row::Across
+            | Row::Up => String::new(),
+        }
+    }
+
+    /// What the selected row means.
+    pub fn search_row_words(&self) -> String {
+        let of = |name: &str| {
+            variables::find(name).map_or_else(
+                |_| String::new(),
+                |found| format!("{}: {}", found.symbol, found.meaning),
+            )
+        };
+        let result = |name: &str| {
+            measure(name).map_or_else(
+                |_| String::new(),
+                |column| format!("{}: {}", column.title(), column.meaning),
+            )
+        };
+        match self.search_row() {
+            Row::Page => "h/l or v: goal seek, best designs, what matters, scatter, is it worth it"
+                .to_owned(),
+            Row::Heading(_) => String::new(),
+            Row::Name | Row::From | Row::To | Row::Spacing => of(self.searching.setup.seek.name),
+            Row::Points => "points of the scan: solutions closer together may be missed".to_owned(),
+            Row::Result | Row::Goal => result(self.searching.setup.goal.0),
+            Row::Bound(at) => {
+                let name = self.search_bounds().get(at).map_or("", |bound| bound.name);
+                format!("{} (Enter: LO..HI, LO..HI:log; h/l held or varied)", of(name))
+            }
+            Row::Objective(at) => result(USUAL[at]),
+            Row::Stroke => "designs with a greater stroke do not count; none: no bound".to_owned(),
+            Row::Population => {
+                "designs of a generation: the front has as many at the most".to_owned()
+            }
+            Row::Generations => "generations after the first".to_owned(),
+            Row::Across | Row::Up => "which objective the chart shows along this axis".to_owned(),
+            Row::Output => result(self.searching.setup.output),
+            Row::Percent => "standard deviation of every input, lognormal".to_owned(),
+            Row::Samples => "random scenes: the interval narrows with their root".to_owned(),
+        }
+    }
+
+    /// What a page asks for.
+    ///
+    /// # Errors
+    /// Why it cannot be looked for.
+    pub fn search_request(&self, page: Page) -> Result<Request, String> {
+        let setup = &self.searching.setup;
+        let threads = Crew::of_machine().threads;
+        let axes = || {
+            let bounds = self.search_bounds();
+            bounds
+                .iter()
+                .filter(|bound| bound.on)
+                .map(|bound| axis(bound, 2))
+                .collect::<Result<Vec<_>, _>>()
+        };
+        Ok(match page {
+            Page::Seek => Request::Seek(Goal {
+                axis: axis(&setup.seek, setup.points)?,
+                measure: setup.goal.0.to_owned(),
+                target: setup.goal.1,
+                threads,
+            }),
+            Page::Front => Request::Front(self.front_task(axes()?, threads)?),
+            Page::Sensitivity => Request::Sensitivity {
+                axes: axes()?,
+                output: setup.output.to_owned(),
+                effort: sensitivity::Effort { rows: 1024, trajectories: 100, seed: 1, threads },
+            },
+            Page::Scatter => Request::Scatter(scatter::Task {
+                tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
+                measures: usual_measures().into_iter().map(str::to_owned).collect(),
+                samples: setup.samples,
+                seed: 1,
+                threads,
+            }),
+            Page::Worth => Request::Worth,
+        })
+    }
+
+    fn front_task(&self, axes: Vec<Axis>, threads: usize) -> Result<Task, String> {
+        let setup = &self.searching.setup;
+        let chosen: Vec<&str> = self.chosen_objectives().iter().map(|at| USUAL[*at]).collect();
+        if chosen.is_empty() {
+            return Err(
+                "no objective is chosen: l on depth, stroke, mass or mount force".to_owned()
+            );
+        }
+        let objectives: Vec<Objective> =
+            front::objectives(&chosen, &[] as &[&str]).map_err(|error| error.to_string())?;
+        let bound = setup.stroke_m.map(|bound| {
+            measure("stroke_m").map(|measure| Constraint { measure, at_most: true, bound })
+        });
+        let constraints = bound.transpose().map_err(|error| error.to_string())?;
+        let (population, generations) = setup.effort;
+        Ok(Task {
+            axes,
+            objectives,
+            constraints: constraints.into_iter().collect(),
+            laws: vec![self.scene.interface.law],
+            effort: nsga::Effort { population, generations, seed: 1 },
+            threads,
+        })
+    }
+}
+
+/// `0.8..7` or `1e3..7.5e6:log`.
+fn range(bound: &Bound) -> String {
+    let (low, high) = bound.ends;
+    let log = if bound.log { ":log" } else { "" };
+    format!("{}..{}{log}", significant(low, 5), significant(high, 5))
+}

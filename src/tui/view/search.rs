@@ -1,0 +1,308 @@
+//! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::Cursor;
+use super::text::{columns, first_row, paint_row, put};
+use crate::model::results::ResultColumn;
+use crate::study::search::front::{Candidate, Design, USUAL};
+use crate::study::search::seek;
+use crate::study::sweep::Fate;
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::search::lines::LETTERS;
+use crate::tui::app::search::setup::OBJECTIVES;
+use crate::tui::app::search::{Row, SearchField};
+use crate::tui::app::status::clip;
+use crate::tui::chart::{
+    Axis, Chart, Curve, Emphasis, EventLine, Legend, Level, Mapping, Scale, Unit, ViewRange,
+};
+use crate::tui::theme::{Pane, Role};
+use crate::worker::searches::Answer;
+
+/// Where a row's label and value begin.
+const LABEL: u16 = 2;
+const VALUE: u16 = 12;
+/// Least rows of a chart that can be read.
+const CHART_ROWS: u16 = 9;
+/// Columns of the histogram's bins.
+const BINS: usize = 40;
+
+/// Draw setup and findings.
+pub(super) fn render(
+    app: &App,
+    (left, right): (Rect, Rect),
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    setup(app, left, buffer, cursor);
+    let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
+    let Some(found) = app.searching.shown() else {
+        return nothing(app, right, buffer);
+    };
+    let draws = matches!(found.answer, Answer::Seek(_) | Answer::Front(_) | Answer::Scatter(_));
+    if !draws || right.height < CHART_ROWS + 3 {
+        return words(app, &lines, right, buffer);
+    }
+    let wanted = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
+    let below = wanted.min(right.height - CHART_ROWS).max(3);
+    let top = Rect { height: right.height - below, ..right };
+    match &found.answer {
+        Answer::Seek(report) => sought(app, report, top, buffer),
+        Answer::Front(_) => front(app, top, buffer),
+        Answer::Scatter(_) => histogram(app, top, buffer),
+        Answer::Sensitivity(_) | Answer::Worth(_) => {}
+    }
+    let rest = Rect { y: right.y + top.height, height: below, ..right };
+    words(app, &lines, rest, buffer);
+}
+
+fn setup(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
+    let on = app.searching.on_setup;
+    let hint = if on { "" } else { "Tab" };
+    let focused = on && app.dialog.is_none();
+    let inner = Pane::new("Setup").right(hint).focused(focused).render(area, buffer, app.theme);
+    let rows = app.search_rows();
+    let selected = app.search_row();
+    let here = rows.iter().position(|row| *row == selected).unwrap_or(0);
+    let height = usize::from(inner.height);
+    let first = if on { first_row(here, height, rows.len()) } else { 0 };
+    for (at, row) in (0..inner.height).zip(rows.iter().skip(first)) {
+        let (label, value) = app.search_shown(*row);
+        if matches!(row, Row::Heading(_)) {
+            put(buffer, inner, (0, at), &label, app.theme.style(Role::Title));
+            continue;
+        }
+        let role = if value == "held" || value == "no" { Role::Dim } else { Role::Text };
+        let room = usize::from(inner.width.saturating_sub(LABEL));
+        put(buffer, inner, (LABEL, at), &clip(&label, room), app.theme.style(role));
+        let start = VALUE.max(LABEL + columns(&label) + 1);
+        let room = usize::from(inner.width.saturating_sub(start));
+        put(buffer, inner, (start, at), &clip(&value, room), app.theme.style(role));
+        if on && *row == selected {
+            put(buffer, inner, (0, at), ">", app.theme.style(Role::Title));
+            match app.searching.field.as_ref().filter(|field| field.row == *row) {
+                Some(field) => open(app, field, (inner, at), buffer, cursor),
+                None => paint_row(buffer, inner, at, app.theme.style(Role::Selection)),
+            }
+        }
+    }
+}
+
+/// The field over the row, to the end of the pane.
+fn open(
+    app: &App,
+    field: &SearchField,
+    (area, at): (Rect, u16),
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let wide = matches!(field.row, Row::Result | Row::Output);
+    let start = if wide { LABEL } else { VALUE };
+    let room = area.width.saturating_sub(start + 1);
+    let scroll = field.input.visual_scroll(usize::from(room.saturating_sub(1)));
+    let shown: String = field.input.value().chars().skip(scroll).take(usize::from(room)).collect();
+    let style = app.theme.style(match (field.error.is_some(), field.fresh) {
+        (true, _) => Role::Error,
+        (false, true) => Role::Selection,
+        (false, false) => Role::Text,
+    });
+    put(buffer, area, (start, at), &" ".repeat(usize::from(room)), app.theme.style(Role::Text));
+    put(buffer, area, (start - 1, at), "[", app.theme.style(Role::Focus));
+    put(buffer, area, (start, at), &shown, style);
+    put(buffer, area, (start + room, at), "]", app.theme.style(Role::Focus));
+    let place = u16::try_from(field.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
+    *cursor = Some((area.x + start + place.min(room), area.y + at));
+}
+
+/// What stands where nothing has been found yet.
+fn nothing(app: &App, area: Rect, buffer: &mut Buffer) {
+    let title = app.searching.page.title();
+    let inner = Pane::new(title).render(area, buffer, app.theme);
+    let text = match (&app.searching.running, &app.searching.problem) {
+        (Some(_), _) => "searching",
+        (None, Some(_)) => "see the message below",
+        (None, None) => "not looked for yet: r searches",
+    };
+    let column = inner.width.saturating_sub(columns(text)) / 2;
+    put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+}
+
+fn words(app: &App, lines: &[(Severity, String)], area: Rect, buffer: &mut Buffer) {
+    let old = if app.search_is_old() { ", old" } else { "" };
+    let title = format!("{}{old}", app.searching.page.title());
+    let focused = !app.searching.on_setup && app.dialog.is_none();
+    let inner = Pane::new(title).right("v: next").focused(focused).render(area, buffer, app.theme);
+    let selected = app.searching.selected();
+    let first = first_row(selected.min(lines.len()), usize::from(inner.height), lines.len());
+    let first = if app.searching.choices() > 0 && lines.len() > usize::from(inner.height) {
+        first
+    } else {
+        0
+    };
+    for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
+        let role = match severity {
+            Severity::Note => Role::Text,
+            Severity::Warning => Role::Warning,
+            Severity::Error => Role::Error,
+        };
+        let text = clip(text, usize::from(inner.width));
+        put(buffer, inner, (0, row), &text, app.theme.style(role));
+    }
+}
+
+/// An axis of a measure over values.
+fn measure_axis(
+    column: &ResultColumn,
+    values: impl Iterator<Item = f64> + Clone,
+    log: bool,
+    label: String,
+) -> Option<Axis<'static>> {
+    let scale = if log { Scale::Log10 } else { Scale::Linear };
+    let range = ViewRange::of(scale, values)?;
+    let view = if log { range.rounded(scale) } else { range.padded(scale, 0.05) };
+    // Grams take prefixes, kilograms do not.
+    let unit = if column.unit() == "kg" {
+        Unit::new("kg")
+    } else {
+        Unit::with_prefix(range, column.unit())
+    };
+    Some(Axis::new(label, view).scale(scale).unit(unit))
+}
+
+fn sought(app: &App, report: &seek::Report, area: Rect, buffer: &mut Buffer) {
+    let points: Vec<(f64, f64)> =
+        report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
+    let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
+    let y = measure_axis(report.measure, values, app.searching.log.1, String::new());
+    let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
+        return words(app, &[(Severity::Warning, "no point has a value".to_owned())], area, buffer);
+    };
+    let old = app.search_is_old();
+    let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
+    let curve = Curve::new('*', "", &points).emphasis(emphasis);
+    let selected = report.solutions.get(app.searching.selected());
+    let lines =
+        report.solutions.iter().map(|found| EventLine { x: found.place.at, tag: "".into() });
+    let chart = Chart {
+        legend: Legend::Hidden,
+        events: lines.collect(),
+        levels: vec![Level { y: report.target, tag: "goal".into() }],
+        crosshair: selected.map(|found| found.place.at),
+        ..Chart::new(report.measure.title(), super::sweep::chart_axis(&report.axis), y, vec![curve])
+    };
+    let layout = chart.render(area, buffer, app.theme).layout;
+    for (x, value) in &report.scan {
+        let fate = report.gaps.iter().find(|gap| {
+            let (a, b) = if gap.from < gap.to { (gap.from, gap.to) } else { (gap.to, gap.from) };
+            (a..=b).contains(x)
+        });
+        let fate: Option<Fate> = fate.map(|gap| gap.fate).filter(|_| value.is_none());
+        let Some((fate, cell)) = fate.zip(layout.x.cell(*x)) else { continue };
+        let foot = (cell, layout.plot.height.saturating_sub(1));
+        put(buffer, layout.plot, foot, &fate.letter().to_string(), app.theme.style(Role::Warning));
+    }
+}
+
+/// Designs as points, the scene and the thesis's designs as letters.
+fn front(app: &App, area: Rect, buffer: &mut Buffer) {
+    let tab = &app.searching;
+    let Some((found, task)) = tab.front() else { return };
+    let (across, up) = tab.across(task);
+    let measures = task.measures();
+    let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
+    let designs = tab.designs();
+    let all = |at: usize| {
+        let own = designs.iter().filter_map(move |design| value(&design.measures, at));
+        own.collect::<Vec<f64>>()
+    };
+    let (xs, ys) = (all(across), all(up));
+    let label = short(measures[across]);
+    let x = measure_axis(measures[across], xs.into_iter(), tab.log.0, label);
+    let y = measure_axis(measures[up], ys.into_iter(), tab.log.1, String::new());
+    let Some((x, y)) = x.zip(y) else {
+        let text = "no design keeps every constraint".to_owned();
+        return words(app, &[(Severity::Warning, text)], area, buffer);
+    };
+    let title = format!("{} designs: {}", found.designs.len(), short(measures[up]));
+    let title = if app.search_is_old() { format!("old: {title}") } else { title };
+    let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
+    let chart = Chart {
+        legend: Legend::Hidden,
+        crosshair: selected,
+        ..Chart::new(title, x, y, Vec::new())
+    };
+    let layout = chart.render(area, buffer, app.theme).layout;
+    let plot = (layout.plot, layout.x, layout.y);
+    let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
+    for design in &designs {
+        mark(app, place(&design.measures), ("o", Role::Curve(1)), plot, buffer);
+    }
+    for (letter, candidate) in LETTERS.iter().zip(&found.candidates) {
+        let candidate: &Candidate = candidate;
+        let role = (letter.to_string(), Role::Curve(3));
+        mark(app, place(&candidate.measures), (&role.0, role.1), plot, buffer);
+    }
+    if let Some(design) = designs.get(tab.selected()) {
+        let design: &Design = design;
+        mark(app, place(&design.measures), ("X", Role::Crosshair), plot, buffer);
+    }
+}
+
+/// A measure in a word or two.
+fn short(column: &ResultColumn) -> String {
+    let at = USUAL.iter().position(|name| *name == column.name);
+    at.map_or_else(|| column.title(), |at| OBJECTIVES[at].to_owned())
+}
+
+fn mark(
+    app: &App,
+    at: Option<(f64, f64)>,
+    (text, role): (&str, Role),
+    (plot, x, y): (Rect, Mapping, Mapping),
+    buffer: &mut Buffer,
+) {
+    let Some((across, up)) = at else { return };
+    let Some((column, row)) = x.cell(across).zip(y.cell(up)) else { return };
+    let row = plot.height.saturating_sub(row + 1);
+    put(buffer, plot, (column, row), text, app.theme.style(role));
+}
+
+/// How often a value falls into each of some bins, as steps.
+fn histogram(app: &App, area: Rect, buffer: &mut Buffer) {
+    let Some((_, summary)) = app.scattered() else { return };
+    let sorted = &summary.sorted;
+    let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
+        let text = "no sample has this result: Tab, then another one under Show".to_owned();
+        return words(app, &[(Severity::Warning, text)], area, buffer);
+    };
+    let width = (most - least) / BINS as f64;
+    let mut steps = Vec::new();
+    for bin in 0..BINS {
+        let (from, to) = (least + width * bin as f64, least + width * (bin + 1) as f64);
+        let below = |value: f64| sorted.partition_point(|other| *other < value);
+        let until = if bin + 1 == BINS { sorted.len() } else { below(to) };
+        let percent = 100.0 * (until - below(from)) as f64 / sorted.len() as f64;
+        steps.extend([(from, percent), (to, percent)]);
+    }
+    // Room above for the tags.
+    let highest = steps.iter().map(|step| 1.3 * step.1);
+    let label = summary.measure.title();
+    let x = measure_axis(summary.measure, sorted.iter().copied(), false, label);
+    let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
+    let Some((x, y)) = x.zip(y) else { return };
+    let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));
+    let at = |share: f64, tag: &'static str| {
+        summary.quantile(share).map(|quantile| EventLine { x: quantile.value, tag: tag.into() })
+    };
+    let chart = Chart {
+        legend: Legend::Hidden,
+        events: [at(0.05, "5 %"), at(0.5, "median"), at(0.95, "95 %")]
+            .into_iter()
+            .flatten()
+            .collect(),
+        ..Chart::new("samples a bin", x, y, vec![Curve::new('*', "", &steps)])
+    };
+    chart.render(area, buffer, app.theme);
+}

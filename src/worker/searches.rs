@@ -1,0 +1,152 @@
+//! Searches as studies of the background thread: goal seek, fronts, sensitivity, scatter, and whether the mechanism is worth it.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::scene::Scene;
+use crate::study::search::front::{self, Front, Task};
+use crate::study::search::scatter;
+use crate::study::search::seek::{self, Goal};
+use crate::study::sensitivity;
+use crate::study::sweep::Axis;
+use crate::study::worth::{self, Masses};
+
+/// What is looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// Which values of a variable give a wanted result.
+    Seek(Goal),
+    /// The designs that nothing beats.
+    Front(Task),
+    /// Which variables matter to a result.
+    Sensitivity {
+        /// The variables and their bounds.
+        axes: Vec<Axis>,
+        /// The result.
+        output: String,
+        /// How much is done.
+        effort: sensitivity::Effort,
+    },
+    /// How results scatter when inputs do.
+    Scatter(scatter::Task),
+    /// Whether the mechanism is worth it.
+    Worth,
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub enum Answer {
+    /// See [`Request::Seek`].
+    Seek(Arc<seek::Report>),
+    /// See [`Request::Front`]; the first law's.
+    Front(Arc<Front>),
+    /// See [`Request::Sensitivity`].
+    Sensitivity(Arc<sensitivity::Report>),
+    /// See [`Request::Scatter`].
+    Scatter(Arc<scatter::Report>),
+    /// See [`Request::Worth`].
+    Worth(Arc<worth::Report>),
+}
+
+/// Told with the runs done, how many there are, and what there is to show so far; `Break` stops.
+pub(super) type Tell<'a> =
+    &'a mut dyn FnMut(usize, usize, &dyn Fn() -> Option<Answer>) -> ControlFlow<()>;
+
+/// Look; what there is when it is stopped is kept.
+pub(super) fn make(
+    scene: &Arc<Scene>,
+    request: &Request,
+    tell: Tell<'_>,
+) -> Result<Answer, String> {
+    let nothing = || None;
+    match request {
+        Request::Seek(goal) => {
+            seek::seek(scene, goal, &mut |done, total| tell(done, total, &nothing))
+                .map(|report| Answer::Seek(Arc::new(report)))
+                .map_err(|error| error.to_string())
+        }
+        Request::Front(task) => {
+            let watch: front::Watch<'_> = &mut |done, total, so_far| {
+                let part = || so_far.map(|front| Answer::Front(Arc::new(front.clone())));
+                tell(done, total, &part)
+            };
+            let fronts = front::optimise(scene, task, watch).map_err(|error| error.to_string())?;
+            let front = fronts.into_iter().next().ok_or("no interface law was asked for")?;
+            Ok(Answer::Front(Arc::new(front)))
+        }
+        Request::Sensitivity { axes, output, effort } => {
+            let watch = &mut |done, total| tell(done, total, &nothing);
+            sensitivity::study(scene, axes.clone(), output, *effort, watch)
+                .map(|report| Answer::Sensitivity(Arc::new(report)))
+                .map_err(|error| error.to_string())
+        }
+        Request::Scatter(task) => {
+            scatter::scatter(scene, task, &mut |done, total| tell(done, total, &nothing))
+                .map(|report| Answer::Scatter(Arc::new(report)))
+                .map_err(|error| error.to_string())
+        }
+        Request::Worth => {
+            worth::compare(scene, Masses::default(), &mut |done, total| tell(done, total, &nothing))
+                .map(|report| Answer::Worth(Arc::new(report)))
+                .map_err(|error| error.to_string())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::scene::InterfaceLaw;
+    use crate::study::search::nsga::Effort;
+    use crate::study::sweep::Spacing;
+
+    fn axis(name: &str, ends: (f64, f64), count: u64) -> Axis {
+        Axis::new(name, ends, count, Spacing::Linear).unwrap()
+    }
+
+    fn front_request() -> Request {
+        Request::Front(Task {
+            axes: vec![axis("gamma", (0.8, 7.0), 2), axis("k", (1e3, 7.5e6), 2)],
+            objectives: front::objectives(&["final_penetration_m", "stroke_m"], &[] as &[&str])
+                .unwrap(),
+            constraints: Vec::new(),
+            laws: vec![InterfaceLaw::Fused],
+            effort: Effort { population: 20, generations: 20, seed: 1 },
+            threads: 1,
+        })
+    }
+
+    #[test]
+    fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
+        let mut parts = 0;
+        let mut tell = |done: usize, _: usize, part: &dyn Fn() -> Option<Answer>| {
+            parts += usize::from(matches!(part(), Some(Answer::Front(_))));
+            if done > 200 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let answer = make(&Arc::default(), &front_request(), &mut tell).unwrap();
+        let Answer::Front(front) = answer else { panic!("not a front") };
+        assert!(parts >= 8 && !front.is_complete && !front.designs.is_empty(), "{parts}");
+        assert!(front.runs > 200 && front.runs < 420);
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_refused_in_words() {
+        let goal = |measure: &str| Goal {
+            axis: axis("k", (0.0, 1e6), 9),
+            measure: measure.to_owned(),
+            target: 60.0,
+            threads: 1,
+        };
+        let go_on: Tell<'_> = &mut |_, _, _| ControlFlow::Continue(());
+        let refused = make(&Arc::default(), &Request::Seek(goal("depth")), go_on).unwrap_err();
+        assert!(refused.contains("output depth"), "{refused}");
+        let found = make(&Arc::default(), &Request::Seek(goal("percent_of_baseline")), go_on);
+        assert!(matches!(found, Ok(Answer::Seek(report)) if report.solutions.is_empty()));
+        let none = Request::Sensitivity {
+            axes: Vec::new(),
+            output: "stroke_m".to_owned(),
+            effort: sensitivity::Effort { rows: 16, trajectories: 2, seed: 1, threads: 1 },
+        };
+        assert!(make(&Arc::default(), &none, go_on).is_err());
+    }
+}

@@ -1,0 +1,67 @@
+//! `cmra scatter` as a user meets it.
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn out(arguments: &[&str], code: i32) -> (String, String) {
+    let mut command = Command::cargo_bin("cmra").unwrap();
+    let output = command.arg("scatter").args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    let (out, error) = (text(output.stdout), text(output.stderr));
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {out}{error}");
+    (out, error)
+}
+
+/// Velocities uniform about the rigid limit of 232.295378 m/s (model page): half perforate.
+#[test]
+fn the_probability_of_perforation_is_that_of_the_velocity() {
+    let asked = ["rigid-mount", "--set", "v_i=232.295378", "--vary", "v_i=uniform:40", "--json"];
+    let (text, _) =
+        out(&[&asked[..], &["--samples", "3000", "--outputs", "percent_of_baseline"]].concat(), 0);
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let chance = &found["perforation"];
+    let at = |key: &str| chance[key].as_f64().unwrap();
+    assert!(
+        at("low_95") < 0.5 && at("high_95") > 0.5 && at("high_95") - at("low_95") < 0.04,
+        "{chance}"
+    );
+    let count = found["outputs"][0]["count"].as_u64().unwrap();
+    assert_eq!(count + found["outcomes"]["perforated"].as_u64().unwrap(), 3000);
+}
+
+#[test]
+fn the_page_tells_inputs_outcomes_and_quantiles_and_a_seed_gives_its_digits() {
+    let quick = ["--samples", "200"];
+    let (page, _) = out(&quick, 0);
+    for words in
+        ["200 samples, seed 1", "lognormal, 100 +- 2 % m/s", "200 arrested", "confidence 0 to"]
+    {
+        assert!(page.contains(words), "{page} lacks {words}");
+    }
+    assert!(page.contains("system mass") && page.contains("without values: residual velocity"));
+    assert_eq!(page, out(&[&quick[..], &["--threads", "1"]].concat(), 0).0);
+    assert_ne!(page, out(&[&quick[..], &["--seed", "2"]].concat(), 0).0);
+    let (csv, _) = out(&[&quick[..], &["--csv", "-", "--outputs", "stroke_m"]].concat(), 0);
+    assert!(csv.starts_with("scene,output,nominal,count,mean,"));
+    assert_eq!(csv.lines().count(), 2);
+    let (page, _) = out(
+        &["--vary", "h=normal:100%", "--outputs", "final_penetration_m", "--samples", "100"],
+        0,
+    );
+    assert!(page.contains("truncated:"), "{page}");
+}
+
+#[test]
+fn bad_tolerances_are_refused_before_anything_runs() {
+    for (arguments, told) in [
+        (&["--vary", "v_i"][..], "NAME=DISTRIBUTION"),
+        (&["--vary", "v_i=gauss:2%"], "no distribution"),
+        (&["--vary", "d=normal:2%"], "a percentage of 0"),
+        (&["--vary", "v_i=2%", "--vary", "v_i=1%"], "scatters twice"),
+        (&["--samples", "1"], "outside 2 to"),
+        (&["--outputs", "depth"], "output depth"),
+    ] {
+        let (_, error) = out(arguments, 2);
+        assert!(error.contains(told), "{error}");
+    }
+}

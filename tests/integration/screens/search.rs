@@ -1,0 +1,193 @@
+//! The Search tab: keys and whole screens. Everything is computed but the front, which is made up: a search by chance may take
+//! another way at the last digit of a run.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use super::accuracy::studies;
+use super::bench::Bench;
+use cmra::model::scene::{InterfaceLaw, Scene};
+use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
+use cmra::study::search::{scatter, seek};
+use cmra::study::sweep::Fate;
+use cmra::study::worth::Masses;
+use cmra::study::{sensitivity, worth};
+use cmra::tui::app::Tab;
+use cmra::tui::app::search::Page;
+use cmra::tui::message::{Effect, Message};
+use cmra::tui::theme::GlyphSet;
+use cmra::worker::searches::{Answer, Request};
+use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
+use insta::assert_snapshot;
+
+/// Depth falls as stroke rises.
+fn front(scene: &Scene, task: &Task) -> Front {
+    let measures =
+        |i: f64| vec![Some(1e-3 + 1e-4 * i), Some(0.8 / (1.0 + i)), Some(0.5), Some(4e3)];
+    let design = |i: u8| Design {
+        values: task.axes.iter().map(|axis| axis.at_share(f64::from(i) / 40.0)).collect(),
+        measures: measures(f64::from(i)),
+        fate: Fate::Arrested,
+    };
+    let candidate = |(name, i, standing): (&'static str, f64, Standing)| Candidate {
+        name,
+        source: "made up",
+        scene: Some(scene.clone()),
+        fate: Some(Fate::Arrested),
+        measures: measures(i),
+        standing,
+    };
+    let candidates = [
+        ("the scene itself", 12.5, Standing::OnFront),
+        ("uncocked", 20.5, Standing::Beaten { by: 3 }),
+        ("limited cocking", 5.5, Standing::Breaks(0)),
+    ];
+    Front {
+        law: InterfaceLaw::Fused,
+        base: scene.clone(),
+        designs: (0..40).map(design).collect(),
+        candidates: candidates.into_iter().map(candidate).collect(),
+        generations: 40,
+        runs: 2460,
+        is_complete: true,
+    }
+}
+
+fn go_on(_: usize, _: usize) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
+    match request {
+        Request::Seek(goal) => Answer::Seek(Arc::new(seek::seek(scene, goal, &mut go_on).unwrap())),
+        Request::Front(task) => Answer::Front(Arc::new(front(scene, task))),
+        Request::Sensitivity { axes, output, effort } => {
+            let effort = sensitivity::Effort { rows: 256, trajectories: 20, ..*effort };
+            let report = sensitivity::study(scene, axes.clone(), output, effort, &mut go_on);
+            Answer::Sensitivity(Arc::new(report.unwrap()))
+        }
+        Request::Scatter(task) => {
+            let task = scatter::Task { samples: 500, ..task.clone() };
+            Answer::Scatter(Arc::new(scatter::scatter(scene, &task, &mut go_on).unwrap()))
+        }
+        Request::Worth => {
+            Answer::Worth(Arc::new(worth::compare(scene, Masses::default(), &mut go_on).unwrap()))
+        }
+    }
+}
+
+/// Answer what was asked for.
+pub(super) fn answer(bench: &mut Bench) {
+    for study in studies(bench) {
+        let StudyKind::Search(request) = &study.kind else { continue };
+        let body = StudyBody::Ended(Finding::Search(Some(made(&study.scene, request))));
+        bench.send(Message::Study(StudyReport { id: study.id, body }));
+    }
+}
+
+fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+    let mut bench = Bench::open(glyphs, size);
+    bench.keys("9");
+    answer(&mut bench);
+    bench
+}
+
+#[test]
+fn every_page_at_every_size() {
+    for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
+        for (columns, rows) in [(60, 16), (80, 24), (160, 50)] {
+            let mut bench = open(glyphs, (columns, rows));
+            for page in Page::ALL {
+                assert_eq!(bench.app.searching.page, page);
+                bench.keys("lll");
+                let name = page.title().replace(' ', "_");
+                assert_snapshot!(
+                    format!("search_{name}_{columns}x{rows}_{glyphs}"),
+                    bench.screen()
+                );
+                bench.keys("v");
+                answer(&mut bench);
+            }
+            assert_eq!(bench.app.searching.page, Page::Seek);
+        }
+    }
+}
+
+/// 60 % at d = 25.6 mm, as `cmra seek` has it; Enter makes it the scene, and one undo takes it back.
+#[test]
+fn a_solution_becomes_the_scene_and_back() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    let before = Arc::clone(&bench.app.scene);
+    bench.keys("<Enter>");
+    assert_eq!(bench.app.tab, Tab::Run);
+    let cocking = bench.app.scene.plate.cocking_m;
+    assert!((cocking - 0.025_600_338).abs() < 1e-8, "{cocking}");
+    bench.keys("u");
+    assert_eq!(bench.app.scene, before);
+    bench.keys("9v");
+    answer(&mut bench);
+    bench.keys("ll<Enter>");
+    let Some((found, task)) = bench.app.searching.front() else { panic!("no front") };
+    let design = &found.designs[2];
+    for (axis, value) in task.axes.iter().zip(&design.values) {
+        let there = (axis.number().get)(&bench.app.scene).unwrap();
+        assert!((there - value).abs() <= 1e-15 * value.abs(), "{}", axis.symbol());
+    }
+}
+
+#[test]
+fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("<Tab>j<Enter>k<Enter>");
+    assert_eq!(bench.app.searching.setup.seek.name, "k");
+    assert!(bench.screen().contains("old: r searches again"), "{}", bench.screen());
+    bench.keys("<Enter>-3<Enter>");
+    assert!(bench.message().contains("-3 N/m^n, which is impossible"), "{}", bench.message());
+    bench.keys("<C-u>1e5<Enter>");
+    assert!((bench.app.searching.setup.seek.ends.0 - 1e5).abs() < 1e-9);
+    bench.keys("<Enter>2MN/m<Enter>");
+    assert!((bench.app.searching.setup.seek.ends.1 - 2e6).abs() < 1e-6);
+    bench.keys("l");
+    assert!(bench.app.searching.setup.seek.log);
+    bench.keys("G<Enter>3kg<Enter>");
+    assert!(bench.app.searching.field.is_some());
+    bench.keys("<C-u>65 %<Enter>r");
+    answer(&mut bench);
+    assert!(bench.screen().contains("> k = "), "{}", bench.screen());
+}
+
+#[test]
+fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("v");
+    let study = studies(&mut bench).remove(0);
+    let StudyKind::Search(request) = &study.kind else { panic!("no search") };
+    let Answer::Front(whole) = made(&study.scene, request) else { panic!("no front") };
+    let mut front = (*whole).clone();
+    (front.is_complete, front.generations) = (false, 7);
+    front.candidates.clear();
+    let answer = Answer::Front(Arc::new(front));
+    let part = Finding::Search(Some(answer.clone()));
+    let body = StudyBody::Part { done: 480, total: 2460, part };
+    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    let screen = bench.screen();
+    assert!(screen.contains("searching: 480 of about 2460 runs (Esc stops)"), "{screen}");
+    assert!(screen.contains("generation 7: the front so far"), "{screen}");
+    bench.keys("<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
+    let body = StudyBody::Ended(Finding::Search(Some(answer)));
+    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    assert!(bench.screen().contains("stopped: what there is is shown"), "{}", bench.screen());
+}
+
+#[test]
+fn what_was_found_is_exported() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("e<Enter>");
+    let text = bench.effects.iter().find_map(|effect| match effect {
+        Effect::ExportTable { text, path, .. } => Some((text.clone(), path.clone())),
+        _ => None,
+    });
+    let (text, path) = text.expect("an export");
+    assert!(path.ends_with("seek.csv") && text.starts_with("scene,kind,variable,"), "{text}");
+}

@@ -1,0 +1,65 @@
+//! `cmra seek` as a user meets it.
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn seek(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("cmra").unwrap();
+    command.arg("seek").args(arguments);
+    command
+}
+
+fn out(arguments: &[&str], code: i32) -> (String, String) {
+    let output = seek(arguments).output().unwrap();
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}");
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (text(output.stdout), text(output.stderr))
+}
+
+/// The model page's free plate: 4.568088344392 mm at gamma = 1.
+#[test]
+fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
+    let goal = "final_penetration_m=4.568088344392mm";
+    let arguments = ["free-plate", "--over", "gamma=0.8..7", "--goal", goal, "--json"];
+    let answer: Value = serde_json::from_str(&out(&arguments, 0).0).unwrap();
+    let gamma = answer["solutions"][0]["at"].as_f64().unwrap();
+    assert!((gamma - 1.0).abs() < 1e-9, "{gamma}");
+    assert_eq!(answer["solutions"].as_array().unwrap().len(), 1);
+    assert_eq!(answer["complete"], true);
+    let set = format!("gamma={gamma}");
+    let mut run = Command::cargo_bin("cmra").unwrap();
+    let output = run.args(["run", "free-plate", "--set", &set, "--json"]).output().unwrap();
+    let run: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let depth = run["final_penetration_m"].as_f64().unwrap();
+    assert!((depth - 4.568_088_344_392e-3).abs() < 1e-12, "{depth}");
+}
+
+#[test]
+fn what_cannot_be_reached_exits_1_and_names_the_nearest() {
+    let arguments = ["--over", "k=0..7.5MN/m", "--goal", "percent_of_baseline=60"];
+    let (page, _) = out(&arguments, 1);
+    for fragment in ["nothing reaches 60 %", "nearest: 64.2", "65 points from 0 N/m^n"] {
+        assert!(page.contains(fragment), "{page} lacks {fragment}");
+    }
+    let (csv, _) = out(&[&arguments[..], &["--csv", "-"]].concat(), 1);
+    assert!(csv.starts_with("scene,kind,variable,key,at,until,output,target,value,outcome\n"));
+    assert!(csv.contains("thesis-baseline,nearest,k,mechanism.spring.coefficient,0,"), "{csv}");
+}
+
+#[test]
+fn bad_goals_and_bounds_are_refused_with_the_cure() {
+    for (arguments, fragments) in [
+        (["--over", "k=0..1e6", "--goal", "depth=3"], &["output depth", "system_mass_kg"][..]),
+        (["--over", "k=0..1e6", "--goal", "stroke_m"], &["RESULT=VALUE"]),
+        (["--over", "k=0..1e6", "--goal", "stroke_m=3kg"], &["`kg` is not a unit", "mm"]),
+        (["--over", "k=1..1", "--goal", "stroke_m=3mm"], &["both ends are 1"]),
+        (["--over", "k=0..1:log", "--goal", "stroke_m=3mm"], &["equal ratios"]),
+        (["--over", "k=0..1:2", "--goal", "stroke_m=3mm"], &["COUNT = 2", "3 to 100000"]),
+        (["--over", "gama=0..1", "--goal", "stroke_m=3mm"], &["did you mean `gamma`"]),
+    ] {
+        let (_, error) = out(&arguments, 2);
+        for fragment in fragments {
+            assert!(error.contains(fragment), "{error} lacks {fragment}");
+        }
+    }
+}
