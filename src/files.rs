@@ -24,3 +24,4 @@ pub mod worth;
 pub mod write;
 
 mod read_sweep;
+mod read_table;

@@ -58,7 +58,7 @@ impl Equations {
             scene.projectile.tip_radius_m,
             scene.projectile.velocity_m_s,
         );
-        let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+        let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
         let thickness = scene.target.thickness_m / r;
         let per_force = r / (m * v * v);
         Self {

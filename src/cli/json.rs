@@ -8,7 +8,7 @@ use crate::cli::summary::warnings;
 use crate::model::results::RESULTS;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run};
 use crate::model::scene::Scene;
-use crate::model::variables::{self, VARIABLES};
+use crate::model::variables::{self, VARIABLES, Variable};
 
 /// The object's entries; a plain map would sort them.
 struct Entries(Vec<(&'static str, Value)>);
@@ -97,6 +97,7 @@ fn energy(ledger: &EnergyLedger) -> Value {
         "initial_spring": finite(ledger.initial_spring_j),
         "projectile": finite(ledger.projectile_j),
         "plate": finite(ledger.plate_j),
+        "mechanism_inertia": finite(ledger.inertia_j),
         "spring": finite(ledger.spring_j),
         "damper": finite(ledger.damper_j),
         "penetration": finite(ledger.penetration_j),
@@ -107,7 +108,10 @@ fn energy(ledger: &EnergyLedger) -> Value {
 /// What was put in, by full key.
 fn all_variables(scene: &Scene) -> Value {
     let mut map = Map::new();
-    for variable in VARIABLES {
+    let listed = |variable: &&Variable| {
+        !variable.key.starts_with("mechanism.") || variables::is_listed(variable, scene)
+    };
+    for variable in VARIABLES.iter().filter(listed) {
         let value = match variable.value(scene) {
             variables::Value::Number(number) => finite(number),
             variables::Value::Absent => Value::Null,

@@ -5,6 +5,7 @@
 use std::fmt::Write as _;
 
 use crate::cli::run::Computed;
+use crate::model::mechanism::Mechanism;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering};
@@ -159,9 +160,7 @@ fn numbers(page: &mut String, run: &Run) {
 /// Why there is none.
 fn no_greatest_displacement(scene: &Scene) -> &'static str {
     let mechanism = &scene.mechanism;
-    let nothing_stops_it = mechanism.spring.coefficient == 0.0
-        && mechanism.damper.coefficient == 0.0
-        && mechanism.stop.position_m.is_none();
+    let nothing_stops_it = Mechanism::of(scene).is_absent() && mechanism.stop.position_m.is_none();
     if nothing_stops_it { "none: nothing stops the plate" } else { "not reached within the run" }
 }
 
@@ -186,6 +185,7 @@ fn energy(page: &mut String, run: &Run) {
     row(page, "penetration", ledger.penetration_j);
     row(page, "projectile", ledger.projectile_j);
     row(page, "plate", ledger.plate_j);
+    row(page, "rotation and springs", ledger.inertia_j);
     row(page, "spring", ledger.spring_j);
     row(page, "damper", ledger.damper_j);
     row(page, "stop", ledger.stop_j);

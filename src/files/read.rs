@@ -11,7 +11,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors};
-use crate::files::read_sweep;
+use crate::files::{read_sweep, read_table};
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
@@ -48,7 +48,7 @@ pub fn text_file(path: &Path) -> Result<String, FileError> {
 /// # Errors
 /// [`SceneErrors`] with every problem found.
 pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
-    let mut reader = Reader { text, problems: Vec::new() };
+    let mut reader = Reader { text, file, problems: Vec::new() };
     let mut scene = Scene::default();
     match DeTable::parse(text) {
         Ok(document) => reader.document(&mut scene, document.get_ref()),
@@ -70,6 +70,7 @@ fn syntax(message: &str) -> String {
 /// The text being read, and what has been found wrong so far.
 pub(super) struct Reader<'t> {
     text: &'t str,
+    file: &'t str,
     problems: Vec<Problem>,
 }
 
@@ -90,8 +91,11 @@ impl Reader<'_> {
         if self.problems.is_empty()
             && let Err(error) = variables::validate(scene)
         {
-            // Every value has passed by itself: what is left concerns the stop and where the plate starts.
-            let span = find(document, "mechanism.stop.position_m").unwrap_or(0..0);
+            // Every value has passed by itself: what is left concerns several together.
+            let text = error.to_string();
+            let named = VARIABLES.iter().map(|variable| variable.key).chain(read_table::KEYS);
+            let key = named.filter(|key| text.contains(key)).find_map(|key| find(document, key));
+            let span = key.unwrap_or(0..0);
             self.problem(span, error.to_string());
         }
     }
@@ -124,6 +128,9 @@ impl Reader<'_> {
         key_span: Range<usize>,
         value: &Spanned<DeValue<'_>>,
     ) {
+        if read_table::KEYS.contains(&path) {
+            return self.table(scene, path, value);
+        }
         let prefix = format!("{path}.");
         let is_table = VARIABLES.iter().any(|variable| variable.key.starts_with(&prefix));
         let variable = VARIABLES.iter().find(|variable| variable.key == path);
@@ -150,6 +157,15 @@ impl Reader<'_> {
                 let text = unknown(path, matches!(value.get_ref(), DeValue::Table(_)));
                 self.problem(key_span, text);
             }
+        }
+    }
+
+    fn table(&mut self, scene: &mut Scene, path: &str, value: &Spanned<DeValue<'_>>) {
+        if let Some(points) = read_table::points(self, path, value) {
+            let mechanism = &mut scene.mechanism;
+            let first = path == read_table::KEYS[0];
+            let spring = if first { &mut mechanism.spring } else { &mut mechanism.second };
+            spring.table.points = points;
         }
     }
 
@@ -221,6 +237,11 @@ impl Reader<'_> {
             );
             self.problem(value.span(), text);
         }
+    }
+
+    /// The name of the file, as the user wrote it.
+    pub(super) fn file(&self) -> &str {
+        self.file
     }
 
     /// Note a problem at a place of the text.
@@ -336,6 +357,9 @@ fn keys_below(table: &str) -> String {
         if !names.contains(&name) {
             names.push(name);
         }
+    }
+    if read_table::KEYS.iter().any(|key| key.rsplit_once('.').is_some_and(|(it, _)| it == table)) {
+        names.push("table");
     }
     names.join(", ")
 }

@@ -296,7 +296,7 @@ pub fn contact(
 }
 
 fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
-    let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+    let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
     Plate {
         mass_kg: scene.plate_mass_kg(),
         spring: (spring.coefficient, spring.exponent),

@@ -186,7 +186,7 @@ impl Phase {
         let rigid = scene.plate.mount == Mount::Rigid;
         // Forces in units of m_p v²/R.
         let unit_n = m_p * v * v / r;
-        let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+        let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
         Self {
             faces: Faces::of(scene),
             radius_m: r,

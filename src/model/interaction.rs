@@ -184,6 +184,7 @@ fn blank(scene: &Arc<Scene>) -> Run {
         series: Vec::new(),
         events: Vec::new(),
         ledger: EnergyLedger::default(),
+        mechanism: crate::model::run::MechanismLoad::default(),
         cost: Cost::default(),
         omitted: Vec::new(),
         warnings: Vec::new(),

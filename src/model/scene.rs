@@ -6,8 +6,13 @@
 //! names each variable for people is in [`crate::model::variables`].
 
 mod contact;
+mod spring;
 
 pub use contact::{Contact, ContactModel, Jumps, Listing, Reading};
+pub use spring::{
+    Beam, Bistable, Column, Combination, ConstantForce, Helix, Normalised, OwnMass, Spring,
+    SpringKind, Table, Wire,
+};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -88,12 +93,16 @@ pub enum Mount {
 }
 
 /// Spring, damper and stop.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct Mechanism {
     /// Force `b |w|^m sgn(w)` against the plate's velocity.
     pub damper: Damper,
-    /// Force `k |x|^n sgn(x)` against the plate's displacement.
+    /// Force against the plate's displacement.
     pub spring: Spring,
+    /// How the second spring acts with the first.
+    pub combination: Combination,
+    /// The second spring; without effect where the first is alone.
+    pub second: Spring,
     /// A mechanical stop, if there is one.
     pub stop: Stop,
 }
@@ -105,25 +114,6 @@ pub struct Damper {
     pub coefficient: f64,
     /// `m` > 0.
     pub exponent: f64,
-}
-
-/// A power-law spring.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spring {
-    /// Which force law.
-    pub kind: SpringKind,
-    /// `k` >= 0, N/m^n.
-    pub coefficient: f64,
-    /// `n` > 0.
-    pub exponent: f64,
-}
-
-/// The spring's force law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum SpringKind {
-    /// `k |x|^n sgn(x)`.
-    #[default]
-    PowerLaw,
 }
 
 /// A mechanical stop at x = `position_m`, which acts on the plate.
@@ -240,12 +230,6 @@ impl Default for Damper {
     }
 }
 
-impl Default for Spring {
-    fn default() -> Self {
-        Self { kind: SpringKind::PowerLaw, coefficient: 1e5, exponent: 1.0 }
-    }
-}
-
 impl Default for Stop {
     fn default() -> Self {
         Self {
@@ -267,6 +251,25 @@ impl Default for Interface {
 impl Default for RunSettings {
     fn default() -> Self {
         Self { tolerance: 1e-9, horizon_s: None }
+    }
+}
+
+impl Mechanism {
+    /// Leave the springs out, and with them what they weigh and turn.
+    pub fn remove_springs(&mut self) {
+        self.combination = Combination::Alone;
+        self.spring.kind = SpringKind::PowerLaw;
+        self.spring.coefficient = 0.0;
+        self.spring.own_mass = OwnMass::Ignored;
+    }
+
+    /// Whether it is the thesis's: one power law `k |x|^n` that weighs nothing.
+    pub fn is_plain(&self) -> bool {
+        let spring = &self.spring;
+        self.combination == Combination::Alone
+            && spring.kind == SpringKind::PowerLaw
+            && spring.own_mass == OwnMass::Ignored
+            && spring.is_single()
     }
 }
 

@@ -10,14 +10,17 @@ use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity, QuantityError};
 
 mod names;
+mod springs;
 mod table;
 mod used;
 
 pub use names::{edit_distance, find, nearest};
+pub use springs::require_plain;
 pub use table::VARIABLES;
 pub use used::{critical_obliquity_deg, is_listed, is_used, require_hydrodynamic};
 
 /// One row of the table.
+#[derive(Clone, Copy)]
 pub struct Variable {
     /// Full key as in a scene file, for example `plate.mass_ratio`.
     pub key: &'static str,
@@ -81,6 +84,7 @@ impl Group {
 }
 
 /// What kind of value a variable has.
+#[derive(Clone, Copy)]
 pub enum Kind {
     /// A number.
     Number(Number),
@@ -96,6 +100,7 @@ pub enum Kind {
 }
 
 /// A numeric variable.
+#[derive(Clone, Copy)]
 pub struct Number {
     /// Its units.
     pub quantity: Quantity,
@@ -114,6 +119,7 @@ pub struct Number {
 }
 
 /// A variable with named values.
+#[derive(Clone, Copy)]
 pub struct Choice {
     /// The words, in order.
     pub words: &'static [&'static str],
@@ -441,7 +447,7 @@ pub fn set_by_name(
 /// # Errors
 /// The first [`VariableError`] found, in the order of the table.
 pub fn validate(scene: &Scene) -> Result<(), VariableError> {
-    for variable in VARIABLES {
+    for variable in table::checked(scene) {
         let (Kind::Number(number), Value::Number(value)) = (&variable.kind, variable.value(scene))
         else {
             continue;
@@ -462,7 +468,8 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
             )));
         }
     }
-    used::check_interface_spring(scene)
+    used::check_interface_spring(scene)?;
+    springs::check(scene)
 }
 
 /// Every value that is legal yet outside the range the thesis searched.

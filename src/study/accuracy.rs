@@ -159,6 +159,7 @@ pub fn compare_openly(
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     variables::require_hydrodynamic(scene)?;
+    variables::require_plain(scene)?;
     let references = references(scene);
     let end_s = references.first().map_or(f64::NAN, |reference| reference.t_s);
     let plan: Vec<(Method, Vec<Knob>)> =

@@ -11,6 +11,7 @@ use crate::model::contact::Geometry;
 use crate::model::contact_phase::Ending;
 use crate::model::first_contact::first_contact;
 use crate::model::impact::{Settings, simulate};
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::Outcome;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::{self, VariableError};
@@ -313,15 +314,13 @@ fn shoot(scene: &Scene, impact_m_s: f64) -> Shot {
 fn closed_form(scene: &Scene) -> Option<f64> {
     let mechanism = &scene.mechanism;
     let rigid = scene.plate.mount == Mount::Rigid;
-    let acts = mechanism.spring.coefficient > 0.0
-        || mechanism.damper.coefficient > 0.0
-        || mechanism.stop.position_m.is_some();
+    let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
     if (acts && !rigid) || scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
     let geometry = Geometry::of(scene);
     let cos = scene.cos_obliquity();
-    let plate = if rigid { 0.0 } else { cos * cos / scene.plate_mass_kg() };
+    let plate = if rigid { 0.0 } else { cos * cos / moving_plate_kg(scene) };
     let passage = Passage {
         geometry: &geometry,
         mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),

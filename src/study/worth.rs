@@ -208,7 +208,7 @@ fn make(
     let bare = |own: &mut Scene| {
         own.plate.cocking_m = 0.0;
         own.mechanism.stop.position_m = None;
-        own.mechanism.spring.coefficient = 0.0;
+        own.mechanism.remove_springs();
         own.mechanism.damper.coefficient = 0.0;
     };
     let areal = match candidate {
@@ -268,11 +268,11 @@ fn entry(
 /// Greatest energy in the spring: cocked, or at the greatest displacement.
 fn spring_energy_j(run: &Run) -> Option<f64> {
     let spring = Mechanism::of(&run.scene).spring;
-    if spring.coefficient == 0.0 {
+    if spring.is_absent() {
         return Some(0.0);
     }
-    let farthest = spring.integral(run.max_plate_displacement_m?);
-    Some(larger(farthest, spring.integral(run.start_m())))
+    let farthest = spring.energy(run.max_plate_displacement_m?);
+    Some(larger(farthest, spring.energy(run.start_m())))
 }
 
 #[cfg(test)]

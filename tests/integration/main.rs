@@ -13,6 +13,8 @@ mod files;
 #[cfg(test)]
 mod limit;
 #[cfg(test)]
+mod mechanisms;
+#[cfg(test)]
 mod models;
 #[cfg(test)]
 mod physics;

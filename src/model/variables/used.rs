@@ -1,7 +1,7 @@
 //! Which variables have any effect on a scene, and which of them a list shows at all; and the rule between the two
 //! stiffnesses of the lumped interface.
 
-use super::{RangeWarning, Variable, VariableError};
+use super::{RangeWarning, Variable, VariableError, springs};
 use crate::model::design::Rod;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene, StopKind};
 use crate::model::units;
@@ -14,9 +14,8 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
     let stop = sprung && mechanism.stop.position_m.is_some() && model != ContactModel::Appendix;
     match variable.key {
         "mechanism.damper.exponent" => sprung && mechanism.damper.coefficient > 0.0,
-        "mechanism.spring.exponent" | "plate.cocking_m" => {
-            sprung && mechanism.spring.coefficient > 0.0
-        }
+        "plate.cocking_m" => sprung && springs::acts(mechanism),
+        key if springs::is_row(key) => sprung && springs::is_used(key, scene),
         "interface.law" => model == ContactModel::Hydrodynamic,
         "interface.grip" => {
             model == ContactModel::Hydrodynamic && scene.interface.law == InterfaceLaw::Plastic
@@ -38,6 +37,7 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
     match variable.key {
         "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
+        key if springs::is_row(key) => springs::is_listed(key, scene),
         key => !key.starts_with("contact.") || model_has(scene.contact.model, key),
     }
 }

@@ -6,7 +6,7 @@
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
 use crate::model::impact::lean::{Contact, ContactEnd};
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
@@ -162,7 +162,7 @@ impl<'p> Quick<'p> {
         }
         let cos = geometry.nose.cos;
         let m_p = scene.projectile.mass_kg;
-        let share = if free { m_p * cos / (scene.plate_mass_kg() + m_p * cos * cos) } else { 0.0 };
+        let share = if free { m_p * cos / (moving_plate_kg(scene) + m_p * cos * cos) } else { 0.0 };
         let start_m = if free { 0.0 - scene.plate.cocking_m } else { 0.0 };
         let plate_m = start_m + share * (passage.velocity_m_s * last.t_s - last.travel_m);
         let end = ContactEnd {
@@ -199,7 +199,7 @@ fn contacts(contacts: &[(usize, Contact)], tolerance: f64) -> Vec<Option<Contact
 /// The relative motion of a plate that is rigid or free.
 fn passage<'g>(scene: &Scene, geometry: &'g Geometry, free: bool) -> Passage<'g> {
     let cos = geometry.nose.cos;
-    let plate = if free { cos * cos / scene.plate_mass_kg() } else { 0.0 };
+    let plate = if free { cos * cos / moving_plate_kg(scene) } else { 0.0 };
     Passage {
         geometry,
         mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
@@ -225,12 +225,13 @@ fn farthest_m(scene: &Scene, end: &ContactEnd) -> Option<f64> {
     }
     let spring = Mechanism::of(scene).spring;
     let w = end.plate_velocity_m_s;
-    if spring.coefficient == 0.0 {
+    if spring.is_absent() {
         return (w <= 0.0).then_some(end.farthest_m);
     }
     let cos = scene.cos_obliquity();
     let joined = if end.arrested { scene.projectile.mass_kg * cos * cos } else { 0.0 };
-    let kinetic = 0.5 * (scene.plate_mass_kg() + joined) * w * w;
-    let reach = spring.at_integral(kinetic + spring.integral(end.plate_displacement_m));
-    Some(larger(reach, end.farthest_m))
+    let x = end.plate_displacement_m;
+    let kinetic = 0.5 * (moving_plate_kg(scene) + joined) * w * w;
+    let reach = spring.forward(x, kinetic + spring.energy(x));
+    reach.is_finite().then(|| larger(reach, end.farthest_m))
 }

@@ -159,9 +159,11 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
         lines.push(term(" in motion", ledger.initial_kinetic_j));
         lines.push(term(" in spring", ledger.initial_spring_j));
     }
+    lines.extend([term("projectile", ledger.projectile_j), term("plate", ledger.plate_j)]);
+    if ledger.inertia_j != 0.0 {
+        lines.push(term("its mechanism", ledger.inertia_j));
+    }
     lines.extend([
-        term("projectile", ledger.projectile_j),
-        term("plate", ledger.plate_j),
         term("spring", ledger.spring_j),
         term("damper", ledger.damper_j),
         term("penetration", ledger.penetration_j),

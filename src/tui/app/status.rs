@@ -240,6 +240,7 @@ pub fn warning_text(warning: &Warning) -> String {
         | Warning::EnergyDrift { .. }
         | Warning::EndedEarly(_)
         | Warning::Model(_)
+        | Warning::Limit(_)
         | Warning::NoBaseline => warning.to_string(),
     }
 }
@@ -288,6 +289,7 @@ fn demand(run: &Run) -> Option<String> {
         Warning::InterfacePull { ratio, .. } => Some(format!("! interface {ratio:.2} x g A S_y")),
         Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
         Warning::EnergyDrift { residual } => Some(format!("! energy off by {residual:.0e}")),
+        Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
         Warning::InterfaceWithoutStrength
         | Warning::EndedEarly(_)
         | Warning::Model(_)
