@@ -23,5 +23,6 @@ pub mod thesis;
 pub mod worth;
 pub mod write;
 
+mod read_stack;
 mod read_sweep;
 mod read_table;

@@ -10,6 +10,7 @@ pub mod principles;
 pub mod screening;
 pub mod sensitivity;
 pub mod stability;
+pub mod stack;
 pub mod sweep;
 pub mod thesis;
 pub mod worth;

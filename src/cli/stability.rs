@@ -133,6 +133,7 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     crate::model::variables::validate(&preset.scene)?;
     crate::model::variables::require_hydrodynamic(&preset.scene)?;
     crate::model::variables::require_plain(&preset.scene)?;
+    crate::model::variables::require_single(&preset.scene)?;
     let axis = match axis {
         MapAxis::K => Axis::K,
         MapAxis::N => Axis::N,

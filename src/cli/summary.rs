@@ -27,8 +27,10 @@ pub(super) fn text(computed: &Computed) -> String {
     } else {
         let _ = writeln!(page, "{name}: {title}");
     }
+    stack(&mut page, run);
     let _ = writeln!(page, "{}\n", sentence(run));
     numbers(&mut page, run);
+    mechanism(&mut page, run);
     energy(&mut page, run);
     events(&mut page, run);
     cost(&mut page, computed);
@@ -154,6 +156,43 @@ fn numbers(page: &mut String, run: &Run) {
             "interface demand",
             units::fixed_significant(ratio, 4)
         );
+    }
+}
+
+/// What became of the shot in a stack, plate by plate; what follows on the page is the first plate's.
+fn stack(page: &mut String, run: &Run) {
+    let Some(stack) = &run.stack else {
+        return;
+    };
+    for line in crate::study::stack::table(run, stack) {
+        let _ = writeln!(page, "{line}");
+    }
+    page.push_str("\nelement 1 in full:\n");
+}
+
+/// What was asked of a mechanism that is more than one power law.
+fn mechanism(page: &mut String, run: &Run) {
+    if run.scene.mechanism.is_plain() {
+        return;
+    }
+    let load = &run.mechanism;
+    line(page, "energy stored at most", load.stored_j, "J");
+    line(page, "  turning with plate", load.rotation_j, "J");
+    if let Some(margin) = load.yield_margin {
+        let _ = writeln!(
+            page,
+            "{:<LABEL$}{} (yield strength over the greatest stress)",
+            "yield margin",
+            units::fixed_significant(margin, 4)
+        );
+    }
+    for (label, mass) in
+        [("springs' own mass", load.spring_mass_kg), ("  added to the plate", load.added_kg)]
+    {
+        if let Some(mass) = mass {
+            let shown = format!("{} kg", units::fixed_significant(mass, 4));
+            let _ = writeln!(page, "{label:<LABEL$}{shown:<VALUE$}  {} kg", units::shortest(mass));
+        }
     }
 }
 

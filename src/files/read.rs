@@ -11,7 +11,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors};
-use crate::files::{read_sweep, read_table};
+use crate::files::{read_stack, read_sweep, read_table};
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
@@ -88,6 +88,12 @@ impl Reader<'_> {
                 name => self.entry(scene, name, key.span(), value),
             }
         }
+        // Last: an element is like the scene but for what it says.
+        if let Some(DeValue::Table(stack)) = document.get("stack").map(Spanned::get_ref)
+            && let Some(list) = stack.get("layer")
+        {
+            scene.stack.layers = read_stack::layers(self, scene, list);
+        }
         if self.problems.is_empty()
             && let Err(error) = variables::validate(scene)
         {
@@ -121,7 +127,7 @@ impl Reader<'_> {
     }
 
     /// A key below the top level's own four: a variable, or a table of variables.
-    fn entry(
+    pub(super) fn entry(
         &mut self,
         scene: &mut Scene,
         path: &str,
@@ -130,6 +136,9 @@ impl Reader<'_> {
     ) {
         if read_table::KEYS.contains(&path) {
             return self.table(scene, path, value);
+        }
+        if path == read_stack::KEY {
+            return;
         }
         let prefix = format!("{path}.");
         let is_table = VARIABLES.iter().any(|variable| variable.key.starts_with(&prefix));
@@ -171,6 +180,12 @@ impl Reader<'_> {
 
     fn variable(&mut self, scene: &mut Scene, variable: &Variable, value: &Spanned<DeValue<'_>>) {
         let read = match (&variable.kind, value.get_ref()) {
+            // The word for an optional number that is not there: an element of a stack may lack what the others have.
+            (Kind::Number(optional), DeValue::String(word))
+                if optional.absent == Some(word.as_ref()) =>
+            {
+                Some(Value::Absent)
+            }
             (Kind::Number(_), item) => number(item).map(Value::Number),
             // A word that is not among the choices gets its own text from the table.
             (Kind::Choice(_), DeValue::String(word)) => {

@@ -9,7 +9,7 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
 use crate::files::read;
-use crate::model::scene::{Scene, Sweep};
+use crate::model::scene::{Layer, Scene, Sweep};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
@@ -45,6 +45,7 @@ pub fn fresh(scene: &Scene) -> String {
     for (key, points) in changed_tables(&Scene::default(), scene) {
         let _ = writeln!(text, "\n[{key}]\npoints = {points}");
     }
+    text.push_str(&layers_text(scene));
     if let Some(sweep) = &scene.sweep {
         let _ = write!(text, "\n[sweep]\n{}", sweep_text(sweep));
     }
@@ -84,6 +85,9 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
         let table = table_at(root, key);
         table.remove("file");
         put(table, "points", &points);
+    }
+    if old.stack.layers != scene.stack.layers {
+        put_layers(root, scene);
     }
     if old.sweep != scene.sweep {
         root.remove("sweep");
@@ -142,6 +146,37 @@ fn split(variable: &Variable) -> (&'static str, &'static str) {
     variable.key.rsplit_once('.').unwrap_or(("", variable.key))
 }
 
+/// The further elements of a stack: of each what differs from the scene's own plate.
+fn layers_text(scene: &Scene) -> String {
+    let mut text = String::new();
+    for Layer { target, plate, mechanism } in &scene.stack.layers {
+        let mut own = scene.clone();
+        (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
+        text.push_str("\n[[stack.layer]]\n");
+        for variable in VARIABLES {
+            if same(variable.value(&own), variable.value(scene)) {
+                continue;
+            }
+            let value = value_text(variable, &own).unwrap_or_else(|| quoted(&variable.show(&own)));
+            let _ = writeln!(text, "{} = {value}", variable.key);
+        }
+        for (key, points) in changed_tables(scene, &own) {
+            let _ = writeln!(text, "{key}.points = {points}");
+        }
+    }
+    text
+}
+
+fn put_layers(root: &mut Table, scene: &Scene) {
+    let stack = table_at(root, "stack");
+    stack.remove("layer");
+    let parsed = layers_text(scene).parse::<DocumentMut>().ok();
+    let layers = parsed.and_then(|mut text| text.get_mut("stack")?.as_table_mut()?.remove("layer"));
+    if let Some(layers) = layers {
+        stack.insert("layer", layers);
+    }
+}
+
 /// The tables of measured points that differ from another scene's, as TOML.
 fn changed_tables(old: &Scene, scene: &Scene) -> Vec<(&'static str, String)> {
     let (was, is) = (&old.mechanism, &scene.mechanism);
@@ -172,6 +207,9 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
         let listed = variables::is_listed(variable, scene)
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));
+    }
+    if variable.group == Group::Stack {
+        return !same(variable.value(scene), variable.value(&Scene::default()));
     }
     variable.group != Group::Stop
         || scene.mechanism.stop != Scene::default().mechanism.stop

@@ -185,6 +185,7 @@ fn blank(scene: &Arc<Scene>) -> Run {
         events: Vec::new(),
         ledger: EnergyLedger::default(),
         mechanism: crate::model::run::MechanismLoad::default(),
+        stack: None,
         cost: Cost::default(),
         omitted: Vec::new(),
         warnings: Vec::new(),

@@ -7,6 +7,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
+use crate::model::stack::StackRun;
 
 mod warning;
 
@@ -49,6 +50,8 @@ pub struct Run {
     pub ledger: EnergyLedger,
     /// What was asked of the mechanism.
     pub mechanism: MechanismLoad,
+    /// What became of the shot behind this plate, where the scene is a stack.
+    pub stack: Option<Arc<StackRun>>,
     /// What the computation cost.
     pub cost: Cost,
     /// What this scene did not need.

@@ -7,12 +7,14 @@
 
 mod contact;
 mod spring;
+mod stack;
 
 pub use contact::{Contact, ContactModel, Jumps, Listing, Reading};
 pub use spring::{
     Beam, Bistable, Column, Combination, ConstantForce, Helix, Normalised, OwnMass, Spring,
     SpringKind, Table, Wire,
 };
+pub use stack::{Layer, Stack};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -35,6 +37,8 @@ pub struct Scene {
     pub contact: Contact,
     /// How the run is computed.
     pub run: RunSettings,
+    /// What stands behind the plate.
+    pub stack: Stack,
     /// The sweep this scene is the base of, if any.
     pub sweep: Option<Sweep>,
 }

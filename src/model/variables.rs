@@ -11,11 +11,13 @@ use crate::model::units::{self, Bare, Quantity, QuantityError};
 
 mod names;
 mod springs;
+mod stack;
 mod table;
 mod used;
 
 pub use names::{edit_distance, find, nearest};
 pub use springs::require_plain;
+pub use stack::require_single;
 pub use table::VARIABLES;
 pub use used::{critical_obliquity_deg, is_listed, is_used, require_hydrodynamic};
 
@@ -51,6 +53,8 @@ pub enum Group {
     Mechanism,
     /// The mechanical stop.
     Stop,
+    /// What stands behind the plate.
+    Stack,
     /// What holds projectile and plate together.
     Interface,
     /// How the run is computed.
@@ -59,12 +63,13 @@ pub enum Group {
 
 impl Group {
     /// All groups, in the order of the editor.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Projectile,
         Self::Target,
         Self::Plate,
         Self::Mechanism,
         Self::Stop,
+        Self::Stack,
         Self::Interface,
         Self::Run,
     ];
@@ -77,6 +82,7 @@ impl Group {
             Self::Plate => "Plate",
             Self::Mechanism => "Mechanism",
             Self::Stop => "Stop",
+            Self::Stack => "Stack",
             Self::Interface => "Interface",
             Self::Run => "Analysis",
         }
@@ -469,7 +475,8 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
         }
     }
     used::check_interface_spring(scene)?;
-    springs::check(scene)
+    springs::check(scene)?;
+    stack::check(scene)
 }
 
 /// Every value that is legal yet outside the range the thesis searched.

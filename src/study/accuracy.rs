@@ -158,6 +158,7 @@ pub fn compare_openly(
     watch: Onlooker<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
+    variables::require_single(scene)?;
     variables::require_hydrodynamic(scene)?;
     variables::require_plain(scene)?;
     let references = references(scene);

@@ -151,6 +151,7 @@ pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Report, VariableError> {
     variables::validate(scene)?;
+    variables::require_single(scene)?;
     let samples = effort.scattering.map_or(0, |scattering| scattering.samples);
     let mut range = Range::new(scene, SCAN + 40 + BELOW + ABOVE + samples, watch);
     let limit = range.limit(RANGE_M_S, SCAN, WIDTH);
@@ -185,6 +186,7 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
 /// As [`find`].
 pub fn alone(scene: &Arc<Scene>, watch: Watch<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
+    variables::require_single(scene)?;
     Ok(Range::new(scene, SCAN + 40, watch).limit(RANGE_M_S, SCAN, WIDTH))
 }
 

@@ -162,6 +162,7 @@ pub fn compare(
     watch: Watch<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
+    variables::require_single(scene)?;
     let face_m2 = scene.plate_mass_kg() / plate_areal(scene);
     let own = run(scene)?;
     let spring_energy_j = spring_energy_j(&own);

@@ -200,6 +200,7 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
             crate::model::variables::validate(&study.scene).map_err(|error| error.to_string())?;
             crate::model::variables::require_hydrodynamic(&study.scene)
                 .and_then(|()| crate::model::variables::require_plain(&study.scene))
+                .and_then(|()| crate::model::variables::require_single(&study.scene))
                 .map_err(|error| error.to_string())?;
             let watch = &mut || {
                 let stopped = stop.load(Ordering::Relaxed);

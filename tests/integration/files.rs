@@ -191,6 +191,8 @@ prop_compose! {
             scene.mechanism.second.bistable.unstable_m = None;
             scene.mechanism.combination = Combination::Alone;
             scene.contact.model = ContactModel::Hydrodynamic;
+            scene.stack.elements = scene.stack.elements.round();
+            scene.stack.base_thickness_m = Some(0.01);
         }
         scene
     }

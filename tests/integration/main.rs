@@ -33,6 +33,8 @@ mod sensitivity;
 #[cfg(test)]
 mod stability;
 #[cfg(test)]
+mod stack;
+#[cfg(test)]
 mod support;
 #[cfg(test)]
 mod sweep;

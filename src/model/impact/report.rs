@@ -53,6 +53,7 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         events: record.events,
         ledger,
         mechanism,
+        stack: None,
         cost,
         omitted,
         warnings,

@@ -44,6 +44,15 @@ pub enum Warning {
     Model(ModelNote),
     /// A spring went beyond where its law is good.
     Limit(Limit),
+    /// A plate of a stack travels farther than the gap behind it.
+    PlateMeetsNext {
+        /// The plate, 0 for the first.
+        plate: usize,
+        /// How far it goes, m.
+        travel_m: f64,
+        /// The gap, m.
+        gap_m: f64,
+    },
 }
 
 impl fmt::Display for Warning {
@@ -74,6 +83,13 @@ impl fmt::Display for Warning {
             }
             Self::EndedEarly(reason) => f.write_str(reason.words()),
             Self::Model(note) => f.write_str(&note.words()),
+            Self::PlateMeetsNext { plate, travel_m, gap_m } => write!(
+                f,
+                "plate {} travels {} m, farther than the gap of {} m behind it: plates that meet are not in the model",
+                plate + 1,
+                units::significant(*travel_m, 4),
+                units::significant(*gap_m, 4)
+            ),
             Self::Limit(limit) => write!(
                 f,
                 "a spring is displaced by {} m, beyond {} m, where {}",

@@ -65,6 +65,7 @@ const TABLES: &[&[Variable]] = &[
     mechanism::COMBINATION,
     spring::SECOND,
     mechanism::STOP,
+    mechanism::STACK,
     contact::ROWS,
 ];
 
@@ -85,7 +86,11 @@ pub(super) fn checked(scene: &Scene) -> impl Iterator<Item = &'static Variable> 
     let first = if scene.mechanism.is_plain() { spring::PLAIN } else { spring::FIRST.len() };
     let second = if alone { 0 } else { spring::SECOND.len() };
     let before = bodies::ROWS.iter().chain(mechanism::DAMPER).chain(&spring::FIRST[..first]);
-    before.chain(&spring::SECOND[..second]).chain(mechanism::STOP).chain(contact::ROWS)
+    before
+        .chain(&spring::SECOND[..second])
+        .chain(mechanism::STOP)
+        .chain(mechanism::STACK)
+        .chain(contact::ROWS)
 }
 
 /// Every variable there is.

@@ -37,6 +37,10 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
     match variable.key {
         "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
+        "stack.base_thickness_m" => true,
+        key if key.starts_with("stack.") => {
+            scene.stack.base_thickness_m.is_some() || scene.stack.elements > 1.0
+        }
         key if springs::is_row(key) => springs::is_listed(key, scene),
         key => !key.starts_with("contact.") || model_has(scene.contact.model, key),
     }

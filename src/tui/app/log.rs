@@ -64,6 +64,7 @@ impl App {
         if let Some(shown) = &self.shown {
             let which = if self.is_stale() { " (old: the scene has changed since)" } else { "" };
             warnings(&mut lines, &shown.run, which);
+            stack(&mut lines, &shown.run);
             events(&mut lines, &shown.run);
             energy(&mut lines, &shown.run.ledger);
             cost(&mut lines, &shown.run);
@@ -105,6 +106,15 @@ fn warnings(lines: &mut Vec<LogLine>, run: &Run, which: &str) {
     }
     for warning in &run.warnings {
         push(lines, LineKind::Warning, format!("! {warning}"));
+    }
+}
+
+fn stack(lines: &mut Vec<LogLine>, run: &Run) {
+    if let Some(stack) = &run.stack {
+        heading(lines, "Stack: plate by plate");
+        for line in crate::study::stack::table(run, stack) {
+            push(lines, LineKind::Text, line);
+        }
     }
 }
 

@@ -176,7 +176,11 @@ impl App {
             Outcome::Arrested | Outcome::Separated => Severity::Note,
             Outcome::Perforated | Outcome::Moving => Severity::Warning,
         };
-        parts.push(same(severity, run.outcome.word().to_owned()));
+        let word = match &run.stack {
+            Some(stack) => format!("plate 1 {}, {}", run.outcome.word(), stack.sentence()),
+            None => run.outcome.word().to_owned(),
+        };
+        parts.push(same(severity, word));
         parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
         parts
     }
@@ -241,6 +245,7 @@ pub fn warning_text(warning: &Warning) -> String {
         | Warning::EndedEarly(_)
         | Warning::Model(_)
         | Warning::Limit(_)
+        | Warning::PlateMeetsNext { .. }
         | Warning::NoBaseline => warning.to_string(),
     }
 }
@@ -290,6 +295,7 @@ fn demand(run: &Run) -> Option<String> {
         Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
         Warning::EnergyDrift { residual } => Some(format!("! energy off by {residual:.0e}")),
         Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
+        Warning::PlateMeetsNext { .. } => Some("! plates meet".to_owned()),
         Warning::InterfaceWithoutStrength
         | Warning::EndedEarly(_)
         | Warning::Model(_)

@@ -283,6 +283,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         ],
         ledger: ledger(rigid),
         mechanism: cmra::model::run::MechanismLoad::default(),
+        stack: None,
         cost: cost(rigid),
         omitted: vec![Omission::Damper, Omission::Stop, Omission::SpringPower, Omission::Obliquity],
         warnings: Vec::new(),

@@ -110,3 +110,43 @@ pub(super) const STOP: &[Variable] = &[
         kind: number!(Damping, Allowed::NonNegative, None, Log, mechanism.stop.damping_n_s_m),
     },
 ];
+
+/// What stands behind the plate.
+pub(super) const STACK: &[Variable] = &[
+    Variable {
+        key: "stack.base_thickness_m",
+        symbol: "h_base",
+        aliases: &["base"],
+        group: Group::Stack,
+        meaning: "thickness of a base plate behind the elements, on a rigid mount",
+        source: "thesis section 6.2.8; no value there. none: the plate stands alone",
+        kind: optional!(Length, Allowed::Positive, "none", stack.base_thickness_m),
+    },
+    Variable {
+        key: "stack.base_strength_pa",
+        symbol: "S_base",
+        aliases: &[],
+        group: Group::Stack,
+        meaning: "flow strength of the base plate",
+        source: "plate: that of the scene's plate",
+        kind: optional!(Pressure, Allowed::NonNegative, "plate", stack.base_strength_pa),
+    },
+    Variable {
+        key: "stack.elements",
+        symbol: "elements",
+        aliases: &[],
+        group: Group::Stack,
+        meaning: "how many equal elements, each a plate on its mechanism, stand one behind the other",
+        source: "thesis section 6.2.8; 1 throughout chapter 9",
+        kind: number!(Number, Allowed::Between(1.0, 50.0), None, Linear, stack.elements),
+    },
+    Variable {
+        key: "stack.gap_m",
+        symbol: "gap",
+        aliases: &[],
+        group: Group::Stack,
+        meaning: "clear distance behind each plate: a warning where a plate travels farther",
+        source: "none: enough",
+        kind: optional!(Length, Allowed::Positive, "none", stack.gap_m),
+    },
+];
