@@ -20,6 +20,7 @@ pub mod session;
 pub mod stability;
 pub mod sweep;
 pub mod thesis;
+pub mod validation;
 pub mod worth;
 pub mod write;
 

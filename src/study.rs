@@ -13,4 +13,5 @@ pub mod stability;
 pub mod stack;
 pub mod sweep;
 pub mod thesis;
+pub mod validation;
 pub mod worth;

@@ -58,6 +58,11 @@ pub static BUNDLED: &[Bundled] = bundled![
     "stiff-spring",
     "low-exponent",
     "overdamped",
+    "validation-borvik",
+    "validation-borvik-cavity",
+    "validation-thin-sphere",
+    "validation-ap-core",
+    "validation-concrete",
 ];
 
 /// The bundled preset with this name.

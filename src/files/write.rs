@@ -208,7 +208,8 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));
     }
-    if variable.group == Group::Stack {
+    let of_closure = ["target.closure", "target.yield_pa", "target.modulus_pa"];
+    if variable.group == Group::Stack || of_closure.contains(&variable.key) {
         return !same(variable.value(scene), variable.value(&Scene::default()));
     }
     variable.group != Group::Stop

@@ -141,7 +141,7 @@ impl Scheme {
             faces,
             radius_m: scene.projectile.tip_radius_m,
             projectile_kg: scene.projectile.mass_kg,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: scene.projectile.velocity_m_s,
             cos: match listing.obliquity {

@@ -193,7 +193,7 @@ impl Phase {
             unit_s: r / v,
             gamma: scene.plate.mass_ratio,
             rigid,
-            sigma: scene.target.flow_strength_pa * r * r / unit_n,
+            sigma: scene.flow_strength_pa() * r * r / unit_n,
             kappa: scene.drag_kg_m3() * r * r * r / m_p,
             spring: Law {
                 coefficient: spring.coefficient * r.powf(spring.exponent) / unit_n,

@@ -254,7 +254,7 @@ mod tests {
         Motion {
             nose: geometry.nose,
             area: geometry.piece(q).law,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             slip_mobility: 1.0 / m1 + cos * cos / m2,
             plate_mobility: 1.0 / m2,

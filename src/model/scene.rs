@@ -67,12 +67,31 @@ pub struct Target {
     pub thickness_m: f64,
     /// rho, > 0 kg/m³.
     pub density_kg_m3: f64,
-    /// `S_y`, dynamic flow strength, >= 0 Pa.
+    /// `S_y`, dynamic flow strength, >= 0 Pa; what counts is [`Scene::flow_strength_pa`].
     pub flow_strength_pa: f64,
+    /// Where the flow strength comes from.
+    pub closure: Closure,
+    /// Y > 0, yield strength, Pa, for a closure.
+    pub yield_pa: f64,
+    /// E > Y, modulus of elasticity, Pa, for a closure.
+    pub modulus_pa: f64,
     /// `C_d`, >= 0.
     pub drag_coefficient: f64,
     /// Whether the plate's local bulge takes up about one projectile diameter of the travel.
     pub dishing: bool,
+}
+
+/// Where the flow strength comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Closure {
+    /// It is given: `S_y`.
+    #[default]
+    Given,
+    /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
+    DoubleYield,
+    /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made without
+    /// dishing.
+    Cavity,
 }
 
 /// The plate as a body.
@@ -216,6 +235,9 @@ impl Default for Target {
             thickness_m: 0.0254,
             density_kg_m3: 2710.0,
             flow_strength_pa: 1.52e8,
+            closure: Closure::Given,
+            yield_pa: 75.8e6,
+            modulus_pa: 73.1e9,
             drag_coefficient: 0.5,
             dishing: true,
         }
@@ -281,6 +303,16 @@ impl Scene {
     /// Plate mass `m_2 = gamma m_p`, kg.
     pub fn plate_mass_kg(&self) -> f64 {
         self.plate.mass_ratio * self.projectile.mass_kg
+    }
+
+    /// The flow strength in the contact force, Pa: given, or from Y and E by the closure.
+    pub fn flow_strength_pa(&self) -> f64 {
+        let Target { flow_strength_pa, yield_pa: y, modulus_pa: e, .. } = self.target;
+        match self.target.closure {
+            Closure::Given => flow_strength_pa,
+            Closure::DoubleYield => 2.0 * y,
+            Closure::Cavity => 2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln()),
+        }
     }
 
     /// cos(theta).

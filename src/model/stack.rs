@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::model::impact::{self, Observer, Settings};
 use crate::model::run::{Outcome, Run, Warning};
-use crate::model::scene::{Layer, Mount, Scene, Stack};
+use crate::model::scene::{Closure, Layer, Mount, Scene, Stack};
 use crate::model::variables::VariableError;
 
 /// What became of a shot into a stack.
@@ -134,8 +134,10 @@ pub fn plates(scene: &Scene) -> Vec<Scene> {
     base.plate.cocking_m = 0.0;
     base.mechanism.stop.position_m = None;
     base.target.thickness_m = scene.stack.base_thickness_m.unwrap_or(base.target.thickness_m);
-    base.target.flow_strength_pa =
-        scene.stack.base_strength_pa.unwrap_or(base.target.flow_strength_pa);
+    if let Some(strength_pa) = scene.stack.base_strength_pa {
+        base.target.closure = Closure::Given;
+        base.target.flow_strength_pa = strength_pa;
+    }
     plates.push(base);
     plates
 }

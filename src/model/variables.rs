@@ -367,6 +367,9 @@ impl Variable {
 
     /// A warning when the value is outside the range the thesis searched.
     pub fn range_warning(&self, scene: &Scene) -> Option<RangeWarning> {
+        if self.symbol == "closure" {
+            return used::closure_reach(scene);
+        }
         let Kind::Number(number) = &self.kind else {
             return None;
         };
@@ -474,6 +477,7 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
             )));
         }
     }
+    used::check_closure(scene)?;
     used::check_interface_spring(scene)?;
     springs::check(scene)?;
     stack::check(scene)

@@ -312,8 +312,9 @@ fn shoot(scene: &Scene, impact_m_s: f64) -> Shot {
     })
 }
 
-/// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s.
-fn closed_form(scene: &Scene) -> Option<f64> {
+/// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts or another
+/// model is asked for.
+pub fn closed_form(scene: &Scene) -> Option<f64> {
     let mechanism = &scene.mechanism;
     let rigid = scene.plate.mount == Mount::Rigid;
     let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
@@ -326,7 +327,7 @@ fn closed_form(scene: &Scene) -> Option<f64> {
     let passage = Passage {
         geometry: &geometry,
         mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         velocity_m_s: scene.projectile.velocity_m_s,
     };

@@ -292,7 +292,7 @@ impl Peaks {
                 peaks.decay_per_s = larger(decay, peaks.decay_per_s);
             }
             let slip = row.projectile_velocity_m_s - w * cos;
-            let pressure = scene.target.flow_strength_pa + drag * slip * slip;
+            let pressure = scene.flow_strength_pa() + drag * slip * slip;
             if pressure > 0.0 {
                 let slope = 2.0 * drag * slip * row.contact_force_n / pressure;
                 peaks.drag_per_s = larger(slope * mobility, peaks.drag_per_s);

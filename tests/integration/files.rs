@@ -5,7 +5,7 @@ use std::fs;
 use cmra::files::atomic::Existing;
 use cmra::files::preset::save_file;
 use cmra::files::{read, write};
-use cmra::model::scene::{Combination, ContactModel, Scene, Sweep, SweepAxis};
+use cmra::model::scene::{Closure, Combination, ContactModel, Scene, Sweep, SweepAxis};
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
@@ -191,6 +191,7 @@ prop_compose! {
             scene.mechanism.second.bistable.unstable_m = None;
             scene.mechanism.combination = Combination::Alone;
             scene.contact.model = ContactModel::Hydrodynamic;
+            scene.target.closure = Closure::Given;
             scene.stack.elements = scene.stack.elements.round();
             scene.stack.base_thickness_m = Some(0.01);
         }

@@ -45,4 +45,6 @@ mod thesis;
 #[cfg(test)]
 mod tidy;
 #[cfg(test)]
+mod validation;
+#[cfg(test)]
 mod worth;

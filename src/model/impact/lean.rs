@@ -84,7 +84,7 @@ impl Contact {
         let rigid = Passage {
             geometry: &geometry,
             mass_kg: scene.projectile.mass_kg,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: scene.projectile.velocity_m_s,
         };
@@ -101,7 +101,7 @@ impl Contact {
             spring: mechanism.spring.power().unwrap_or(none),
             damper: mechanism.damper,
             constants: Constants {
-                strength_pa: scene.target.flow_strength_pa,
+                strength_pa: scene.flow_strength_pa(),
                 drag_kg_m3: scene.drag_kg_m3(),
                 slip_mobility: 1.0 / scene.projectile.mass_kg + cos * cos * plate_mobility,
                 plate_mobility,

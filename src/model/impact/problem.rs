@@ -71,7 +71,7 @@ impl Problem {
             joined_kg,
             share: projectile_kg * cos / joined_kg,
             cos,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             grip: scene.interface.grip,
             velocity_m_s: scene.projectile.velocity_m_s,

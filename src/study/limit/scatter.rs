@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Scene, SpringKind};
+use crate::model::scene::{Closure, Scene, SpringKind};
 use crate::numerics::random::Random;
 use crate::study::limit::{Limit, Range};
 
@@ -102,6 +102,11 @@ pub(super) fn scatter(
 
 fn scattered(scene: &Scene, deviation: f64, random: &mut Random) -> Scene {
     let mut own = scene.clone();
+    let target = &mut own.target;
+    let hardness = match target.closure {
+        Closure::Given => &mut target.flow_strength_pa,
+        Closure::DoubleYield | Closure::Cavity => &mut target.yield_pa,
+    };
     let mechanism = &mut own.mechanism;
     // Laws without a coefficient scatter in how many springs there are: in force.
     let strength = match mechanism.spring.kind {
@@ -119,10 +124,10 @@ fn scattered(scene: &Scene, deviation: f64, random: &mut Random) -> Scene {
     for value in [
         &mut own.projectile.mass_kg,
         &mut own.projectile.tip_radius_m,
-        &mut own.target.thickness_m,
-        &mut own.target.density_kg_m3,
-        &mut own.target.flow_strength_pa,
-        &mut own.target.drag_coefficient,
+        &mut target.thickness_m,
+        &mut target.density_kg_m3,
+        hardness,
+        &mut target.drag_coefficient,
         &mut own.plate.mass_ratio,
         &mut own.plate.cocking_m,
         &mut mechanism.damper.coefficient,

@@ -354,7 +354,7 @@ fn cell(scene: &Scene, method: Method, dt_s: f64, target: Option<&Target>) -> Ce
     let fixed = Fixed {
         faces: Faces::of(scene),
         radius_m: scene.projectile.tip_radius_m,
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         projectile_kg: scene.projectile.mass_kg,
         plate_kg: scene.plate_mass_kg(),

@@ -203,7 +203,7 @@ fn passage<'g>(scene: &Scene, geometry: &'g Geometry, free: bool) -> Passage<'g>
     Passage {
         geometry,
         mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         velocity_m_s: scene.projectile.velocity_m_s,
     }

@@ -1,7 +1,7 @@
 //! What strikes, and what is struck.
 
 use super::{TABLE_9_1, TABLE_9_2};
-use crate::model::scene::Mount;
+use crate::model::scene::{Closure, Mount};
 use crate::model::units::Quantity;
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
 
@@ -87,6 +87,44 @@ pub(super) const ROWS: &[Variable] = &[
         meaning: "dynamic flow strength of the plate",
         source: "thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6",
         kind: number!(Pressure, Allowed::NonNegative, None, Linear, target.flow_strength_pa),
+    },
+    Variable {
+        key: "target.closure",
+        symbol: "closure",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
+        source: "given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))",
+        kind: Kind::Choice(Choice {
+            words: &["given", "double-yield", "cavity"],
+            get: |scene| match scene.target.closure {
+                Closure::Given => 0,
+                Closure::DoubleYield => 1,
+                Closure::Cavity => 2,
+            },
+            set: |scene, index| {
+                scene.target.closure =
+                    [Closure::Given, Closure::DoubleYield, Closure::Cavity][index.min(2)];
+            },
+        }),
+    },
+    Variable {
+        key: "target.yield_pa",
+        symbol: "Y",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "static yield strength, for a closure",
+        source: "thesis Appendix A.1: 75.8 MPa",
+        kind: number!(Pressure, Allowed::Positive, None, Linear, target.yield_pa),
+    },
+    Variable {
+        key: "target.modulus_pa",
+        symbol: "E",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "modulus of elasticity, for the closure by cavity expansion",
+        source: "aluminium 2024; the thesis needs none",
+        kind: number!(Pressure, Allowed::Positive, None, Linear, target.modulus_pa),
     },
     Variable {
         key: "target.drag_coefficient",
