@@ -8,7 +8,7 @@
 //! made for (a stop, an oblique section across the cylinder, a plate that comes back through a singular point) are left to
 //! the full track: [`Contact::run`] returns `None` for them.
 
-use crate::model::closed_form::Passage;
+use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::{AreaLaw, Geometry, Piece};
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring, moving_plate_kg};
 use crate::model::plan::holds_still;
@@ -22,6 +22,7 @@ use slaved::Slaved;
 use start::Start;
 
 mod expansion;
+mod free;
 mod law;
 mod root;
 mod slaved;
@@ -42,6 +43,13 @@ const RIDES_BELOW: f64 = 1.0 / 3.0;
 const RIDES_TO: f64 = 1e-11;
 /// First unit of a graded clock, relative to where it starts.
 const GRADED_UNIT: f64 = 0.6;
+
+/// Shots on a rigid or free plate that leave with a part of their velocity between these are done in closed form: above, an
+/// integration is as good and cheaper; below, the quadrature for the time is not fine enough.
+const FAST_EXIT: f64 = 0.5;
+const SLOW_EXIT: f64 = 0.05;
+/// Points of the graded quadrature on each of its stretches.
+const CLOSED_POINTS: usize = 2;
 
 /// One contact, prepared: everything that does not change along the way.
 #[derive(Clone, Debug)]
@@ -118,14 +126,53 @@ impl Contact {
     /// Run it to the relative accuracy `tolerance`; `None` where the full track is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
         if self.left_to_others {
-            None
-        } else if tolerance >= LOOSE {
+            return None;
+        }
+        if let Some(end) = self.closed(tolerance) {
+            return Some(end);
+        }
+        if tolerance >= LOOSE {
             self.with_terms::<TERMS_LOOSE>(tolerance)
         } else if tolerance >= TIGHT {
             self.with_terms::<TERMS>(tolerance)
         } else {
             self.with_terms::<TERMS_TIGHT>(tolerance)
         }
+    }
+
+    /// A plate that is rigid or free: no integration where the rule for the time converges.
+    fn closed(&self, tolerance: f64) -> Option<ContactEnd> {
+        if self.spring.coefficient != 0.0 || self.damper.coefficient != 0.0 {
+            return None;
+        }
+        let c = &self.constants;
+        let passage = Passage {
+            geometry: &self.geometry,
+            mass_kg: 1.0 / c.slip_mobility,
+            strength_pa: c.strength_pa,
+            drag_kg_m3: c.drag_kg_m3,
+            velocity_m_s: c.velocity_m_s,
+        };
+        let ending = passage.ending();
+        let (t_s, travel_m, slip) = match ending {
+            Ending::Exit { velocity_m_s } => {
+                let left = velocity_m_s / c.velocity_m_s;
+                if !(SLOW_EXIT..FAST_EXIT).contains(&left) {
+                    return None;
+                }
+                (None, self.geometry.exit_m, velocity_m_s)
+            }
+            Ending::Arrest { travel_m } => {
+                (free::arrest_time_s(&passage, ending, tolerance), travel_m, 0.0)
+            }
+        };
+        // Near the ballistic limit the time wants a finer rule.
+        let t_s = t_s.or_else(|| Some(passage.history(ending, CLOSED_POINTS).last()?.t_s))?;
+        let share = c.cos * c.plate_mobility / c.slip_mobility;
+        let plate_m = self.start_m + share * (c.velocity_m_s * t_s - travel_m);
+        let state = [travel_m, slip, plate_m, share * (c.velocity_m_s - slip)];
+        let arrested = matches!(ending, Ending::Arrest { .. });
+        Some(self.end(arrested, t_s, (state, plate_m), 0))
     }
 
     fn with_terms<const N: usize>(&self, tolerance: f64) -> Option<ContactEnd> {

@@ -61,7 +61,11 @@ pub fn acting(mechanism: &scene::Mechanism) -> impl Iterator<Item = &scene::Spri
 }
 
 /// The mass that answers when the plate is pushed: `m_2` and what its mechanism adds, kg.
+#[inline]
 pub fn moving_plate_kg(scene: &Scene) -> f64 {
+    if scene.mechanism.is_plain() {
+        return scene.plate_mass_kg();
+    }
     scene.plate_mass_kg() + Inertia::of(scene).added_kg()
 }
 

@@ -1,4 +1,4 @@
-//! The quick way to depth and greatest displacement: closed form or the contact alone, then an energy balance.
+//! The quick way to depth and greatest displacement: the contact alone, then an energy balance.
 //!
 //! Sound where nothing after the first arrest (or perforation) can change what is asked: the fused interface, no stop, and, for
 //! the displacement, no damper. Whatever does not fit is left to the full simulation by giving no answer.
@@ -28,11 +28,6 @@ const STROKE: &str = "stroke_m";
 
 /// Part of the scene's tolerance for the contact, so that the rest of the way has its share.
 const SHARE: f64 = 0.3;
-/// Closed-form shots that leave more slowly than this part of their velocity are left to the full simulation.
-const LIMIT_MARGIN: f64 = 0.05;
-/// Quadrature points on each stretch of the closed form.
-const POINTS: usize = 2;
-
 /// What was found at a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Answer {
@@ -116,12 +111,7 @@ impl<'p> Quick<'p> {
         self.contacts.clear();
         for (place, index) in points.iter().enumerate() {
             self.plan.place(scene, *index);
-            if !self.serves(scene) {
-                continue;
-            }
-            if scene.plate.mount == Mount::Rigid || Mechanism::of(scene).is_absent() {
-                self.answers[place] = self.closed(scene);
-            } else {
+            if self.serves(scene) {
                 self.contacts.push((place, Contact::of(scene)));
             }
         }
@@ -145,38 +135,6 @@ impl<'p> Quick<'p> {
             && scene.run.horizon_s.is_none()
     }
 
-    /// A plate that is rigid or free.
-    fn closed(&self, scene: &Scene) -> Option<(Fate, Answer)> {
-        let geometry = Geometry::of(scene);
-        let free = scene.plate.mount == Mount::Sprung;
-        let passage = passage(scene, &geometry, free);
-        let ending = passage.ending();
-        if let Ending::Exit { velocity_m_s } = ending
-            && velocity_m_s <= LIMIT_MARGIN * passage.velocity_m_s
-        {
-            return None;
-        }
-        let last = *passage.history(ending, POINTS).last()?;
-        if !last.t_s.is_finite() {
-            return None;
-        }
-        let cos = geometry.nose.cos;
-        let m_p = scene.projectile.mass_kg;
-        let share = if free { m_p * cos / (moving_plate_kg(scene) + m_p * cos * cos) } else { 0.0 };
-        let start_m = if free { 0.0 - scene.plate.cocking_m } else { 0.0 };
-        let plate_m = start_m + share * (passage.velocity_m_s * last.t_s - last.travel_m);
-        let end = ContactEnd {
-            arrested: matches!(ending, Ending::Arrest { .. }),
-            t_s: last.t_s,
-            penetration_m: geometry.depth_m(last.travel_m),
-            plate_displacement_m: plate_m,
-            plate_velocity_m_s: share * (passage.velocity_m_s - last.slip_m_s),
-            farthest_m: plate_m,
-            steps: 0,
-        };
-        Some(self.finish(scene, end))
-    }
-
     /// All that is asked, from the end of the contact.
     fn finish(&self, scene: &Scene, end: ContactEnd) -> (Fate, Answer) {
         let baseline_m = match self.baseline {
@@ -196,22 +154,16 @@ fn contacts(contacts: &[(usize, Contact)], tolerance: f64) -> Vec<Option<Contact
     contacts.iter().map(|(_, contact)| contact.run(tolerance)).collect()
 }
 
-/// The relative motion of a plate that is rigid or free.
-fn passage<'g>(scene: &Scene, geometry: &'g Geometry, free: bool) -> Passage<'g> {
-    let cos = geometry.nose.cos;
-    let plate = if free { cos * cos / moving_plate_kg(scene) } else { 0.0 };
-    Passage {
+/// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
+fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
+    let rigid = Passage {
         geometry,
-        mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
+        mass_kg: scene.projectile.mass_kg,
         strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         velocity_m_s: scene.projectile.velocity_m_s,
-    }
-}
-
-/// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
-fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
-    match passage(scene, geometry, false).ending() {
+    };
+    match rigid.ending() {
         Ending::Arrest { travel_m } => Some(geometry.depth_m(travel_m)),
         Ending::Exit { .. } => None,
     }

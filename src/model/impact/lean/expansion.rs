@@ -3,7 +3,7 @@
 //! Same recurrence as `motion.rs`. The clock may be graded: with t = s³ a force that starts like t^(3n) is far smoother in s,
 //! so that the steps grow from the singular start several times as fast.
 
-use crate::model::impact::lean::law::{Law, product_at, square_at};
+use crate::model::impact::lean::law::{Law, product_before, square_at, square_before};
 use crate::numerics::larger;
 
 /// The four series, in the step's own variable from 0 to 1.
@@ -113,24 +113,43 @@ impl Constants {
         let (mut offset, mut area, mut pressure) = (zero, zero, zero);
         let (mut slowing, mut driving) = (zero, zero);
         (s.travel[0], s.slip[0], s.plate[0], s.speed[0]) = (state[0], state[1], state[2], state[3]);
+        // Velocities that pressure and mechanism would give in a unit of the clock.
+        let unit_s = rates[0];
+        let (strength, drag) = (
+            self.strength_pa * self.slip_mobility * unit_s,
+            self.drag_kg_m3 * self.slip_mobility * unit_s,
+        );
+        let per_force = self.plate_mobility * unit_s;
+        let share = self.cos * self.plate_mobility / self.slip_mobility;
+        let rates = [unit_s, rates[1] / unit_s, rates[2] / unit_s];
+        offset[0] = state[0] - origin_m;
+        area[0] = a[0] + offset[0] * (a[1] + a[2] * offset[0]);
+        // What a coefficient of the slip adds to that of the pressure, and to that of the force.
+        let by_slip = 2.0 * drag * state[1];
+        let by_slip_there = area[0] * by_slip;
         macro_rules! order {
             ($($j:literal)*) => { $( if $j < N {
                 const J: usize = $j;
-                offset[J] = s.travel[J] - if J == 0 { origin_m } else { 0.0 };
-                let squared = square_at::<N, J>(&offset);
-                area[J] = a[1] * offset[J] + a[2] * squared + if J == 0 { a[0] } else { 0.0 };
-                pressure[J] = self.drag_kg_m3 * square_at::<N, J>(&s.slip)
-                    + if J == 0 { self.strength_pa } else { 0.0 };
-                let f = product_at::<N, J>(&area, &pressure, 0);
-                let g = spring.term::<J>(&s.plate) + damper.term::<J>(&s.speed);
-                let plate = g * self.plate_mobility;
-                slowing[J] = self.cos * plate - f * self.slip_mobility;
-                driving[J] = self.cos * f * self.plate_mobility - plate;
+                let f;
+                if J == 0 {
+                    pressure[0] = strength + drag * s.slip[0] * s.slip[0];
+                    f = area[0] * pressure[0];
+                } else {
+                    offset[J] = s.travel[J];
+                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J>(&offset);
+                    let older = drag * square_before::<N, J>(&s.slip);
+                    pressure[J] = older + by_slip * s.slip[J];
+                    let known = product_before::<N, J>(&area, &pressure) + area[J] * pressure[0];
+                    f = known + area[0] * older + by_slip_there * s.slip[J];
+                }
+                let g = per_force * (spring.term::<J>(&s.plate) + damper.term::<J>(&s.speed));
+                slowing[J] = self.cos * g - f;
+                driving[J] = share * f - g;
                 if J + 1 < N {
                     let per_order = 1.0 / (J + 1) as f64;
-                    s.travel[J + 1] = per_order * along::<N, J, GRADED>(&s.slip, rates);
+                    s.travel[J + 1] = per_order * unit_s * along::<N, J, GRADED>(&s.slip, rates);
                     s.slip[J + 1] = per_order * along::<N, J, GRADED>(&slowing, rates);
-                    s.plate[J + 1] = per_order * along::<N, J, GRADED>(&s.speed, rates);
+                    s.plate[J + 1] = per_order * unit_s * along::<N, J, GRADED>(&s.speed, rates);
                     s.speed[J + 1] = per_order * along::<N, J, GRADED>(&driving, rates);
                 }
             } )* };
@@ -166,15 +185,15 @@ impl Constants {
 /// Greatest step in units of the expansion's own.
 const REACH_MAX: f64 = 20.0;
 
-/// Coefficient J of dz/dt · dt/dsigma.
+/// Coefficient J of dz/dt · dt/dsigma, in units of the clock's first rate.
 #[inline]
 fn along<const N: usize, const J: usize, const GRADED: bool>(z: &[f64; N], rates: [f64; 3]) -> f64 {
-    let mut sum = rates[0] * z[J];
-    if GRADED && J >= 1 {
-        sum += rates[1] * z[J - 1];
-    }
+    let mut older = 0.0;
     if GRADED && J >= 2 {
-        sum += rates[2] * z[J - 2];
+        older += rates[2] * z[J - 2];
     }
-    sum
+    if GRADED && J >= 1 {
+        older += rates[1] * z[J - 1];
+    }
+    if GRADED { older + z[J] } else { z[J] }
 }

@@ -48,7 +48,7 @@ impl<const N: usize, const K: usize> Law<N> for Whole<N, K> {
     fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64 {
         self.powers[0][J] = z[J];
         for k in 1..K {
-            self.powers[k][J] = product_at::<N, J>(&self.powers[k - 1], z, 0);
+            self.powers[k][J] = product_at::<N, J>(&self.powers[k - 1], z);
         }
         self.coefficient * self.powers[K - 1][J]
     }
@@ -59,6 +59,8 @@ impl<const N: usize, const K: usize> Law<N> for Whole<N, K> {
 pub(super) struct Power<const N: usize> {
     law: PowerLaw,
     inverse: f64,
+    /// df/dz at the start.
+    tangent: f64,
     force: [f64; N],
     /// i z[i].
     slope: [f64; N],
@@ -66,7 +68,7 @@ pub(super) struct Power<const N: usize> {
 
 impl<const N: usize> Power<N> {
     pub(super) fn new(law: PowerLaw) -> Self {
-        Self { law, inverse: 0.0, force: [0.0; N], slope: [0.0; N] }
+        Self { law, inverse: 0.0, tangent: 0.0, force: [0.0; N], slope: [0.0; N] }
     }
 }
 
@@ -79,51 +81,59 @@ impl<const N: usize> Law<N> for Power<N> {
         if J == 0 {
             self.inverse = 1.0 / z[0];
             self.force[0] = self.law.coefficient * z[0].abs().powf(self.law.exponent) * sign(z[0]);
+            self.tangent = self.law.exponent * self.force[0] * self.inverse;
             return self.force[0];
         }
         self.slope[J] = J as f64 * z[J];
-        let by_slope = product_at::<N, J>(&self.slope, &self.force, 1);
-        let by_value = product_at::<N, J>(z, &self.force, 1);
+        let by_slope = product_before::<N, J>(&self.slope, &self.force);
+        let by_value = product_before::<N, J>(z, &self.force);
         let sum = (self.law.exponent + 1.0) / J as f64 * by_slope - by_value;
-        self.force[J] = sum * self.inverse;
+        self.force[J] = sum * self.inverse + self.tangent * z[J];
         self.force[J]
     }
 }
 
-/// Coefficient J of a², in two sums that the processor can add side by side.
+/// Coefficient J of a² but for the part of a\[J\], 2 a\[0\] a\[J\]; the newest coefficients come last, so that the
+/// processor can add the others while it waits for them.
 #[inline]
-pub(super) fn square_at<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
-    let (mut first, mut second) = (0.0, 0.0);
-    let half = J.div_ceil(2);
-    let mut i = 0;
-    while i + 1 < half {
-        first += a[i] * a[J - i];
-        second += a[i + 1] * a[J - i - 1];
-        i += 2;
+pub(super) fn square_before<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
+    let (mut even, mut odd) = (0.0, 0.0);
+    let mut i = J.div_ceil(2);
+    while i > 1 {
+        i -= 1;
+        let term = a[i] * a[J - i];
+        if i.is_multiple_of(2) {
+            even += term;
+        } else {
+            odd += term;
+        }
     }
-    if i < half {
-        first += a[i] * a[J - i];
-    }
-    let twice = 2.0 * (first + second);
-    if J.is_multiple_of(2) { twice + a[J / 2] * a[J / 2] } else { twice }
+    let twice = 2.0 * (even + odd);
+    if J >= 2 && J.is_multiple_of(2) { twice + a[J / 2] * a[J / 2] } else { twice }
 }
 
-/// Coefficient J of a·b, likewise; the terms from `from` up.
+/// Coefficient J of a·b but for the parts of a\[J\] and b\[J\], likewise.
 #[inline]
-pub(super) fn product_at<const N: usize, const J: usize>(
-    a: &[f64; N],
-    b: &[f64; N],
-    from: usize,
-) -> f64 {
+pub(super) fn product_before<const N: usize, const J: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let (mut first, mut second) = (0.0, 0.0);
-    let mut i = from;
-    while i < J {
+    let mut i = J.div_ceil(2);
+    while i > 1 {
+        i -= 1;
         first += a[i] * b[J - i];
-        second += a[i + 1] * b[J - i - 1];
-        i += 2;
+        second += a[J - i] * b[i];
     }
-    if i == J {
-        first += a[J] * b[0];
-    }
-    first + second
+    let sum = first + second;
+    if J >= 2 && J.is_multiple_of(2) { sum + a[J / 2] * b[J / 2] } else { sum }
+}
+
+/// Coefficient J of a².
+#[inline]
+pub(super) fn square_at<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
+    if J == 0 { a[0] * a[0] } else { square_before::<N, J>(a) + 2.0 * a[0] * a[J] }
+}
+
+/// Coefficient J of a·b.
+#[inline]
+pub(super) fn product_at<const N: usize, const J: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    if J == 0 { a[0] * b[0] } else { product_before::<N, J>(a, b) + a[J] * b[0] + a[0] * b[J] }
 }

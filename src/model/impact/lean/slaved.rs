@@ -106,7 +106,7 @@ impl Slaved {
                 } else {
                     // All but the part of the slip's coefficient J, which is not known yet, ...
                     pressure[J] = drag_kg_m3 * square_at::<N, J>(&s.slip);
-                    force = product_at::<N, J>(&area, pressure, 0);
+                    force = product_at::<N, J>(&area, pressure);
                     // ... and that part, linear in it.
                     let drag = 2.0 * drag_kg_m3 * s.slip[0];
                     let by_slip = area[0] * drag;
