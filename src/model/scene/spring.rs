@@ -85,8 +85,8 @@ impl SpringKind {
     pub const WORDS: [&'static str; 9] = [
         "power-law",
         "normalised",
-        "cantilever",
-        "guided",
+        "prbm-cantilever",
+        "prbm-guided",
         "bistable",
         "constant",
         "column",
