@@ -172,15 +172,17 @@ impl App {
             format!("{} ({})", cost.method, cost.reason),
             cost.method.to_owned(),
         ));
-        let severity = match run.outcome {
+        let severity = |outcome| match outcome {
             Outcome::Arrested | Outcome::Separated => Severity::Note,
             Outcome::Perforated | Outcome::Moving => Severity::Warning,
         };
-        let word = match &run.stack {
-            Some(stack) => format!("plate 1 {}, {}", run.outcome.word(), stack.sentence()),
-            None => run.outcome.word().to_owned(),
-        };
-        parts.push(same(severity, word));
+        parts.push(match &run.stack {
+            Some(stack) => {
+                let short = format!("stack {}", stack.outcome.word());
+                (severity(stack.outcome), stack.sentence(), short)
+            }
+            None => same(severity(run.outcome), run.outcome.word().to_owned()),
+        });
         parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
         parts
     }
@@ -270,6 +272,10 @@ pub fn results(run: &Run) -> Vec<String> {
         }
     } else {
         add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)));
+    }
+    if let Some(margin) = run.mechanism.yield_margin {
+        let margin = crate::model::units::fixed_significant(margin, 3);
+        add("yield margin", format!("{margin} (strength over greatest stress)"));
     }
     if let Some(peak_n) = run.peak_contact_force_n {
         add("peak force", engineering(peak_n, "N"));
