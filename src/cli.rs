@@ -33,6 +33,7 @@ mod stability;
 mod summary;
 mod sweep;
 mod table;
+mod validate;
 mod workbench;
 mod worth;
 
@@ -72,6 +73,8 @@ enum Command {
     Limit(limit::LimitArguments),
     /// Check every claim of the thesis against what is computed
     Reproduce(reproduce::ReproduceArguments),
+    /// Check the model against measurements from outside the thesis
+    Validate(validate::ValidateArguments),
     /// Formulas, the screening matrix, and the design principles of the thesis
     Design(design::DesignArguments),
     /// Compare the scene with a rigid mount, a free plate and a solid plate of equal areal mass
@@ -135,6 +138,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Stability(arguments)) => stability::run(&arguments),
         Some(Command::Limit(arguments)) => limit::run(&arguments),
         Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
+        Some(Command::Validate(arguments)) => validate::run(&arguments),
         Some(Command::Design(arguments)) => design::run(&arguments),
         Some(Command::Worth(arguments)) => worth::run(&arguments),
         Some(Command::Seek(arguments)) => seek::run(&arguments),

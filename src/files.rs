@@ -23,7 +23,10 @@ pub mod session;
 pub mod stability;
 pub mod sweep;
 pub mod thesis;
+pub mod validation;
 pub mod worth;
 pub mod write;
 
+mod read_stack;
 mod read_sweep;
+mod read_table;

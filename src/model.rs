@@ -19,5 +19,6 @@ pub mod plan;
 pub mod results;
 pub mod run;
 pub mod scene;
+pub mod stack;
 pub mod units;
 pub mod variables;

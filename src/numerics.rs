@@ -11,6 +11,7 @@ pub mod explicit;
 pub mod implicit;
 pub mod linear;
 pub mod minimum;
+pub mod monotone;
 pub mod quadrature;
 pub mod random;
 pub mod root;

@@ -11,6 +11,8 @@ pub mod screening;
 pub mod search;
 pub mod sensitivity;
 pub mod stability;
+pub mod stack;
 pub mod sweep;
 pub mod thesis;
+pub mod validation;
 pub mod worth;

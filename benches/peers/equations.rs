@@ -58,11 +58,11 @@ impl Equations {
             scene.projectile.tip_radius_m,
             scene.projectile.velocity_m_s,
         );
-        let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+        let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
         let thickness = scene.target.thickness_m / r;
         let per_force = r / (m * v * v);
         Self {
-            strength: scene.target.flow_strength_pa * r * r * per_force,
+            strength: scene.flow_strength_pa() * r * r * per_force,
             drag: scene.drag_kg_m3() * r.powi(3) / m,
             mass_ratio: scene.plate.mass_ratio,
             spring: Law(spring.coefficient * r.powf(spring.exponent) * per_force, spring.exponent),

@@ -90,9 +90,9 @@ impl Reference {
 /// plate swings at most twice as far as its rest position, in a convex potential.)
 fn greatest_give(scene: &Scene) -> f64 {
     let (r, v) = (scene.projectile.tip_radius_m, scene.projectile.velocity_m_s);
-    let pressure = scene.target.flow_strength_pa + scene.drag_kg_m3() * v * v;
+    let pressure = scene.flow_strength_pa() + scene.drag_kg_m3() * v * v;
     let force = std::f64::consts::PI * r * r * pressure;
-    let spring = scene.mechanism.spring;
+    let spring = &scene.mechanism.spring;
     // k x^(n+1)/(n+1) = F x is the farthest point of a plate pushed from rest by a constant force.
     let farthest =
         ((spring.exponent + 1.0) * force / spring.coefficient).powf(1.0 / spring.exponent);

@@ -123,7 +123,12 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
         ("energy left then", left, "J", "of both bodies"),
         ("projectile velocity, elastic", back, "m/s", "eq. 2.1 with momentum"),
         ("plate velocity, elastic", forward, "m/s", "eq. 2.1 with momentum"),
-        ("energy drawn into the spring", drawn, "J", "k d^(n+1)/(n+1)"),
+        (
+            "energy drawn into the spring",
+            drawn,
+            "J",
+            "the integral of its force; k d^(n+1)/(n+1) of a power law",
+        ),
         (
             "least mass of a steel coil for both",
             spring,
@@ -137,7 +142,7 @@ fn formulas(scene: &Scene) -> Vec<Formula> {
 /// What a cocked spring holds, J.
 fn variables_energy_j(scene: &Scene) -> f64 {
     let spring = crate::model::mechanism::Mechanism::of(scene).spring;
-    spring.integral(scene.plate.cocking_m)
+    spring.energy(0.0 - scene.plate.cocking_m)
 }
 
 fn screening(arguments: &ScreeningArguments) -> Result<(), CliError> {

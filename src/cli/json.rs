@@ -8,7 +8,8 @@ use crate::cli::summary::warnings;
 use crate::model::results::RESULTS;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run};
 use crate::model::scene::Scene;
-use crate::model::variables::{self, VARIABLES};
+use crate::model::stack::StackRun;
+use crate::model::variables::{self, VARIABLES, Variable};
 
 /// The object's entries; a plain map would sort them.
 struct Entries(Vec<(&'static str, Value)>);
@@ -69,9 +70,37 @@ pub(super) fn text(computed: &Computed) -> String {
         ("variables", all_variables(scene)),
         ("version", Value::from(env!("CARGO_PKG_VERSION"))),
     ]);
+    if let Some(stack) = &run.stack {
+        entries.push(("stack", stack_of(run, stack)));
+    }
     // Keys are strings and every number is finite, so nothing can be refused.
     let text = serde_json::to_string_pretty(&Entries(entries)).unwrap_or_default();
     text + "\n"
+}
+
+/// The whole stack, and the results of every plate that was struck.
+fn stack_of(first: &Run, stack: &StackRun) -> Value {
+    let plates = std::iter::once(first).chain(stack.behind.iter().map(|run| &**run));
+    let rows: Vec<Value> = plates
+        .enumerate()
+        .map(|(plate, run)| {
+            let mut row = Map::new();
+            row.insert("plate".to_owned(), Value::from(stack.name(plate)));
+            let impact = run.scene.projectile.velocity_m_s;
+            row.insert("impact_velocity_m_s".to_owned(), finite(impact));
+            row.insert("outcome".to_owned(), Value::from(run.outcome.word()));
+            let own = RESULTS.iter().filter(|column| !column.name.starts_with("stack_"));
+            row.extend(own.map(|column| (column.name.to_owned(), result(run, column.name))));
+            Value::Object(row)
+        })
+        .collect();
+    json!({
+        "elements": stack.elements,
+        "outcome": stack.outcome.word(),
+        "penetration_m": stack.penetration_m.map_or(Value::Null, finite),
+        "residual_velocity_m_s": stack.residual_velocity_m_s.map_or(Value::Null, finite),
+        "plates": rows,
+    })
 }
 
 /// A result by name; counts stay whole numbers.
@@ -97,6 +126,7 @@ fn energy(ledger: &EnergyLedger) -> Value {
         "initial_spring": finite(ledger.initial_spring_j),
         "projectile": finite(ledger.projectile_j),
         "plate": finite(ledger.plate_j),
+        "mechanism_inertia": finite(ledger.inertia_j),
         "spring": finite(ledger.spring_j),
         "damper": finite(ledger.damper_j),
         "penetration": finite(ledger.penetration_j),
@@ -107,7 +137,10 @@ fn energy(ledger: &EnergyLedger) -> Value {
 /// What was put in, by full key.
 fn all_variables(scene: &Scene) -> Value {
     let mut map = Map::new();
-    for variable in VARIABLES {
+    let listed = |variable: &&Variable| {
+        !variable.key.starts_with("mechanism.") || variables::is_listed(variable, scene)
+    };
+    for variable in VARIABLES.iter().filter(listed) {
         let value = match variable.value(scene) {
             variables::Value::Number(number) => finite(number),
             variables::Value::Absent => Value::Null,

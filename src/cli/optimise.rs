@@ -35,7 +35,7 @@ pub(super) enum Laws {
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Results are the keys of `cmra run --json`, and plate_mass_kg, spring_mass_kg, system_mass_kg (plate and least \
+    after_help = "Results are the keys of `cmra run --json`, and plate_mass_kg, least_spring_mass_kg, system_mass_kg (plate and least \
     steel spring), peak_mount_force_n. Without --minimise and --maximise: depth, stroke, system mass and mount force, all small.\n\
     Several objectives: NSGA-II, the whole front. One objective: the same, then COBYLA from the best design.\n\
     Exit status 1 when no design keeps every constraint."

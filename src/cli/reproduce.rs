@@ -110,7 +110,7 @@ fn page(report: &[Row]) -> String {
 }
 
 /// A label and a text over as many lines as it needs.
-fn wrapped(page: &mut String, label: &str, text: &str) {
+pub(super) fn wrapped(page: &mut String, label: &str, text: &str) {
     let column = INDENT + 12;
     let mut line = format!("{:INDENT$}{label:<12}", "");
     let mut length = column;

@@ -84,8 +84,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
     match &arguments.csv {
         Some(_) if to_stdout => {
-            let runs = [named(&computed)];
-            output::print(&csv::text(Rows::Series, &runs, &[])?)?;
+            output::print(&csv::text(Rows::Series, &named(&computed), &[])?)?;
         }
         Some(path) => write_csv(&computed, path, arguments.force)?,
         None => {}
@@ -118,8 +117,17 @@ pub(super) fn exit_code(run: &Run) -> ExitCode {
     }
 }
 
-fn named(computed: &Computed) -> NamedRun {
-    (computed.preset.name.clone(), Arc::clone(&computed.run))
+/// The run; of a stack the run of every plate that was struck.
+fn named(computed: &Computed) -> Vec<NamedRun> {
+    let first = Arc::clone(&computed.run);
+    let Some(stack) = &computed.run.stack else {
+        return vec![(computed.preset.name.clone(), first)];
+    };
+    std::iter::once(&first)
+        .chain(&stack.behind)
+        .enumerate()
+        .map(|(plate, run)| (stack.name(plate).replace(' ', "-"), Arc::clone(run)))
+        .collect()
 }
 
 fn write_csv(computed: &Computed, path: &Path, force: bool) -> Result<(), CliError> {
@@ -127,7 +135,7 @@ fn write_csv(computed: &Computed, path: &Path, force: bool) -> Result<(), CliErr
         path: path.to_owned(),
         overwrite: force,
         rows: Rows::Series,
-        runs: vec![named(computed)],
+        runs: named(computed),
         columns: Vec::new(),
     };
     let written = export::write(&request).map_err(|error| match error {

@@ -22,7 +22,7 @@ use crate::study::sweep::Axis;
 #[command(
     after_help = "The interval is scanned at COUNT points, then every crossing of the goal is closed in; solutions that lie closer \
     together than the scan's points may be missed: raise COUNT.\n\
-    Results are the keys of `cmra run --json`, and plate_mass_kg, spring_mass_kg, system_mass_kg, peak_mount_force_n.\n\
+    Results are the keys of `cmra run --json`, and plate_mass_kg, least_spring_mass_kg, system_mass_kg, peak_mount_force_n.\n\
     Exit status 1 when nothing reaches the goal."
 )]
 pub(super) struct SeekArguments {

@@ -132,6 +132,8 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     let preset = arguments.scene.load()?;
     crate::model::variables::validate(&preset.scene)?;
     crate::model::variables::require_hydrodynamic(&preset.scene)?;
+    crate::model::variables::require_plain(&preset.scene)?;
+    crate::model::variables::require_single(&preset.scene)?;
     let axis = match axis {
         MapAxis::K => Axis::K,
         MapAxis::N => Axis::N,

@@ -5,6 +5,7 @@
 use std::fmt::Write as _;
 
 use crate::cli::run::Computed;
+use crate::model::mechanism::Mechanism;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering};
@@ -26,8 +27,10 @@ pub(super) fn text(computed: &Computed) -> String {
     } else {
         let _ = writeln!(page, "{name}: {title}");
     }
+    stack(&mut page, run);
     let _ = writeln!(page, "{}\n", sentence(run));
     numbers(&mut page, run);
+    mechanism(&mut page, run);
     energy(&mut page, run);
     events(&mut page, run);
     cost(&mut page, computed);
@@ -156,12 +159,47 @@ fn numbers(page: &mut String, run: &Run) {
     }
 }
 
+/// What became of the shot in a stack, plate by plate; what follows on the page is the first plate's.
+fn stack(page: &mut String, run: &Run) {
+    let Some(stack) = &run.stack else {
+        return;
+    };
+    for line in crate::study::stack::table(run, stack) {
+        let _ = writeln!(page, "{line}");
+    }
+    page.push_str("\nelement 1 in full:\n");
+}
+
+/// What was asked of a mechanism that is more than one power law.
+fn mechanism(page: &mut String, run: &Run) {
+    if run.scene.mechanism.is_plain() {
+        return;
+    }
+    let load = &run.mechanism;
+    line(page, "energy stored at most", load.stored_j, "J");
+    line(page, "  turning with plate", load.rotation_j, "J");
+    if let Some(margin) = load.yield_margin {
+        let _ = writeln!(
+            page,
+            "{:<LABEL$}{} (yield strength over the greatest stress)",
+            "yield margin",
+            units::fixed_significant(margin, 4)
+        );
+    }
+    for (label, mass) in
+        [("springs' own mass", load.spring_mass_kg), ("  added to the plate", load.added_kg)]
+    {
+        if let Some(mass) = mass {
+            let shown = format!("{} kg", units::fixed_significant(mass, 4));
+            let _ = writeln!(page, "{label:<LABEL$}{shown:<VALUE$}  {} kg", units::shortest(mass));
+        }
+    }
+}
+
 /// Why there is none.
 fn no_greatest_displacement(scene: &Scene) -> &'static str {
     let mechanism = &scene.mechanism;
-    let nothing_stops_it = mechanism.spring.coefficient == 0.0
-        && mechanism.damper.coefficient == 0.0
-        && mechanism.stop.position_m.is_none();
+    let nothing_stops_it = Mechanism::of(scene).is_absent() && mechanism.stop.position_m.is_none();
     if nothing_stops_it { "none: nothing stops the plate" } else { "not reached within the run" }
 }
 
@@ -186,6 +224,7 @@ fn energy(page: &mut String, run: &Run) {
     row(page, "penetration", ledger.penetration_j);
     row(page, "projectile", ledger.projectile_j);
     row(page, "plate", ledger.plate_j);
+    row(page, "rotation and springs", ledger.inertia_j);
     row(page, "spring", ledger.spring_j);
     row(page, "damper", ledger.damper_j);
     row(page, "stop", ledger.stop_j);

@@ -11,7 +11,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors};
-use crate::files::read_sweep;
+use crate::files::{read_stack, read_sweep, read_table};
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
@@ -48,7 +48,7 @@ pub fn text_file(path: &Path) -> Result<String, FileError> {
 /// # Errors
 /// [`SceneErrors`] with every problem found.
 pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
-    let mut reader = Reader { text, problems: Vec::new() };
+    let mut reader = Reader { text, file, problems: Vec::new() };
     let mut scene = Scene::default();
     match DeTable::parse(text) {
         Ok(document) => reader.document(&mut scene, document.get_ref()),
@@ -70,6 +70,7 @@ fn syntax(message: &str) -> String {
 /// The text being read, and what has been found wrong so far.
 pub(super) struct Reader<'t> {
     text: &'t str,
+    file: &'t str,
     problems: Vec<Problem>,
 }
 
@@ -87,11 +88,20 @@ impl Reader<'_> {
                 name => self.entry(scene, name, key.span(), value),
             }
         }
+        // Last: an element is like the scene but for what it says.
+        if let Some(DeValue::Table(stack)) = document.get("stack").map(Spanned::get_ref)
+            && let Some(list) = stack.get("layer")
+        {
+            scene.stack.layers = read_stack::layers(self, scene, list);
+        }
         if self.problems.is_empty()
             && let Err(error) = variables::validate(scene)
         {
-            // Every value has passed by itself: what is left concerns the stop and where the plate starts.
-            let span = find(document, "mechanism.stop.position_m").unwrap_or(0..0);
+            // Every value has passed by itself: what is left concerns several together.
+            let text = error.to_string();
+            let named = VARIABLES.iter().map(|variable| variable.key).chain(read_table::KEYS);
+            let key = named.filter(|key| text.contains(key)).find_map(|key| find(document, key));
+            let span = key.unwrap_or(0..0);
             self.problem(span, error.to_string());
         }
     }
@@ -117,13 +127,19 @@ impl Reader<'_> {
     }
 
     /// A key below the top level's own four: a variable, or a table of variables.
-    fn entry(
+    pub(super) fn entry(
         &mut self,
         scene: &mut Scene,
         path: &str,
         key_span: Range<usize>,
         value: &Spanned<DeValue<'_>>,
     ) {
+        if read_table::KEYS.contains(&path) {
+            return self.table(scene, path, value);
+        }
+        if path == read_stack::KEY {
+            return;
+        }
         let prefix = format!("{path}.");
         let is_table = VARIABLES.iter().any(|variable| variable.key.starts_with(&prefix));
         let variable = VARIABLES.iter().find(|variable| variable.key == path);
@@ -153,8 +169,23 @@ impl Reader<'_> {
         }
     }
 
+    fn table(&mut self, scene: &mut Scene, path: &str, value: &Spanned<DeValue<'_>>) {
+        if let Some(points) = read_table::points(self, path, value) {
+            let mechanism = &mut scene.mechanism;
+            let first = path == read_table::KEYS[0];
+            let spring = if first { &mut mechanism.spring } else { &mut mechanism.second };
+            spring.table.points = points;
+        }
+    }
+
     fn variable(&mut self, scene: &mut Scene, variable: &Variable, value: &Spanned<DeValue<'_>>) {
         let read = match (&variable.kind, value.get_ref()) {
+            // The word for an optional number that is not there: an element of a stack may lack what the others have.
+            (Kind::Number(optional), DeValue::String(word))
+                if optional.absent == Some(word.as_ref()) =>
+            {
+                Some(Value::Absent)
+            }
             (Kind::Number(_), item) => number(item).map(Value::Number),
             // A word that is not among the choices gets its own text from the table.
             (Kind::Choice(_), DeValue::String(word)) => {
@@ -221,6 +252,11 @@ impl Reader<'_> {
             );
             self.problem(value.span(), text);
         }
+    }
+
+    /// The name of the file, as the user wrote it.
+    pub(super) fn file(&self) -> &str {
+        self.file
     }
 
     /// Note a problem at a place of the text.
@@ -336,6 +372,9 @@ fn keys_below(table: &str) -> String {
         if !names.contains(&name) {
             names.push(name);
         }
+    }
+    if read_table::KEYS.iter().any(|key| key.rsplit_once('.').is_some_and(|(it, _)| it == table)) {
+        names.push("table");
     }
     names.join(", ")
 }

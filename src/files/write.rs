@@ -9,9 +9,9 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
 use crate::files::read;
-use crate::model::scene::{Scene, Sweep};
+use crate::model::scene::{Layer, Scene, Sweep};
 use crate::model::units;
-use crate::model::variables::{Group, Kind, VARIABLES, Value, Variable};
+use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
 /// Where the comment beside a value begins.
 const COMMENT_COLUMN: usize = 28;
@@ -42,6 +42,10 @@ pub fn fresh(scene: &Scene) -> String {
             width = COMMENT_COLUMN - 1
         );
     }
+    for (key, points) in changed_tables(&Scene::default(), scene) {
+        let _ = writeln!(text, "\n[{key}]\npoints = {points}");
+    }
+    text.push_str(&layers_text(scene));
     if let Some(sweep) = &scene.sweep {
         let _ = write!(text, "\n[sweep]\n{}", sweep_text(sweep));
     }
@@ -76,6 +80,14 @@ pub fn updated(text: &str, file: &str, scene: &Scene) -> Result<String, SceneErr
                 table_at(root, parent).remove(key);
             }
         }
+    }
+    for (key, points) in changed_tables(&old, scene) {
+        let table = table_at(root, key);
+        table.remove("file");
+        put(table, "points", &points);
+    }
+    if old.stack.layers != scene.stack.layers {
+        put_layers(root, scene);
     }
     if old.sweep != scene.sweep {
         root.remove("sweep");
@@ -134,12 +146,83 @@ fn split(variable: &Variable) -> (&'static str, &'static str) {
     variable.key.rsplit_once('.').unwrap_or(("", variable.key))
 }
 
-/// A stop is written only where there is one, or where its settings would otherwise be lost.
+/// The further elements of a stack: of each what differs from the scene's own plate.
+fn layers_text(scene: &Scene) -> String {
+    let mut text = String::new();
+    for Layer { target, plate, mechanism } in &scene.stack.layers {
+        let mut own = scene.clone();
+        (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
+        text.push_str("\n[[stack.layer]]\n");
+        for variable in VARIABLES {
+            if same(variable.value(&own), variable.value(scene)) {
+                continue;
+            }
+            let value = value_text(variable, &own).unwrap_or_else(|| quoted(&variable.show(&own)));
+            let _ = writeln!(text, "{} = {value}", variable.key);
+        }
+        for (key, points) in changed_tables(scene, &own) {
+            let _ = writeln!(text, "{key}.points = {points}");
+        }
+    }
+    text
+}
+
+fn put_layers(root: &mut Table, scene: &Scene) {
+    let stack = table_at(root, "stack");
+    stack.remove("layer");
+    let parsed = layers_text(scene).parse::<DocumentMut>().ok();
+    let layers = parsed.and_then(|mut text| text.get_mut("stack")?.as_table_mut()?.remove("layer"));
+    if let Some(layers) = layers {
+        stack.insert("layer", layers);
+    }
+}
+
+/// The tables of measured points that differ from another scene's, as TOML.
+fn changed_tables(old: &Scene, scene: &Scene) -> Vec<(&'static str, String)> {
+    let (was, is) = (&old.mechanism, &scene.mechanism);
+    let pairs = [
+        ("mechanism.spring.table", &was.spring.table, &is.spring.table),
+        ("mechanism.second.table", &was.second.table, &is.second.table),
+    ];
+    let changed = pairs.into_iter().filter(|(_, was, is)| was != is);
+    changed
+        .map(|(key, _, is)| {
+            let points: Vec<String> = is
+                .points
+                .iter()
+                .map(|[x, force]| format!("[{}, {}]", float(*x), float(*force)))
+                .collect();
+            (key, format!("[{}]", points.join(", ")))
+        })
+        .collect()
+}
+
+/// A stop is written only where there is one, or where its settings would otherwise be lost; of the springs what their kind
+/// has, and what differs from the default.
 fn is_written(variable: &Variable, scene: &Scene) -> bool {
+    if is_spring(variable) {
+        let plain = Scene::default();
+        let basic = variables::is_listed(variable, &plain)
+            && !matches!(variable.key, "mechanism.combination" | "mechanism.spring.own_mass");
+        let listed = variables::is_listed(variable, scene)
+            && (basic || !variables::is_listed(variable, &plain));
+        return listed || !same(variable.value(scene), variable.value(&plain));
+    }
+    let of_closure = ["target.closure", "target.yield_pa", "target.modulus_pa"];
+    if variable.group == Group::Stack || of_closure.contains(&variable.key) {
+        return !same(variable.value(scene), variable.value(&Scene::default()));
+    }
     variable.group != Group::Stop
         || scene.mechanism.stop != Scene::default().mechanism.stop
             && (variable.key != "mechanism.stop.position_m"
                 || scene.mechanism.stop.position_m.is_some())
+}
+
+/// Whether a variable belongs to a spring or to how two act together.
+fn is_spring(variable: &Variable) -> bool {
+    ["mechanism.spring.", "mechanism.second.", "mechanism.combination"]
+        .iter()
+        .any(|start| variable.key.starts_with(start))
 }
 
 fn value_text(variable: &Variable, scene: &Scene) -> Option<String> {

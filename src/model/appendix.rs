@@ -141,7 +141,7 @@ impl Scheme {
             faces,
             radius_m: scene.projectile.tip_radius_m,
             projectile_kg: scene.projectile.mass_kg,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: scene.projectile.velocity_m_s,
             cos: match listing.obliquity {
@@ -296,7 +296,7 @@ pub fn contact(
 }
 
 fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
-    let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+    let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
     Plate {
         mass_kg: scene.plate_mass_kg(),
         spring: (spring.coefficient, spring.exponent),

@@ -186,14 +186,14 @@ impl Phase {
         let rigid = scene.plate.mount == Mount::Rigid;
         // Forces in units of m_p v²/R.
         let unit_n = m_p * v * v / r;
-        let (spring, damper) = (scene.mechanism.spring, scene.mechanism.damper);
+        let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
         Self {
             faces: Faces::of(scene),
             radius_m: r,
             unit_s: r / v,
             gamma: scene.plate.mass_ratio,
             rigid,
-            sigma: scene.target.flow_strength_pa * r * r / unit_n,
+            sigma: scene.flow_strength_pa() * r * r / unit_n,
             kappa: scene.drag_kg_m3() * r * r * r / m_p,
             spring: Law {
                 coefficient: spring.coefficient * r.powf(spring.exponent) / unit_n,

@@ -10,6 +10,7 @@ use std::sync::Arc;
 use crate::model::interaction;
 use crate::model::run::{EndReason, ErrorEstimate, EstimateBasis, Outcome, Run};
 use crate::model::scene::Scene;
+use crate::model::stack;
 use crate::model::variables::{self, VariableError};
 use problem::Problem;
 use track::Track;
@@ -77,6 +78,7 @@ pub fn simulate(
     if settings.estimate && run.end.is_complete() {
         run.error_estimate = estimate(&problem, &run, observer);
     }
+    run.stack = stack::follow(scene, &mut run, *settings, observer)?.map(Arc::new);
     Ok(run)
 }
 

@@ -184,6 +184,8 @@ fn blank(scene: &Arc<Scene>) -> Run {
         series: Vec::new(),
         events: Vec::new(),
         ledger: EnergyLedger::default(),
+        mechanism: crate::model::run::MechanismLoad::default(),
+        stack: None,
         cost: Cost::default(),
         omitted: Vec::new(),
         warnings: Vec::new(),

@@ -6,6 +6,18 @@
 
 use crate::model::scene::{Mount, Scene, Stop, StopKind};
 
+mod combine;
+pub mod curve;
+pub mod inertia;
+mod kinds;
+pub mod load;
+pub mod piece;
+mod spring;
+
+pub use inertia::{Inertia, moving_plate_kg};
+pub use kinds::{curve as curve_of, power_law as power_law_of};
+pub use spring::{Elastic, Spring};
+
 /// An odd power law: `coefficient |z|^exponent sgn(z)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PowerLaw {
@@ -113,10 +125,10 @@ pub fn sign(z: f64) -> f64 {
 }
 
 /// What carries the plate.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Mechanism {
-    /// The spring.
-    pub spring: PowerLaw,
+    /// The springs together.
+    pub spring: Spring,
     /// The damper.
     pub damper: PowerLaw,
     /// The stop, if there is one.
@@ -136,7 +148,7 @@ impl Mechanism {
         };
         let stop = laws.stop.position_m.filter(|_| sprung);
         Self {
-            spring: law(laws.spring.coefficient, laws.spring.exponent),
+            spring: if sprung { Spring::of(laws) } else { Spring::NONE },
             damper: law(laws.damper.coefficient, laws.damper.exponent),
             stop: stop.map(|_| laws.stop),
             stop_at_m: stop.unwrap_or(f64::INFINITY),
@@ -145,7 +157,7 @@ impl Mechanism {
 
     /// Whether neither spring nor damper acts.
     pub fn is_absent(&self) -> bool {
-        self.spring.coefficient == 0.0 && self.damper.coefficient == 0.0
+        self.spring.is_absent() && self.damper.coefficient == 0.0
     }
 
     /// The elastic stop, if there is one.
@@ -160,7 +172,7 @@ impl Mechanism {
 }
 
 #[cfg(test)]
-mod tests {
+mod power {
     use super::*;
 
     #[test]
@@ -189,3 +201,6 @@ mod tests {
         assert_eq!(PowerLaw { coefficient: 0.0, exponent: 0.5 }.kind(), PowerKind::Absent);
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -12,14 +12,14 @@
 //! stop no mobility, and a joined body the mass `m_2` + `m_p` cos² and no contact force. Model page, sections 2 and 3.
 
 use crate::model::contact::{AreaLaw, Nose};
-use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::mechanism::{Elastic, PowerKind, PowerLaw};
 use crate::numerics::series::evaluate;
 
 mod area;
 mod force;
 
 use area::{AreaTerm, NoArea, Partial, Quadratic};
-use force::{ForceTerm, General, NoForce, Whole};
+use force::{Along, ForceTerm, General, NoForce, Whole};
 
 /// The moving quantities.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub struct State {
 
 /// The equations between two events.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct Motion<'a> {
     /// The nose, for oblique sections.
     pub nose: Nose,
     /// Engaged area.
@@ -51,8 +51,8 @@ pub struct Motion {
     pub plate_mobility: f64,
     /// cos(theta) as far as it couples plate and slip; 0 for a joined body.
     pub coupling: f64,
-    /// The spring.
-    pub spring: PowerLaw,
+    /// The spring, within its present stretch.
+    pub spring: Elastic<'a>,
     /// The damper.
     pub damper: PowerLaw,
     /// The elastic stop in contact, all zero without: stiffness N/m, damping N s/m, position m.
@@ -113,7 +113,7 @@ impl StopForce {
     }
 }
 
-impl Motion {
+impl Motion<'_> {
     /// Contact force F, N.
     pub fn contact_force(&self, state: &State) -> f64 {
         let pressure = self.strength_pa + self.drag_kg_m3 * state.slip_m_s * state.slip_m_s;
@@ -159,7 +159,13 @@ impl Motion {
         h: f64,
         area: impl AreaTerm<N>,
     ) -> Expansion<N> {
-        let law = self.spring;
+        let law = match self.spring {
+            Elastic::Power(law) => law,
+            Elastic::Piece(_) if self.plate_mobility == 0.0 => {
+                return self.with_spring(state, h, area, NoForce);
+            }
+            Elastic::Piece(piece) => return self.with_spring(state, h, area, Along::new(piece)),
+        };
         match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
             PowerKind::Absent => self.with_spring(state, h, area, NoForce),
             PowerKind::Linear => self.with_spring(state, h, area, law.coefficient),
@@ -241,22 +247,22 @@ mod tests {
     use crate::model::contact::Geometry;
     use crate::model::scene::Scene;
 
-    fn motion(scene: &Scene, q: f64) -> Motion {
+    fn motion(scene: &Scene, q: f64) -> Motion<'static> {
         let geometry = Geometry::of(scene);
         let (m1, m2, cos) = (scene.projectile.mass_kg, scene.plate_mass_kg(), geometry.nose.cos);
         let mechanism = &scene.mechanism;
         Motion {
             nose: geometry.nose,
             area: geometry.piece(q).law,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             slip_mobility: 1.0 / m1 + cos * cos / m2,
             plate_mobility: 1.0 / m2,
             coupling: cos,
-            spring: PowerLaw {
+            spring: Elastic::Power(PowerLaw {
                 coefficient: mechanism.spring.coefficient,
                 exponent: mechanism.spring.exponent,
-            },
+            }),
             damper: PowerLaw {
                 coefficient: mechanism.damper.coefficient,
                 exponent: mechanism.damper.exponent,

@@ -25,7 +25,9 @@ pub fn holds_still(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> 
     let radius = geometry.nose.radius_m;
     let pressure = rigid.strength_pa + rigid.drag_kg_m3 * v * v;
     let force = PI * radius * radius * pressure * geometry.nose.cos;
-    let spring = mechanism.spring;
+    let Some(spring) = mechanism.spring.power() else {
+        return false;
+    };
     let yields = spring.at_force((spring.exponent + 1.0) * force);
     let creeps_m_s = mechanism.damper.at_force(force);
     // No contact is shorter than its passage at the impact velocity: most scenes are done with here.
@@ -53,7 +55,7 @@ mod tests {
         let rigid = Passage {
             geometry: &geometry,
             mass_kg: scene.projectile.mass_kg,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: scene.projectile.velocity_m_s,
         };

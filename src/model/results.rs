@@ -26,7 +26,8 @@ impl PartialEq for ResultColumn {
 impl ResultColumn {
     /// The unit its name ends in; `%` for a percentage, empty for a pure number.
     pub fn unit(&self) -> &'static str {
-        let endings = [("_m_s", "m/s"), ("_m", "m"), ("_s", "s"), ("_n", "N"), ("_kg", "kg")];
+        let endings =
+            [("_m_s", "m/s"), ("_m", "m"), ("_s", "s"), ("_n", "N"), ("_j", "J"), ("_kg", "kg")];
         if self.name.starts_with("percent") {
             return "%";
         }
@@ -35,8 +36,9 @@ impl ResultColumn {
 
     /// Its name in words, without the unit: `max plate displacement`.
     pub fn title(&self) -> String {
-        let ending =
-            ["_m_s", "_m", "_s", "_n", "_kg"].into_iter().find(|end| self.name.ends_with(end));
+        let ending = ["_m_s", "_m", "_s", "_n", "_j", "_kg"]
+            .into_iter()
+            .find(|end| self.name.ends_with(end));
         self.name.strip_suffix(ending.unwrap_or("")).unwrap_or(self.name).replace('_', " ")
     }
 
@@ -88,6 +90,14 @@ pub static RESULTS: &[ResultColumn] = &[
     column("interface_demand_ratio", "greatest push the fused interface had to carry over its strength A S_y", |run| run.interface_demand_ratio),
     column("energy_residual", "energy that does not add up, relative to that at the start", |run| Some(run.ledger.residual())),
     column("error_estimate", "relative error estimate of the final depth", |run| Some(run.error_estimate?.relative)),
+    column("stored_energy_j", "greatest energy stored in the springs", |run| run.mechanism.stored_j),
+    column("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", |run| run.mechanism.yield_margin),
+    column("added_inertia_kg", "what the mechanism adds to the plate's mass: rotation, and the springs' own", |run| run.mechanism.added_kg),
+    column("spring_mass_kg", "the springs' own mass", |run| run.mechanism.spring_mass_kg),
+    column("rotational_energy_j", "greatest energy of the plate's rotation", |run| run.mechanism.rotation_j),
+    column("stack_penetration_m", "thickness perforated in a stack, and the depth in what stopped the shot", |run| run.stack.as_ref()?.penetration_m),
+    column("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", |run| Some(run.stack.as_ref()?.passed() as f64)),
+    column("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", |run| run.stack.as_ref()?.residual_velocity_m_s),
     column("steps", "accepted steps", |run| Some(run.cost.steps as f64)),
     column("rejected", "rejected steps", |run| Some(run.cost.rejected as f64)),
     column("rhs_evaluations", "evaluations of the equations of motion", |run| Some(run.cost.rhs_evaluations as f64)),

@@ -6,8 +6,12 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::model::interaction::ModelNote;
 use crate::model::scene::Scene;
+use crate::model::stack::StackRun;
+
+mod warning;
+
+pub use warning::Warning;
 
 /// One computed impact.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,6 +48,10 @@ pub struct Run {
     pub events: Vec<Event>,
     /// Where the energy went.
     pub ledger: EnergyLedger,
+    /// What was asked of the mechanism.
+    pub mechanism: MechanismLoad,
+    /// What became of the shot behind this plate, where the scene is a stack.
+    pub stack: Option<Arc<StackRun>>,
     /// What the computation cost.
     pub cost: Cost,
     /// What this scene did not need.
@@ -293,6 +301,8 @@ pub struct EnergyLedger {
     pub projectile_j: f64,
     /// Plate's kinetic energy at the end.
     pub plate_j: f64,
+    /// Kinetic energy at the end of what moves with the plate: its rotation, the springs' own mass.
+    pub inertia_j: f64,
     /// Energy stored in the spring at the end.
     pub spring_j: f64,
     /// Energy the damper has taken.
@@ -313,6 +323,7 @@ impl EnergyLedger {
     pub fn final_j(&self) -> f64 {
         self.projectile_j
             + self.plate_j
+            + self.inertia_j
             + self.spring_j
             + self.damper_j
             + self.penetration_j
@@ -323,6 +334,21 @@ impl EnergyLedger {
     pub fn residual(&self) -> f64 {
         (self.final_j() - self.initial_j()) / self.initial_j()
     }
+}
+
+/// What a run asked of its mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct MechanismLoad {
+    /// Greatest energy stored in the springs, cocked or on the way, J; `None` without a spring, or where it is not known.
+    pub stored_j: Option<f64>,
+    /// Yield strength over the greatest bending stress of the beams; `None` without beams.
+    pub yield_margin: Option<f64>,
+    /// What the mechanism adds to the plate's mass, kg; `None` where it adds nothing.
+    pub added_kg: Option<f64>,
+    /// The springs' own mass, kg; `None` where it is not known.
+    pub spring_mass_kg: Option<f64>,
+    /// Greatest energy of rotation at the solver's own steps, J; `None` where nothing turns.
+    pub rotation_j: Option<f64>,
 }
 
 /// What the computation cost.
@@ -387,78 +413,6 @@ impl Omission {
             Self::MechanismWithinContact => {
                 "plate motion within the contact (bounded below rounding)"
             }
-        }
-    }
-}
-
-/// What a careful reader should know about a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Warning {
-    /// Fused, the interface was asked to push harder than its strength; penetration would resume.
-    InterfacePush {
-        /// Greatest N/(A `S_y`).
-        ratio: f64,
-        /// When the limit was first exceeded, s.
-        t_s: f64,
-    },
-    /// Fused, the interface was asked to pull harder than its grip; the projectile would be pulled out.
-    InterfacePull {
-        /// Greatest -N/(g A `S_y`).
-        ratio: f64,
-        /// When the limit was first exceeded, s.
-        t_s: f64,
-    },
-    /// The interface has no strength at all, so no ratio exists.
-    InterfaceWithoutStrength,
-    /// Plastic: penetration went on after the first arrest.
-    PenetrationResumed {
-        /// When it first did, s.
-        t_s: f64,
-    },
-    /// The energy ledger does not close as well as it should.
-    EnergyDrift {
-        /// Relative residual.
-        residual: f64,
-    },
-    /// The run ended early.
-    EndedEarly(EndReason),
-    /// The rigid mount, too, is perforated: there is no baseline to compare with.
-    NoBaseline,
-    /// What the interaction model does not contain.
-    Model(ModelNote),
-}
-
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::InterfacePush { ratio, t_s } => write!(
-                f,
-                "the fused interface is asked for {ratio:.3} times the A S_y it can push, first at t = {:.4} ms: penetration would \
-                 resume; try interface = plastic",
-                t_s * 1e3
-            ),
-            Self::InterfacePull { ratio, t_s } => write!(
-                f,
-                "the fused interface is asked for {ratio:.3} times the g A S_y it can pull (grip g is an assumption), first at \
-                 t = {:.4} ms: the projectile would be pulled out; try interface = plastic",
-                t_s * 1e3
-            ),
-            Self::InterfaceWithoutStrength => {
-                f.write_str("the interface has no strength (S_y = 0): no demand ratio exists")
-            }
-            Self::PenetrationResumed { t_s } => write!(
-                f,
-                "penetration resumed after the first arrest, at t = {:.4} ms: the final depth is not the first",
-                t_s * 1e3
-            ),
-            Self::EnergyDrift { residual } => {
-                write!(f, "the energy ledger is off by {residual:.1e} of the energy at the start")
-            }
-            Self::EndedEarly(reason) => f.write_str(reason.words()),
-            Self::Model(note) => f.write_str(&note.words()),
-            Self::NoBaseline => f.write_str(
-                "the same shot perforates the plate on a rigid mount, too: there is no baseline depth",
-            ),
         }
     }
 }

@@ -6,8 +6,15 @@
 //! names each variable for people is in [`crate::model::variables`].
 
 mod contact;
+mod spring;
+mod stack;
 
 pub use contact::{Contact, ContactModel, Jumps, Listing, Reading};
+pub use spring::{
+    Beam, Bistable, Column, Combination, ConstantForce, Helix, Normalised, OwnMass, Spring,
+    SpringKind, Table, Wire,
+};
+pub use stack::{Layer, Stack};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -30,6 +37,8 @@ pub struct Scene {
     pub contact: Contact,
     /// How the run is computed.
     pub run: RunSettings,
+    /// What stands behind the plate.
+    pub stack: Stack,
     /// The sweep this scene is the base of, if any.
     pub sweep: Option<Sweep>,
 }
@@ -58,12 +67,31 @@ pub struct Target {
     pub thickness_m: f64,
     /// rho, > 0 kg/m³.
     pub density_kg_m3: f64,
-    /// `S_y`, dynamic flow strength, >= 0 Pa.
+    /// `S_y`, dynamic flow strength, >= 0 Pa; what counts is [`Scene::flow_strength_pa`].
     pub flow_strength_pa: f64,
+    /// Where the flow strength comes from.
+    pub closure: Closure,
+    /// Y > 0, yield strength, Pa, for a closure.
+    pub yield_pa: f64,
+    /// E > Y, modulus of elasticity, Pa, for a closure.
+    pub modulus_pa: f64,
     /// `C_d`, >= 0.
     pub drag_coefficient: f64,
     /// Whether the plate's local bulge takes up about one projectile diameter of the travel.
     pub dishing: bool,
+}
+
+/// Where the flow strength comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Closure {
+    /// It is given: `S_y`.
+    #[default]
+    Given,
+    /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
+    DoubleYield,
+    /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made without
+    /// dishing.
+    Cavity,
 }
 
 /// The plate as a body.
@@ -88,12 +116,16 @@ pub enum Mount {
 }
 
 /// Spring, damper and stop.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct Mechanism {
     /// Force `b |w|^m sgn(w)` against the plate's velocity.
     pub damper: Damper,
-    /// Force `k |x|^n sgn(x)` against the plate's displacement.
+    /// Force against the plate's displacement.
     pub spring: Spring,
+    /// How the second spring acts with the first.
+    pub combination: Combination,
+    /// The second spring; without effect where the first is alone.
+    pub second: Spring,
     /// A mechanical stop, if there is one.
     pub stop: Stop,
 }
@@ -105,25 +137,6 @@ pub struct Damper {
     pub coefficient: f64,
     /// `m` > 0.
     pub exponent: f64,
-}
-
-/// A power-law spring.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spring {
-    /// Which force law.
-    pub kind: SpringKind,
-    /// `k` >= 0, N/m^n.
-    pub coefficient: f64,
-    /// `n` > 0.
-    pub exponent: f64,
-}
-
-/// The spring's force law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum SpringKind {
-    /// `k |x|^n sgn(x)`.
-    #[default]
-    PowerLaw,
 }
 
 /// A mechanical stop at x = `position_m`, which acts on the plate.
@@ -222,6 +235,9 @@ impl Default for Target {
             thickness_m: 0.0254,
             density_kg_m3: 2710.0,
             flow_strength_pa: 1.52e8,
+            closure: Closure::Given,
+            yield_pa: 75.8e6,
+            modulus_pa: 73.1e9,
             drag_coefficient: 0.5,
             dishing: true,
         }
@@ -237,12 +253,6 @@ impl Default for Plate {
 impl Default for Damper {
     fn default() -> Self {
         Self { coefficient: 0.0, exponent: 1.0 }
-    }
-}
-
-impl Default for Spring {
-    fn default() -> Self {
-        Self { kind: SpringKind::PowerLaw, coefficient: 1e5, exponent: 1.0 }
     }
 }
 
@@ -270,10 +280,39 @@ impl Default for RunSettings {
     }
 }
 
+impl Mechanism {
+    /// Leave the springs out, and with them what they weigh and turn.
+    pub fn remove_springs(&mut self) {
+        self.combination = Combination::Alone;
+        self.spring.kind = SpringKind::PowerLaw;
+        self.spring.coefficient = 0.0;
+        self.spring.own_mass = OwnMass::Ignored;
+    }
+
+    /// Whether it is the thesis's: one power law `k |x|^n` that weighs nothing.
+    pub fn is_plain(&self) -> bool {
+        let spring = &self.spring;
+        self.combination == Combination::Alone
+            && spring.kind == SpringKind::PowerLaw
+            && spring.own_mass == OwnMass::Ignored
+            && spring.is_single()
+    }
+}
+
 impl Scene {
     /// Plate mass `m_2 = gamma m_p`, kg.
     pub fn plate_mass_kg(&self) -> f64 {
         self.plate.mass_ratio * self.projectile.mass_kg
+    }
+
+    /// The flow strength in the contact force, Pa: given, or from Y and E by the closure.
+    pub fn flow_strength_pa(&self) -> f64 {
+        let Target { flow_strength_pa, yield_pa: y, modulus_pa: e, .. } = self.target;
+        match self.target.closure {
+            Closure::Given => flow_strength_pa,
+            Closure::DoubleYield => 2.0 * y,
+            Closure::Cavity => 2.0 / 3.0 * y * (1.0 + (2.0 * e / (3.0 * y)).ln()),
+        }
     }
 
     /// cos(theta).

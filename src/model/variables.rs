@@ -10,14 +10,19 @@ use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity, QuantityError};
 
 mod names;
+mod springs;
+mod stack;
 mod table;
 mod used;
 
 pub use names::{edit_distance, find, nearest};
+pub use springs::require_plain;
+pub use stack::require_single;
 pub use table::VARIABLES;
 pub use used::{critical_obliquity_deg, is_listed, is_used, require_hydrodynamic};
 
 /// One row of the table.
+#[derive(Clone, Copy)]
 pub struct Variable {
     /// Full key as in a scene file, for example `plate.mass_ratio`.
     pub key: &'static str,
@@ -48,6 +53,8 @@ pub enum Group {
     Mechanism,
     /// The mechanical stop.
     Stop,
+    /// What stands behind the plate.
+    Stack,
     /// What holds projectile and plate together.
     Interface,
     /// How the run is computed.
@@ -56,12 +63,13 @@ pub enum Group {
 
 impl Group {
     /// All groups, in the order of the editor.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Projectile,
         Self::Target,
         Self::Plate,
         Self::Mechanism,
         Self::Stop,
+        Self::Stack,
         Self::Interface,
         Self::Run,
     ];
@@ -74,6 +82,7 @@ impl Group {
             Self::Plate => "Plate",
             Self::Mechanism => "Mechanism",
             Self::Stop => "Stop",
+            Self::Stack => "Stack",
             Self::Interface => "Interface",
             Self::Run => "Analysis",
         }
@@ -81,6 +90,7 @@ impl Group {
 }
 
 /// What kind of value a variable has.
+#[derive(Clone, Copy)]
 pub enum Kind {
     /// A number.
     Number(Number),
@@ -96,6 +106,7 @@ pub enum Kind {
 }
 
 /// A numeric variable.
+#[derive(Clone, Copy)]
 pub struct Number {
     /// Its units.
     pub quantity: Quantity,
@@ -114,6 +125,7 @@ pub struct Number {
 }
 
 /// A variable with named values.
+#[derive(Clone, Copy)]
 pub struct Choice {
     /// The words, in order.
     pub words: &'static [&'static str],
@@ -355,6 +367,9 @@ impl Variable {
 
     /// A warning when the value is outside the range the thesis searched.
     pub fn range_warning(&self, scene: &Scene) -> Option<RangeWarning> {
+        if self.symbol == "closure" {
+            return used::closure_reach(scene);
+        }
         let Kind::Number(number) = &self.kind else {
             return None;
         };
@@ -441,7 +456,7 @@ pub fn set_by_name(
 /// # Errors
 /// The first [`VariableError`] found, in the order of the table.
 pub fn validate(scene: &Scene) -> Result<(), VariableError> {
-    for variable in VARIABLES {
+    for variable in table::checked(scene) {
         let (Kind::Number(number), Value::Number(value)) = (&variable.kind, variable.value(scene))
         else {
             continue;
@@ -462,7 +477,10 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
             )));
         }
     }
-    used::check_interface_spring(scene)
+    used::check_closure(scene)?;
+    used::check_interface_spring(scene)?;
+    springs::check(scene)?;
+    stack::check(scene)
 }
 
 /// Every value that is legal yet outside the range the thesis searched.

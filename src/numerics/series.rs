@@ -58,6 +58,51 @@ pub fn quotient<const N: usize>(a: &[f64; N], b: &[f64; N], y: &[f64; N], j: usi
     sum / b[0]
 }
 
+/// The powers of a series, built one coefficient at a time, for functions of it that are known by their own Taylor series.
+///
+/// The inner series' constant term is taken as zero: the outer one is expanded about it.
+#[derive(Clone, Debug)]
+pub struct Powers<const N: usize> {
+    /// Entry k: the inner series to the power k; 0 and 1 are not used.
+    powers: [[f64; N]; N],
+}
+
+impl<const N: usize> Powers<N> {
+    /// Nothing computed yet.
+    pub fn new() -> Self {
+        Self { powers: [[0.0; N]; N] }
+    }
+
+    /// Coefficient j >= 1 of the sum over k >= 2, up to `degree`, of `outer[k]` inner^k, given the inner coefficients below
+    /// j. With `outer[1] inner[j]` added it is coefficient j of outer(inner). To be asked for in order of j.
+    pub fn beyond_linear(
+        &mut self,
+        inner: &[f64; N],
+        outer: &[f64; N],
+        degree: usize,
+        j: usize,
+    ) -> f64 {
+        let mut sum = 0.0;
+        let last = if j < degree { j } else { degree };
+        for (k, outer) in outer.iter().enumerate().take(last + 1).skip(2) {
+            let mut power = 0.0;
+            for i in 1..=j + 1 - k {
+                let below = if k == 2 { inner[j - i] } else { self.powers[k - 1][j - i] };
+                power += inner[i] * below;
+            }
+            self.powers[k][j] = power;
+            sum += outer * power;
+        }
+        sum
+    }
+}
+
+impl<const N: usize> Default for Powers<N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// The polynomial's value at s (Horner).
 #[inline]
 pub fn evaluate(c: &[f64], s: f64) -> f64 {

@@ -158,7 +158,9 @@ pub fn compare_openly(
     watch: Onlooker<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
+    variables::require_single(scene)?;
     variables::require_hydrodynamic(scene)?;
+    variables::require_plain(scene)?;
     let references = references(scene);
     let end_s = references.first().map_or(f64::NAN, |reference| reference.t_s);
     let plan: Vec<(Method, Vec<Knob>)> =

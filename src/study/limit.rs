@@ -11,6 +11,7 @@ use crate::model::contact::Geometry;
 use crate::model::contact_phase::Ending;
 use crate::model::first_contact::first_contact;
 use crate::model::impact::{Settings, simulate};
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::Outcome;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::{self, VariableError};
@@ -150,6 +151,7 @@ pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Report, VariableError> {
     variables::validate(scene)?;
+    variables::require_single(scene)?;
     let samples = effort.scattering.map_or(0, |scattering| scattering.samples);
     let mut range = Range::new(scene, SCAN + 40 + BELOW + ABOVE + samples, watch);
     let limit = range.limit(RANGE_M_S, SCAN, WIDTH);
@@ -184,6 +186,7 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
 /// As [`find`].
 pub fn alone(scene: &Arc<Scene>, watch: Watch<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
+    variables::require_single(scene)?;
     Ok(Range::new(scene, SCAN + 40, watch).limit(RANGE_M_S, SCAN, WIDTH))
 }
 
@@ -309,23 +312,22 @@ fn shoot(scene: &Scene, impact_m_s: f64) -> Shot {
     })
 }
 
-/// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s.
-fn closed_form(scene: &Scene) -> Option<f64> {
+/// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts or another
+/// model is asked for.
+pub fn closed_form(scene: &Scene) -> Option<f64> {
     let mechanism = &scene.mechanism;
     let rigid = scene.plate.mount == Mount::Rigid;
-    let acts = mechanism.spring.coefficient > 0.0
-        || mechanism.damper.coefficient > 0.0
-        || mechanism.stop.position_m.is_some();
+    let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
     if (acts && !rigid) || scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
     let geometry = Geometry::of(scene);
     let cos = scene.cos_obliquity();
-    let plate = if rigid { 0.0 } else { cos * cos / scene.plate_mass_kg() };
+    let plate = if rigid { 0.0 } else { cos * cos / moving_plate_kg(scene) };
     let passage = Passage {
         geometry: &geometry,
         mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         velocity_m_s: scene.projectile.velocity_m_s,
     };

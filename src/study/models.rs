@@ -98,6 +98,7 @@ pub fn compare(
     what: What,
     now_s: &dyn Fn() -> f64,
 ) -> Result<Comparison, VariableError> {
+    crate::model::variables::require_single(scene)?;
     let plans = match what {
         What::Models => models(scene),
         What::Quirks => quirks(scene),

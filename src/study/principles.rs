@@ -36,9 +36,11 @@ impl Function {
     pub fn presets(self) -> &'static [&'static str] {
         match self {
             Self::PlateOrientation => &["oblique"],
-            Self::ControlledStiffness => &["thesis-baseline", "low-exponent", "figure-9.5"],
-            Self::AcceleratedElements => &["cocked", "cocked-plastic", "figure-9.3"],
-            Self::LateralArray => &["figure-9.2"],
+            Self::ControlledStiffness => {
+                &["constant-force", "concept-bistable-shuttle", "figure-9.5"]
+            }
+            Self::AcceleratedElements => &["concept-cocked-cantilever", "cocked", "figure-9.3"],
+            Self::LateralArray => &["array-lateral", "array-stacked"],
         }
     }
 }
@@ -100,7 +102,7 @@ pub const PRINCIPLES: [Principle; 7] = [
         idea: "let the plate yield, so that the projectile has less velocity to lose",
         functions: &[ControlledStiffness],
         computed: "k, n, b and gamma: how the plate answers within the contact",
-        preset: Some("thesis-baseline"),
+        preset: Some("constant-force"),
     },
     Principle {
         family: "Energy dissipation",
@@ -108,8 +110,8 @@ pub const PRINCIPLES: [Principle; 7] = [
         section: "4.4.2",
         idea: "let more material bear the load",
         functions: &[LateralArray, ControlledStiffness],
-        computed: "not in this model: the plate is rigid but for its dishing",
-        preset: None,
+        computed: "more plate behind the shot: gamma, N_spring; within the plate the model knows only its dishing",
+        preset: Some("array-lateral"),
     },
     Principle {
         family: "Energy dissipation",
@@ -126,8 +128,8 @@ pub const PRINCIPLES: [Principle; 7] = [
         section: "4.4.4",
         idea: "turn the projectile's energy into motion that does no harm",
         functions: &[PlateOrientation, LateralArray],
-        computed: "the plate's own motion, in the energy ledger",
-        preset: Some("free-plate"),
+        computed: "the plate's motion and, on a helix, its rotation, in the energy ledger",
+        preset: Some("concept-helical-spring"),
     },
 ];
 

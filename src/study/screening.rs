@@ -42,14 +42,14 @@ const fn concept(
 /// The concepts, in the table's order.
 #[rustfmt::skip]
 pub const CONCEPTS: [Concept; 8] = [
-    concept(("Emergent four-bar", "6.2.1", "thesis-baseline"), [3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0], (3.0, 4)),
-    concept(("Buckling four-bar", "6.2.1", "low-exponent"), [2.0, 3.0, 1.0, 3.0, 2.0, 3.0, 1.0], (2.02, 8)),
-    concept(("Buckling cantilever", "6.2.2", "low-exponent"), [2.0, 3.0, 1.0, 3.0, 3.0, 3.0, 2.0], (2.47, 5)),
-    concept(("Cocked four-bar", "6.2.3", "cocked"), [3.0, 4.0, 4.0, 3.0, 3.0, 3.0, 3.0], (3.23, 3)),
-    concept(("Cocked cantilever", "6.2.4", "cocked"), [3.0, 4.0, 4.0, 3.0, 4.0, 4.0, 4.0], (3.78, 1)),
-    concept(("Bistable shuttle", "6.2.5", "cocked-plastic"), [1.0, 2.0, 4.0, 3.0, 3.0, 4.0, 2.0], (2.34, 6)),
-    concept(("Buckling tube", "6.2.6", "low-exponent"), [2.0, 1.0, 1.0, 4.0, 3.0, 2.0, 2.0], (2.07, 7)),
-    concept(("Helical rotating spring", "6.2.7", "cocked"), [2.0, 4.0, 2.0, 4.0, 2.0, 2.0, 4.0], (3.3, 2)),
+    concept(("Emergent four-bar", "6.2.1", "concept-emergent-four-bar"), [3.0, 3.0, 3.0, 3.0, 3.0, 3.0, 3.0], (3.0, 4)),
+    concept(("Buckling four-bar", "6.2.1", "concept-buckling-four-bar"), [2.0, 3.0, 1.0, 3.0, 2.0, 3.0, 1.0], (2.02, 8)),
+    concept(("Buckling cantilever", "6.2.2", "concept-buckling-cantilever"), [2.0, 3.0, 1.0, 3.0, 3.0, 3.0, 2.0], (2.47, 5)),
+    concept(("Cocked four-bar", "6.2.3", "concept-cocked-four-bar"), [3.0, 4.0, 4.0, 3.0, 3.0, 3.0, 3.0], (3.23, 3)),
+    concept(("Cocked cantilever", "6.2.4", "concept-cocked-cantilever"), [3.0, 4.0, 4.0, 3.0, 4.0, 4.0, 4.0], (3.78, 1)),
+    concept(("Bistable shuttle", "6.2.5", "concept-bistable-shuttle"), [1.0, 2.0, 4.0, 3.0, 3.0, 4.0, 2.0], (2.34, 6)),
+    concept(("Buckling tube", "6.2.6", "concept-buckling-tube"), [2.0, 1.0, 1.0, 4.0, 3.0, 2.0, 2.0], (2.07, 7)),
+    concept(("Helical rotating spring", "6.2.7", "concept-helical-spring"), [2.0, 4.0, 2.0, 4.0, 2.0, 2.0, 4.0], (3.3, 2)),
 ];
 
 /// A concept's place under some weights.

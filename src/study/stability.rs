@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::model::contact_phase::Ending;
 use crate::model::impact::{Settings, simulate};
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EndReason, Mode, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::numerics::larger;
@@ -266,7 +266,7 @@ impl Peaks {
         let contact_s =
             run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s).ok_or(run.end)?;
         let mechanism = Mechanism::of(scene);
-        let mass_kg = scene.plate_mass_kg();
+        let mass_kg = moving_plate_kg(scene);
         let rows: Vec<_> = run
             .series
             .iter()
@@ -284,7 +284,7 @@ impl Peaks {
         for row in rows {
             let (x, w) = (row.plate_displacement_m.abs(), row.plate_velocity_m_s);
             if x > COUNTS_FROM * far_m {
-                let swing = (mechanism.spring.tangent(x) / mass_kg).sqrt();
+                let swing = (mechanism.spring.tangent(x).abs() / mass_kg).sqrt();
                 peaks.swing_per_s = larger(swing, peaks.swing_per_s);
             }
             if w.abs() > COUNTS_FROM * peaks.speed_m_s {
@@ -292,7 +292,7 @@ impl Peaks {
                 peaks.decay_per_s = larger(decay, peaks.decay_per_s);
             }
             let slip = row.projectile_velocity_m_s - w * cos;
-            let pressure = scene.target.flow_strength_pa + drag * slip * slip;
+            let pressure = scene.flow_strength_pa() + drag * slip * slip;
             if pressure > 0.0 {
                 let slope = 2.0 * drag * slip * row.contact_force_n / pressure;
                 peaks.drag_per_s = larger(slope * mobility, peaks.drag_per_s);

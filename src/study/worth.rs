@@ -56,7 +56,8 @@ impl Candidate {
 /// What there is besides the plate.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Masses {
-    /// The spring's mass, >= 0 kg; `None`: the least a steel spring needs for the energy it has to store.
+    /// The spring's mass, >= 0 kg; `None`: that of the scene's own beams, or the least a steel spring needs for the
+    /// energy it has to store.
     pub spring_kg: Option<f64>,
     /// Everything else that carries the plate, >= 0 kg.
     pub mount_kg: f64,
@@ -129,6 +130,8 @@ pub struct Report {
     pub spring_energy_j: Option<f64>,
     /// The spring's mass that was counted, kg; `None` where it is not known: there is no solid plate then.
     pub spring_kg: Option<f64>,
+    /// The scene itself says what its springs weigh.
+    pub spring_is_own: bool,
     /// The mass of the mount that was counted, kg.
     pub mount_kg: f64,
     /// The candidates, without those that cannot be made or were not reached.
@@ -162,16 +165,20 @@ pub fn compare(
     watch: Watch<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
+    variables::require_single(scene)?;
     let face_m2 = scene.plate_mass_kg() / plate_areal(scene);
     let own = run(scene)?;
-    let spring_energy_j = spring_energy_j(scene, own.max_plate_displacement_m);
-    let spring_kg =
-        masses.spring_kg.or_else(|| spring_energy_j.map(|energy| SPRING_KG_PER_J * energy));
+    let spring_energy_j = spring_energy_j(scene, own.start_m(), own.max_plate_displacement_m);
+    let spring_kg = masses
+        .spring_kg
+        .or(own.mechanism.spring_mass_kg)
+        .or_else(|| spring_energy_j.map(|energy| SPRING_KG_PER_J * energy));
     let mount_kg = masses.mount_kg;
     let mut report = Report {
         face_m2,
         spring_energy_j,
         spring_kg,
+        spring_is_own: masses.spring_kg.is_none() && own.mechanism.spring_mass_kg.is_some(),
         mount_kg,
         entries: Vec::new(),
         is_complete: false,
@@ -208,7 +215,7 @@ fn make(
     let bare = |own: &mut Scene| {
         own.plate.cocking_m = 0.0;
         own.mechanism.stop.position_m = None;
-        own.mechanism.spring.coefficient = 0.0;
+        own.mechanism.remove_springs();
         own.mechanism.damper.coefficient = 0.0;
     };
     let areal = match candidate {
@@ -265,14 +272,18 @@ fn entry(
     })
 }
 
-/// Greatest energy in the spring, J: cocked, or at the greatest displacement, m.
-pub(in crate::study) fn spring_energy_j(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
+/// Greatest energy in the spring, J: cocked, from where it starts, or at the greatest displacement, m.
+pub(in crate::study) fn spring_energy_j(
+    scene: &Scene,
+    start_m: f64,
+    farthest_m: Option<f64>,
+) -> Option<f64> {
     let spring = Mechanism::of(scene).spring;
-    if scene.plate.mount == Mount::Rigid || spring.coefficient == 0.0 {
+    if scene.plate.mount == Mount::Rigid || spring.is_absent() {
         return Some(0.0);
     }
-    let farthest = spring.integral(farthest_m?);
-    Some(larger(farthest, spring.integral(0.0 - scene.plate.cocking_m)))
+    let farthest = spring.energy(farthest_m?);
+    Some(larger(farthest, spring.energy(start_m)))
 }
 
 #[cfg(test)]

@@ -205,6 +205,8 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
         StudyKind::Map(method, axis) => {
             crate::model::variables::validate(&study.scene).map_err(|error| error.to_string())?;
             crate::model::variables::require_hydrodynamic(&study.scene)
+                .and_then(|()| crate::model::variables::require_plain(&study.scene))
+                .and_then(|()| crate::model::variables::require_single(&study.scene))
                 .map_err(|error| error.to_string())?;
             let watch = &mut || {
                 let stopped = stop.load(Ordering::Relaxed);

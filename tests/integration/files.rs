@@ -5,7 +5,7 @@ use std::fs;
 use cmra::files::atomic::Existing;
 use cmra::files::preset::save_file;
 use cmra::files::{read, write};
-use cmra::model::scene::{Scene, Sweep, SweepAxis};
+use cmra::model::scene::{Closure, Combination, ContactModel, Scene, Sweep, SweepAxis};
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
@@ -184,8 +184,16 @@ prop_compose! {
             variable.set(&mut scene, value_of(&variable.kind, size, share)).unwrap();
         }
         if validate(&scene).is_err() {
-            // The stop lies behind the plate's start: the one rule between two values.
+            // The rules between two values: the stop lies behind the plate's start, a bistable's unstable position beyond
+            // its second stable one, springs in series do not rise, another model needs a power law.
             scene.mechanism.stop.position_m = scene.mechanism.stop.position_m.map(f64::abs);
+            scene.mechanism.spring.bistable.unstable_m = None;
+            scene.mechanism.second.bistable.unstable_m = None;
+            scene.mechanism.combination = Combination::Alone;
+            scene.contact.model = ContactModel::Hydrodynamic;
+            scene.target.closure = Closure::Given;
+            scene.stack.elements = scene.stack.elements.round();
+            scene.stack.base_thickness_m = Some(0.01);
         }
         scene
     }

@@ -13,6 +13,8 @@ mod files;
 #[cfg(test)]
 mod limit;
 #[cfg(test)]
+mod mechanisms;
+#[cfg(test)]
 mod models;
 #[cfg(test)]
 mod optimise;
@@ -37,6 +39,8 @@ mod sensitivity;
 #[cfg(test)]
 mod stability;
 #[cfg(test)]
+mod stack;
+#[cfg(test)]
 mod support;
 #[cfg(test)]
 mod sweep;
@@ -46,5 +50,7 @@ mod terminal;
 mod thesis;
 #[cfg(test)]
 mod tidy;
+#[cfg(test)]
+mod validation;
 #[cfg(test)]
 mod worth;

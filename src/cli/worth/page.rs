@@ -108,6 +108,7 @@ fn masses(page: &mut String, report: &Report, spring_given: bool) {
     let gram = |kg: f64| fixed_significant(1e3 * kg, 3);
     let spring = match (report.spring_kg, report.spring_energy_j) {
         (Some(kg), _) if spring_given => format!("{} g as given", gram(kg)),
+        (Some(kg), _) if report.spring_is_own => format!("{} g, the scene's own", gram(kg)),
         (Some(kg), Some(energy)) => format!(
             "{} g, the least for {} J in helical steel ({} g/J)",
             gram(kg),

@@ -28,7 +28,7 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
     let passage = Passage {
         geometry: &geometry,
         mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         velocity_m_s: scene.projectile.velocity_m_s,
     };

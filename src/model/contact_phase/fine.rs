@@ -282,7 +282,7 @@ impl Problem {
         let lag_m = if scene.target.dishing { two * r } else { Number::ZERO };
         let mut problem = Self {
             pieces: Vec::new(),
-            strength_pa: number(scene.target.flow_strength_pa),
+            strength_pa: number(scene.flow_strength_pa()),
             drag_kg_m3: number(0.5)
                 * number(scene.target.drag_coefficient)
                 * number(scene.target.density_kg_m3),

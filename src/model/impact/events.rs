@@ -29,9 +29,9 @@ impl Track<'_> {
             Trigger::HoleBottom => self.state.travel_m = self.deepest_m,
             Trigger::SlipZero => self.state.slip_m_s = 0.0,
             Trigger::Recontact => self.state.travel_m = 0.0,
-            Trigger::PlateZero if self.problem.mechanism.spring.exponent.fract() == 0.0 => {
-                self.state.plate_m = 0.0;
-            }
+            Trigger::PlateZero if self.spring_is_whole() => self.state.plate_m = 0.0,
+            Trigger::KnotAhead => self.state.plate_m = self.spring_ends().1,
+            Trigger::KnotBehind => self.state.plate_m = self.spring_ends().0,
             Trigger::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
             Trigger::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
             Trigger::PlateZero
@@ -43,6 +43,11 @@ impl Track<'_> {
             | Trigger::PushLimit
             | Trigger::PullLimit => {}
         }
+    }
+
+    /// Whether the spring is a whole power, which changes its form exactly at zero.
+    fn spring_is_whole(&self) -> bool {
+        self.problem.mechanism.spring.power().is_some_and(|law| law.exponent.fract() == 0.0)
     }
 
     fn damper_is_singular(&self) -> bool {
@@ -62,6 +67,8 @@ impl Track<'_> {
                 self.mode = if self.deepest_m > 0.0 { Mode::Closing } else { Mode::Penetrating };
             }
             Trigger::PlateZero => self.plate_zero(),
+            Trigger::KnotAhead => self.region += 1,
+            Trigger::KnotBehind => self.region -= 1,
             Trigger::PlateSpeedZero => self.plate_speed_zero(),
             Trigger::PlateClear => {
                 self.spring_omitted = false;
@@ -227,7 +234,7 @@ impl Track<'_> {
     }
 
     fn plate_zero(&mut self) {
-        if self.problem.mechanism.spring.exponent.fract() == 0.0 {
+        if self.spring_is_whole() {
             self.side_x = -self.side_x;
         } else {
             self.omit_spring();
@@ -252,6 +259,13 @@ impl Track<'_> {
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
         if rigid_stop && x >= problem.mechanism.stop_at_m && w > 0.0 {
             return Some(Trigger::StopReached);
+        }
+        let (behind, ahead) = self.spring_ends();
+        if !self.is_still() && (x > ahead || (x >= ahead && w > 0.0)) {
+            return Some(Trigger::KnotAhead);
+        }
+        if !self.is_still() && (x < behind || (x <= behind && w < 0.0)) {
+            return Some(Trigger::KnotBehind);
         }
         match self.mode {
             Mode::Penetrating | Mode::Closing if u < 0.0 => Some(Trigger::SlipZero),

@@ -24,6 +24,10 @@ pub(super) enum Trigger {
     PlateClear,
     /// The velocity has left the neighbourhood of zero.
     PlateSpeedClear,
+    /// The spring's law changes, going forward.
+    KnotAhead,
+    /// The spring's law changes, going back.
+    KnotBehind,
     /// The plate reaches its stop.
     StopReached,
     /// The elastic stop lets go.
@@ -45,7 +49,9 @@ impl Trigger {
             | Self::PlateZero
             | Self::PlateSpeedZero
             | Self::PlateClear
-            | Self::PlateSpeedClear => false,
+            | Self::PlateSpeedClear
+            | Self::KnotAhead
+            | Self::KnotBehind => false,
             Self::HoleBottom
             | Self::SlipZero
             | Self::Recontact
@@ -124,7 +130,7 @@ impl Form {
     }
 
     /// The form at a state.
-    pub(super) fn at(&self, motion: &Motion, state: &State) -> f64 {
+    pub(super) fn at(&self, motion: &Motion<'_>, state: &State) -> f64 {
         let mut sum = self.offset
             + self.travel * state.travel_m
             + self.slip * state.slip_m_s

@@ -10,7 +10,7 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::{AreaLaw, Geometry, Piece};
-use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw};
+use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring, moving_plate_kg};
 use crate::model::plan::holds_still;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::smaller;
@@ -49,7 +49,7 @@ pub struct Contact {
     damper: PowerLaw,
     constants: Constants,
     start_m: f64,
-    /// A stop, or another interaction model.
+    /// A spring that is no power law, a stop, or another interaction model.
     left_to_others: bool,
 }
 
@@ -82,22 +82,24 @@ impl Contact {
         let rigid = Passage {
             geometry: &geometry,
             mass_kg: scene.projectile.mass_kg,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             velocity_m_s: scene.projectile.velocity_m_s,
         };
         let still = !mechanism.is_absent() && holds_still(&rigid, &mechanism, start_m);
         if still {
-            (mechanism.spring.coefficient, mechanism.damper.coefficient) = (0.0, 0.0);
+            mechanism.spring = Spring::NONE;
+            mechanism.damper.coefficient = 0.0;
         }
+        let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
         let moves = scene.plate.mount == Mount::Sprung && !still;
-        let plate_mobility = if moves { 1.0 / scene.plate_mass_kg() } else { 0.0 };
+        let plate_mobility = if moves { 1.0 / moving_plate_kg(scene) } else { 0.0 };
         Self {
             geometry,
-            spring: mechanism.spring,
+            spring: mechanism.spring.power().unwrap_or(none),
             damper: mechanism.damper,
             constants: Constants {
-                strength_pa: scene.target.flow_strength_pa,
+                strength_pa: scene.flow_strength_pa(),
                 drag_kg_m3: scene.drag_kg_m3(),
                 slip_mobility: 1.0 / scene.projectile.mass_kg + cos * cos * plate_mobility,
                 plate_mobility,
@@ -105,7 +107,8 @@ impl Contact {
                 velocity_m_s: scene.projectile.velocity_m_s,
             },
             start_m: if moves { start_m } else { 0.0 },
-            left_to_others: mechanism.stop.is_some()
+            left_to_others: mechanism.spring.curve().is_some()
+                || mechanism.stop.is_some()
                 || scene.contact.model != ContactModel::Hydrodynamic,
         }
     }

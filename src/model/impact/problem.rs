@@ -5,8 +5,9 @@ use std::sync::Arc;
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
 use crate::model::impact::contact::Answer;
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Inertia, Mechanism, Spring};
 use crate::model::scene::{InterfaceLaw, Mount, Scene};
+use crate::numerics::larger;
 
 /// Everything the run needs to know about its scene.
 #[derive(Clone, Debug)]
@@ -16,8 +17,10 @@ pub(super) struct Problem {
     pub(super) mechanism: Mechanism,
     /// `m_p`, kg.
     pub(super) projectile_kg: f64,
-    /// `m_2`, kg.
+    /// `m_2` and what its mechanism adds, kg.
     pub(super) plate_kg: f64,
+    /// What the mechanism adds.
+    pub(super) inertia: Inertia,
     /// `m_2` + `m_p` cos², the mass that moves with the plate when both move together, kg.
     pub(super) joined_kg: f64,
     /// Part of the mechanism's force that the interface carries while fused: `m_p` cos / joined mass.
@@ -54,7 +57,9 @@ impl Problem {
         let mechanism = Mechanism::of(scene);
         let rigid = scene.plate.mount == Mount::Rigid;
         let cos = geometry.nose.cos;
-        let (projectile_kg, plate_kg) = (scene.projectile.mass_kg, scene.plate_mass_kg());
+        let inertia = Inertia::of(scene);
+        let projectile_kg = scene.projectile.mass_kg;
+        let plate_kg = scene.plate_mass_kg() + inertia.added_kg();
         let joined_kg = plate_kg + projectile_kg * cos * cos;
         let mut problem = Self {
             scene: Arc::clone(scene),
@@ -62,10 +67,11 @@ impl Problem {
             mechanism,
             projectile_kg,
             plate_kg,
+            inertia,
             joined_kg,
             share: projectile_kg * cos / joined_kg,
             cos,
-            strength_pa: scene.target.flow_strength_pa,
+            strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             grip: scene.interface.grip,
             velocity_m_s: scene.projectile.velocity_m_s,
@@ -115,11 +121,18 @@ impl Problem {
         if self.rigid {
             return contact;
         }
-        let (spring, damper) = (self.mechanism.spring, self.mechanism.damper);
+        let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
         let energy = 0.5 * self.projectile_kg * self.velocity_m_s * self.velocity_m_s
-            + spring.integral(self.start_m);
+            + spring.energy(self.start_m);
         let speed = (2.0 * energy / self.plate_kg).sqrt();
-        let swing = spring.at_integral(energy) / speed * 8.0;
+        let far = match spring {
+            Spring::Power(law) => law.at_integral(energy),
+            Spring::Curve(curve) => larger(
+                curve.forward(self.start_m, energy).abs(),
+                curve.backward(self.start_m, energy).abs(),
+            ),
+        };
+        let swing = far / speed * 8.0;
         // The time in which the damper alone takes most of the speed, or, against a spring, lets it creep back.
         let fading = if damper.coefficient > 0.0 {
             20.0 * self.joined_kg * speed / damper.force(speed)

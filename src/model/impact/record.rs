@@ -48,7 +48,7 @@ pub(super) struct Record {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Setting<'a> {
     pub(super) problem: &'a Problem,
-    pub(super) motion: &'a Motion,
+    pub(super) motion: &'a Motion<'a>,
     pub(super) mode: Mode,
     /// The plate cannot move.
     pub(super) still: bool,
@@ -62,7 +62,7 @@ impl Setting<'_> {
     /// The sample at a state.
     pub(super) fn sample(&self, t_s: f64, state: &State, is_step: bool) -> Sample {
         let (problem, motion) = (self.problem, self.motion);
-        let mechanism = problem.mechanism;
+        let mechanism = &problem.mechanism;
         let (spring, damper) =
             (mechanism.spring.force(state.plate_m), mechanism.damper.force(state.plate_m_s));
         let contact = match self.mode {

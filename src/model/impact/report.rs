@@ -6,9 +6,9 @@ use crate::model::impact::contact::Answer;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::track::Track;
 use crate::model::impact::verdict::Farthest;
-use crate::model::mechanism::PowerKind;
+use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
-    Cost, EndReason, EnergyLedger, EventKind, Omission, Outcome, Run, Warning,
+    Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, Omission, Outcome, Run, Warning,
 };
 use crate::numerics::larger;
 
@@ -31,6 +31,7 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         Farthest::Unbounded | Farthest::Pending => None,
     };
     let cost = cost(problem, &track);
+    let mechanism = load(problem, &track, farthest);
     let omitted = omitted(problem, &track);
     tidy_events(&mut track);
     let record = track.record;
@@ -51,6 +52,8 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         series: record.series,
         events: record.events,
         ledger,
+        mechanism,
+        stack: None,
         cost,
         omitted,
         warnings,
@@ -62,16 +65,37 @@ fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
     let state = &track.state;
     let work = &track.record.work;
     let speed = state.slip_m_s + state.plate_m_s * problem.cos;
-    let spring = problem.mechanism.spring;
+    let spring = &problem.mechanism.spring;
+    let added_kg = problem.inertia.added_kg();
     EnergyLedger {
         initial_kinetic_j: kinetic(problem.projectile_kg, problem.velocity_m_s),
-        initial_spring_j: spring.integral(problem.start_m),
+        initial_spring_j: spring.energy(problem.start_m),
         projectile_j: kinetic(problem.projectile_kg, speed),
-        plate_j: kinetic(problem.plate_kg, state.plate_m_s),
-        spring_j: spring.integral(state.plate_m),
+        plate_j: kinetic(problem.plate_kg - added_kg, state.plate_m_s),
+        inertia_j: kinetic(added_kg, state.plate_m_s),
+        spring_j: spring.energy(state.plate_m),
         damper_j: work.damper_j,
         penetration_j: work.penetration_j,
         stop_j: work.stop_j,
+    }
+}
+
+/// What was asked of the mechanism.
+fn load(problem: &Problem, track: &Track<'_>, farthest: Option<f64>) -> MechanismLoad {
+    let (spring, inertia) = (&problem.mechanism.spring, &problem.inertia);
+    let speed = track.speed_scale_m_s;
+    let asked = |x: f64| load::stress_ratio(&problem.scene, x);
+    let ends = farthest.filter(|_| !problem.rigid).map(|far| [problem.start_m, far]);
+    let stress = ends.and_then(|[from, to]| Some(larger(asked(from)?, asked(to)?)));
+    let positive = |value: f64| Some(value).filter(|value| *value > 0.0);
+    MechanismLoad {
+        stored_j: ends
+            .filter(|_| !spring.is_absent())
+            .map(|[from, to]| spring.greatest_energy(from, to)),
+        yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
+        added_kg: positive(inertia.added_kg()),
+        spring_mass_kg: inertia.spring_mass_kg,
+        rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
     }
 }
 
@@ -104,6 +128,14 @@ fn warnings(
     if residual.is_nan() || residual.abs() >= DRIFT {
         list.push(Warning::EnergyDrift { residual });
     }
+    if !problem.rigid {
+        let far = match track.farthest {
+            Farthest::Known(x) => larger(x, record.farthest_m),
+            Farthest::Unbounded | Farthest::Pending => record.farthest_m,
+        };
+        let at = if far.abs() < problem.start_m.abs() { problem.start_m } else { far };
+        list.extend(load::exceeded(&problem.scene, at).into_iter().map(Warning::Limit));
+    }
     if problem.baseline_m.is_none() {
         list.push(Warning::NoBaseline);
     }
@@ -129,15 +161,15 @@ fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
 }
 
 fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
-    let (spring, damper) = (problem.mechanism.spring, problem.mechanism.damper);
+    let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
     let answer = problem.answer;
     let rows = [
         (problem.rigid, Omission::PlateMotion),
-        (spring.kind() == PowerKind::Absent, Omission::Spring),
+        (spring.is_absent(), Omission::Spring),
         (damper.kind() == PowerKind::Absent, Omission::Damper),
         (problem.mechanism.stop.is_none(), Omission::Stop),
-        (whole(spring.kind()), Omission::SpringPower),
+        (spring.power().is_some_and(|law| whole(law.kind())), Omission::SpringPower),
         (whole(damper.kind()), Omission::DamperPower),
         (problem.geometry.nose.sin == 0.0, Omission::Obliquity),
         (track.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),

@@ -50,8 +50,7 @@ impl Track<'_> {
     pub(super) fn start(&mut self) {
         let problem = self.problem;
         let mechanism = &problem.mechanism;
-        let spring_singular =
-            mechanism.spring.kind() == PowerKind::General && self.state.plate_m == 0.0;
+        let spring_singular = mechanism.spring.is_singular() && self.state.plate_m == 0.0;
         let damper_singular = mechanism.damper.kind() == PowerKind::General;
         if self.held || problem.rigid || !(spring_singular || damper_singular) {
             return;
@@ -85,7 +84,7 @@ impl Track<'_> {
     /// How long the contact lasts, and how fast the mechanism answers within it, by order of magnitude.
     pub(super) fn pace(&self) -> Pace {
         let problem = self.problem;
-        let (spring, damper) = (problem.mechanism.spring, problem.mechanism.damper);
+        let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
         let (v, m_2) = (problem.velocity_m_s, problem.plate_kg);
         let travel = problem
             .baseline_m
@@ -105,7 +104,7 @@ impl Track<'_> {
         let w = smaller(damper.at_force(drive), thrown);
         Pace {
             contact_s,
-            swing_per_s: (spring.tangent(x) / m_2).sqrt(),
+            swing_per_s: (spring.tangent(x).abs() / m_2).sqrt(),
             decay_per_s: damper.tangent(w) / m_2,
         }
     }
@@ -113,7 +112,7 @@ impl Track<'_> {
     /// Put the state at the early time `t_s`.
     fn place(
         &mut self,
-        motion: &Motion,
+        motion: &Motion<'_>,
         t_s: f64,
         (spring_singular, damper_singular): (bool, bool),
     ) {
@@ -127,11 +126,11 @@ impl Track<'_> {
             state.plate_m_s = w;
         }
         if spring_singular && mechanism.spring.force(state.plate_m).abs() > drive {
-            let (x, n) = (mechanism.spring.at_force(drive), mechanism.spring.exponent);
+            let (x, n) = (mechanism.spring.at_force(drive), self.spring().exponent);
             state.plate_m = x;
             state.plate_m_s = smaller(x / (n * t_s), state.plate_m_s);
         }
-        let rate = stiffness_per_s(mechanism.spring, state.plate_m, self.problem.plate_kg).sqrt();
+        let rate = stiffness_per_s(self.spring(), state.plate_m, self.problem.plate_kg).sqrt();
         let decay = stiffness_per_s(mechanism.damper, state.plate_m_s, self.problem.plate_kg);
         let radians = larger(rate, decay) * t_s;
         // NaN (an infinite tangent at zero) is stiff, too.
@@ -155,7 +154,7 @@ impl Track<'_> {
 }
 
 /// The force that drives the plate at the end of an expansion, N.
-fn drive_n<const N: usize>(motion: &Motion, e: &Expansion<N>) -> f64 {
+fn drive_n<const N: usize>(motion: &Motion<'_>, e: &Expansion<N>) -> f64 {
     let state = e.state(1.0);
     (motion.contact_force(&state) * motion.coupling - motion.mechanism_force(&state)).abs()
 }

@@ -9,7 +9,7 @@ use std::ops::ControlFlow;
 use crate::model::contact::AreaLaw;
 use crate::model::impact::guard::{Form, Trigger};
 use crate::model::impact::track::{Track, is_finite};
-use crate::model::mechanism::{PowerLaw, sign};
+use crate::model::mechanism::{Elastic, PowerLaw, sign};
 use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::implicit::{
@@ -32,27 +32,26 @@ const LOCAL: f64 = 1e-3;
 
 /// The present motion in the implicit method's unknowns.
 struct Unknowns<'a> {
-    motion: &'a Motion,
-    spring: Carrier,
-    damper: Carrier,
+    motion: &'a Motion<'a>,
+    spring: Carrier<'a>,
+    damper: Carrier<'a>,
     scale: [f64; 4],
 }
 
 /// Whether a law's unknown is its argument or its force.
 #[derive(Clone, Copy)]
-enum Carrier {
+enum Carrier<'a> {
     /// x itself; the force follows.
-    Argument(PowerLaw),
+    Argument(Elastic<'a>),
     /// The force; x = sgn (|force|/k)^(1/n) follows.
     Force(PowerLaw),
 }
 
-impl Carrier {
-    fn of(law: PowerLaw) -> Self {
-        if law.coefficient > 0.0 && law.exponent < 1.0 {
-            Self::Force(law)
-        } else {
-            Self::Argument(law)
+impl<'a> Carrier<'a> {
+    fn of(law: Elastic<'a>) -> Self {
+        match law {
+            Elastic::Power(law) if law.coefficient > 0.0 && law.exponent < 1.0 => Self::Force(law),
+            Elastic::Power(_) | Elastic::Piece(_) => Self::Argument(law),
         }
     }
 
@@ -202,7 +201,7 @@ impl Track<'_> {
         let system = Unknowns {
             motion: &motion,
             spring: Carrier::of(motion.spring),
-            damper: Carrier::of(motion.damper),
+            damper: Carrier::of(Elastic::Power(motion.damper)),
             scale: self.stiff_scale(),
         };
         let y = system.fold(&self.state);
@@ -336,6 +335,6 @@ impl Track<'_> {
 }
 
 /// Whether a guard falls through zero over a step.
-fn falls(form: &Form, motion: &Motion, from: &State, to: &State) -> bool {
+fn falls(form: &Form, motion: &Motion<'_>, from: &State, to: &State) -> bool {
     form.at(motion, from) > 0.0 && form.at(motion, to) <= 0.0
 }

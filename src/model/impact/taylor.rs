@@ -102,7 +102,7 @@ impl Track<'_> {
     /// The span, shortened until the expansion still solves the equations at its end.
     ///
     /// The last coefficients alone can be deceived: the solution may be close to a polynomial and yet end in a singularity.
-    fn checked<const N: usize>(&mut self, motion: &Motion, e: &Expansion<N>, span: f64) -> f64 {
+    fn checked<const N: usize>(&mut self, motion: &Motion<'_>, e: &Expansion<N>, span: f64) -> f64 {
         let allowed = larger(DEFECT * self.tolerance * LOCAL, DEFECT_ROUNDING);
         let [_, (_, speed), _, (_, plate_speed)] = self.scales(e, smaller(span, 1.0));
         let mut span = span;

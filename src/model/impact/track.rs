@@ -12,7 +12,7 @@ use crate::model::impact::guard::Trigger;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
 use crate::model::impact::verdict::Farthest;
-use crate::model::mechanism::{PowerKind, PowerLaw, sign};
+use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::larger;
@@ -48,6 +48,8 @@ pub(super) struct Track<'a> {
     pub(super) clear_m_s: f64,
     pub(super) side_x: f64,
     pub(super) side_w: f64,
+    /// The stretch of the spring's curve in which the plate is; without meaning for a power law.
+    pub(super) region: usize,
     /// Greatest |x| and |w| seen, m and m/s.
     pub(super) plate_scale_m: f64,
     pub(super) speed_scale_m_s: f64,
@@ -101,6 +103,7 @@ impl<'a> Track<'a> {
             clear_m_s: 0.0,
             side_x: if problem.start_m < 0.0 { -1.0 } else { 1.0 },
             side_w: if pull < 0.0 { -1.0 } else { 1.0 },
+            region: first_region(problem, pull),
             plate_scale_m: problem.start_m.abs(),
             speed_scale_m_s: 0.0,
             unit_s: 0.1 * problem.contact_scale_s(),
@@ -183,7 +186,7 @@ impl<'a> Track<'a> {
     }
 
     /// The equations of the present mode.
-    pub(super) fn motion(&self) -> Motion {
+    pub(super) fn motion(&self) -> Motion<'a> {
         let problem = self.problem;
         let mechanism = &problem.mechanism;
         let still = self.is_still();
@@ -213,7 +216,10 @@ impl<'a> Track<'a> {
             slip_mobility: problem.slip_mobility(!still),
             plate_mobility: if still { 0.0 } else { 1.0 / plate_kg },
             coupling: if joined { 0.0 } else { problem.cos },
-            spring: keep(mechanism.spring, self.spring_omitted),
+            spring: match mechanism.spring.curve() {
+                Some(curve) if !still => Elastic::Piece(curve.piece(self.region)),
+                _ => Elastic::Power(keep(self.spring(), self.spring_omitted)),
+            },
             damper: keep(mechanism.damper, self.damper_omitted),
             stop: stop.map_or_else(StopForce::default, |stop| StopForce {
                 stiffness_n_m: stop.stiffness_n_m,
@@ -235,13 +241,25 @@ impl<'a> Track<'a> {
         geometry.piece(q).law
     }
 
+    /// The spring as a power law; none where it is a curve.
+    pub(super) fn spring(&self) -> PowerLaw {
+        let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
+        self.problem.mechanism.spring.power().unwrap_or(none)
+    }
+
+    /// The ends of the present stretch of the spring's curve, m; infinite for a power law.
+    pub(super) fn spring_ends(&self) -> (f64, f64) {
+        let curve = self.problem.mechanism.spring.curve();
+        curve.map_or((f64::NEG_INFINITY, f64::INFINITY), |curve| curve.ends(self.region))
+    }
+
     /// What the interface can push at the present travel, N.
     pub(super) fn interface_n(&self) -> f64 {
         self.problem.geometry.area_m2(self.state.travel_m) * self.problem.strength_pa
     }
 
     /// What samples and records need.
-    pub(super) fn setting<'m>(&'m self, motion: &'m Motion) -> Setting<'m> {
+    pub(super) fn setting<'m>(&'m self, motion: &'m Motion<'m>) -> Setting<'m> {
         Setting {
             problem: self.problem,
             motion,
@@ -258,7 +276,7 @@ impl<'a> Track<'a> {
             return;
         }
         let mechanism = &self.problem.mechanism;
-        if mechanism.spring.kind() == PowerKind::General && self.state.plate_m == 0.0 {
+        if mechanism.spring.is_singular() && self.state.plate_m == 0.0 {
             self.omit_spring();
         }
         if mechanism.damper.kind() == PowerKind::General && self.state.plate_m_s == 0.0 {
@@ -271,7 +289,7 @@ impl<'a> Track<'a> {
         &mut self,
         t_s: f64,
         state: State,
-        motion: &Motion,
+        motion: &Motion<'_>,
         fired: Option<Trigger>,
     ) {
         let before = self.state;
@@ -291,6 +309,16 @@ impl<'a> Track<'a> {
         record.point(&self.setting(motion), t_s, &self.state, true);
         self.record = record;
     }
+}
+
+/// The stretch of the spring's curve into which the plate starts to move.
+fn first_region(problem: &Problem, pull_n: f64) -> usize {
+    let Some(curve) = problem.mechanism.spring.curve() else {
+        return 0;
+    };
+    let above = curve.region(problem.start_m);
+    let at_knot = curve.ends(above).0 >= problem.start_m;
+    if at_knot && pull_n < 0.0 { above - 1 } else { above }
 }
 
 /// Whether every component is finite.

@@ -91,7 +91,7 @@ impl Track<'_> {
     /// Whether the spring has not yet been loaded most: what the interface carries then is a result, too.
     fn is_swinging(&self) -> bool {
         matches!(self.farthest, Farthest::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
-            && self.problem.mechanism.spring.coefficient > 0.0
+            && !self.problem.mechanism.spring.is_absent()
     }
 
     /// The outcome, if nothing can change it any more; else `Moving`.
@@ -126,7 +126,7 @@ impl Track<'_> {
         let stop = mechanism
             .elastic_stop()
             .map_or(0.0, |stop| 0.5 * stop.stiffness_n_m * pressed * pressed);
-        mechanism.spring.integral(x) + stop
+        mechanism.spring.energy(x) + stop
     }
 
     /// Whether what still moves has no energy worth the name: less than rounding leaves of that at the start, squared.
@@ -145,7 +145,7 @@ impl Track<'_> {
     /// How far forward the plate can go with this energy, m.
     fn reach_with(&self, energy: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
-        let spring = mechanism.spring.at_integral(energy);
+        let spring = mechanism.spring.forward(self.state.plate_m, energy);
         if mechanism.rigid_stop().is_some() {
             return smaller(spring, mechanism.stop_at_m);
         }
@@ -170,11 +170,15 @@ impl Track<'_> {
         if reach <= so_far * (1.0 + 1e-12) || (reach - so_far).abs() < 1e-15 * so_far.abs() {
             return Farthest::Known(so_far);
         }
-        let springless = mechanism.spring.coefficient == 0.0;
+        let springless = mechanism.spring.is_absent();
         let damped = mechanism.damper.coefficient > 0.0 || self.stop_touches;
         if mechanism.stop.is_none() && !damped && !springless {
-            // The swing ends where all energy is in the spring.
-            return Farthest::Known(larger(reach, so_far));
+            // The swing ends where all energy is in the spring, if it holds the plate at all.
+            return if reach.is_finite() {
+                Farthest::Known(larger(reach, so_far))
+            } else {
+                Farthest::Unbounded
+            };
         }
         if springless && w <= 0.0 && !self.stop_touches {
             return Farthest::Known(so_far);
@@ -225,7 +229,7 @@ impl Track<'_> {
         if self.slips_since_deeper > RATTLES && energy < pull_out {
             return true;
         }
-        let returns = mechanism.spring.coefficient > 0.0 || self.state.plate_m_s > 0.0;
+        let returns = !mechanism.spring.is_absent() || self.state.plate_m_s > 0.0;
         if mechanism.rigid_stop().is_some() && returns && self.reach_m() >= mechanism.stop_at_m {
             return false;
         }
@@ -237,7 +241,7 @@ impl Track<'_> {
         let mechanism = &self.problem.mechanism;
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
         let reach = self.reach_with(energy_j);
-        let spring = if reach.is_finite() { mechanism.spring.force(reach) } else { 0.0 };
+        let spring = mechanism.spring.greatest_push(self.state.plate_m, energy_j, reach);
         let stop = mechanism.elastic_stop().map_or(0.0, |stop| {
             let pressed = larger(reach - mechanism.stop_at_m, 0.0);
             if pressed > 0.0 || self.stop_touches {
@@ -252,16 +256,12 @@ impl Track<'_> {
     /// The most the interface can be pulled with this much energy left, N.
     fn pull_at(&self, energy_j: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
-        if mechanism.spring.coefficient == 0.0
-            && self.state.plate_m_s >= 0.0
-            && mechanism.stop.is_none()
-        {
+        if mechanism.spring.is_absent() && self.state.plate_m_s >= 0.0 && mechanism.stop.is_none() {
             // Nothing sends the plate back: the damper only pushes against the projectile.
             return 0.0;
         }
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
-        let back = mechanism.spring.at_integral(energy_j);
-        let spring = if back.is_finite() { mechanism.spring.force(back) } else { 0.0 };
+        let spring = mechanism.spring.greatest_pull(self.state.plate_m, energy_j);
         self.problem.share * (spring + mechanism.damper.force(speed))
     }
 
@@ -319,11 +319,11 @@ impl Track<'_> {
         if v < -speed * problem.cos {
             return true;
         }
-        if mechanism.spring.coefficient == 0.0 && mechanism.stop.is_none() {
+        if mechanism.spring.is_absent() && mechanism.stop.is_none() {
             return slip_m_s < 0.0 && (v <= 0.0 || plate_m_s < 0.0);
         }
         // The projectile flies away, and is already beyond the plate's farthest swing back.
-        let back = mechanism.spring.at_integral(energy);
+        let back = mechanism.spring.backward(plate_m, energy);
         v < 0.0 && travel_m + (plate_m + back) * problem.cos < 0.0
     }
 }

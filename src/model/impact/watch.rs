@@ -92,7 +92,11 @@ impl Track<'_> {
             return;
         }
         let singular = |law: PowerLaw| law.kind() == PowerKind::General && !self.stiff;
-        self.watch_zero_of_x(guards, singular(mechanism.spring));
+        if mechanism.spring.curve().is_some() {
+            self.watch_knots(guards);
+        } else {
+            self.watch_zero_of_x(guards, mechanism.spring.is_singular() && !self.stiff);
+        }
         self.watch_zero_of_w(guards, singular(mechanism.damper));
         let at = mechanism.stop_at_m;
         if self.stop_touches {
@@ -109,6 +113,19 @@ impl Track<'_> {
         }
     }
 
+    /// The ends of the stretch of the spring's law.
+    fn watch_knots(&self, guards: &mut Guards) {
+        let (behind, ahead) = self.spring_ends();
+        if ahead.is_finite() {
+            let form = Form { offset: ahead, plate: -1.0, ..Form::default() };
+            guards.watch(Trigger::KnotAhead, form);
+        }
+        if behind.is_finite() {
+            let form = Form { offset: -behind, plate: 1.0, ..Form::default() };
+            guards.watch(Trigger::KnotBehind, form);
+        }
+    }
+
     fn watch_zero_of_x(&self, guards: &mut Guards, singular: bool) {
         let near = if self.spring_omitted { self.clear_m } else { self.near_zero_m() };
         if self.spring_omitted {
@@ -116,7 +133,7 @@ impl Track<'_> {
                 let form = Form { offset: near, plate: -side, ..Form::default() };
                 guards.watch(Trigger::PlateClear, form);
             }
-        } else if !self.problem.mechanism.spring.is_smooth_at_zero() && !self.stiff {
+        } else if !self.spring().is_smooth_at_zero() && !self.stiff {
             let offset = if singular { -near } else { 0.0 };
             guards
                 .watch(Trigger::PlateZero, Form { offset, plate: self.side_x, ..Form::default() });
@@ -184,7 +201,7 @@ impl Track<'_> {
 
     /// How close to zero displacement the singular spring is left out: so close that it holds little of the plate's energy.
     fn near_zero_m(&self) -> f64 {
-        let (spring, w) = (self.problem.mechanism.spring, self.state.plate_m_s);
+        let (spring, w) = (self.spring(), self.state.plate_m_s);
         let energy = 0.5 * self.problem.plate_kg * w * w;
         // Tighter computations come closer, so that two of them do not share what is left out.
         let closer = smaller((self.tolerance / CLEAR_AT).sqrt(), 1.0);

@@ -406,6 +406,7 @@ impl<'a> Course<'a> {
             initial_kinetic_j: 0.5 * energy_j,
             initial_spring_j: self.initial_spring * energy_j,
             projectile_j: 0.5 * v * v * energy_j,
+            inertia_j: 0.0,
             plate_j: 0.5 * pair.gamma * w * w * energy_j,
             spring_j: pair.spring.integral(y[X]) * energy_j,
             damper_j: y[DAMPER] * energy_j,

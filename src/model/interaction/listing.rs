@@ -102,7 +102,7 @@ impl Work<'_> {
     }
 
     fn spring(&self) -> PowerLaw {
-        let spring = self.scene.mechanism.spring;
+        let spring = &self.scene.mechanism.spring;
         let sprung = self.scene.plate.mount == Mount::Sprung;
         PowerLaw {
             coefficient: if sprung { spring.coefficient } else { 0.0 },

@@ -9,7 +9,7 @@
 //!
 //! with G the mechanism's force. Three more components add up the work of F, of the damper and of the stop.
 
-use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw};
+use crate::model::mechanism::{Inertia, Mechanism, PowerKind, PowerLaw};
 use crate::model::scene::{Mount, Scene, Stop};
 use crate::numerics::explicit::{Boundary, System};
 
@@ -113,11 +113,14 @@ impl Pair {
             coefficient: law.coefficient * unit.powf(law.exponent) / units.force_n,
             ..law
         };
+        let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
         let stop = mechanism.stop;
         Self {
-            gamma: scene.plate.mass_ratio,
+            gamma: scene.plate.mass_ratio
+                + Inertia::of(scene).added_kg() / scene.projectile.mass_kg,
             cos: scene.cos_obliquity(),
-            spring: scaled(mechanism.spring, units.length_m),
+            // A valid scene of these models has no curve.
+            spring: scaled(mechanism.spring.power().unwrap_or(none), units.length_m),
             damper: scaled(mechanism.damper, units.speed_m_s),
             stop,
             stop_at: mechanism.stop_at_m / units.length_m,

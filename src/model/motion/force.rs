@@ -1,7 +1,8 @@
 //! Spring and damper forces, one Taylor coefficient at a time.
 
+use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{PowerLaw, WHOLE_MAX, sign};
-use crate::numerics::series::{power, product};
+use crate::numerics::series::{Powers, power, product};
 
 /// A force law whose coefficients are asked for in order, 0 first.
 pub(super) trait ForceTerm<const N: usize> {
@@ -75,5 +76,30 @@ impl<const N: usize> ForceTerm<N> for General<N> {
             power(z, &self.series, self.law.exponent, j)
         };
         self.law.coefficient * self.series[j]
+    }
+}
+
+/// Any analytic law, by its own Taylor series about where the argument starts.
+pub(super) struct Along<'a, const N: usize> {
+    piece: &'a Piece,
+    degree: usize,
+    jet: [f64; N],
+    powers: Powers<N>,
+}
+
+impl<'a, const N: usize> Along<'a, N> {
+    pub(super) fn new(piece: &'a Piece) -> Self {
+        Self { piece, degree: piece.degree(), jet: [0.0; N], powers: Powers::new() }
+    }
+}
+
+impl<const N: usize> ForceTerm<N> for Along<'_, N> {
+    #[inline]
+    fn coefficient(&mut self, z: &[f64; N], j: usize) -> f64 {
+        if j == 0 {
+            self.jet = self.piece.jet(z[0]);
+            return self.jet[0];
+        }
+        self.jet[1] * z[j] + self.powers.beyond_linear(z, &self.jet, self.degree, j)
     }
 }

@@ -1,9 +1,9 @@
 //! Which variables have any effect on a scene, and which of them a list shows at all; and the rule between the two
 //! stiffnesses of the lumped interface.
 
-use super::{RangeWarning, Variable, VariableError};
+use super::{RangeWarning, Variable, VariableError, springs};
 use crate::model::design::Rod;
-use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene, StopKind};
+use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Scene, StopKind, Target};
 use crate::model::units;
 
 /// Whether a variable has any effect on this scene; rows without effect are dimmed in the editor.
@@ -14,9 +14,8 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
     let stop = sprung && mechanism.stop.position_m.is_some() && model != ContactModel::Appendix;
     match variable.key {
         "mechanism.damper.exponent" => sprung && mechanism.damper.coefficient > 0.0,
-        "mechanism.spring.exponent" | "plate.cocking_m" => {
-            sprung && mechanism.spring.coefficient > 0.0
-        }
+        "plate.cocking_m" => sprung && springs::acts(mechanism),
+        key if springs::is_row(key) => sprung && springs::is_used(key, scene),
         "interface.law" => model == ContactModel::Hydrodynamic,
         "interface.grip" => {
             model == ContactModel::Hydrodynamic && scene.interface.law == InterfaceLaw::Plastic
@@ -28,6 +27,7 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
             stop && mechanism.stop.kind == StopKind::Elastic
         }
         "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
+        "target.flow_strength_pa" => uses_target(scene) && scene.target.closure == Closure::Given,
         key if key.starts_with("target.") => uses_target(scene),
         key if key.starts_with("contact.") => model_has(model, key),
         key => sprung || !(key.starts_with("mechanism.") || key == "plate.mass_ratio"),
@@ -38,6 +38,13 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
     match variable.key {
         "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
+        "target.yield_pa" => scene.target.closure != Closure::Given,
+        "target.modulus_pa" => scene.target.closure == Closure::Cavity,
+        "stack.base_thickness_m" => true,
+        key if key.starts_with("stack.") => {
+            scene.stack.base_thickness_m.is_some() || scene.stack.elements > 1.0
+        }
+        key if springs::is_row(key) => springs::is_listed(key, scene),
         key => !key.starts_with("contact.") || model_has(scene.contact.model, key),
     }
 }
@@ -70,6 +77,48 @@ pub(super) fn ricochet(scene: &Scene) -> Option<RangeWarning> {
              the model",
             units::shortest(scene.projectile.obliquity_deg),
             units::significant(critical, 3)
+        ),
+    })
+}
+
+/// The two closures for the flow strength each contain the bulge in their own way: never both.
+pub(super) fn check_closure(scene: &Scene) -> Result<(), VariableError> {
+    let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target;
+    if closure == Closure::Cavity && dishing {
+        return Err(VariableError::Together(
+            "closure (target.closure) = cavity with dishing (target.dishing) = on corrects twice, for the bulge and for the \
+             material that holds it back: set dishing = off, or closure = double-yield"
+                .to_owned(),
+        ));
+    }
+    if closure == Closure::Cavity && modulus_pa <= yield_pa {
+        return Err(VariableError::Together(format!(
+            "E (target.modulus_pa) = {} Pa is not greater than Y (target.yield_pa) = {} Pa: cavity expansion needs an elastic \
+             body; for steel E is about 2e11 Pa, for aluminium 7e10 Pa",
+            units::shortest(modulus_pa),
+            units::shortest(yield_pa)
+        )));
+    }
+    Ok(())
+}
+
+/// A warning where a closure is used beyond the plates it suits.
+pub(super) fn closure_reach(scene: &Scene) -> Option<RangeWarning> {
+    let ratio = 0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m;
+    let text = match scene.target.closure {
+        Closure::DoubleYield if ratio > 1.0 => {
+            "2 Y with dishing is for plates up to about one diameter"
+        }
+        Closure::Cavity if ratio < 0.5 => {
+            "cavity expansion is for plates from about one diameter up"
+        }
+        Closure::Given | Closure::DoubleYield | Closure::Cavity => return None,
+    };
+    Some(RangeWarning {
+        symbol: "closure",
+        text: format!(
+            "h/D = {}: {text}, the other closure suits better",
+            units::significant(ratio, 3)
         ),
     })
 }

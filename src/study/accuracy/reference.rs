@@ -226,7 +226,7 @@ fn is_row(scene: &Scene, row: &Stored) -> bool {
 
 /// The mechanism with the exponents of absent laws set to one.
 fn normal(scene: &Scene) -> Mechanism {
-    let mut mechanism = scene.mechanism;
+    let mut mechanism = scene.mechanism.clone();
     if mechanism.spring.coefficient == 0.0 {
         mechanism.spring.exponent = 1.0;
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::Scene;
+use crate::model::scene::{Closure, Scene, SpringKind};
 use crate::numerics::random::Random;
 use crate::study::limit::{Limit, Range};
 
@@ -102,18 +102,36 @@ pub(super) fn scatter(
 
 fn scattered(scene: &Scene, deviation: f64, random: &mut Random) -> Scene {
     let mut own = scene.clone();
+    let target = &mut own.target;
+    let hardness = match target.closure {
+        Closure::Given => &mut target.flow_strength_pa,
+        Closure::DoubleYield | Closure::Cavity => &mut target.yield_pa,
+    };
+    let mechanism = &mut own.mechanism;
+    // Laws without a coefficient scatter in how many springs there are: in force.
+    let strength = match mechanism.spring.kind {
+        SpringKind::PowerLaw => &mut mechanism.spring.coefficient,
+        SpringKind::Normalised
+        | SpringKind::Cantilever
+        | SpringKind::FixedGuided
+        | SpringKind::Bistable
+        | SpringKind::ConstantForce
+        | SpringKind::Column
+        | SpringKind::Helix
+        | SpringKind::Table => &mut mechanism.spring.count,
+    };
     // The order is part of what a seed means.
     for value in [
         &mut own.projectile.mass_kg,
         &mut own.projectile.tip_radius_m,
-        &mut own.target.thickness_m,
-        &mut own.target.density_kg_m3,
-        &mut own.target.flow_strength_pa,
-        &mut own.target.drag_coefficient,
+        &mut target.thickness_m,
+        &mut target.density_kg_m3,
+        hardness,
+        &mut target.drag_coefficient,
         &mut own.plate.mass_ratio,
         &mut own.plate.cocking_m,
-        &mut own.mechanism.damper.coefficient,
-        &mut own.mechanism.spring.coefficient,
+        &mut mechanism.damper.coefficient,
+        strength,
     ] {
         *value *= (deviation * random.normal()).exp();
     }

@@ -17,7 +17,7 @@ pub(super) const CONTACT_FORCE: &str = "peak_contact_force_n";
 #[rustfmt::skip]
 pub static DESIGN_MEASURES: [ResultColumn; 4] = [
     ResultColumn { name: "plate_mass_kg", meaning: "mass of the plate: gamma times that of the projectile", get: |run| Some(run.scene.plate_mass_kg()) },
-    ResultColumn { name: "spring_mass_kg", meaning: "least mass of a helical steel spring for the greatest energy stored", get: |run| spring_kg(&run.scene, run.max_plate_displacement_m) },
+    ResultColumn { name: "least_spring_mass_kg", meaning: "least mass of a helical steel spring for the greatest energy stored", get: |run| spring_kg(&run.scene, run.max_plate_displacement_m) },
     ResultColumn { name: "system_mass_kg", meaning: "plate and least spring together", get: |run| system_kg(&run.scene, run.max_plate_displacement_m) },
     ResultColumn { name: "peak_mount_force_n", meaning: "greatest force into the mount: spring, damper and elastic stop", get: load::peak_n },
 ];
@@ -81,7 +81,7 @@ fn own_names() -> Vec<&'static str> {
 
 /// The spring's least mass, kg; `None` where its energy is not known.
 fn spring_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
-    spring_energy_j(scene, farthest_m).map(|energy| SPRING_KG_PER_J * energy)
+    spring_energy_j(scene, 0.0 - scene.plate.cocking_m, farthest_m).map(|energy| SPRING_KG_PER_J * energy)
 }
 
 fn system_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
@@ -92,7 +92,7 @@ fn system_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
 pub(super) fn mass_kg(name: &str, scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
     match name {
         "plate_mass_kg" => Some(scene.plate_mass_kg()),
-        "spring_mass_kg" => spring_kg(scene, farthest_m),
+        "least_spring_mass_kg" => spring_kg(scene, farthest_m),
         _ => system_kg(scene, farthest_m),
     }
 }
@@ -117,7 +117,11 @@ pub(super) fn mount_force_n(
     if mechanism.is_absent() {
         return None;
     }
-    let force = |x: f64| mechanism.spring.force(x).abs();
-    let start_m = 0.0 - scene.plate.cocking_m;
-    Some(larger(force(farthest_m?), force(start_m)))
+    let (start_m, farthest_m) = (0.0 - scene.plate.cocking_m, farthest_m?);
+    // A curve's greatest force may lie on the way.
+    let (least, most) = mechanism.spring.curve().map_or_else(
+        || (mechanism.spring.force(start_m), mechanism.spring.force(farthest_m)),
+        |curve| curve.forces_between(start_m, farthest_m),
+    );
+    Some(larger(least.abs(), most.abs()))
 }

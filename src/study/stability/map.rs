@@ -349,16 +349,17 @@ fn cell(scene: &Scene, method: Method, dt_s: f64, target: Option<&Target>) -> Ce
         return Cell::Unknown;
     };
     let mechanism = Mechanism::of(scene);
+    let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
     let moves = scene.plate.mount == crate::model::scene::Mount::Sprung;
     let fixed = Fixed {
         faces: Faces::of(scene),
         radius_m: scene.projectile.tip_radius_m,
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         projectile_kg: scene.projectile.mass_kg,
         plate_kg: scene.plate_mass_kg(),
         cos: scene.cos_obliquity(),
-        spring: mechanism.spring,
+        spring: mechanism.spring.power().unwrap_or(none),
         damper: mechanism.damper,
         moves,
     };

@@ -6,7 +6,7 @@
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
 use crate::model::impact::lean::{Contact, ContactEnd};
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
@@ -159,7 +159,7 @@ fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
     let rigid = Passage {
         geometry,
         mass_kg: scene.projectile.mass_kg,
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         velocity_m_s: scene.projectile.velocity_m_s,
     };
@@ -177,12 +177,13 @@ fn farthest_m(scene: &Scene, end: &ContactEnd) -> Option<f64> {
     }
     let spring = Mechanism::of(scene).spring;
     let w = end.plate_velocity_m_s;
-    if spring.coefficient == 0.0 {
+    if spring.is_absent() {
         return (w <= 0.0).then_some(end.farthest_m);
     }
     let cos = scene.cos_obliquity();
     let joined = if end.arrested { scene.projectile.mass_kg * cos * cos } else { 0.0 };
-    let kinetic = 0.5 * (scene.plate_mass_kg() + joined) * w * w;
-    let reach = spring.at_integral(kinetic + spring.integral(end.plate_displacement_m));
-    Some(larger(reach, end.farthest_m))
+    let x = end.plate_displacement_m;
+    let kinetic = 0.5 * (moving_plate_kg(scene) + joined) * w * w;
+    let reach = spring.forward(x, kinetic + spring.energy(x));
+    reach.is_finite().then(|| larger(reach, end.farthest_m))
 }

@@ -245,7 +245,7 @@ pub(super) fn limit_m_s(scene: &Scene) -> f64 {
     Passage {
         geometry: &geometry,
         mass_kg: scene.projectile.mass_kg,
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         velocity_m_s: scene.projectile.velocity_m_s,
     }

@@ -1,6 +1,6 @@
 //! What a run puts into its mount: the greatest force, and the impulse.
 
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EventKind, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
@@ -30,7 +30,7 @@ pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
     }
     let force = |row: &Sample| (row.spring_force_n + row.damper_force_n + row.stop_force_n).abs();
     let sampled = run.series.iter().map(force).fold(0.0, larger);
-    let spring = mechanism.spring;
+    let spring = &mechanism.spring;
     let turned = run.max_plate_displacement_m.filter(|_| mechanism.stop.is_none());
     let turn = turned.map_or(0.0, |farthest| spring.force(farthest).abs());
     Some(larger(larger(sampled, turn), spring.force(run.start_m()).abs())).filter(|f| f.is_finite())
@@ -74,5 +74,5 @@ pub(super) fn impulse_n_s(run: &Run) -> Option<f64> {
         None => run.series.last()?,
     };
     let lost = m_p * cos * (struck - row.projectile_velocity_m_s);
-    Some(lost - scene.plate_mass_kg() * row.plate_velocity_m_s)
+    Some(lost - moving_plate_kg(scene) * row.plate_velocity_m_s)
 }

@@ -21,7 +21,7 @@ pub fn thickness_of_limit_m(scene: &Scene, limit_m_s: f64) -> Option<f64> {
     let passage = Passage {
         geometry: &geometry,
         mass_kg: scene.projectile.mass_kg,
-        strength_pa: scene.target.flow_strength_pa,
+        strength_pa: scene.flow_strength_pa(),
         drag_kg_m3: scene.drag_kg_m3(),
         velocity_m_s: limit_m_s,
     };

@@ -64,6 +64,7 @@ impl App {
         if let Some(shown) = &self.shown {
             let which = if self.is_stale() { " (old: the scene has changed since)" } else { "" };
             warnings(&mut lines, &shown.run, which);
+            stack(&mut lines, &shown.run);
             events(&mut lines, &shown.run);
             energy(&mut lines, &shown.run.ledger);
             cost(&mut lines, &shown.run);
@@ -105,6 +106,15 @@ fn warnings(lines: &mut Vec<LogLine>, run: &Run, which: &str) {
     }
     for warning in &run.warnings {
         push(lines, LineKind::Warning, format!("! {warning}"));
+    }
+}
+
+fn stack(lines: &mut Vec<LogLine>, run: &Run) {
+    if let Some(stack) = &run.stack {
+        heading(lines, "Stack: plate by plate");
+        for line in crate::study::stack::table(run, stack) {
+            push(lines, LineKind::Text, line);
+        }
     }
 }
 
@@ -159,9 +169,11 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
         lines.push(term(" in motion", ledger.initial_kinetic_j));
         lines.push(term(" in spring", ledger.initial_spring_j));
     }
+    lines.extend([term("projectile", ledger.projectile_j), term("plate", ledger.plate_j)]);
+    if ledger.inertia_j != 0.0 {
+        lines.push(term("its mechanism", ledger.inertia_j));
+    }
     lines.extend([
-        term("projectile", ledger.projectile_j),
-        term("plate", ledger.plate_j),
         term("spring", ledger.spring_j),
         term("damper", ledger.damper_j),
         term("penetration", ledger.penetration_j),

@@ -181,11 +181,17 @@ impl App {
             format!("{} ({})", cost.method, cost.reason),
             cost.method.to_owned(),
         ));
-        let severity = match run.outcome {
+        let severity = |outcome| match outcome {
             Outcome::Arrested | Outcome::Separated => Severity::Note,
             Outcome::Perforated | Outcome::Moving => Severity::Warning,
         };
-        parts.push(same(severity, run.outcome.word().to_owned()));
+        parts.push(match &run.stack {
+            Some(stack) => {
+                let short = format!("stack {}", stack.outcome.word());
+                (severity(stack.outcome), stack.sentence(), short)
+            }
+            None => same(severity(run.outcome), run.outcome.word().to_owned()),
+        });
         parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
         parts
     }
@@ -249,6 +255,8 @@ pub fn warning_text(warning: &Warning) -> String {
         | Warning::EnergyDrift { .. }
         | Warning::EndedEarly(_)
         | Warning::Model(_)
+        | Warning::Limit(_)
+        | Warning::PlateMeetsNext { .. }
         | Warning::NoBaseline => warning.to_string(),
     }
 }
@@ -274,6 +282,10 @@ pub fn results(run: &Run) -> Vec<String> {
     } else {
         add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)));
     }
+    if let Some(margin) = run.mechanism.yield_margin {
+        let margin = crate::model::units::fixed_significant(margin, 3);
+        add("yield margin", format!("{margin} (strength over greatest stress)"));
+    }
     if let Some(peak_n) = run.peak_contact_force_n {
         add("peak force", engineering(peak_n, "N"));
     }
@@ -297,6 +309,8 @@ fn demand(run: &Run) -> Option<String> {
         Warning::InterfacePull { ratio, .. } => Some(format!("! interface {ratio:.2} x g A S_y")),
         Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
         Warning::EnergyDrift { residual } => Some(format!("! energy off by {residual:.0e}")),
+        Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
+        Warning::PlateMeetsNext { .. } => Some("! plates meet".to_owned()),
         Warning::InterfaceWithoutStrength
         | Warning::EndedEarly(_)
         | Warning::Model(_)

@@ -282,6 +282,8 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
             Event { t_s: TURN_S, kind: EventKind::GreatestDisplacement },
         ],
         ledger: ledger(rigid),
+        mechanism: cmra::model::run::MechanismLoad::default(),
+        stack: None,
         cost: cost(rigid),
         omitted: vec![Omission::Damper, Omission::Stop, Omission::SpringPower, Omission::Obliquity],
         warnings: Vec::new(),

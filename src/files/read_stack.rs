@@ -1,0 +1,54 @@
+//! The further elements of a stack, `[[stack.layer]]`: each like the scene's own plate but for the keys it has.
+
+use toml::Spanned;
+use toml::de::DeValue;
+
+use crate::files::read::{Reader, kind_of};
+use crate::model::scene::{Layer, Scene};
+
+/// The key of the list.
+pub(super) const KEY: &str = "stack.layer";
+/// The tables that an element may have keys of.
+const TABLES: [&str; 3] = ["target", "plate", "mechanism"];
+
+/// The layers in a list of tables; `scene` is what they are like.
+pub(super) fn layers(
+    reader: &mut Reader<'_>,
+    scene: &Scene,
+    value: &Spanned<DeValue<'_>>,
+) -> Vec<Layer> {
+    let DeValue::Array(list) = value.get_ref() else {
+        let text = format!(
+            "{KEY} is {}: it is a list of tables; write [[{KEY}]] above each element",
+            kind_of(value.get_ref())
+        );
+        reader.problem(value.span(), text);
+        return Vec::new();
+    };
+    let mut layers = Vec::new();
+    for row in list {
+        let DeValue::Table(table) = row.get_ref() else {
+            let text = format!(
+                "{KEY} has {} among its elements: write [[{KEY}]] above each element",
+                kind_of(row.get_ref())
+            );
+            reader.problem(row.span(), text);
+            continue;
+        };
+        let mut own = scene.clone();
+        for (key, value) in table {
+            let name = key.get_ref().as_ref();
+            if TABLES.contains(&name) {
+                reader.entry(&mut own, name, key.span(), value);
+            } else {
+                let text = format!(
+                    "`{KEY}.{name}` is not a key of a scene: an element has keys of {}, for example target.thickness_m = 0.006",
+                    TABLES.join(", ")
+                );
+                reader.problem(key.span(), text);
+            }
+        }
+        layers.push(Layer { target: own.target, plate: own.plate, mechanism: own.mechanism });
+    }
+    layers
+}

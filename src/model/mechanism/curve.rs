@@ -1,0 +1,257 @@
+//! A force law of any shape: analytic pieces between knots, with what a run needs to know of it in advance: stored energy,
+//! how far an energy carries the plate, and the greatest forces on the way.
+
+use crate::model::mechanism::piece::Piece;
+use crate::numerics::larger;
+use crate::numerics::root::in_bracket;
+
+/// Places looked at within each stretch to find where the force, or its tangent, changes sign.
+const LOOKS: usize = 64;
+/// How far beyond the last knot zeros and extremes are sought, in sizes of the law.
+const FAR: f64 = 20.0;
+/// Doublings on the way to where an energy ends, or a force is reached, beyond the last knot.
+const DOUBLINGS: usize = 80;
+
+/// Pieces between knots: one piece more than knots.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Segments {
+    /// Rising, m.
+    pub knots_m: Vec<f64>,
+    /// The first goes to minus, the last to plus infinity.
+    pub pieces: Vec<Piece>,
+}
+
+/// A force law over all displacements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    segments: Segments,
+    /// What each piece's energy lacks: continuous, and zero at the lowest point, J.
+    offsets_j: Vec<f64>,
+    /// Knots and zeros of the force, rising: the energy rises or falls all the way between two of them, m.
+    stations_m: Vec<f64>,
+    /// Where the force turns, m.
+    extremes_m: Vec<f64>,
+    /// A length that the law is made of, m.
+    scale_m: f64,
+}
+
+impl Curve {
+    /// A law of these segments; `scale_m` > 0 is a length it is made of.
+    pub fn new(segments: Segments, scale_m: f64) -> Self {
+        let count = segments.pieces.len();
+        let mut curve = Self {
+            offsets_j: vec![0.0; count],
+            stations_m: Vec::new(),
+            extremes_m: Vec::new(),
+            scale_m,
+            segments,
+        };
+        for (at, knot) in curve.segments.knots_m.iter().enumerate() {
+            let pieces = &curve.segments.pieces;
+            let reached = pieces[at].energy(*knot) + curve.offsets_j[at];
+            curve.offsets_j[at + 1] = reached - pieces[at + 1].energy(*knot);
+        }
+        let mut stations = curve.changes(Piece::force);
+        stations.extend_from_slice(&curve.segments.knots_m);
+        stations.sort_by(f64::total_cmp);
+        stations.dedup();
+        curve.extremes_m = curve.changes(Piece::tangent);
+        let lowest = stations.iter().map(|x| curve.energy(*x)).min_by(f64::total_cmp);
+        let lowest = lowest.unwrap_or(0.0);
+        for offset in &mut curve.offsets_j {
+            *offset -= lowest;
+        }
+        curve.stations_m = stations;
+        curve
+    }
+
+    /// The segments it was made of.
+    pub fn segments(&self) -> &Segments {
+        &self.segments
+    }
+
+    /// A length that the law is made of, m.
+    pub fn scale_m(&self) -> f64 {
+        self.scale_m
+    }
+
+    /// The stretch that x lies in; a knot belongs to the stretch above it.
+    pub fn region(&self, x: f64) -> usize {
+        self.segments.knots_m.partition_point(|knot| *knot <= x)
+    }
+
+    /// The ends of a stretch, m; infinite at either end of the law.
+    pub fn ends(&self, region: usize) -> (f64, f64) {
+        let knots = &self.segments.knots_m;
+        let below = if region == 0 { f64::NEG_INFINITY } else { knots[region - 1] };
+        (below, knots.get(region).copied().unwrap_or(f64::INFINITY))
+    }
+
+    /// The analytic law of a stretch.
+    pub fn piece(&self, region: usize) -> &Piece {
+        &self.segments.pieces[region]
+    }
+
+    /// Force at x, N.
+    pub fn force(&self, x: f64) -> f64 {
+        self.piece(self.region(x)).force(x)
+    }
+
+    /// dF/dx at x, N/m; above a knot at a knot.
+    pub fn tangent(&self, x: f64) -> f64 {
+        self.piece(self.region(x)).tangent(x)
+    }
+
+    /// Energy stored at x, J: zero at the lowest point.
+    pub fn energy(&self, x: f64) -> f64 {
+        let region = self.region(x);
+        self.piece(region).energy(x) + self.offsets_j[region]
+    }
+
+    /// How far forward the plate can go from x with this much energy, motion and stored together, m; infinite where nothing
+    /// holds it.
+    pub fn forward(&self, x: f64, energy_j: f64) -> f64 {
+        self.reach(x, energy_j, 1.0)
+    }
+
+    /// The same backward.
+    pub fn backward(&self, x: f64, energy_j: f64) -> f64 {
+        self.reach(x, energy_j, -1.0)
+    }
+
+    fn reach(&self, x: f64, energy_j: f64, way: f64) -> f64 {
+        let missing = |x: f64| self.energy(x) - energy_j;
+        let mut from = x;
+        let ahead = |station: &&f64| way * (**station - x) > 0.0;
+        let mut stations: Vec<f64> = self.stations_m.iter().filter(ahead).copied().collect();
+        if way < 0.0 {
+            stations.reverse();
+        }
+        for station in stations {
+            if missing(station) > 0.0 {
+                return if missing(from) >= 0.0 {
+                    from
+                } else {
+                    in_bracket(from, station, missing)
+                };
+            }
+            from = station;
+        }
+        let mut step = self.scale_m;
+        for _ in 0..DOUBLINGS {
+            let to = from + way * step;
+            if missing(to) > 0.0 {
+                return if missing(from) >= 0.0 { from } else { in_bracket(from, to, missing) };
+            }
+            (from, step) = (to, 2.0 * step);
+        }
+        way * f64::INFINITY
+    }
+
+    /// The greatest energy stored between two displacements, J.
+    pub fn greatest_energy(&self, from_m: f64, to_m: f64) -> f64 {
+        let (low, high) = if from_m < to_m { (from_m, to_m) } else { (to_m, from_m) };
+        let inside = self.stations_m.iter().copied().filter(|x| (low..=high).contains(x));
+        inside.chain([low, high]).map(|x| self.energy(x)).fold(0.0, larger)
+    }
+
+    /// The least and the greatest force between two displacements, N.
+    pub fn forces_between(&self, low: f64, high: f64) -> (f64, f64) {
+        let inside = |x: &&f64| (low..=high).contains(*x);
+        let ends = [low, high].into_iter().filter(|x| x.is_finite());
+        let marks = self.stations_m.iter().chain(&self.extremes_m).filter(inside).copied();
+        ends.chain(marks).map(|x| self.force(x)).fold((0.0, 0.0), |(least, most), force| {
+            (if force < least { force } else { least }, larger(force, most))
+        })
+    }
+
+    /// The least |x| on one side (`way` 1 or -1) at which the force is `force_n` that way; infinite where it never is.
+    pub fn at_force(&self, force_n: f64, way: f64) -> f64 {
+        let missing = |x: f64| way * self.force(x) - force_n;
+        let mut from = 0.0;
+        let mut marks: Vec<f64> = self
+            .stations_m
+            .iter()
+            .chain(&self.extremes_m)
+            .map(|x| way * x)
+            .filter(|x| *x > 0.0)
+            .collect();
+        marks.sort_by(f64::total_cmp);
+        for mark in marks {
+            if missing(way * mark) >= 0.0 {
+                return in_bracket(from, mark, |x| missing(way * x));
+            }
+            from = mark;
+        }
+        let mut step = self.scale_m;
+        for _ in 0..DOUBLINGS {
+            if missing(way * (from + step)) >= 0.0 {
+                return in_bracket(from, from + step, |x| missing(way * x));
+            }
+            (from, step) = (from + step, 2.0 * step);
+        }
+        f64::INFINITY
+    }
+
+    /// The displacement at which a law that rises everywhere has this force, m.
+    pub fn displaced_by(&self, force_n: f64) -> f64 {
+        let missing = |x: f64| self.force(x) - force_n;
+        let way = if missing(0.0) < 0.0 { 1.0 } else { -1.0 };
+        let (mut from, mut step) = (0.0, self.scale_m);
+        for _ in 0..DOUBLINGS {
+            let to = from + way * step;
+            if way * missing(to) >= 0.0 {
+                return in_bracket(from, to, missing);
+            }
+            (from, step) = (to, 2.0 * step);
+        }
+        from
+    }
+
+    /// Whether the force rises everywhere, so that each force belongs to one displacement.
+    pub fn is_rising(&self) -> bool {
+        let mut rising = true;
+        self.look(|piece, x| rising = rising && piece.tangent(x) > 0.0);
+        rising
+    }
+
+    /// Where a function of the pieces changes sign, rising order not promised, m.
+    fn changes(&self, f: impl Fn(&Piece, f64) -> f64) -> Vec<f64> {
+        let mut found = Vec::new();
+        for (region, piece) in self.segments.pieces.iter().enumerate() {
+            let (low, high) = self.span(region);
+            let place = |i: usize| low + (high - low) * i as f64 / LOOKS as f64;
+            for i in 0..LOOKS {
+                let (a, b) = (place(i), place(i + 1));
+                let (fa, fb) = (f(piece, a), f(piece, b));
+                if fa == 0.0 && i > 0 {
+                    found.push(a);
+                } else if (fa > 0.0 && fb < 0.0) || (fa < 0.0 && fb > 0.0) {
+                    found.push(in_bracket(a, b, |x| f(piece, x)));
+                }
+            }
+        }
+        found
+    }
+
+    fn look(&self, mut at: impl FnMut(&Piece, f64)) {
+        for (region, piece) in self.segments.pieces.iter().enumerate() {
+            let (low, high) = self.span(region);
+            for i in 1..LOOKS {
+                at(piece, low + (high - low) * i as f64 / LOOKS as f64);
+            }
+        }
+    }
+
+    /// The ends of a stretch, finite ones in place of the infinite ones.
+    fn span(&self, region: usize) -> (f64, f64) {
+        let (low, high) = self.ends(region);
+        let far = FAR * self.scale_m;
+        match (low.is_finite(), high.is_finite()) {
+            (true, true) => (low, high),
+            (true, false) => (low, low + far),
+            (false, true) => (high - far, high),
+            (false, false) => (-far, far),
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! What a mechanism adds to the plate's inertia: the rotation of what turns with it, and the springs' own mass.
+//!
+//! A plate that turns by dphi/dx per displacement has the kinetic energy of an additional mass `I_z (dphi/dx)²` (thesis 6.2.7,
+//! the principle of rotational transfer). Of a spring's own mass a part moves with the plate: that with the kinetic energy
+//! of its static shape, 1/3 of a coil spring (Rayleigh), 33/140 of a cantilever, 13/35 of a beam guided at its end. A coil
+//! spring weighs at least `4 rho G U/tau²` for the energy U it has to store; U is that of the cocked spring and of
+//! projectile and plate at common velocity, together.
+
+use crate::model::mechanism::{Spring, kinds};
+use crate::model::scene::{self, Combination, Mount, OwnMass, Scene, SpringKind};
+
+/// Parts of a spring's mass that move with its end.
+const COIL: f64 = 1.0 / 3.0;
+const CANTILEVER: f64 = 33.0 / 140.0;
+const GUIDED: f64 = 13.0 / 35.0;
+
+/// What moves with the plate, besides the plate, kg.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Inertia {
+    /// `I_z (dphi/dx)²` of what turns.
+    pub rotation_kg: f64,
+    /// The moving part of the springs' own mass.
+    pub springs_kg: f64,
+    /// The springs' whole mass, as far as it is known.
+    pub spring_mass_kg: Option<f64>,
+}
+
+impl Inertia {
+    /// Of a valid scene; nothing on a rigid mount.
+    pub fn of(scene: &Scene) -> Self {
+        let mechanism = &scene.mechanism;
+        if scene.plate.mount == Mount::Rigid {
+            return Self::default();
+        }
+        let mut sum = Self::default();
+        for spring in acting(mechanism) {
+            sum.rotation_kg += rotation_kg(spring);
+            if let Some(mass_kg) = mass_kg(scene, spring) {
+                sum.spring_mass_kg = Some(sum.spring_mass_kg.unwrap_or(0.0) + mass_kg);
+                if spring.own_mass == OwnMass::Counted {
+                    sum.springs_kg += moving_part(spring.kind) * mass_kg;
+                }
+            }
+        }
+        sum
+    }
+
+    /// All of it, kg.
+    pub fn added_kg(&self) -> f64 {
+        self.rotation_kg + self.springs_kg
+    }
+}
+
+/// The springs that act: one, or both.
+pub fn acting(mechanism: &scene::Mechanism) -> impl Iterator<Item = &scene::Spring> {
+    let second = match mechanism.combination {
+        Combination::Alone => None,
+        Combination::Parallel | Combination::Series => Some(&mechanism.second),
+    };
+    std::iter::once(&mechanism.spring).chain(second)
+}
+
+/// The mass that answers when the plate is pushed: `m_2` and what its mechanism adds, kg.
+#[inline]
+pub fn moving_plate_kg(scene: &Scene) -> f64 {
+    if scene.mechanism.is_plain() {
+        return scene.plate_mass_kg();
+    }
+    scene.plate_mass_kg() + Inertia::of(scene).added_kg()
+}
+
+fn rotation_kg(spring: &scene::Spring) -> f64 {
+    match spring.kind {
+        SpringKind::Helix => {
+            spring.helix.inertia_kg_m2 * spring.helix.twist_rad_m * spring.helix.twist_rad_m
+        }
+        SpringKind::PowerLaw
+        | SpringKind::Normalised
+        | SpringKind::Cantilever
+        | SpringKind::FixedGuided
+        | SpringKind::Bistable
+        | SpringKind::ConstantForce
+        | SpringKind::Column
+        | SpringKind::Table => 0.0,
+    }
+}
+
+/// A spring's mass: given, of its beams, or, where its mass is to count, the least its energy needs in wire, kg.
+fn mass_kg(scene: &Scene, spring: &scene::Spring) -> Option<f64> {
+    if spring.mass_kg.is_some() {
+        return spring.mass_kg;
+    }
+    if spring.kind.is_beam() {
+        return Some(spring.count * kinds::cantilever(&spring.beam).mass_kg());
+    }
+    if spring.own_mass == OwnMass::Ignored {
+        return None;
+    }
+    let wire = &spring.wire;
+    let tau = wire.shear_strength_pa;
+    let energy_j = to_store_j(scene, spring);
+    Some(4.0 * wire.density_kg_m3 * wire.shear_modulus_pa * energy_j / (tau * tau))
+}
+
+/// The energy a spring has to store, J: what it holds cocked, and what projectile and plate keep at common velocity. Of two
+/// springs each is taken to store all of the latter: an upper bound.
+fn to_store_j(scene: &Scene, spring: &scene::Spring) -> f64 {
+    let alone = scene::Mechanism { spring: spring.clone(), ..scene::Mechanism::default() };
+    let cocked = Spring::of(&alone).energy(0.0 - scene.plate.cocking_m);
+    let (m_p, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
+    let cos = scene.cos_obliquity();
+    let common = m_p * v * cos / (m_p * cos * cos + scene.plate_mass_kg());
+    cocked + 0.5 * (m_p * cos * cos + scene.plate_mass_kg()) * common * common
+}
+
+fn moving_part(kind: SpringKind) -> f64 {
+    match kind {
+        SpringKind::Cantilever => CANTILEVER,
+        SpringKind::FixedGuided => GUIDED,
+        SpringKind::PowerLaw
+        | SpringKind::Normalised
+        | SpringKind::Bistable
+        | SpringKind::ConstantForce
+        | SpringKind::Column
+        | SpringKind::Helix
+        | SpringKind::Table => COIL,
+    }
+}

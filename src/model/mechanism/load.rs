@@ -1,0 +1,91 @@
+//! How much a displacement asks of the springs: bending stress, yield margin, and whether the law still holds there.
+
+use crate::model::mechanism::inertia::acting;
+use crate::model::mechanism::{kinds, piece::Piece};
+use crate::model::scene::{self, Combination, Scene, SpringKind};
+use crate::numerics::larger;
+use crate::numerics::root::in_bracket;
+
+/// Up to where a spring's law is good, and what happens beyond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// What the limit is, in words.
+    pub what: &'static str,
+    /// The displacement of that spring it was asked for, m.
+    pub asked_m: f64,
+    /// The limit, m.
+    pub limit_m: f64,
+}
+
+/// The greatest bending stress of the beams at a plate displacement, over their yield strength; `None` without beams.
+pub fn stress_ratio(scene: &Scene, x_m: f64) -> Option<f64> {
+    let shares = shares(&scene.mechanism, x_m);
+    let ratios = acting(&scene.mechanism).zip(shares).filter(|(spring, _)| spring.kind.is_beam());
+    ratios
+        .map(|(spring, x)| {
+            kinds::beam_stress_pa(&spring.beam, spring.kind, x) / spring.beam.yield_pa
+        })
+        .reduce(larger)
+}
+
+/// The displacement of a spring of beams at which they yield, m; `None` where other limits come first or there are no beams.
+pub fn yields_at_m(spring: &scene::Spring) -> Option<f64> {
+    let limit = kinds::beam_limit_m(&spring.beam);
+    let excess =
+        |x: f64| kinds::beam_stress_pa(&spring.beam, spring.kind, x) - spring.beam.yield_pa;
+    (spring.kind.is_beam() && excess(limit) > 0.0).then(|| in_bracket(0.0, limit, excess))
+}
+
+/// The limits that a plate displacement exceeds.
+pub fn exceeded(scene: &Scene, x_m: f64) -> Vec<Limit> {
+    let shares = shares(&scene.mechanism, x_m);
+    let mut found = Vec::new();
+    for (spring, asked_m) in acting(&scene.mechanism).zip(shares) {
+        for (what, low_m, high_m) in limits(spring) {
+            let limit_m = if asked_m < low_m { low_m } else { high_m };
+            if asked_m < low_m || asked_m > high_m {
+                found.push(Limit { what, asked_m, limit_m });
+            }
+        }
+    }
+    found
+}
+
+/// Each limit of a spring: what it is, and the displacements between which it is kept, m.
+fn limits(spring: &scene::Spring) -> Vec<(&'static str, f64, f64)> {
+    let mut limits = Vec::new();
+    if spring.kind.is_beam() {
+        if let Some(at) = yields_at_m(spring) {
+            limits.push(("the beam yields, and the law is elastic", -at, at));
+        }
+        let end = kinds::beam_limit_m(&spring.beam);
+        limits.push((
+            "the pseudo-rigid body follows no beam farther; the force goes on straight",
+            -end,
+            end,
+        ));
+    }
+    if spring.kind == SpringKind::Table {
+        let points = &spring.table.points;
+        if let (Some(first), Some(last)) = (points.first(), points.last()) {
+            let odd = first[0] == 0.0 && first[1] == 0.0;
+            let low = if odd { -last[0] } else { first[0] };
+            limits.push(("the table ends; the force goes on straight", low, last[0]));
+        }
+    }
+    limits
+}
+
+/// The displacement of each spring at a displacement of the plate, m.
+fn shares(mechanism: &scene::Mechanism, x_m: f64) -> [f64; 2] {
+    if mechanism.combination != Combination::Series {
+        return [x_m; 2];
+    }
+    let whole = super::Spring::of(mechanism);
+    let Some(curve) = whole.curve() else {
+        return [x_m; 2];
+    };
+    let piece: &Piece = curve.piece(curve.region(x_m));
+    let first = piece.split(x_m);
+    [first, x_m - first]
+}

@@ -1,0 +1,305 @@
+//! One analytic stretch of a force law: its force, tangent, energy and Taylor series.
+//!
+//! Between two knots a law is one analytic function, and stays so a little beyond them: the integrators look past an event
+//! before they come back to it.
+
+use crate::model::mechanism::PowerLaw;
+use crate::numerics::root::in_bracket;
+use crate::numerics::series::Powers;
+use crate::numerics::{larger, smaller};
+
+/// Rounds of Newton's method that share a displacement between two springs in series, a little beyond their stretch.
+const ROUNDS: usize = 20;
+
+/// An analytic force over displacement, N over m.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Piece {
+    /// `c0 + c1 z + c2 z² + c3 z³` with z = x - `from_m`.
+    Cubic {
+        /// Where z is zero, m.
+        from_m: f64,
+        /// N, N/m, N/m², N/m³.
+        c: [f64; 4],
+    },
+    /// A pseudo-rigid link: `force_n asin(s)/sqrt(1 - s²)`, s = x/`reach_m`.
+    Link {
+        /// K/(gamma l), N.
+        force_n: f64,
+        /// gamma l, m.
+        reach_m: f64,
+    },
+    /// A power law on one side of zero.
+    Power {
+        /// The law.
+        law: PowerLaw,
+        /// 1 or -1.
+        side: f64,
+    },
+    /// Equal displacements.
+    Parallel(Box<[Self; 2]>),
+    /// Equal forces.
+    Series {
+        /// Both laws, each rising.
+        laws: Box<[Self; 2]>,
+        /// Displacements of both where the stretch begins, m; minus infinity for the first.
+        low_m: [f64; 2],
+        /// And where it ends; infinity for the last.
+        high_m: [f64; 2],
+    },
+}
+
+impl Piece {
+    /// A straight line through (x, force) with a slope.
+    pub fn line(x_m: f64, force_n: f64, slope_n_m: f64) -> Self {
+        Self::Cubic { from_m: x_m, c: [force_n, slope_n_m, 0.0, 0.0] }
+    }
+
+    /// The force at x, N.
+    pub fn force(&self, x: f64) -> f64 {
+        match self {
+            Self::Cubic { from_m, c } => {
+                let z = x - from_m;
+                c[0] + z * (c[1] + z * (c[2] + z * c[3]))
+            }
+            Self::Link { force_n, reach_m } => {
+                let s = x / reach_m;
+                force_n * s.asin() / (1.0 - s * s).sqrt()
+            }
+            Self::Power { law, side } => side * law.coefficient * raised(side * x, law.exponent),
+            Self::Parallel(laws) => laws[0].force(x) + laws[1].force(x),
+            Self::Series { laws, .. } => laws[0].force(self.split(x)),
+        }
+    }
+
+    /// dF/dx at x, N/m.
+    pub fn tangent(&self, x: f64) -> f64 {
+        match self {
+            Self::Cubic { from_m, c } => {
+                let z = x - from_m;
+                c[1] + z * (2.0 * c[2] + z * 3.0 * c[3])
+            }
+            Self::Link { force_n, reach_m } => {
+                // With G = asin(s)/sqrt(1 - s²): (1 - s²) G' = 1 + s G.
+                let s = x / reach_m;
+                (force_n + s * self.force(x)) / ((1.0 - s * s) * reach_m)
+            }
+            Self::Power { law, side } => {
+                let n = law.exponent;
+                law.coefficient * n * raised(side * x, n - 1.0)
+            }
+            Self::Parallel(laws) => laws[0].tangent(x) + laws[1].tangent(x),
+            Self::Series { laws, .. } => {
+                let first = self.split(x);
+                let (a, b) = (laws[0].tangent(first), laws[1].tangent(x - first));
+                a * b / (a + b)
+            }
+        }
+    }
+
+    /// An antiderivative of the force, J; its constant is the curve's business.
+    pub fn energy(&self, x: f64) -> f64 {
+        match self {
+            Self::Cubic { from_m, c } => {
+                let z = x - from_m;
+                z * (c[0] + z * (c[1] / 2.0 + z * (c[2] / 3.0 + z * c[3] / 4.0)))
+            }
+            Self::Link { force_n, reach_m } => {
+                let angle = (x / reach_m).asin();
+                0.5 * force_n * reach_m * angle * angle
+            }
+            Self::Power { law, side } => {
+                let n = law.exponent;
+                law.coefficient / (n + 1.0) * raised(side * x, n + 1.0)
+            }
+            Self::Parallel(laws) => laws[0].energy(x) + laws[1].energy(x),
+            Self::Series { laws, .. } => {
+                let first = self.split(x);
+                laws[0].energy(first) + laws[1].energy(x - first)
+            }
+        }
+    }
+
+    /// The highest power in the force's series that is not zero, if there is one.
+    pub fn degree(&self) -> usize {
+        match self {
+            Self::Cubic { c, .. } => (1..4).rev().find(|k| c[*k] != 0.0).unwrap_or(0),
+            Self::Parallel(laws) => laws[0].degree().max(laws[1].degree()),
+            Self::Series { laws, .. } if laws[0].degree() <= 1 && laws[1].degree() <= 1 => 1,
+            Self::Series { .. } | Self::Link { .. } | Self::Power { .. } => usize::MAX,
+        }
+    }
+
+    /// The Taylor coefficients of the force about x: coefficient k belongs to (x' - x)^k.
+    pub fn jet<const N: usize>(&self, x: f64) -> [f64; N] {
+        let mut jet = [0.0; N];
+        match self {
+            Self::Cubic { from_m, c } => {
+                let z = x - from_m;
+                let shifted = [
+                    c[0] + z * (c[1] + z * (c[2] + z * c[3])),
+                    c[1] + z * (2.0 * c[2] + z * 3.0 * c[3]),
+                    c[2] + 3.0 * z * c[3],
+                    c[3],
+                ];
+                for (term, value) in jet.iter_mut().zip(shifted) {
+                    *term = value;
+                }
+            }
+            Self::Link { force_n, reach_m } => link_jet(&mut jet, x / reach_m, *force_n, *reach_m),
+            Self::Power { law, side } => power_jet(&mut jet, x, *law, *side),
+            Self::Parallel(laws) => {
+                let (a, b): ([f64; N], [f64; N]) = (laws[0].jet(x), laws[1].jet(x));
+                for (term, (a, b)) in jet.iter_mut().zip(a.iter().zip(b)) {
+                    *term = a + b;
+                }
+            }
+            Self::Series { laws, .. } => {
+                let first = self.split(x);
+                jet = series_jet(&laws[0].jet(first), &laws[1].jet(x - first));
+            }
+        }
+        jet
+    }
+
+    /// Series: the first spring's part of a displacement, where both forces are equal; NaN outside the laws' domain.
+    pub fn split(&self, x: f64) -> f64 {
+        let Self::Series { laws, low_m, high_m } = self else {
+            return x;
+        };
+        let gap = |first: f64| laws[0].force(first) - laws[1].force(x - first);
+        let low = larger(low_m[0], x - high_m[1]);
+        let high = smaller(high_m[0], x - low_m[1]);
+        if low.is_infinite() || high.is_infinite() {
+            // Laws without knots: straight lines.
+            return beyond(laws, x, &[0.0; 2]);
+        }
+        if low > high {
+            // Just outside the stretch: on from its nearer end.
+            let from = |end: &[f64; 2]| (x - end[0] - end[1]).abs();
+            return beyond(laws, x, if from(low_m) < from(high_m) { low_m } else { high_m });
+        }
+        in_bracket(low, high, gap)
+    }
+}
+
+/// Newton's method from an end of the stretch, for a displacement close to it.
+fn beyond(laws: &[Piece; 2], x: f64, end: &[f64; 2]) -> f64 {
+    let mut first = end[0];
+    for _ in 0..ROUNDS {
+        let second = x - first;
+        let slope = laws[0].tangent(first) + laws[1].tangent(second);
+        first -= (laws[0].force(first) - laws[1].force(second)) / slope;
+    }
+    first
+}
+
+/// z to a power; whole powers also for the negative z just beyond the law's end.
+fn raised(z: f64, exponent: f64) -> f64 {
+    if z == 0.0 && exponent == 0.0 { 1.0 } else { z.powf(exponent) }
+}
+
+/// (1 - s²) G' = 1 + s G, term by term about s.
+fn link_jet<const N: usize>(jet: &mut [f64; N], s: f64, force_n: f64, reach_m: f64) {
+    let rest = 1.0 - s * s;
+    let mut g = [0.0; N];
+    g[0] = s.asin() / rest.sqrt();
+    for j in 0..N - 1 {
+        let constant = if j == 0 { 1.0 } else { 0.0 };
+        let n = j as f64;
+        let below = if j == 0 { 0.0 } else { n * g[j - 1] };
+        g[j + 1] = (constant + (2.0 * n + 1.0) * s * g[j] + below) / ((n + 1.0) * rest);
+    }
+    let mut factor = force_n;
+    for (term, g) in jet.iter_mut().zip(g) {
+        *term = factor * g;
+        factor /= reach_m;
+    }
+}
+
+/// The binomial series of a power law on its side of zero.
+fn power_jet<const N: usize>(jet: &mut [f64; N], x: f64, law: PowerLaw, side: f64) {
+    let mut binomial = side * law.coefficient;
+    for (k, term) in jet.iter_mut().enumerate() {
+        let left = law.exponent - k as f64;
+        *term = if binomial == 0.0 { 0.0 } else { binomial * raised(side * x, left) };
+        binomial *= side * left / (k + 1) as f64;
+    }
+}
+
+/// F with xi: F = a(xi) = b(delta - xi), solved term by term.
+fn series_jet<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
+    let mut force = [0.0; N];
+    force[0] = a[0];
+    let (mut first, mut second) = ([0.0; N], [0.0; N]);
+    let (mut of_first, mut of_second) = (Powers::<N>::new(), Powers::<N>::new());
+    for j in 1..N {
+        let bent_a = of_first.beyond_linear(&first, a, N - 1, j);
+        let bent_b = of_second.beyond_linear(&second, b, N - 1, j);
+        let delta = if j == 1 { 1.0 } else { 0.0 };
+        first[j] = (b[1] * delta + bent_b - bent_a) / (a[1] + b[1]);
+        second[j] = delta - first[j];
+        force[j] = a[1] * first[j] + bent_a;
+    }
+    force
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::series::evaluate;
+
+    fn power(coefficient: f64, exponent: f64, side: f64) -> Piece {
+        Piece::Power { law: PowerLaw { coefficient, exponent }, side }
+    }
+
+    fn pieces() -> Vec<(Piece, f64)> {
+        let link = Piece::Link { force_n: 30.0, reach_m: 0.25 };
+        let cubic = Piece::Cubic { from_m: 0.1, c: [3.0, 40.0, -50.0, 600.0] };
+        let steep = power(1e3, 1.7, 1.0);
+        let (low_m, high_m) = ([0.0; 2], [0.2; 2]);
+        let series = |a: Piece, b: Piece| Piece::Series { laws: Box::new([a, b]), low_m, high_m };
+        vec![
+            (cubic.clone(), 0.14),
+            (link.clone(), -0.1),
+            (link.clone(), 0.0),
+            (power(5e2, 0.6, -1.0), -0.2),
+            (power(5e2, 4.0, 1.0), 0.3),
+            (Piece::Parallel(Box::new([cubic, link.clone()])), 0.13),
+            (series(link.clone(), Piece::line(0.0, 0.0, 200.0)), 0.2),
+            (series(link, steep), 0.2),
+        ]
+    }
+
+    #[test]
+    fn force_is_the_slope_of_the_energy_and_tangent_that_of_the_force() {
+        for (piece, x) in pieces() {
+            let h = 1e-5;
+            let slope = |f: &dyn Fn(f64) -> f64| (f(x + h) - f(x - h)) / (2.0 * h);
+            let (force, tangent) = (slope(&|x| piece.energy(x)), slope(&|x| piece.force(x)));
+            assert!((force - piece.force(x)).abs() < 1e-6 * (1.0 + force.abs()), "{piece:?}");
+            assert!((tangent / piece.tangent(x) - 1.0).abs() < 1e-6, "{piece:?}");
+        }
+    }
+
+    #[test]
+    fn the_series_is_the_force_a_little_farther_on() {
+        for (piece, x) in pieces() {
+            let jet: [f64; 17] = piece.jet(x);
+            for step in [-0.015, 0.01, 0.015] {
+                let (sum, force) = (evaluate(&jet, step), piece.force(x + step));
+                assert!((sum - force).abs() < 1e-11 * (1.0 + force.abs()), "{piece:?} {step}");
+            }
+        }
+    }
+
+    #[test]
+    fn springs_in_series_carry_the_same_force() {
+        for (piece, x) in pieces() {
+            if let Piece::Series { laws, .. } = &piece {
+                let first = piece.split(x);
+                let (a, b) = (laws[0].force(first), laws[1].force(x - first));
+                assert!((a / b - 1.0).abs() < 1e-13, "{a} {b}");
+            }
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! The spring as a run sees it: a power law, whose answers are closed forms, or a curve of any shape.
+//!
+//! Power laws keep their own way through the program, compiled for themselves; nothing here costs them more than a
+//! comparison.
+
+use std::sync::Arc;
+
+use crate::model::mechanism::curve::Curve;
+use crate::model::mechanism::piece::Piece;
+use crate::model::mechanism::{PowerKind, PowerLaw, combine, kinds};
+use crate::model::scene::{self, Combination};
+use crate::numerics::larger;
+
+/// The force law of all springs together.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Spring {
+    /// One power law: absent where its coefficient is zero.
+    Power(PowerLaw),
+    /// Any other law.
+    Curve(Arc<Curve>),
+}
+
+/// The force law within one stretch, as the equations of motion take it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Elastic<'a> {
+    /// A power law.
+    Power(PowerLaw),
+    /// An analytic stretch of a curve.
+    Piece(&'a Piece),
+}
+
+impl Spring {
+    /// The law of a valid scene's mechanism, whatever the mount.
+    pub fn of(mechanism: &scene::Mechanism) -> Self {
+        let alone = |spring: &scene::Spring| {
+            let law = kinds::power_law(spring);
+            law.map_or_else(|| Self::Curve(Arc::new(kinds::curve(spring))), Self::Power)
+        };
+        let (first, second) = (&mechanism.spring, &mechanism.second);
+        match mechanism.combination {
+            Combination::Alone => alone(first),
+            Combination::Parallel if is_nothing(second) => alone(first),
+            Combination::Parallel if is_nothing(first) => alone(second),
+            Combination::Parallel => Self::Curve(Arc::new(combine::parallel(
+                &kinds::curve(first),
+                &kinds::curve(second),
+            ))),
+            Combination::Series => {
+                Self::Curve(Arc::new(combine::series(&kinds::curve(first), &kinds::curve(second))))
+            }
+        }
+    }
+
+    /// No spring.
+    pub const NONE: Self = Self::Power(PowerLaw { coefficient: 0.0, exponent: 1.0 });
+
+    /// The power law, where it is one.
+    pub fn power(&self) -> Option<PowerLaw> {
+        match self {
+            Self::Power(law) => Some(*law),
+            Self::Curve(_) => None,
+        }
+    }
+
+    /// The curve, where it is one.
+    pub fn curve(&self) -> Option<&Curve> {
+        match self {
+            Self::Power(_) => None,
+            Self::Curve(curve) => Some(curve),
+        }
+    }
+
+    /// Whether there is no spring at all.
+    pub fn is_absent(&self) -> bool {
+        matches!(self, Self::Power(law) if law.coefficient == 0.0)
+    }
+
+    /// Whether it is a power law that cannot be expanded at zero.
+    pub fn is_singular(&self) -> bool {
+        matches!(self, Self::Power(law) if law.kind() == PowerKind::General)
+    }
+
+    /// Force at x, N.
+    pub fn force(&self, x: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.force(x),
+            Self::Curve(curve) => curve.force(x),
+        }
+    }
+
+    /// dF/dx at x, N/m.
+    pub fn tangent(&self, x: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.tangent(x),
+            Self::Curve(curve) => curve.tangent(x),
+        }
+    }
+
+    /// Energy stored at x, J: zero at the lowest point.
+    pub fn energy(&self, x: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.integral(x),
+            Self::Curve(curve) => curve.energy(x),
+        }
+    }
+
+    /// The greatest energy stored between two displacements, J.
+    pub fn greatest_energy(&self, from_m: f64, to_m: f64) -> f64 {
+        match self {
+            Self::Power(law) => larger(law.integral(from_m), law.integral(to_m)),
+            Self::Curve(curve) => curve.greatest_energy(from_m, to_m),
+        }
+    }
+
+    /// How far forward a plate that is at x can go with this energy, m; infinite where nothing holds it.
+    pub fn forward(&self, x: f64, energy_j: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.at_integral(energy_j),
+            Self::Curve(curve) => curve.forward(x, energy_j),
+        }
+    }
+
+    /// How far back of neutral it can go, m, positive backwards; infinite where nothing holds it.
+    pub fn backward(&self, x: f64, energy_j: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.at_integral(energy_j),
+            Self::Curve(curve) => -curve.backward(x, energy_j),
+        }
+    }
+
+    /// The displacement forward at which the force is this, m; infinite where it never is.
+    pub fn at_force(&self, force_n: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.at_force(force_n),
+            Self::Curve(curve) => curve.at_force(force_n.abs(), 1.0),
+        }
+    }
+
+    /// The greatest force against the plate on the way from x with this energy, N, >= 0.
+    pub fn greatest_push(&self, x: f64, energy_j: f64, reach_m: f64) -> f64 {
+        match self {
+            Self::Power(law) => {
+                if reach_m.is_finite() {
+                    law.force(reach_m)
+                } else {
+                    0.0
+                }
+            }
+            Self::Curve(curve) => curve.forces_between(curve.backward(x, energy_j), reach_m).1,
+        }
+    }
+
+    /// The greatest force forward on the way from x with this energy, N, >= 0.
+    pub fn greatest_pull(&self, x: f64, energy_j: f64) -> f64 {
+        match self {
+            Self::Power(law) => {
+                let back = law.at_integral(energy_j);
+                if back.is_finite() { law.force(back) } else { 0.0 }
+            }
+            Self::Curve(curve) => {
+                let (back, far) = (curve.backward(x, energy_j), curve.forward(x, energy_j));
+                -curve.forces_between(back, far).0
+            }
+        }
+    }
+}
+
+/// Whether a spring is a power law without force.
+fn is_nothing(spring: &scene::Spring) -> bool {
+    kinds::power_law(spring).is_some_and(|law| law.coefficient == 0.0)
+}
+
+impl Elastic<'_> {
+    /// Force at x, N.
+    pub fn force(self, x: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.force(x),
+            Self::Piece(piece) => piece.force(x),
+        }
+    }
+
+    /// dF/dx at x, N/m.
+    pub fn tangent(self, x: f64) -> f64 {
+        match self {
+            Self::Power(law) => law.tangent(x),
+            Self::Piece(piece) => piece.tangent(x),
+        }
+    }
+}

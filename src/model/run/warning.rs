@@ -1,0 +1,105 @@
+//! What a careful reader should know about a run, in sentences.
+
+use std::fmt;
+
+use crate::model::interaction::ModelNote;
+use crate::model::mechanism::load::Limit;
+use crate::model::run::EndReason;
+use crate::model::units;
+
+/// What a careful reader should know about a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Warning {
+    /// Fused, the interface was asked to push harder than its strength; penetration would resume.
+    InterfacePush {
+        /// Greatest N/(A `S_y`).
+        ratio: f64,
+        /// When the limit was first exceeded, s.
+        t_s: f64,
+    },
+    /// Fused, the interface was asked to pull harder than its grip; the projectile would be pulled out.
+    InterfacePull {
+        /// Greatest -N/(g A `S_y`).
+        ratio: f64,
+        /// When the limit was first exceeded, s.
+        t_s: f64,
+    },
+    /// The interface has no strength at all, so no ratio exists.
+    InterfaceWithoutStrength,
+    /// Plastic: penetration went on after the first arrest.
+    PenetrationResumed {
+        /// When it first did, s.
+        t_s: f64,
+    },
+    /// The energy ledger does not close as well as it should.
+    EnergyDrift {
+        /// Relative residual.
+        residual: f64,
+    },
+    /// The run ended early.
+    EndedEarly(EndReason),
+    /// The rigid mount, too, is perforated: there is no baseline to compare with.
+    NoBaseline,
+    /// What the interaction model does not contain.
+    Model(ModelNote),
+    /// A spring went beyond where its law is good.
+    Limit(Limit),
+    /// A plate of a stack travels farther than the gap behind it.
+    PlateMeetsNext {
+        /// The plate, 0 for the first.
+        plate: usize,
+        /// How far it goes, m.
+        travel_m: f64,
+        /// The gap, m.
+        gap_m: f64,
+    },
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InterfacePush { ratio, t_s } => write!(
+                f,
+                "the fused interface is asked for {ratio:.3} times the A S_y it can push, first at t = {:.4} ms: penetration would \
+                 resume; try interface = plastic",
+                t_s * 1e3
+            ),
+            Self::InterfacePull { ratio, t_s } => write!(
+                f,
+                "the fused interface is asked for {ratio:.3} times the g A S_y it can pull (grip g is an assumption), first at \
+                 t = {:.4} ms: the projectile would be pulled out; try interface = plastic",
+                t_s * 1e3
+            ),
+            Self::InterfaceWithoutStrength => {
+                f.write_str("the interface has no strength (S_y = 0): no demand ratio exists")
+            }
+            Self::PenetrationResumed { t_s } => write!(
+                f,
+                "penetration resumed after the first arrest, at t = {:.4} ms: the final depth is not the first",
+                t_s * 1e3
+            ),
+            Self::EnergyDrift { residual } => {
+                write!(f, "the energy ledger is off by {residual:.1e} of the energy at the start")
+            }
+            Self::EndedEarly(reason) => f.write_str(reason.words()),
+            Self::Model(note) => f.write_str(&note.words()),
+            Self::PlateMeetsNext { plate, travel_m, gap_m } => write!(
+                f,
+                "plate {} travels {} m, farther than the gap of {} m behind it: plates that meet are not in the model",
+                plate + 1,
+                units::significant(*travel_m, 4),
+                units::significant(*gap_m, 4)
+            ),
+            Self::Limit(limit) => write!(
+                f,
+                "a spring is displaced by {} m, beyond {} m, where {}",
+                units::significant(limit.asked_m, 4),
+                units::significant(limit.limit_m, 4),
+                limit.what
+            ),
+            Self::NoBaseline => f.write_str(
+                "the same shot perforates the plate on a rigid mount, too: there is no baseline depth",
+            ),
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! A stack of elements: the projectile that perforates one goes on to the next with the velocity it has left, and at last
+//! into a base plate on a rigid mount. Thesis section 6.2.8, arrays "upward out of the plane of a base armor plate".
+//!
+//! Its mass and its nose stay what they are, and plates do not touch each other: a plate that travels farther than the gap
+//! behind it is told about, not computed.
+
+use std::sync::Arc;
+
+use crate::model::impact::{self, Observer, Settings};
+use crate::model::run::{Outcome, Run, Warning};
+use crate::model::scene::{Closure, Layer, Mount, Scene, Stack};
+use crate::model::variables::VariableError;
+
+/// What became of a shot into a stack.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackRun {
+    /// The elements after the first that were struck, in order; the base plate, where it was, at the end.
+    pub behind: Vec<Arc<Run>>,
+    /// How many elements there are, the base plate not counted.
+    pub elements: usize,
+    /// What became of the shot in the last that was struck.
+    pub outcome: Outcome,
+    /// Thickness perforated along the shot's line, and the depth in what stopped it, m; `None` where nothing did.
+    pub penetration_m: Option<f64>,
+    /// Velocity behind a perforated base plate, m/s.
+    pub residual_velocity_m_s: Option<f64>,
+}
+
+impl StackRun {
+    /// How many plates were perforated, the base plate included.
+    pub fn passed(&self) -> usize {
+        // The first was passed exactly when another was struck.
+        let struck = self.behind.len() + 1;
+        if self.outcome == Outcome::Perforated { struck } else { struck - 1 }
+    }
+
+    /// The name of the plate with this number, 0 for the first.
+    pub fn name(&self, plate: usize) -> String {
+        if plate < self.elements {
+            format!("element {}", plate + 1)
+        } else {
+            "base plate".to_owned()
+        }
+    }
+
+    /// The sentence: `stopped in element 2 of 3, 31.20 mm in all`.
+    pub fn sentence(&self) -> String {
+        let last = self.name(self.behind.len());
+        match (self.outcome, self.penetration_m) {
+            (Outcome::Arrested, Some(depth)) => {
+                format!("stack: stopped in the {last}, {:.4} mm in all", depth * 1e3)
+            }
+            (Outcome::Separated, Some(depth)) => {
+                format!("stack: thrown back by the {last}, {:.4} mm in all", depth * 1e3)
+            }
+            (Outcome::Perforated, _) => "stack: perforated, base plate and all".to_owned(),
+            (Outcome::Arrested | Outcome::Separated | Outcome::Moving, _) => {
+                format!("stack: undecided in the {last}")
+            }
+        }
+    }
+}
+
+/// Follow the shot behind the scene's own plate, whose run is `first`; `None` where the scene is no stack. Warnings about the
+/// stack are added to `first`.
+///
+/// # Errors
+/// A [`VariableError`] when an element makes no physical sense by itself.
+pub fn follow(
+    scene: &Scene,
+    first: &mut Run,
+    settings: Settings,
+    observer: Observer<'_>,
+) -> Result<Option<StackRun>, VariableError> {
+    if scene.stack.base_thickness_m.is_none() {
+        return Ok(None);
+    }
+    let plates = plates(scene);
+    let elements = plates.len() - 1;
+    let mut behind: Vec<Arc<Run>> = Vec::new();
+    let mut passed_m = 0.0;
+    for plate in plates.into_iter().skip(1) {
+        let last = behind.last().map_or(&*first, |run| run);
+        let Some(velocity) = goes_on(last) else {
+            break;
+        };
+        passed_m += last.scene.effective_thickness_m();
+        let mut own = plate;
+        own.projectile.velocity_m_s = velocity;
+        behind.push(Arc::new(impact::simulate(&Arc::new(own), &settings, observer)?));
+    }
+    warn_of_gaps(scene, first, &behind, elements);
+    let last = behind.last().map_or(&*first, |run| run);
+    let residual_velocity_m_s = goes_on(last);
+    // A plate that swings over the projectile has stopped it, if from behind.
+    let caught = last.outcome == Outcome::Perforated && residual_velocity_m_s.is_none();
+    let outcome = match last.outcome {
+        Outcome::Perforated if caught && last.end.is_complete() => Outcome::Separated,
+        other => other,
+    };
+    let depth_m = match outcome {
+        Outcome::Separated if caught => Some(last.scene.effective_thickness_m()),
+        Outcome::Arrested | Outcome::Separated => last.final_penetration_m,
+        Outcome::Perforated | Outcome::Moving => None,
+    };
+    Ok(Some(StackRun {
+        elements,
+        outcome,
+        penetration_m: depth_m.map(|depth_m| passed_m + depth_m),
+        residual_velocity_m_s,
+        behind,
+    }))
+}
+
+/// The velocity with which the projectile goes on behind a plate, m/s; `None` where it does not.
+fn goes_on(run: &Run) -> Option<f64> {
+    let through = run.outcome == Outcome::Perforated && run.end.is_complete();
+    run.residual_velocity_m_s.filter(|velocity| through && *velocity > 0.0)
+}
+
+/// The scene of each plate in order, the base plate last, all with the first one's shot.
+pub fn plates(scene: &Scene) -> Vec<Scene> {
+    let alone = Scene { stack: Stack::default(), sweep: None, ..scene.clone() };
+    // A validated scene has a whole number of elements, 1 to 50.
+    let copies = (1..=50).take_while(|count| f64::from(*count) <= scene.stack.elements).count();
+    let mut plates = vec![alone.clone(); copies];
+    for Layer { target, plate, mechanism } in &scene.stack.layers {
+        let mut own = alone.clone();
+        (own.target, own.plate, own.mechanism) = (*target, *plate, mechanism.clone());
+        plates.push(own);
+    }
+    let mut base = alone;
+    base.plate.mount = Mount::Rigid;
+    base.plate.cocking_m = 0.0;
+    base.mechanism.stop.position_m = None;
+    base.target.thickness_m = scene.stack.base_thickness_m.unwrap_or(base.target.thickness_m);
+    if let Some(strength_pa) = scene.stack.base_strength_pa {
+        base.target.closure = Closure::Given;
+        base.target.flow_strength_pa = strength_pa;
+    }
+    plates.push(base);
+    plates
+}
+
+fn warn_of_gaps(scene: &Scene, first: &mut Run, behind: &[Arc<Run>], elements: usize) {
+    let Some(gap_m) = scene.stack.gap_m else {
+        return;
+    };
+    let runs = std::iter::once(first.max_plate_displacement_m)
+        .chain(behind.iter().map(|run| run.max_plate_displacement_m));
+    let far: Vec<(usize, f64)> = runs
+        .take(elements)
+        .enumerate()
+        .filter_map(|(plate, travel)| Some((plate, travel.filter(|travel| *travel > gap_m)?)))
+        .collect();
+    for (plate, travel_m) in far {
+        first.warnings.push(Warning::PlateMeetsNext { plate, travel_m, gap_m });
+    }
+}

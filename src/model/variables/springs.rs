@@ -1,0 +1,201 @@
+//! Which rows of the springs matter to which kind, and the rules between their values.
+
+use super::VariableError;
+use crate::model::mechanism::{Spring, curve_of, power_law_of};
+use crate::model::scene::{self, Combination, ContactModel, Mount, OwnMass, Scene, SpringKind};
+use crate::model::units;
+
+/// Most points of a table: a measurement has fewer, and each is an event of the run.
+const POINTS_MAX: usize = 2_000;
+
+/// Whether there is a spring at all.
+pub(super) fn acts(mechanism: &scene::Mechanism) -> bool {
+    mechanism.combination != Combination::Alone
+        || power_law_of(&mechanism.spring).is_none_or(|law| law.coefficient > 0.0)
+}
+
+/// Whether a key belongs to one of the springs.
+pub(super) fn is_row(key: &str) -> bool {
+    split(key).is_some()
+}
+
+/// The spring's own part of a key, and whether it is the second spring's.
+fn split(key: &str) -> Option<(&str, bool)> {
+    let first = key.strip_prefix("mechanism.spring.").map(|rest| (rest, false));
+    first.or_else(|| key.strip_prefix("mechanism.second.").map(|rest| (rest, true)))
+}
+
+/// Whether a row has any effect on the scene's run.
+pub(super) fn is_used(key: &str, scene: &Scene) -> bool {
+    let Some((row, second)) = split(key) else {
+        return false;
+    };
+    let spring = if second { &scene.mechanism.second } else { &scene.mechanism.spring };
+    is_listed(key, scene)
+        && match (spring.kind, row) {
+            (SpringKind::PowerLaw, "exponent") => spring.coefficient > 0.0,
+            (SpringKind::Normalised, "exponent") => spring.normalised.force_n > 0.0,
+            _ => true,
+        }
+}
+
+/// Whether a list shows a row at all: what belongs to another kind is not even dimmed.
+pub(super) fn is_listed(key: &str, scene: &Scene) -> bool {
+    let Some((row, second)) = split(key) else {
+        return true;
+    };
+    let mechanism = &scene.mechanism;
+    if second && mechanism.combination == Combination::Alone {
+        return false;
+    }
+    let spring = if second { &mechanism.second } else { &mechanism.spring };
+    let kind = spring.kind;
+    let counted = spring.own_mass == OwnMass::Counted;
+    match row {
+        "kind" | "own_mass" => true,
+        "coefficient" => kind == SpringKind::PowerLaw,
+        "exponent" => matches!(kind, SpringKind::PowerLaw | SpringKind::Normalised),
+        "count" => kind != SpringKind::PowerLaw || !spring.is_single(),
+        "mass_kg" => counted || spring.mass_kg.is_some(),
+        row if row.starts_with("wire.") => counted && !kind.is_beam() && spring.mass_kg.is_none(),
+        row => match row.split('.').next() {
+            Some("normalised") => kind == SpringKind::Normalised,
+            Some("beam") => kind.is_beam(),
+            Some("bistable") => kind == SpringKind::Bistable,
+            Some("constant") => kind == SpringKind::ConstantForce,
+            Some("column") => kind == SpringKind::Column,
+            Some("helix") => kind == SpringKind::Helix,
+            _ => true,
+        },
+    }
+}
+
+/// The rules between the values of the springs, and between them and the rest of the scene.
+pub(super) fn check(scene: &Scene) -> Result<(), VariableError> {
+    if scene.plate.mount == Mount::Rigid {
+        return Ok(());
+    }
+    let mechanism = &scene.mechanism;
+    check_one(&mechanism.spring, "mechanism.spring")?;
+    if mechanism.combination != Combination::Alone {
+        check_one(&mechanism.second, "mechanism.second")?;
+    }
+    if mechanism.combination == Combination::Series {
+        check_rising(&mechanism.spring, "mechanism.spring")?;
+        check_rising(&mechanism.second, "mechanism.second")?;
+    }
+    check_model(scene)
+}
+
+/// A refusal of values that make no sense together.
+fn refuse(text: String) -> Result<(), VariableError> {
+    Err(VariableError::Together(text))
+}
+
+fn check_one(spring: &scene::Spring, table: &str) -> Result<(), VariableError> {
+    match spring.kind {
+        SpringKind::Bistable => {
+            let (second, unstable) = (spring.bistable.second_m, spring.bistable.unstable_m);
+            match unstable {
+                Some(unstable) if unstable >= second => refuse(format!(
+                    "x_u ({table}.bistable.unstable_m) = {} m does not lie between the stable positions 0 and x_2 = {} m: it \
+                     must be less than x_2; reduce it, or write `midway`",
+                    units::shortest(unstable),
+                    units::shortest(second)
+                )),
+                _ => Ok(()),
+            }
+        }
+        SpringKind::Table => check_points(&spring.table.points, table),
+        SpringKind::PowerLaw
+        | SpringKind::Normalised
+        | SpringKind::Cantilever
+        | SpringKind::FixedGuided
+        | SpringKind::ConstantForce
+        | SpringKind::Column
+        | SpringKind::Helix => Ok(()),
+    }
+}
+
+/// A table's rules: enough points, finite, and rising in x.
+pub(super) fn check_points(points: &[[f64; 2]], table: &str) -> Result<(), VariableError> {
+    let count = points.len();
+    if !(2..=POINTS_MAX).contains(&count) {
+        return refuse(format!(
+            "{table}.table has {count} points: it must have 2 to {POINTS_MAX}; write points = [[x, F], ...] in m and N, or \
+             file = \"curve.csv\""
+        ));
+    }
+    if let Some(at) = points.iter().position(|point| !point.iter().all(|value| value.is_finite())) {
+        return refuse(format!(
+            "{table}.table: point {} is not finite: every x (m) and F (N) must be a number; remove the point",
+            at + 1
+        ));
+    }
+    if let Some(at) = points.windows(2).position(|pair| pair[1][0] <= pair[0][0]) {
+        return refuse(format!(
+            "{table}.table: x = {} m of point {} does not exceed x = {} m of the point before it: a table must rise in x; sort \
+             the points and leave only one at each x",
+            units::shortest(points[at + 1][0]),
+            at + 2,
+            units::shortest(points[at][0])
+        ));
+    }
+    Ok(())
+}
+
+/// In series each force must belong to one displacement.
+fn check_rising(spring: &scene::Spring, table: &str) -> Result<(), VariableError> {
+    if curve_of(spring).is_rising() {
+        return Ok(());
+    }
+    refuse(format!(
+        "combine (mechanism.combination) = series needs a force that rises everywhere, and that of {table} (kind = {}) does \
+         not: take another kind or a coefficient above 0, or combine = parallel",
+        spring.kind.word()
+    ))
+}
+
+fn check_model(scene: &Scene) -> Result<(), VariableError> {
+    let model = scene.contact.model;
+    let mechanism = &scene.mechanism;
+    let listing = model == ContactModel::Appendix && !mechanism.is_plain();
+    let curved = model != ContactModel::Hydrodynamic && Spring::of(mechanism).curve().is_some();
+    if !listing && !curved {
+        return Ok(());
+    }
+    refuse(format!(
+        "model (contact.model) = {} is made for a power law, and {} is none: set model = hydrodynamic, or spring = power-law{}",
+        model.word(),
+        described(mechanism),
+        if listing { ", combine = alone, own_mass = ignored" } else { " and combine = alone" }
+    ))
+}
+
+/// The mechanism in a few words, for refusals.
+fn described(mechanism: &scene::Mechanism) -> String {
+    let kind = mechanism.spring.kind.word();
+    let own = if mechanism.spring.own_mass == OwnMass::Counted { " with its own mass" } else { "" };
+    match mechanism.combination {
+        Combination::Alone => format!("spring (mechanism.spring.kind) = {kind}{own}"),
+        Combination::Parallel => {
+            format!("{kind} in parallel with {}", mechanism.second.kind.word())
+        }
+        Combination::Series => format!("{kind} in series with {}", mechanism.second.kind.word()),
+    }
+}
+
+/// For studies that compare methods on the thesis's own mechanism.
+///
+/// # Errors
+/// [`VariableError::Together`] when the scene has another one.
+pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
+    if scene.plate.mount == Mount::Rigid || scene.mechanism.is_plain() {
+        return Ok(());
+    }
+    refuse(format!(
+        "{} is not for this study, whose other methods know only the power law k |x|^n: set spring = power-law, combine = \
+         alone, own_mass = ignored, N_spring = 1",
+        described(&scene.mechanism)
+    ))
+}

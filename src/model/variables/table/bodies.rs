@@ -1,0 +1,183 @@
+//! What strikes, and what is struck.
+
+use super::{TABLE_9_1, TABLE_9_2};
+use crate::model::scene::{Closure, Mount};
+use crate::model::units::Quantity;
+use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
+
+/// Projectile, target and plate.
+pub(super) const ROWS: &[Variable] = &[
+    Variable {
+        key: "projectile.mass_kg",
+        symbol: "m_p",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "projectile mass",
+        source: TABLE_9_1,
+        kind: number!(Mass, Allowed::Positive, None, Linear, projectile.mass_kg),
+    },
+    Variable {
+        key: "projectile.tip_radius_m",
+        symbol: "R",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "radius of the hemispherical tip and of the body behind it",
+        source: TABLE_9_1,
+        kind: number!(Length, Allowed::Positive, None, Linear, projectile.tip_radius_m),
+    },
+    Variable {
+        key: "projectile.velocity_m_s",
+        symbol: "v_i",
+        aliases: &["vi"],
+        group: Group::Projectile,
+        meaning: "impact velocity",
+        source: TABLE_9_1,
+        kind: number!(Velocity, Allowed::Positive, None, Linear, projectile.velocity_m_s),
+    },
+    Variable {
+        key: "projectile.obliquity_deg",
+        symbol: "theta",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "obliquity, between the projectile's axis and the plate's normal",
+        source: "thesis Appendix A.1; 0 throughout chapter 9",
+        kind: number!(Angle, Allowed::Below(0.0, 90.0), None, Linear, projectile.obliquity_deg),
+    },
+    Variable {
+        key: "projectile.density_kg_m3",
+        symbol: "rho_p",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "projectile density, for the warning of ricochet alone",
+        source: "assumption: steel",
+        kind: number!(Density, Allowed::Positive, None, Linear, projectile.density_kg_m3),
+    },
+    Variable {
+        key: "projectile.strength_pa",
+        symbol: "Y_p",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "projectile strength, for the warning of ricochet alone",
+        source: "assumption: 1 GPa",
+        kind: number!(Pressure, Allowed::Positive, None, Linear, projectile.strength_pa),
+    },
+    Variable {
+        key: "target.thickness_m",
+        symbol: "h",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "plate thickness",
+        source: TABLE_9_1,
+        kind: number!(Length, Allowed::Positive, None, Linear, target.thickness_m),
+    },
+    Variable {
+        key: "target.density_kg_m3",
+        symbol: "rho",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "plate density",
+        source: "thesis Table 9.1 (the Appendix has 2780)",
+        kind: number!(Density, Allowed::Positive, None, Linear, target.density_kg_m3),
+    },
+    Variable {
+        key: "target.flow_strength_pa",
+        symbol: "S_y",
+        aliases: &["Sy"],
+        group: Group::Target,
+        meaning: "dynamic flow strength of the plate",
+        source: "thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6",
+        kind: number!(Pressure, Allowed::NonNegative, None, Linear, target.flow_strength_pa),
+    },
+    Variable {
+        key: "target.closure",
+        symbol: "closure",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
+        source: "given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))",
+        kind: Kind::Choice(Choice {
+            words: &["given", "double-yield", "cavity"],
+            get: |scene| match scene.target.closure {
+                Closure::Given => 0,
+                Closure::DoubleYield => 1,
+                Closure::Cavity => 2,
+            },
+            set: |scene, index| {
+                scene.target.closure =
+                    [Closure::Given, Closure::DoubleYield, Closure::Cavity][index.min(2)];
+            },
+        }),
+    },
+    Variable {
+        key: "target.yield_pa",
+        symbol: "Y",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "static yield strength, for a closure",
+        source: "thesis Appendix A.1: 75.8 MPa",
+        kind: number!(Pressure, Allowed::Positive, None, Linear, target.yield_pa),
+    },
+    Variable {
+        key: "target.modulus_pa",
+        symbol: "E",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "modulus of elasticity, for the closure by cavity expansion",
+        source: "aluminium 2024; the thesis needs none",
+        kind: number!(Pressure, Allowed::Positive, None, Linear, target.modulus_pa),
+    },
+    Variable {
+        key: "target.drag_coefficient",
+        symbol: "C_d",
+        aliases: &["Cd"],
+        group: Group::Target,
+        meaning: "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
+        source: TABLE_9_1,
+        kind: number!(Number, Allowed::NonNegative, None, Linear, target.drag_coefficient),
+    },
+    Variable {
+        key: "target.dishing",
+        symbol: "dishing",
+        aliases: &[],
+        group: Group::Target,
+        meaning: "the plate's local bulge takes up about one projectile diameter of travel",
+        source: "thesis section 8.3.1 and Appendix A.2",
+        kind: Kind::Switch {
+            get: |scene| scene.target.dishing,
+            set: |scene, on| scene.target.dishing = on,
+        },
+    },
+    Variable {
+        key: "plate.mount",
+        symbol: "mount",
+        aliases: &[],
+        group: Group::Plate,
+        meaning: "sprung: carried by spring and damper; rigid: it cannot move",
+        source: "thesis section 9.3 (rigid: the baseline)",
+        kind: Kind::Choice(Choice {
+            words: &["sprung", "rigid"],
+            get: |scene| usize::from(scene.plate.mount == Mount::Rigid),
+            set: |scene, index| {
+                scene.plate.mount = if index == 0 { Mount::Sprung } else { Mount::Rigid };
+            },
+        }),
+    },
+    Variable {
+        key: "plate.mass_ratio",
+        symbol: "gamma",
+        aliases: &[],
+        group: Group::Plate,
+        meaning: "mass ratio, plate mass over projectile mass",
+        source: TABLE_9_2,
+        kind: number!(Number, Allowed::Positive, Some((0.8, 7.0)), Linear, plate.mass_ratio),
+    },
+    Variable {
+        key: "plate.cocking_m",
+        symbol: "d",
+        aliases: &[],
+        group: Group::Plate,
+        meaning: "cocking distance: the plate starts at x = -d, at rest",
+        source: TABLE_9_2,
+        kind: number!(Length, Allowed::NonNegative, Some((0.0, 0.5)), Linear, plate.cocking_m),
+    },
+];

@@ -1,0 +1,152 @@
+//! Damper, the way two springs act together, and stop.
+
+use super::TABLE_9_2;
+use crate::model::scene::{Combination, StopKind};
+use crate::model::units::Quantity;
+use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
+
+/// The damper.
+pub(super) const DAMPER: &[Variable] = &[
+    Variable {
+        key: "mechanism.damper.coefficient",
+        symbol: "b",
+        aliases: &[],
+        group: Group::Mechanism,
+        meaning: "damper coefficient: the damper's force is b |w|^m sgn(w)",
+        source: TABLE_9_2,
+        kind: number!(
+            DamperCoefficient,
+            Allowed::NonNegative,
+            Some((0.0, 2000.0)),
+            Log,
+            mechanism.damper.coefficient
+        ),
+    },
+    Variable {
+        key: "mechanism.damper.exponent",
+        symbol: "m",
+        aliases: &[],
+        group: Group::Mechanism,
+        meaning: "damper exponent",
+        source: "thesis section 9.2.2: 1",
+        kind: number!(Number, Allowed::Positive, None, Log, mechanism.damper.exponent),
+    },
+];
+
+/// Whether there is a second spring.
+pub(super) const COMBINATION: &[Variable] = &[Variable {
+    key: "mechanism.combination",
+    symbol: "combine",
+    aliases: &[],
+    group: Group::Mechanism,
+    meaning: "whether a second spring acts with the first: none, side by side, or one behind the other",
+    source: "thesis section 6.2.8; one spring in chapter 9",
+    kind: Kind::Choice(Choice {
+        words: &["alone", "parallel", "series"],
+        get: |scene| match scene.mechanism.combination {
+            Combination::Alone => 0,
+            Combination::Parallel => 1,
+            Combination::Series => 2,
+        },
+        set: |scene, index| {
+            scene.mechanism.combination =
+                [Combination::Alone, Combination::Parallel, Combination::Series][index.min(2)];
+        },
+    }),
+}];
+
+/// The mechanical stop.
+pub(super) const STOP: &[Variable] = &[
+    Variable {
+        key: "mechanism.stop.position_m",
+        symbol: "x_stop",
+        aliases: &["stop"],
+        group: Group::Stop,
+        meaning: "where the plate meets a mechanical stop",
+        source: "thesis sections 9.5.1 and 9.6",
+        kind: optional!(Length, Allowed::Any, "none", mechanism.stop.position_m),
+    },
+    Variable {
+        key: "mechanism.stop.kind",
+        symbol: "stop_kind",
+        aliases: &[],
+        group: Group::Stop,
+        meaning: "rigid: an impact with restitution; elastic: a one-sided spring and damper",
+        source: "assumption: the thesis names no kind",
+        kind: Kind::Choice(Choice {
+            words: &["rigid", "elastic"],
+            get: |scene| usize::from(scene.mechanism.stop.kind == StopKind::Elastic),
+            set: |scene, index| {
+                scene.mechanism.stop.kind =
+                    if index == 0 { StopKind::Rigid } else { StopKind::Elastic };
+            },
+        }),
+    },
+    Variable {
+        key: "mechanism.stop.restitution",
+        symbol: "e",
+        aliases: &[],
+        group: Group::Stop,
+        meaning: "restitution of a rigid stop: w becomes -e w",
+        source: "assumption",
+        kind: number!(Number, Allowed::Between(0.0, 1.0), None, Linear, mechanism.stop.restitution),
+    },
+    Variable {
+        key: "mechanism.stop.stiffness_n_m",
+        symbol: "k_stop",
+        aliases: &[],
+        group: Group::Stop,
+        meaning: "stiffness of an elastic stop",
+        source: "assumption",
+        kind: number!(Stiffness, Allowed::Positive, None, Log, mechanism.stop.stiffness_n_m),
+    },
+    Variable {
+        key: "mechanism.stop.damping_n_s_m",
+        symbol: "b_stop",
+        aliases: &[],
+        group: Group::Stop,
+        meaning: "damping of an elastic stop (it only pushes)",
+        source: "assumption",
+        kind: number!(Damping, Allowed::NonNegative, None, Log, mechanism.stop.damping_n_s_m),
+    },
+];
+
+/// What stands behind the plate.
+pub(super) const STACK: &[Variable] = &[
+    Variable {
+        key: "stack.base_thickness_m",
+        symbol: "h_base",
+        aliases: &["base"],
+        group: Group::Stack,
+        meaning: "thickness of a base plate behind the elements, on a rigid mount",
+        source: "thesis section 6.2.8; no value there. none: the plate stands alone",
+        kind: optional!(Length, Allowed::Positive, "none", stack.base_thickness_m),
+    },
+    Variable {
+        key: "stack.base_strength_pa",
+        symbol: "S_base",
+        aliases: &[],
+        group: Group::Stack,
+        meaning: "flow strength of the base plate",
+        source: "plate: that of the scene's plate",
+        kind: optional!(Pressure, Allowed::NonNegative, "plate", stack.base_strength_pa),
+    },
+    Variable {
+        key: "stack.elements",
+        symbol: "elements",
+        aliases: &[],
+        group: Group::Stack,
+        meaning: "how many equal elements, each a plate on its mechanism, stand one behind the other",
+        source: "thesis section 6.2.8; 1 throughout chapter 9",
+        kind: number!(Number, Allowed::Between(1.0, 50.0), None, Linear, stack.elements),
+    },
+    Variable {
+        key: "stack.gap_m",
+        symbol: "gap",
+        aliases: &[],
+        group: Group::Stack,
+        meaning: "clear distance behind each plate: a warning where a plate travels farther",
+        source: "none: enough",
+        kind: optional!(Length, Allowed::Positive, "none", stack.gap_m),
+    },
+];

@@ -1,0 +1,41 @@
+//! A stack as a table for people: the same lines on the command line and in the workbench.
+
+use crate::model::run::{Outcome, Run};
+use crate::model::stack::StackRun;
+use crate::model::units;
+
+/// The sentence, and a line for every plate that was struck, at most 76 columns wide.
+pub fn table(first: &Run, stack: &StackRun) -> Vec<String> {
+    let mut lines = vec![stack.sentence()];
+    if let Some(left) = stack.residual_velocity_m_s {
+        lines.push(format!("velocity left behind it {} m/s", units::fixed_significant(left, 5)));
+    }
+    lines.push(format!(
+        "{:<12}{:>11}  {:<11}{:>10}{:>12}{:>14}",
+        "plate", "impact m/s", "outcome", "depth mm", "leaves m/s", "plate goes mm"
+    ));
+    let plates = std::iter::once(first).chain(stack.behind.iter().map(|run| &**run));
+    for (plate, run) in plates.enumerate() {
+        let through = run.outcome == Outcome::Perforated;
+        let depth = run.final_penetration_m.filter(|_| !through).map(|depth| depth * 1e3);
+        let depth = if through { "through".to_owned() } else { number(depth) };
+        lines.push(format!(
+            "{:<12}{:>11}  {:<11}{:>10}{:>12}{:>14}",
+            stack.name(plate),
+            number(Some(run.scene.projectile.velocity_m_s)),
+            run.outcome.word(),
+            depth,
+            number(run.residual_velocity_m_s),
+            number(run.max_plate_displacement_m.map(|x| x * 1e3)),
+        ));
+    }
+    let left = stack.elements + 1 - (stack.behind.len() + 1);
+    if left > 0 {
+        lines.push(format!("{left} more behind, not reached"));
+    }
+    lines
+}
+
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| units::fixed_significant(value, 5))
+}

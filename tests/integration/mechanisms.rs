@@ -1,0 +1,361 @@
+//! Whole runs on every kind of mechanism, against closed forms and against each other.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use cmra::files::read;
+use cmra::model::impact::{Settings, simulate};
+use cmra::model::mechanism::Mechanism;
+use cmra::model::run::{Outcome, Run};
+use cmra::model::scene::{Scene, SpringKind};
+use cmra::model::units::Bare;
+use cmra::model::variables;
+
+fn scene(pairs: &str) -> Scene {
+    let mut scene = Scene::default();
+    for pair in pairs.split_whitespace() {
+        let (name, value) = pair.split_once('=').unwrap();
+        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+    }
+    scene
+}
+
+fn run(scene: Scene) -> Run {
+    simulate(&Arc::new(scene), &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap()
+}
+
+#[track_caller]
+fn assert_near(value: f64, exact: f64, tolerance: f64) {
+    assert!((value / exact - 1.0).abs() <= tolerance, "{value} is not {exact} to {tolerance:e}");
+}
+
+/// Depth, time, plate displacement and velocity at the first arrest, and the greatest displacement.
+fn outcome(run: &Run) -> [f64; 5] {
+    let arrest = run.first_arrest.unwrap();
+    [
+        arrest.penetration_m,
+        arrest.t_s,
+        arrest.plate_displacement_m,
+        arrest.plate_velocity_m_s,
+        run.max_plate_displacement_m.unwrap(),
+    ]
+}
+
+#[track_caller]
+fn assert_same(one: &Run, other: &Run, tolerance: f64) {
+    for (a, b) in outcome(one).into_iter().zip(outcome(other)) {
+        assert_near(a, b, tolerance);
+    }
+}
+
+#[test]
+fn a_straight_table_is_the_linear_spring() {
+    for start in ["", "d=0.02 ", "x_stop=0.01 ", "b=20 ", "v_i=150 gamma=3 "] {
+        let linear = run(scene(&format!("{start}k=1e5")));
+        assert_same(&run(scene(&format!("{start}spring=table"))), &linear, 1e-10);
+    }
+}
+
+#[test]
+fn two_linear_springs_are_one() {
+    let pair = |how: &str| run(scene(&format!("combine={how} k=1e5 k_2=3e5 d=0.004")));
+    assert_same(&pair("parallel"), &run(scene("k=4e5 d=0.004")), 1e-12);
+    assert_same(&pair("series"), &run(scene("k=7.5e4 d=0.004")), 1e-12);
+    // Two power laws of one exponent in parallel are one, too, and three equal ones are three times one.
+    let bent = run(scene("combine=parallel k=1e6 k_2=3e6 n=1.4 n_2=1.4"));
+    assert_same(&bent, &run(scene("k=4e6 n=1.4")), 1e-10);
+    assert_same(&run(scene("k=1e6 n=1.4 N_spring=3")), &run(scene("k=3e6 n=1.4")), 1e-13);
+}
+
+#[test]
+fn the_normalised_law_is_the_power_law_and_follows_its_reference() {
+    let k = 900.0 / 0.02f64.powf(1.4);
+    let power = run(scene(&format!("k={k} n=1.4")));
+    assert_same(&run(scene("spring=normalised F_ref=900 x_ref=0.02 n=1.4")), &power, 1e-12);
+}
+
+/// Energy is kept on every kind, forward and back, cocked or not, with a stop, damped, and after the projectile has gone.
+#[test]
+fn energy_is_kept_on_every_kind() {
+    let kinds = [
+        "normalised",
+        "prbm-cantilever",
+        "prbm-guided",
+        "bistable",
+        "constant",
+        "column",
+        "helix",
+        "table",
+    ];
+    let ways = [
+        "",
+        "d=0.013",
+        "horizon=0.02",
+        "d=0.013 horizon=0.02",
+        "x_stop=0.006 d=0.003 e=0.4",
+        "x_stop=0.006 stop_kind=elastic k_stop=3e6 b_stop=20",
+        "interface=plastic horizon=0.008",
+        "b=40 horizon=0.01",
+        "h=0.004 v_i=150",
+        "theta=0.4 tol=1e-11",
+    ];
+    for kind in kinds {
+        for more in ways {
+            let own = scene(&format!("spring={kind} {more} own_mass=counted m_spring=0.05"));
+            let run = run(own);
+            assert!(run.end.is_complete(), "{kind} {more}: {:?}", run.end);
+            let residual = run.ledger.residual();
+            assert!(residual.abs() < 2e-12, "{kind} {more}: {residual:e}");
+            let error = run.error_estimate.map_or(0.0, |estimate| estimate.relative);
+            assert!(error < 1e-8, "{kind} {more}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn energy_is_kept_on_combinations() {
+    for how in ["parallel", "series"] {
+        for first in ["prbm-cantilever", "prbm-guided", "table", "bistable", "column"] {
+            if how == "series" && matches!(first, "bistable" | "column") {
+                continue;
+            }
+            for second in ["n_2=1 k_2=2e5", "n_2=1.5 k_2=1e7", "n_2=0.7 k_2=2e4", "spring_2=table"]
+            {
+                for more in ["", "d=0.01 horizon=0.01"] {
+                    let own = scene(&format!("combine={how} spring={first} {second} {more}"));
+                    let run = run(own);
+                    let residual = run.ledger.residual();
+                    assert!(
+                        run.end.is_complete() && residual.abs() < 1e-10,
+                        "{how} {first} {second} {more}: {residual:e}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Fused on a constant force the motion is a parabola.
+#[test]
+fn a_constant_force_makes_a_parabola() {
+    let run = run(scene("spring=constant F_c=3000 x_c=0.0005 horizon=0.0008"));
+    let arrest = run.first_arrest.unwrap();
+    let (x, w) = (arrest.plate_displacement_m, arrest.plate_velocity_m_s);
+    assert!(x > 0.0005, "the force is constant by then");
+    let rate = 3000.0 / 0.059;
+    assert_near(run.max_plate_displacement_m.unwrap(), x + w * w / (2.0 * rate), 1e-12);
+    let mut compared = 0;
+    for row in run.series.iter().filter(|row| row.t_s > arrest.t_s) {
+        let t = row.t_s - arrest.t_s;
+        if row.plate_displacement_m > 0.0006 {
+            assert_near(row.plate_displacement_m, x + t * (w - 0.5 * rate * t), 1e-11);
+            assert!((row.plate_velocity_m_s - (w - rate * t)).abs() < 1e-9 * w);
+            compared += 1;
+        }
+    }
+    assert!(compared > 5, "{compared}");
+}
+
+/// At its turn all energy of the joined bodies is in the spring: K Theta²/2, and the quartic of the double well.
+#[test]
+fn the_turn_of_a_beam_and_of_a_double_well_is_a_balance_of_energies() {
+    let at_turn = |run: &Run, energy: &dyn Fn(f64) -> f64| {
+        let arrest = run.first_arrest.unwrap();
+        let (x, w) = (arrest.plate_displacement_m, arrest.plate_velocity_m_s);
+        let turn = run.max_plate_displacement_m.unwrap();
+        assert_near(energy(turn), energy(x) + 0.5 * 0.059 * w * w, 1e-12);
+        assert!(turn > 0.01, "{turn}");
+    };
+    let torsional = 0.85 * 2.65 * 113.8e9 * 0.03 * 0.015f64.powi(3) / 12.0 / 0.3;
+    at_turn(&run(scene("spring=prbm-cantilever")), &|x| {
+        0.5 * torsional * (x / (0.85 * 0.3)).asin().powi(2)
+    });
+    // F = C x (x - u)(x - s), u = s/2: the barrier is at x = s (1/2 - 1/sqrt(12)).
+    let s: f64 = 0.02;
+    let top = s * (0.5 - 1.0 / 12f64.sqrt());
+    let c = 1e3 / (top * (top - 0.5 * s) * (top - s));
+    at_turn(&run(scene("spring=bistable")), &|x| {
+        c * (x.powi(4) / 4.0 - 0.5 * s * x.powi(3) + 0.25 * s * s * x * x)
+    });
+}
+
+/// A plate that turns with its displacement answers as a heavier one.
+#[test]
+fn rotation_is_mass() {
+    // I_z twist² = 4e-6 * 50² = 0.01 kg.
+    let turning = run(scene("spring=helix k_helix=1e5 twist=50 I_z=4e-6"));
+    let heavy = run(scene(&format!("k=1e5 gamma={}", 1.0 + 0.01 / 0.0295)));
+    assert_same(&turning, &heavy, 1e-13);
+    let load = turning.mechanism;
+    assert_near(load.added_kg.unwrap(), 0.01, 1e-12);
+    let w = turning.first_arrest.unwrap().plate_velocity_m_s;
+    assert!(load.rotation_j.unwrap() >= 0.5 * 0.01 * w * w * (1.0 - 1e-12));
+    // A spring's own mass likewise: a third of 0.03 kg.
+    let counted = run(scene("k=1e5 own_mass=counted m_spring=0.03"));
+    assert_same(&counted, &heavy, 1e-13);
+}
+
+/// What lies beyond the first 5 mm of a column's or a table's law does not matter to a plate that turns before.
+#[test]
+fn below_the_onset_a_column_is_a_linear_spring() {
+    let column = run(scene("spring=column k_col=2e6 F_crit=20000 F_plat=100 v_i=60"));
+    let linear = run(scene("k=2e6 v_i=60"));
+    assert!(linear.max_plate_displacement_m.unwrap() < 0.01);
+    assert_same(&column, &linear, 1e-12);
+}
+
+#[test]
+fn a_soft_column_gives_way_at_its_onset() {
+    let run = run(scene("spring=column k_col=5e6 F_crit=5000 F_plat=3000 x_fall=0.002"));
+    let most = run.series.iter().map(|row| row.spring_force_n).fold(0.0, f64::max);
+    assert!(most <= 5000.0 * (1.0 + 1e-12) && most > 4900.0, "{most}");
+    let last = run.series.iter().find(|row| row.plate_displacement_m > 0.0031).unwrap();
+    assert_near(last.spring_force_n, 3000.0, 1e-12);
+}
+
+/// Impossible numbers never come out of any mixture: the run ends with a closed ledger or says why not.
+#[test]
+fn random_mechanisms_keep_their_energy() {
+    use cmra::numerics::random::Random;
+    let mut random = Random::new(20_070_401);
+    let kinds = SpringKind::ALL;
+    for _ in 0..300 {
+        let mut own = Scene::default();
+        let mechanism = &mut own.mechanism;
+        for spring in [&mut mechanism.spring, &mut mechanism.second] {
+            spring.kind = kinds[random.below(kinds.len())];
+            let mut scale = |value: &mut f64| *value *= 10f64.powf(2.0 * random.unit() - 1.0);
+            scale(&mut spring.coefficient);
+            scale(&mut spring.normalised.force_n);
+            scale(&mut spring.beam.length_m);
+            scale(&mut spring.bistable.second_m);
+            scale(&mut spring.bistable.barrier_n);
+            scale(&mut spring.constant.force_n);
+            scale(&mut spring.column.critical_n);
+            scale(&mut spring.column.plateau_n);
+            scale(&mut spring.column.fall_m);
+            spring.exponent = 0.4 + 2.0 * random.unit();
+        }
+        if random.unit() < 0.3 {
+            own.mechanism.combination = cmra::model::scene::Combination::Parallel;
+        }
+        own.plate.cocking_m = if random.unit() < 0.5 { 0.0 } else { 0.02 * random.unit() };
+        own.mechanism.damper.coefficient = if random.unit() < 0.5 { 0.0 } else { 200.0 };
+        own.projectile.velocity_m_s = 40.0 + 260.0 * random.unit();
+        let told = format!("{:?} {:?}", own.mechanism, own.plate);
+        let run = run(own);
+        assert!(run.end.is_complete(), "{:?}: {told}", run.end);
+        let residual = run.ledger.residual();
+        assert!(residual.abs() < 1e-9, "{residual:e}: {told}");
+    }
+}
+
+/// A sweep, a limit and a quick contact go the full way for every kind: their answers are those of a run.
+#[test]
+fn quick_ways_leave_curves_to_the_full_run() {
+    use cmra::model::first_contact::{Kernel, first_contact};
+    for kind in SpringKind::ALL {
+        let own = scene(&format!("spring={}", kind.word()));
+        let quick = first_contact(&Arc::new(own.clone())).unwrap();
+        let is_curve = Mechanism::of(&own).spring.curve().is_some();
+        assert_eq!(quick.kernel == Kernel::Full, is_curve, "{}", kind.word());
+        assert_near(quick.depth_m, run(own).first_arrest.unwrap().penetration_m, 1e-9);
+    }
+}
+
+#[test]
+fn cocked_mechanisms_push_the_plate_with_the_shot() {
+    for kind in ["prbm-cantilever", "prbm-guided", "constant", "table", "helix"] {
+        let rest = run(scene(&format!("spring={kind}")));
+        let cocked = run(scene(&format!("spring={kind} d=0.01")));
+        assert_eq!(cocked.outcome, Outcome::Arrested);
+        assert!(outcome(&cocked)[0] < outcome(&rest)[0], "{kind}");
+        assert!(cocked.ledger.initial_spring_j > 0.0, "{kind}");
+    }
+}
+
+#[test]
+fn what_makes_no_sense_is_refused_with_name_value_rule_and_cure() {
+    let refused = |pairs: &str| {
+        let own = scene(pairs);
+        variables::validate(&own).unwrap_err().to_string()
+    };
+    let cases = [
+        (
+            "spring=bistable x_2=0.01 x_u=0.02",
+            vec!["x_u", "0.02", "0.01", "less than x_2", "midway"],
+        ),
+        ("combine=series spring=constant", vec!["series", "constant", "rises", "parallel"]),
+        ("combine=series k_2=0", vec!["series", "mechanism.second", "coefficient above 0"]),
+        ("model=lumped spring=column", vec!["lumped", "column", "hydrodynamic"]),
+        ("model=appendix spring=helix", vec!["appendix", "helix", "power-law"]),
+        ("model=half-sine combine=parallel", vec!["half-sine", "in parallel", "alone"]),
+    ];
+    for (pairs, words) in cases {
+        let text = refused(pairs);
+        for word in words {
+            assert!(text.contains(word), "{pairs}: {text}");
+        }
+    }
+    let mut own = Scene::default();
+    let height = variables::find("mechanism.spring.beam.height_m").unwrap();
+    let text = height.set(&mut own, variables::Value::Number(0.0)).unwrap_err().to_string();
+    for word in ["h_beam", "mechanism.spring.beam.height_m", "= 0 m", "greater than 0 m", "0.015"] {
+        assert!(text.contains(word), "{text}");
+    }
+}
+
+#[test]
+fn a_table_that_does_not_rise_is_refused_at_its_place() {
+    let text = "format = 1\n[mechanism.spring]\nkind = \"table\"\n[mechanism.spring.table]\npoints = [[0.0, 0.0], [0.01, 5.0], [0.01, 7.0]]\n";
+    let told = read::scene(text, "own.toml").unwrap_err().to_string();
+    for word in
+        ["own.toml:", "mechanism.spring.table", "x = 0.01 m of point 3", "must rise", "sort"]
+    {
+        assert!(told.contains(word), "{told}");
+    }
+    let short = text.replace(", [0.01, 5.0], [0.01, 7.0]", "");
+    let told = read::scene(&short, "own.toml").unwrap_err().to_string();
+    assert!(told.contains("has 1 points: it must have 2"), "{told}");
+}
+
+#[test]
+fn a_measured_curve_is_read_from_its_file_and_kept_in_the_scene() {
+    let folder = std::env::temp_dir().join(format!("cmra-table-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("curve.csv"), "x_m,force_n\n0,0\n0.002,900\n0.01,1500\n").unwrap();
+    let path = folder.join("scene.toml");
+    let text = "format = 1\n[mechanism.spring]\nkind = \"table\"\ntable.file = \"curve.csv\"\n";
+    std::fs::write(&path, text).unwrap();
+    let own = read::scene_file(&path).unwrap();
+    assert_eq!(
+        own.mechanism.spring.table.points.as_ref(),
+        [[0.0, 0.0], [0.002, 900.0], [0.01, 1500.0]]
+    );
+    let written = cmra::files::write::fresh(&own);
+    assert_eq!(read::scene(&written, "elsewhere.toml").unwrap(), own, "{written}");
+    std::fs::write(folder.join("curve.csv"), "x_m,force_n\n0,0\n0.002;900\n").unwrap();
+    let told = read::scene_file(&path).unwrap_err().to_string();
+    for word in ["curve.csv", "line 3", "0.002;900", "0.01,1000"] {
+        assert!(told.contains(word), "{told}");
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn every_kind_is_written_and_read_without_loss() {
+    for kind in SpringKind::ALL {
+        for how in ["alone", "parallel"] {
+            let pairs = format!(
+                "spring={} combine={how} spring_2=table own_mass=counted h_beam_2=0.02 N_spring=3",
+                kind.word()
+            );
+            let own = scene(&pairs);
+            let text = cmra::files::write::fresh(&own);
+            assert_eq!(read::scene(&text, "own.toml").unwrap(), own, "{text}");
+            let plain = cmra::files::write::fresh(&Scene::default());
+            let updated = cmra::files::write::updated(&plain, "own.toml", &own).unwrap();
+            assert_eq!(read::scene(&updated, "own.toml").unwrap(), own, "{updated}");
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Stacks of elements: against closed forms, against the single run, and what is refused.
+
+use std::f64::consts::PI;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use cmra::files::{read, write};
+use cmra::model::impact::{Settings, simulate};
+use cmra::model::run::{Outcome, Run, Warning};
+use cmra::model::scene::Scene;
+use cmra::model::units::Bare;
+use cmra::model::variables;
+
+fn scene(pairs: &str) -> Scene {
+    let mut scene = Scene::default();
+    for pair in pairs.split_whitespace() {
+        let (name, value) = pair.split_once('=').unwrap();
+        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+    }
+    scene
+}
+
+fn run(scene: Scene) -> Run {
+    simulate(&Arc::new(scene), &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap()
+}
+
+#[track_caller]
+fn assert_near(value: f64, exact: f64, tolerance: f64) {
+    assert!((value / exact - 1.0).abs() <= tolerance, "{value} is not {exact} to {tolerance:e}");
+}
+
+#[test]
+fn a_stack_of_one_element_is_the_single_run() {
+    for pairs in ["k=1e5", "spring=column", "h=0.003 v_i=200", "k=1e6 n=1.4 d=0.01"] {
+        let single = run(scene(pairs));
+        let mut stacked = run(scene(&format!("{pairs} base=0.01")));
+        let stack = stacked.stack.take().unwrap();
+        stacked.scene = Arc::clone(&single.scene);
+        assert_eq!(stacked, single, "{pairs}");
+        let reached_base = single.outcome == Outcome::Perforated;
+        assert_eq!(stack.behind.len(), usize::from(reached_base), "{pairs}");
+        if !reached_base {
+            assert_eq!(stack.penetration_m, single.final_penetration_m);
+            assert_eq!((stack.passed(), stack.outcome), (0, single.outcome));
+        }
+    }
+}
+
+/// Free plates: by momentum, and the closed form of the relative motion (Recht-Ipson's with p = 2).
+#[test]
+fn valid_free_plates_leave_the_velocity_of_the_closed_form() {
+    let (m, r, h, c, s): (f64, f64, f64, f64, f64) = (0.0295, 0.00635, 0.003, 677.5, 1.52e8);
+    let cap = PI * h * h * (r - h / 3.0);
+    let volume = cap * (h + 2.0 * r) / h + PI * r * r * h - cap;
+    let found = run(scene("k=0 h=0.003 v_i=250 base=0.02 elements=3"));
+    let stack = found.stack.as_ref().unwrap();
+    let mut velocity: f64 = 250.0;
+    let mu = 0.5 * m;
+    let runs: Vec<&Run> =
+        std::iter::once(&found).chain(stack.behind.iter().map(|run| &**run)).collect();
+    for run in &runs[..3] {
+        assert_near(run.scene.projectile.velocity_m_s, velocity, 1e-10);
+        let limit = s / c * (2.0 * c * volume / mu).exp_m1();
+        let slip = ((velocity * velocity - limit) * (-2.0 * c * volume / mu).exp()).sqrt();
+        velocity = 0.5 * (velocity + slip);
+        assert_near(run.residual_velocity_m_s.unwrap(), velocity, 1e-10);
+    }
+    // The base plate is rigid: it stops where V = m/(2c) ln(1 + c v²/S).
+    assert_eq!((stack.passed(), stack.outcome), (3, Outcome::Arrested));
+    let base = runs[3];
+    assert_near(base.scene.projectile.velocity_m_s, velocity, 1e-10);
+    let depth = base.final_penetration_m.unwrap();
+    assert!(depth > r, "the nose is buried");
+    let swept = PI * r * r * (depth - r / 3.0) * (0.02 + 2.0 * r) / 0.02;
+    assert_near(swept, m / (2.0 * c) * (c * velocity * velocity / s).ln_1p(), 1e-10);
+    assert_near(stack.penetration_m.unwrap(), 3.0 * h + depth, 1e-12);
+}
+
+#[test]
+fn a_base_plate_too_thin_is_perforated_and_says_what_is_left() {
+    let found = run(scene("h=0.002 v_i=400 base=0.002 elements=2"));
+    let stack = found.stack.as_ref().unwrap();
+    assert_eq!(
+        (stack.passed(), stack.outcome, stack.penetration_m),
+        (3, Outcome::Perforated, None)
+    );
+    let left = stack.residual_velocity_m_s.unwrap();
+    assert_eq!(Some(left), stack.behind.last().unwrap().residual_velocity_m_s);
+    assert!(left > 200.0 && left < 400.0, "{left}");
+}
+
+#[test]
+fn elements_may_differ_and_are_kept() {
+    let text = "format = 1\nprojectile.velocity_m_s = 300.0\ntarget.thickness_m = 0.003\nmechanism.stop.position_m = 0.01\n\
+                [stack]\nbase_thickness_m = 0.02\ngap_m = 0.002\n\
+                [[stack.layer]]\ntarget.thickness_m = 0.004\nmechanism.spring.kind = \"column\"\n\
+                [[stack.layer]]\nmechanism.stop.position_m = \"none\"\n\
+                mechanism.spring.kind = \"table\"\nmechanism.spring.table.points = [[0.0, 0.0], [0.01, 3e3]]\n";
+    let own = read::scene(text, "own.toml").unwrap();
+    assert_eq!(own.stack.layers.len(), 2);
+    assert_eq!(own.stack.layers[1].mechanism.stop.position_m, None);
+    assert_eq!(own.stack.layers[0].mechanism.stop.position_m, Some(0.01));
+    let fresh = write::fresh(&own);
+    assert_eq!(read::scene(&fresh, "own.toml").unwrap(), own, "{fresh}");
+    let updated = write::updated("# mine\nformat = 1\n", "own.toml", &own).unwrap();
+    assert_eq!(read::scene(&updated, "own.toml").unwrap(), own, "{updated}");
+    let found = run(own);
+    let stack = found.stack.as_ref().unwrap();
+    let thicknesses: Vec<f64> =
+        stack.behind.iter().map(|run| run.scene.target.thickness_m).collect();
+    assert_eq!(thicknesses, [0.004, 0.003, 0.02]);
+    let meets = found.warnings.iter().filter(|it| matches!(it, Warning::PlateMeetsNext { .. }));
+    assert_eq!(meets.count(), 3);
+}
+
+#[test]
+fn a_stack_without_a_base_is_refused_and_so_are_studies_of_one_plate() {
+    let refused = |pairs: &str| variables::validate(&scene(pairs)).unwrap_err().to_string();
+    let cases = [
+        (
+            "elements=3",
+            vec!["elements", "= 3", "h_base", "must end in a base plate", "leave the stack out"],
+        ),
+        ("elements=2.5 base=0.01", vec!["stack.elements", "2.5", "not whole"]),
+        ("model=half-sine base=0.01", vec!["half-sine", "stack.base_thickness_m", "hydrodynamic"]),
+    ];
+    for (pairs, words) in cases {
+        let text = refused(pairs);
+        for word in words {
+            assert!(text.contains(word), "{pairs}: {text}");
+        }
+    }
+    let told = variables::require_single(&scene("base=0.01")).unwrap_err().to_string();
+    assert!(told.contains("h_base") && told.contains("0.01") && told.contains("h_base = none"));
+    let text =
+        "format = 1\n[stack]\nbase_thickness_m = 0.01\n[[stack.layer]]\nprojectile.mass_kg = 1.0\n";
+    let told = read::scene(text, "own.toml").unwrap_err().to_string();
+    assert!(
+        told.contains("stack.layer.projectile") && told.contains("target, plate, mechanism"),
+        "{told}"
+    );
+}
