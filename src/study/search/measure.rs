@@ -81,7 +81,8 @@ fn own_names() -> Vec<&'static str> {
 
 /// The spring's least mass, kg; `None` where its energy is not known.
 fn spring_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
-    spring_energy_j(scene, 0.0 - scene.plate.cocking_m, farthest_m).map(|energy| SPRING_KG_PER_J * energy)
+    spring_energy_j(scene, 0.0 - scene.plate.cocking_m, farthest_m)
+        .map(|energy| SPRING_KG_PER_J * energy)
 }
 
 fn system_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {

@@ -289,13 +289,9 @@ impl App {
                     let full = other.map_or_else(String::new, |full| {
                         format!("; {} with nothing left out", seconds(full.min_s))
                     });
-                    format!(
-                        "{target:.0e} costs {} here, {}{full}",
-                        seconds(found.min_s),
-                        by(&found)
-                    )
+                    format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
                 }
-                None => format!("{target:.0e}: no method gets there"),
+                None => format!("error {target:.0e}: no method gets there"),
             })
             .collect()
     }

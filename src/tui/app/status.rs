@@ -23,7 +23,7 @@ impl App {
                 last.push_str(" ...");
             }
         }
-        lines.into_iter().map(|line| (severity, line)).collect()
+        lines.into_iter().map(|line| (severity, line.replace('\u{a0}', " "))).collect()
     }
 
     fn message(&self, width: usize) -> (Severity, String) {
@@ -40,12 +40,12 @@ impl App {
             return (Severity::Note, String::new());
         }
         if self.place() == Place::Charts && self.charts.cursor_s.is_some() {
-            return (Severity::Note, clip(&self.readout(), width.saturating_sub(4)));
+            return (Severity::Note, self.readout());
         }
         if self.place() == Place::Accuracy
             && let Some(text) = self.accuracy_readout()
         {
-            return (Severity::Note, clip(&text, width.saturating_sub(4)));
+            return (Severity::Note, text);
         }
         let room = width.saturating_sub(4);
         if let Some(picture) = self.picture() {
@@ -54,36 +54,38 @@ impl App {
             } else {
                 self.sweep_readout(room).unwrap_or_default()
             };
-            return (Severity::Note, clip(&text, room));
+            return (Severity::Note, text);
         }
         if self.place() == Place::Map
             && let Some(text) = self.map_readout()
         {
-            return (Severity::Note, clip(&text, room));
+            return (Severity::Note, text);
         }
         if self.place() == Place::Battery
             && let Some((severity, text)) = self.battery_readout()
         {
-            return (severity, clip(&text, room));
+            return (severity, text);
         }
         if self.tab == Tab::Limit
             && let Some((severity, text)) = self.limit_readout()
         {
-            return (severity, clip(&text, room));
+            return (severity, text);
         }
         if self.tab == Tab::Search
             && let Some(text) = self.search_readout()
         {
-            return (Severity::Note, clip(&text, room));
+            return (Severity::Note, text);
         }
         if self.tab == Tab::Thesis
             && let Some(text) = self.thesis_readout()
         {
-            return (Severity::Note, clip(&text, room));
+            return (Severity::Note, text);
         }
         if self.place() == Place::Variables {
             let variable = self.editor.variable();
-            let text = format!("{}: {}", variable.symbol, variable.meaning);
+            let idle = !crate::model::variables::is_used(variable, &self.scene);
+            let note = if idle { " (no effect on this scene)" } else { "" };
+            let text = format!("{}: {}{note}", variable.symbol, variable.meaning);
             let long = format!("{text}; {}", variable.source);
             let fits = long.chars().count() + 4 <= width;
             return (
@@ -118,8 +120,15 @@ impl App {
             let values: Vec<String> = quantities
                 .iter()
                 .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)))
+                // A value is not broken away from its symbol and unit.
+                .map(|text| text.replace(' ', "\u{a0}"))
                 .collect();
-            parts.push(format!("{} {}", short_name(view), values.join("  ")));
+            let values = values.join("  ");
+            // Alone, the run needs no name.
+            parts.push(match views.len() {
+                1 => values,
+                _ => format!("{} {values}", short_name(view)),
+            });
         }
         parts.join(" | ")
     }
@@ -150,6 +159,19 @@ impl App {
             return parts;
         };
         let run = &shown.run;
+        // What became of the shot stays in sight on the narrowest screen.
+        let severity = |outcome| match outcome {
+            Outcome::Arrested | Outcome::Separated => Severity::Note,
+            Outcome::Perforated | Outcome::Moving => Severity::Warning,
+        };
+        parts.push(match &run.stack {
+            Some(stack) => {
+                let short = format!("stack {}", stack.outcome.word());
+                (severity(stack.outcome), stack.sentence(), short)
+            }
+            None => same(severity(run.outcome), run.outcome.word().to_owned()),
+        });
+        parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
         if let Some(estimate) = run.error_estimate {
             parts.push(same(
                 Severity::Note,
@@ -181,18 +203,6 @@ impl App {
             format!("{} ({})", cost.method, cost.reason),
             cost.method.to_owned(),
         ));
-        let severity = |outcome| match outcome {
-            Outcome::Arrested | Outcome::Separated => Severity::Note,
-            Outcome::Perforated | Outcome::Moving => Severity::Warning,
-        };
-        parts.push(match &run.stack {
-            Some(stack) => {
-                let short = format!("stack {}", stack.outcome.word());
-                (severity(stack.outcome), stack.sentence(), short)
-            }
-            None => same(severity(run.outcome), run.outcome.word().to_owned()),
-        });
-        parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
         parts
     }
 
