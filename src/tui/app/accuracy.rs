@@ -242,6 +242,8 @@ impl App {
                     if report.is_complete { "measured" } else { "stopped after" }
                 ),
             ));
+        } else if self.needs_single_plate() {
+            parts.push(same(Severity::Note, "nothing to measure".to_owned()));
         } else {
             parts.push(same(Severity::Note, "not measured yet: r measures".to_owned()));
         }

@@ -16,7 +16,7 @@ impl App {
     pub fn message_lines(&self, width: usize) -> Vec<(Severity, String)> {
         let (severity, text) = self.message(width);
         let room = width.saturating_sub(4).max(10);
-        let mut lines = wrap(&text, room);
+        let mut lines = wrap(&glued(&text), room);
         if lines.len() > MESSAGE_ROWS {
             lines.truncate(MESSAGE_ROWS);
             if let Some(last) = lines.last_mut() {
@@ -38,6 +38,11 @@ impl App {
         }
         if self.dialog.is_some() {
             return (Severity::Note, String::new());
+        }
+        if self.needs_single_plate()
+            && let Err(error) = crate::model::variables::require_single(&self.scene)
+        {
+            return (Severity::Warning, error.to_string());
         }
         if self.place() == Place::Charts && self.charts.cursor_s.is_some() {
             return (Severity::Note, self.readout());
@@ -82,18 +87,31 @@ impl App {
             return (Severity::Note, text);
         }
         if self.place() == Place::Variables {
-            let variable = self.editor.variable();
-            let idle = !crate::model::variables::is_used(variable, &self.scene);
-            let note = if idle { " (no effect on this scene)" } else { "" };
-            let text = format!("{}: {}{note}", variable.symbol, variable.meaning);
-            let long = format!("{text}; {}", variable.source);
-            let fits = long.chars().count() + 4 <= width;
-            return (
-                Severity::Note,
-                clip(if fits { &long } else { &text }, width.saturating_sub(4)),
-            );
+            return (Severity::Note, self.variable_words(width.saturating_sub(4)));
         }
         (Severity::Note, String::new())
+    }
+
+    /// What the selected variable means, with its source where there is room.
+    fn variable_words(&self, room: usize) -> String {
+        let variable = self.editor.variable();
+        let idle = !crate::model::variables::is_used(variable, &self.scene);
+        let note = if idle { " (no effect here)" } else { "" };
+        let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
+        let long = format!("{text}; {}", variable.source);
+        // Cut, not wrapped: the list would move while it is walked through; `?` has all of it.
+        if long.chars().count() <= room { long } else { clip(&text, room) }
+    }
+
+    /// Whether the tab shows nothing because its study looks at one plate and the scene is a stack.
+    pub fn needs_single_plate(&self) -> bool {
+        let is_empty = match self.tab {
+            Tab::Accuracy => self.accuracy.report.is_none(),
+            Tab::Limit => self.limit.report.is_none(),
+            Tab::Stability => self.place() == Place::Map && self.stability.map.is_none(),
+            Tab::Run | Tab::Sweep | Tab::Surface | Tab::Log | Tab::Thesis | Tab::Search => false,
+        };
+        is_empty && crate::model::variables::require_single(&self.scene).is_err()
     }
 
     /// Everything at the crosshair: the current run in full, the others in the selected chart's quantity.
@@ -340,6 +358,20 @@ pub fn value_at(run: &Run, quantity: Quantity, t_s: f64) -> String {
         return "out".to_owned();
     }
     value.map_or_else(|| "-".to_owned(), |value| engineering(value, quantity.unit()))
+}
+
+/// The text with its numbers and their units held together: a line does not break between them.
+fn glued(text: &str) -> String {
+    let mut glued = String::with_capacity(text.len());
+    let mut after_number = false;
+    for (index, word) in text.split(' ').enumerate() {
+        if index > 0 {
+            glued.push(if after_number && !word.is_empty() { '\u{a0}' } else { ' ' });
+        }
+        glued.push_str(word);
+        after_number = word.parse::<f64>().is_ok();
+    }
+    glued
 }
 
 /// At most `width` characters; what is cut ends in `..`.
