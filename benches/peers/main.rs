@@ -1,4 +1,5 @@
-//! The contact phase beside other solvers, in one run: `cargo bench --bench peers [-- S4 S13]`.
+//! The contact phase beside other solvers, in one run: `cargo bench --bench peers [-- S4 S13]`, then the surfaces of chapter 9
+//! (`surfaces.rs`; alone: `-- surfaces`).
 //!
 //! Eighteen scenes from first contact to first arrest or exit, on one core. Each solver runs at its loosest tolerance whose
 //! *measured* error, and that of all tighter ones, is below 1e-8: the greater of the relative errors of depth and time, against
@@ -11,9 +12,10 @@ mod explicit;
 mod scenes;
 mod solvers;
 mod stiff;
+mod surfaces;
 mod timing;
 
-use std::io::Write as _;
+use std::io::Write;
 
 use cmra::model::first_contact::first_contact;
 
@@ -24,10 +26,22 @@ use timing::{TARGET, Times, Tuned, alternate, tune};
 
 /// Scenes on which implicit peers are worth their time.
 const STIFF: [&str; 4] = ["S13", "S14'", "S15", "S16'"];
+/// The word that asks for the surfaces alone.
+const SURFACES: &str = "surfaces";
 
 fn main() -> std::io::Result<()> {
     let asked: Vec<String> = std::env::args().skip(1).filter(|arg| !arg.starts_with('-')).collect();
     let mut out = std::io::stdout().lock();
+    if asked.iter().all(|asked| asked != SURFACES) {
+        contacts(&mut out, &asked)?;
+    }
+    if asked.is_empty() || asked.iter().any(|asked| asked == SURFACES) {
+        surfaces::print(&mut out)?;
+    }
+    Ok(())
+}
+
+fn contacts(out: &mut impl Write, asked: &[String]) -> std::io::Result<()> {
     writeln!(
         out,
         "contact phase at measured error {TARGET:e}; us per run: minimum (+ how far the median lies above), one core"
@@ -51,7 +65,7 @@ fn main() -> std::io::Result<()> {
     for (name, pairs) in SCENES {
         let plain = name.trim_end_matches('\'');
         if asked.is_empty() || asked.iter().any(|asked| asked == plain) {
-            row(&mut out, name, pairs)?;
+            row(out, name, pairs)?;
         }
     }
     writeln!(
@@ -61,7 +75,7 @@ fn main() -> std::io::Result<()> {
     writeln!(out, "(a): its most accurate answer; it does not reach {TARGET:e}")
 }
 
-fn row(out: &mut impl std::io::Write, name: &str, pairs: &str) -> std::io::Result<()> {
+fn row(out: &mut impl Write, name: &str, pairs: &str) -> std::io::Result<()> {
     let base = scene(pairs, 1e-9);
     let reference = Reference::of(name, &base);
     let equations = Equations::of(&base);

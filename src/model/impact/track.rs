@@ -20,9 +20,9 @@ use crate::numerics::larger;
 /// Taylor steps after which a stretch is handed to the implicit method.
 const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
 /// Steps of any kind after which a run ends early.
-pub(super) const STEPS_MAX: usize = 100_000;
+pub(super) const STEPS_MAX: usize = 3_000_000;
 /// Events after which a run ends early.
-const EVENTS_MAX: usize = 4_000;
+const EVENTS_MAX: usize = 400_000;
 
 /// A run in progress.
 #[expect(clippy::struct_excessive_bools, reason = "facts that hold or do not, each by itself")]

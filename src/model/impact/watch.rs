@@ -186,9 +186,16 @@ impl Track<'_> {
         }
     }
 
-    /// A law that was left out comes back as soon as its argument has left the neighbourhood of zero.
+    /// A law that was left out comes back as soon as its argument has left the neighbourhood of zero. A plate that only touched
+    /// zero is on the side on which it is, so that its next passage is not taken for a return.
     pub(super) fn take_back(&mut self) {
         let (x, w) = (self.state.plate_m, self.state.plate_m_s);
+        if x.abs() > FINEST * self.plate_scale_m {
+            self.side_x = sign(x);
+        }
+        if w.abs() > FINEST * self.speed_scale_m_s {
+            self.side_w = sign(w);
+        }
         if self.spring_omitted && x.abs() > self.clear_m {
             self.spring_omitted = false;
             self.side_x = sign(x);
