@@ -10,6 +10,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::rows::{Rows, number};
+use crate::files::thesis;
 use crate::model::design;
 use crate::model::scene::Scene;
 use crate::model::units::{Engineering, significant};
@@ -181,24 +182,7 @@ fn screening(arguments: &ScreeningArguments) -> Result<(), CliError> {
             place.rank, concept.name, place.total, concept.preset
         );
     }
-    let rows = places
-        .iter()
-        .map(|place| {
-            let concept = &CONCEPTS[place.concept];
-            vec![
-                Value::from(place.rank),
-                Value::from(concept.name),
-                number(Some(place.total)),
-                Value::from(concept.rank),
-                number(Some(concept.total)),
-                Value::from(concept.section),
-                Value::from(concept.preset),
-            ]
-        })
-        .collect();
-    let columns =
-        vec!["rank", "concept", "total", "rank_printed", "total_printed", "section", "preset"];
-    arguments.table.deliver(&page, &Rows { columns, rows })
+    arguments.table.deliver(&page, &thesis::screening(&weights))
 }
 
 fn principles(arguments: &PrinciplesArguments) -> Result<(), CliError> {
@@ -217,21 +201,5 @@ fn principles(arguments: &PrinciplesArguments) -> Result<(), CliError> {
             let _ = writeln!(page, "      preset     {preset}");
         }
     }
-    let rows = PRINCIPLES
-        .iter()
-        .map(|it| {
-            let functions: Vec<&str> = it.functions.iter().map(|it| it.name()).collect();
-            vec![
-                Value::from(it.family),
-                Value::from(it.name),
-                Value::from(it.section),
-                Value::from(it.idea),
-                Value::from(functions.join(", ")),
-                Value::from(it.computed),
-                it.preset.map_or(Value::Null, Value::from),
-            ]
-        })
-        .collect();
-    let columns = vec!["family", "principle", "section", "idea", "functions", "computed", "preset"];
-    arguments.table.deliver(&page, &Rows { columns, rows })
+    arguments.table.deliver(&page, &thesis::principles())
 }

@@ -1,8 +1,10 @@
-//! The reproduction report as rows for machines, and the stored verdicts it is held to.
+//! The reproduction report, the screening matrix and the principles as rows for machines, and the verdicts it is held to.
 
 use serde_json::Value;
 
-use crate::files::rows::Rows;
+use crate::files::rows::{Rows, number};
+use crate::study::principles::PRINCIPLES;
+use crate::study::screening::{CONCEPTS, ranking};
 use crate::study::thesis::{Opens, Row};
 
 /// Verdict by claim, as last looked through by a person: `id,verdict` lines.
@@ -33,6 +35,49 @@ pub fn rows(report: &[Row]) -> Rows {
         ]
     };
     Rows { columns: COLUMNS.to_vec(), rows: report.iter().map(row).collect() }
+}
+
+/// The ranking of the concepts by weights in percent, the first one first, beside the printed one.
+pub fn screening(weights: &[f64; 7]) -> Rows {
+    let rows = ranking(weights)
+        .iter()
+        .map(|place| {
+            let concept = &CONCEPTS[place.concept];
+            vec![
+                Value::from(place.rank),
+                Value::from(concept.name),
+                number(Some(place.total)),
+                Value::from(concept.rank),
+                number(Some(concept.total)),
+                Value::from(concept.section),
+                Value::from(concept.preset),
+            ]
+        })
+        .collect();
+    let columns =
+        vec!["rank", "concept", "total", "rank_printed", "total_printed", "section", "preset"];
+    Rows { columns, rows }
+}
+
+/// The principles with their families and functions, in the order of Table 4.1.
+pub fn principles() -> Rows {
+    let rows = PRINCIPLES
+        .iter()
+        .map(|it| {
+            let functions: Vec<&str> = it.functions.iter().map(|it| it.name()).collect();
+            vec![
+                Value::from(it.family),
+                Value::from(it.name),
+                Value::from(it.section),
+                Value::from(it.idea),
+                Value::from(functions.join(", ")),
+                Value::from(it.computed),
+                it.preset.map_or(Value::Null, Value::from),
+            ]
+        })
+        .collect();
+    let columns = vec!["family", "principle", "section", "idea", "functions", "computed", "preset"];
+    Rows { columns, rows }
 }
 
 /// Where verdicts differ from the stored ones, in words; rows that are missing count, too.

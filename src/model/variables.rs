@@ -19,7 +19,7 @@ pub use names::{edit_distance, find, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;
 pub use table::VARIABLES;
-pub use used::{critical_obliquity_deg, is_listed, is_used, require_hydrodynamic};
+pub use used::{critical_obliquity_deg, is_listed, is_offered, is_used, require_hydrodynamic};
 
 /// One row of the table.
 #[derive(Clone, Copy)]

@@ -32,6 +32,7 @@ mod sweep;
 mod text;
 mod thesis;
 mod variables;
+mod words;
 
 /// Draw everything.
 pub fn view(app: &App, frame: &mut Frame<'_>) {

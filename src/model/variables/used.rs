@@ -1,7 +1,7 @@
 //! Which variables have any effect on a scene, and which of them a list shows at all; and the rule between the two
 //! stiffnesses of the lumped interface.
 
-use super::{RangeWarning, Variable, VariableError, springs};
+use super::{Kind, RangeWarning, Variable, VariableError, springs};
 use crate::model::design::Rod;
 use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Scene, StopKind, Target};
 use crate::model::units;
@@ -32,6 +32,24 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
         key if key.starts_with("contact.") => model_has(model, key),
         key => sprung || !(key.starts_with("mechanism.") || key == "plate.mass_ratio"),
     }
+}
+
+impl Variable {
+    /// The words of a choice, in order; none for a number or a switch.
+    pub fn words(&self) -> &'static [&'static str] {
+        match &self.kind {
+            Kind::Choice(choice) => choice.words,
+            Kind::Number(_) | Kind::Switch { .. } => &[],
+        }
+    }
+}
+
+/// Whether the workbench's lists offer the variable: what is listed, less the values of a stop that is not there or of
+/// its other kind. Files keep those, for the stop may come back.
+pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
+    let of_stop =
+        variable.key.starts_with("mechanism.stop.") && variable.key != "mechanism.stop.position_m";
+    is_listed(variable, scene) && (!of_stop || is_used(variable, scene))
 }
 
 /// Whether a list shows the variable at all: what belongs to another interaction model is not even dimmed.

@@ -242,6 +242,8 @@ impl App {
                     if report.is_complete { "measured" } else { "stopped after" }
                 ),
             ));
+        } else if self.needs_single_plate() {
+            parts.push(same(Severity::Note, "nothing to measure".to_owned()));
         } else {
             parts.push(same(Severity::Note, "not measured yet: r measures".to_owned()));
         }
@@ -289,13 +291,9 @@ impl App {
                     let full = other.map_or_else(String::new, |full| {
                         format!("; {} with nothing left out", seconds(full.min_s))
                     });
-                    format!(
-                        "{target:.0e} costs {} here, {}{full}",
-                        seconds(found.min_s),
-                        by(&found)
-                    )
+                    format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
                 }
-                None => format!("{target:.0e}: no method gets there"),
+                None => format!("error {target:.0e}: no method gets there"),
             })
             .collect()
     }

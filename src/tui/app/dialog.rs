@@ -15,6 +15,8 @@ pub enum Dialog {
     Presets(Picker),
     /// The edits of this session.
     History(Picker),
+    /// The words the selected variable can be.
+    Words(Picker),
     /// A name to save under.
     Save(Save),
     /// What to export and where.
@@ -36,6 +38,8 @@ pub enum Table {
     Battery,
     /// What the Search tab shows.
     Search,
+    /// The page of the Thesis tab.
+    Thesis,
 }
 
 impl Table {
@@ -45,6 +49,7 @@ impl Table {
             Self::Limit => "Export the shots to CSV",
             Self::Battery => "Export the battery to CSV",
             Self::Search => "Export what was found to CSV",
+            Self::Thesis => "Export this page to CSV",
         }
     }
 }

@@ -4,7 +4,7 @@ use tui_input::Input;
 
 use crate::model::scene::Scene;
 use crate::model::units;
-use crate::model::variables::{Group, VARIABLES, Value, Variable, is_listed};
+use crate::model::variables::{Group, VARIABLES, Value, Variable, is_offered};
 
 /// The list of variables and the open field.
 #[derive(Clone, Debug, Default)]
@@ -50,7 +50,7 @@ impl Editor {
         for group in Group::ALL {
             let start = rows.len();
             for (index, variable) in VARIABLES.iter().enumerate() {
-                if variable.group == group && is_listed(variable, scene) && self.passes(variable) {
+                if variable.group == group && is_offered(variable, scene) && self.passes(variable) {
                     rows.push(Row::Variable(index));
                 }
             }

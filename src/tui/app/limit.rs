@@ -167,12 +167,12 @@ impl App {
         let own = significant(report.scene.projectile.velocity_m_s, 4);
         // Where a faster shot is stopped again, being beyond the limit tells nothing.
         let ends = match (margin < 0.0, stopped_at_m_s) {
-            (false, _) => ": it is stopped",
-            (true, None) => ": it goes through",
-            (true, Some(_)) => "",
+            (false, _) => format!(": {own} m/s is stopped"),
+            (true, None) => format!(": {own} m/s goes through"),
+            (true, Some(_)) => format!(" at {own} m/s"),
         };
         Some(format!(
-            "v_bl {} m/s, margin {:+.1} % at the scene's {own} m/s{ends}",
+            "v_bl {} m/s, margin {:+.1} %{ends}",
             fixed_significant(velocity_m_s, 6),
             100.0 * margin
         ))
@@ -205,6 +205,9 @@ impl App {
                     format!(": {done} of about {total} shots")
                 });
                 same(Severity::Note, format!("finding the limit{of} (Esc stops)"))
+            }
+            (None, None) if self.needs_single_plate() => {
+                same(Severity::Note, "nothing to look for".to_owned())
             }
             (None, None) => {
                 same(Severity::Note, "not looked for yet: r finds the limit".to_owned())

@@ -86,7 +86,7 @@ impl App {
             let key = |axis: &SweepAxis| variables::find(&axis.name).map(|found| found.key);
             sweep.axes.iter().take(axes).any(|axis| key(axis) == Ok(variable.key))
         };
-        let listed = |variable| variables::is_listed(variable, &self.scene);
+        let listed = |variable| variables::is_offered(variable, &self.scene);
         let held = VARIABLES
             .iter()
             .enumerate()
@@ -149,7 +149,12 @@ impl App {
                 Shown {
                     label: variable.symbol.to_owned(),
                     value: super::editor::shown_value(variable, &self.scene, width),
-                    unit: variable.unit().trim_matches('-'),
+                    unit: match variable.value(&self.scene) {
+                        variables::Value::Number(_) => variable.unit().trim_matches('-'),
+                        variables::Value::Absent
+                        | variables::Value::Word(_)
+                        | variables::Value::Switch(_) => "",
+                    },
                 }
             }
         }

@@ -16,14 +16,14 @@ impl App {
     pub fn message_lines(&self, width: usize) -> Vec<(Severity, String)> {
         let (severity, text) = self.message(width);
         let room = width.saturating_sub(4).max(10);
-        let mut lines = wrap(&text, room);
+        let mut lines = wrap(&glued(&text), room);
         if lines.len() > MESSAGE_ROWS {
             lines.truncate(MESSAGE_ROWS);
             if let Some(last) = lines.last_mut() {
                 last.push_str(" ...");
             }
         }
-        lines.into_iter().map(|line| (severity, line)).collect()
+        lines.into_iter().map(|line| (severity, line.replace('\u{a0}', " "))).collect()
     }
 
     fn message(&self, width: usize) -> (Severity, String) {
@@ -39,13 +39,18 @@ impl App {
         if self.dialog.is_some() {
             return (Severity::Note, String::new());
         }
+        if self.needs_single_plate()
+            && let Err(error) = crate::model::variables::require_single(&self.scene)
+        {
+            return (Severity::Warning, error.to_string());
+        }
         if self.place() == Place::Charts && self.charts.cursor_s.is_some() {
-            return (Severity::Note, clip(&self.readout(), width.saturating_sub(4)));
+            return (Severity::Note, self.readout());
         }
         if self.place() == Place::Accuracy
             && let Some(text) = self.accuracy_readout()
         {
-            return (Severity::Note, clip(&text, width.saturating_sub(4)));
+            return (Severity::Note, text);
         }
         let room = width.saturating_sub(4);
         if let Some(picture) = self.picture() {
@@ -54,44 +59,59 @@ impl App {
             } else {
                 self.sweep_readout(room).unwrap_or_default()
             };
-            return (Severity::Note, clip(&text, room));
+            return (Severity::Note, text);
         }
         if self.place() == Place::Map
             && let Some(text) = self.map_readout()
         {
-            return (Severity::Note, clip(&text, room));
+            return (Severity::Note, text);
         }
         if self.place() == Place::Battery
             && let Some((severity, text)) = self.battery_readout()
         {
-            return (severity, clip(&text, room));
+            return (severity, text);
         }
         if self.tab == Tab::Limit
             && let Some((severity, text)) = self.limit_readout()
         {
-            return (severity, clip(&text, room));
+            return (severity, text);
         }
         if self.tab == Tab::Search
             && let Some(text) = self.search_readout()
         {
-            return (Severity::Note, clip(&text, room));
+            return (Severity::Note, text);
         }
         if self.tab == Tab::Thesis
             && let Some(text) = self.thesis_readout()
         {
-            return (Severity::Note, clip(&text, room));
+            return (Severity::Note, text);
         }
         if self.place() == Place::Variables {
-            let variable = self.editor.variable();
-            let text = format!("{}: {}", variable.symbol, variable.meaning);
-            let long = format!("{text}; {}", variable.source);
-            let fits = long.chars().count() + 4 <= width;
-            return (
-                Severity::Note,
-                clip(if fits { &long } else { &text }, width.saturating_sub(4)),
-            );
+            return (Severity::Note, self.variable_words(width.saturating_sub(4)));
         }
         (Severity::Note, String::new())
+    }
+
+    /// What the selected variable means, with its source where there is room.
+    fn variable_words(&self, room: usize) -> String {
+        let variable = self.editor.variable();
+        let idle = !crate::model::variables::is_used(variable, &self.scene);
+        let note = if idle { " (no effect here)" } else { "" };
+        let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
+        let long = format!("{text}; {}", variable.source);
+        // Cut, not wrapped: the list would move while it is walked through; `?` has all of it.
+        if long.chars().count() <= room { long } else { clip(&text, room) }
+    }
+
+    /// Whether the tab shows nothing because its study looks at one plate and the scene is a stack.
+    pub fn needs_single_plate(&self) -> bool {
+        let is_empty = match self.tab {
+            Tab::Accuracy => self.accuracy.report.is_none(),
+            Tab::Limit => self.limit.report.is_none(),
+            Tab::Stability => self.place() == Place::Map && self.stability.map.is_none(),
+            Tab::Run | Tab::Sweep | Tab::Surface | Tab::Log | Tab::Thesis | Tab::Search => false,
+        };
+        is_empty && crate::model::variables::require_single(&self.scene).is_err()
     }
 
     /// Everything at the crosshair: the current run in full, the others in the selected chart's quantity.
@@ -118,8 +138,15 @@ impl App {
             let values: Vec<String> = quantities
                 .iter()
                 .map(|one| format!("{} {}", one.symbol(), value_at(view.run, *one, cursor)))
+                // A value is not broken away from its symbol and unit.
+                .map(|text| text.replace(' ', "\u{a0}"))
                 .collect();
-            parts.push(format!("{} {}", short_name(view), values.join("  ")));
+            let values = values.join("  ");
+            // Alone, the run needs no name.
+            parts.push(match views.len() {
+                1 => values,
+                _ => format!("{} {values}", short_name(view)),
+            });
         }
         parts.join(" | ")
     }
@@ -150,6 +177,19 @@ impl App {
             return parts;
         };
         let run = &shown.run;
+        // What became of the shot stays in sight on the narrowest screen.
+        let severity = |outcome| match outcome {
+            Outcome::Arrested | Outcome::Separated => Severity::Note,
+            Outcome::Perforated | Outcome::Moving => Severity::Warning,
+        };
+        parts.push(match &run.stack {
+            Some(stack) => {
+                let short = format!("stack {}", stack.outcome.word());
+                (severity(stack.outcome), stack.sentence(), short)
+            }
+            None => same(severity(run.outcome), run.outcome.word().to_owned()),
+        });
+        parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
         if let Some(estimate) = run.error_estimate {
             parts.push(same(
                 Severity::Note,
@@ -181,18 +221,6 @@ impl App {
             format!("{} ({})", cost.method, cost.reason),
             cost.method.to_owned(),
         ));
-        let severity = |outcome| match outcome {
-            Outcome::Arrested | Outcome::Separated => Severity::Note,
-            Outcome::Perforated | Outcome::Moving => Severity::Warning,
-        };
-        parts.push(match &run.stack {
-            Some(stack) => {
-                let short = format!("stack {}", stack.outcome.word());
-                (severity(stack.outcome), stack.sentence(), short)
-            }
-            None => same(severity(run.outcome), run.outcome.word().to_owned()),
-        });
-        parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
         parts
     }
 
@@ -330,6 +358,20 @@ pub fn value_at(run: &Run, quantity: Quantity, t_s: f64) -> String {
         return "out".to_owned();
     }
     value.map_or_else(|| "-".to_owned(), |value| engineering(value, quantity.unit()))
+}
+
+/// The text with its numbers and their units held together: a line does not break between them.
+fn glued(text: &str) -> String {
+    let mut glued = String::with_capacity(text.len());
+    let mut after_number = false;
+    for (index, word) in text.split(' ').enumerate() {
+        if index > 0 {
+            glued.push(if after_number && !word.is_empty() { '\u{a0}' } else { ' ' });
+        }
+        glued.push_str(word);
+        after_number = word.parse::<f64>().is_ok();
+    }
+    glued
 }
 
 /// At most `width` characters; what is cut ends in `..`.

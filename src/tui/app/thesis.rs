@@ -122,11 +122,12 @@ impl App {
             Page::Claims => {
                 let row = tab.row()?;
                 let opens = match row.claim.opens {
-                    Opens::Nothing => String::new(),
-                    Opens::Scene(_) => "; Enter opens its scene".to_owned(),
-                    Opens::Preset(name) => format!("; Enter opens {name}"),
+                    Opens::Nothing => "no scene shows this".to_owned(),
+                    Opens::Scene(_) => "Enter opens its scene".to_owned(),
+                    Opens::Preset(name) => format!("Enter opens {name}"),
                 };
-                Some(format!("{}: {}{opens}", row.found.verdict.words(), row.found.cause))
+                // The cause is in the detail: a line that changes its height here would move the list.
+                Some(format!("{}: {opens}", row.found.verdict.words()))
             }
             Page::Principles => {
                 let principle = &PRINCIPLES[tab.principle];

@@ -115,7 +115,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[special(C::Tab)], A::FocusNext, "pane", "next pane", 3),
     bind(Anywhere, &[special(C::BackTab), shifted(C::BackTab)], A::FocusPrevious, "previous pane", "previous pane", 0),
     bind(Anywhere, &[plain('p')], A::Presets, "preset", "choose a preset", 5),
-    bind(Anywhere, &[plain('e')], A::Export, "export", "export to CSV: runs; in the tabs Sweep, Surface, Accuracy, Limit, Search and in the battery, what was found there", 6),
+    bind(Anywhere, &[plain('e')], A::Export, "export", "export to CSV: runs; in the tabs Sweep, Surface, Accuracy, Thesis, Limit, Search and in the battery, what is shown there", 6),
     bind(Anywhere, &[plain('u')], A::Undo, "undo", "undo the last edit", 7),
     bind(Anywhere, &[ctrl('r')], A::Redo, "redo", "redo", 0),
     bind(Anywhere, &[plain('U')], A::History, "history", "list of edits, old and new", 0),
@@ -281,7 +281,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Claims, &[plain('G'), special(C::End)], A::Last, "last", "last claim", 0),
     bind(Claims, &[special(C::PageUp)], A::PageUp, "page up", "a page up", 0),
     bind(Claims, &[special(C::PageDown)], A::PageDown, "page down", "a page down", 0),
-    bind(Claims, &[special(C::Enter)], A::OpenDesign, "open", "open the claim's scene in the Run tab", 3),
+    bind(Claims, &[special(C::Enter)], A::OpenDesign, "open", "open the claim's sweep in the Sweep or Surface tab, or its scene in the Run tab", 3),
     bind(Claims, &[plain('v')], A::NextVerdict, "verdict", "show only the rows with the next verdict, or all", 4),
 
     bind(Principles, &[plain('k'), special(C::Up)], A::Up, "up", "principle above", 0),

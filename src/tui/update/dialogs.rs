@@ -3,7 +3,9 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::Input;
 
+use crate::model::variables::Value;
 use crate::tui::app::dialog::{self, Dialog, Picker, Save};
+use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::message::{Binding, Effect, Place, PresetEntry};
 
@@ -21,6 +23,7 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
         Some(Dialog::Palette(picker)) => in_list(app, picker, key, Kind::Palette),
         Some(Dialog::Presets(picker)) => in_list(app, picker, key, Kind::Presets),
         Some(Dialog::History(picker)) => in_list(app, picker, key, Kind::History),
+        Some(Dialog::Words(picker)) => in_list(app, picker, key, Kind::Words),
         None => Vec::new(),
     }
 }
@@ -31,6 +34,7 @@ enum Kind {
     Palette,
     Presets,
     History,
+    Words,
 }
 
 impl Kind {
@@ -40,6 +44,7 @@ impl Kind {
             Self::Palette => Dialog::Palette(picker),
             Self::Presets => Dialog::Presets(picker),
             Self::History => Dialog::History(picker),
+            Self::Words => Dialog::Words(picker),
         }
     }
 
@@ -49,6 +54,7 @@ impl Kind {
             Self::Palette => dialog::palette_rows(typed).len(),
             Self::Presets => dialog::preset_rows(&app.presets, typed).len(),
             Self::History => app.history.edits.len() + 1,
+            Self::Words => app.editor.variable().words().len(),
         }
     }
 }
@@ -73,7 +79,9 @@ fn in_list(app: &mut App, mut picker: Picker, key: KeyEvent, kind: Kind) -> Vec<
         KeyCode::Enter => return chosen(app, &picker, kind),
         KeyCode::Char('q') if letter => return Vec::new(),
         KeyCode::Char('?') if letter && kind == Kind::Help => return Vec::new(),
-        KeyCode::Char('/') if letter && kind != Kind::History => picker.typing = true,
+        KeyCode::Char('/') if letter && !matches!(kind, Kind::History | Kind::Words) => {
+            picker.typing = true;
+        }
         KeyCode::Char(' ') if letter && kind == Kind::Presets => {
             let effects = pin_preset(app, &picker);
             app.dialog = Some(Dialog::Presets(picker));
@@ -126,7 +134,7 @@ pub(super) fn after_typing(app: &mut App) {
             export.error = None;
             export.completions.clear();
         }
-        Some(Dialog::History(_)) | None => {}
+        Some(Dialog::History(_) | Dialog::Words(_)) | None => {}
     }
 }
 
@@ -150,6 +158,22 @@ fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
             }
         },
         Kind::History => edit::travel(app, picker.selected),
+        Kind::Words => take_word(app, picker),
+    }
+}
+
+/// Set the selected variable to a word; one that is refused leaves the list open, with the reason.
+fn take_word(app: &mut App, picker: &Picker) -> Vec<Effect> {
+    let Some(word) = app.editor.variable().words().get(picker.selected) else {
+        return Vec::new();
+    };
+    match edit::set(app, app.editor.selected, Value::Word(word), None) {
+        Ok(effects) => effects,
+        Err(error) => {
+            app.say(Severity::Error, error);
+            app.dialog = Some(Dialog::Words(picker.clone()));
+            Vec::new()
+        }
     }
 }
 

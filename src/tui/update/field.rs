@@ -6,16 +6,25 @@ use tui_input::Input;
 use crate::model::units::Bare;
 use crate::model::variables::{Kind, VARIABLES};
 use crate::tui::app::App;
+use crate::tui::app::dialog::{Dialog, Picker};
 use crate::tui::app::editor::Field;
 use crate::tui::app::steps::Size;
 use crate::tui::message::{Action, Effect};
 
 use super::{act, edit, input};
 
-/// Open the selected variable's field with its old value selected; choices and switches go to their next value instead.
+/// Words from which on a list is clearer than going to the next one.
+const WORDS_LISTED: usize = 3;
+
+/// Open the selected variable's field with its old value selected, or the list of its words; of two words, the other one is taken.
 pub(super) fn open(app: &mut App) -> Vec<Effect> {
     let variable = app.editor.variable();
-    match variable.kind {
+    match &variable.kind {
+        Kind::Choice(choice) if choice.words.len() >= WORDS_LISTED => {
+            let now = (choice.get)(&app.scene);
+            app.dialog = Some(Dialog::Words(Picker::at(now)));
+            Vec::new()
+        }
         Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, true, Size::Plain),
         Kind::Number(_) => {
             app.editor.field = Some(Field {

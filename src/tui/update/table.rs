@@ -5,11 +5,13 @@ use tui_input::Input;
 
 use super::input;
 use crate::files::error::FileError;
-use crate::files::{limit, stability};
+use crate::files::{limit, stability, thesis};
+use crate::study::thesis::Row;
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Save, Table};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::name_of;
+use crate::tui::app::thesis::Page;
 use crate::tui::message::Effect;
 
 /// Open the dialog on a table, if there is anything in it.
@@ -28,6 +30,12 @@ pub(super) fn open(app: &mut App, table: Table) {
         }
         Table::Battery => "battery.csv".to_owned(),
         Table::Search => app.searching.page.file().to_owned(),
+        Table::Thesis => match app.thesis.page {
+            Page::Claims => "claims.csv",
+            Page::Principles => "principles.csv",
+            Page::Screening => "screening.csv",
+        }
+        .to_owned(),
     };
     let (fresh, question) = (false, false);
     let save = Save { input: Input::new(name), fresh, question, error: None };
@@ -47,7 +55,24 @@ fn text(app: &App, table: Table) -> Option<Result<String, FileError>> {
             (!rows.is_empty()).then(|| stability::csv(rows))
         }
         Table::Search => app.search_csv(),
+        Table::Thesis => thesis_page(app),
     }
+}
+
+/// The page of the Thesis tab: of the claims those that are shown, so far as they are checked.
+fn thesis_page(app: &App) -> Option<Result<String, FileError>> {
+    let tab = &app.thesis;
+    Some(match tab.page {
+        Page::Claims => {
+            let shown: Vec<Row> = tab.shown().into_iter().cloned().collect();
+            if shown.is_empty() {
+                return None;
+            }
+            thesis::rows(&shown).csv()
+        }
+        Page::Principles => thesis::principles().csv(),
+        Page::Screening => thesis::screening(&tab.weights).csv(),
+    })
 }
 
 /// A key while the dialog is open.

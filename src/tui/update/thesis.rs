@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
-use super::{edit, jobs};
+use super::{edit, jobs, sweep, table};
+use crate::model::scene::Scene;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, WEIGHTS_PERCENT, ranking};
 use crate::study::thesis::Opens;
 use crate::tui::app::accuracy::Measuring;
+use crate::tui::app::dialog::Table;
 use crate::tui::app::notice::Severity;
+use crate::tui::app::sweep::Spread;
 use crate::tui::app::thesis::Page;
 use crate::tui::app::{App, Base, Origin, Tab};
 use crate::tui::message::{Action, Effect, Message};
@@ -59,10 +62,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
             tab.weights = WEIGHTS_PERCENT;
             app.say(Severity::Note, "the weights are those of Table 7.1 again");
         }
-        _ => app.say(
-            Severity::Note,
-            "`cmra reproduce --csv FILE` writes the report; 1 and then e exports runs",
-        ),
+        _ => table::open(app, Table::Thesis),
     }
     Vec::new()
 }
@@ -78,7 +78,7 @@ fn check(app: &mut App) -> Vec<Effect> {
     ]
 }
 
-/// Open what the selected row shows in the Run tab, as one edit.
+/// Open what the selected row shows, as one edit: a sweep in its tab, another scene in the Run tab.
 fn open(app: &mut App) -> Vec<Effect> {
     let tab = &app.thesis;
     let opens = match tab.page {
@@ -106,11 +106,34 @@ fn open(app: &mut App) -> Vec<Effect> {
         app.say(Severity::Note, "no scene shows this");
         return Vec::new();
     };
-    app.tab = Tab::Run;
     let name = base.name.clone();
-    let effects = edit::load(app, base);
-    app.say(Severity::Note, format!("{name} loaded (u undoes, 7 goes back to the thesis)"));
+    app.tab = tab_of(&base.scene);
+    let swept = app.tab != Tab::Run;
+    if swept {
+        // The sweep as the preset has it, whatever was looked at before.
+        app.sweeping.on_setup = false;
+        app.sweeping.output = 0;
+        app.sweeping.spread = Spread::Grid;
+    }
+    let mut effects = edit::load(app, base);
+    if swept {
+        effects.extend(sweep::enter(app));
+    }
+    let what = if swept { "its sweep" } else { "its run" };
+    app.say(
+        Severity::Note,
+        format!("{name} loaded, here is {what} (u undoes, 7 goes back to the thesis)"),
+    );
     effects
+}
+
+/// The tab that shows what a scene is about: a map over two variables, curves over one, else its run.
+pub(super) fn tab_of(scene: &Scene) -> Tab {
+    match scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len()) {
+        0 => Tab::Run,
+        1 => Tab::Sweep,
+        _ => Tab::Surface,
+    }
 }
 
 /// A report of the study under way.

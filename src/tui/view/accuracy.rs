@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::rect;
-use super::text::{columns, paint_row, put};
+use super::text::{NEEDS_SINGLE, columns, paint_row, put};
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
@@ -64,6 +64,7 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
             (Some(_), _) => "measuring the first points",
             (None, Some(_)) if tab.sight.times.is_some() => "nothing in view: 0 shows everything",
             (None, Some(_)) => "nothing to draw: no point, or all are hidden (V)",
+            (None, None) if app.needs_single_plate() => NEEDS_SINGLE,
             (None, None) => "not measured yet: r measures",
         };
         let column = inner.width.saturating_sub(columns(text)) / 2;
@@ -97,7 +98,9 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
     let y = Axis::new("", errors).scale(tab.sight.error_scale);
     let title = if old { "Relative error, old" } else { title };
     let targets = TARGETS.iter().map(|y| Level { y: *y, tag: "".into() });
-    let floor = tab.floor().map(|y| Level { y, tag: "reference's floor".into() });
+    // In a small chart the curves would run through the words.
+    let floor = if area.width < 44 { "floor" } else { "reference's floor" };
+    let floor = tab.floor().map(|y| Level { y, tag: floor.into() });
     let chart = Chart {
         legend: Legend::Hidden,
         levels: targets.chain(floor).collect(),

@@ -78,6 +78,7 @@ fn in_dialog(dialog: &Dialog) -> Keys {
             ("q", "close"),
         ],
         Dialog::History(_) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
+        Dialog::Words(_) => &[("Enter", "take it"), ("j/k", "move"), ("q", "close")],
         Dialog::Save(save) if save.question => {
             &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
         }
@@ -116,12 +117,13 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
                 Place::Log | Place::Accuracy | Place::Limit => {
                     row.action != Action::FocusNext && !elsewhere.contains(&row.action)
                 }
-                Place::Battery | Place::SearchSetup | Place::Search => {
-                    !elsewhere.contains(&row.action)
-                }
-                Place::Map | Place::Claims | Place::Principles | Place::Screening => {
-                    row.action != Action::Export && !elsewhere.contains(&row.action)
-                }
+                Place::Battery
+                | Place::SearchSetup
+                | Place::Search
+                | Place::Claims
+                | Place::Principles
+                | Place::Screening => !elsewhere.contains(&row.action),
+                Place::Map => row.action != Action::Export && !elsewhere.contains(&row.action),
                 Place::Setup | Place::Lines | Place::Surface => row.action != Action::Window,
                 Place::Anywhere | Place::Variables | Place::Charts | Place::Runs => true,
             }

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Clear, Widget};
 
 use super::text::put;
-use super::{Cursor, export, help, history, presets, save};
+use super::{Cursor, export, help, history, presets, save, words};
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Picker};
 use crate::tui::theme::{Pane, Role};
@@ -17,6 +17,7 @@ pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer, cursor: &mut 
         Some(Dialog::Palette(picker)) => help::palette(app, picker, screen, buffer, cursor),
         Some(Dialog::Presets(picker)) => presets::render(app, picker, screen, buffer, cursor),
         Some(Dialog::History(picker)) => history::render(app, picker, screen, buffer),
+        Some(Dialog::Words(picker)) => words::render(app, picker, screen, buffer),
         Some(Dialog::Save(state)) => save::render(app, state, screen, buffer, cursor),
         Some(Dialog::ExportAccuracy(state)) => {
             let titles = ("Export what was measured to CSV", "Enter writes");

@@ -22,21 +22,14 @@ fn role(severity: Severity) -> Role {
 /// Tabs at the left; preset, whether it is modified, and auto-run at the right.
 pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     let style = |role| app.theme.style(role);
-    // The tabs come before the name where there is no room for both.
-    let named = area.width >= 66;
-    let mut column =
-        if named { put(buffer, area, (1, 0), "cmra", style(Role::Title)) + 2 } else { 1 };
-    // Where not even the tabs have room, only the one shown has its name.
-    let shown = if area.width < 74 { 1 } else { usize::MAX };
-    let in_full = area.width >= 100;
-    for tab in Tab::ALL {
-        let (text, role) = if tab == app.tab {
-            (format!("[{}]", tab.title()), Role::Selection)
-        } else {
-            let title = if in_full { tab.title() } else { tab.short_title() };
-            (title.chars().take(shown).collect(), Role::Text)
-        };
-        column = put(buffer, area, (column, 0), &text, style(role)) + 1;
+    let mut column = 1;
+    let (named, titles) = tabs(app, area.width);
+    if named {
+        column = put(buffer, area, (1, 0), "cmra", style(Role::Title)) + 2;
+    }
+    for (tab, text) in Tab::ALL.into_iter().zip(&titles) {
+        let role = if tab == app.tab { Role::Selection } else { Role::Text };
+        column = put(buffer, area, (column, 0), text, style(role)) + 1;
     }
     let room = usize::from(area.width.saturating_sub(column + 2));
     // Everything in words where that leaves room for the name.
@@ -58,6 +51,39 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     let text = format!("{preset}{name}{changed}{auto}{mouse}");
     let start = area.width.saturating_sub(columns(&text) + 1).max(column);
     put(buffer, area, (start, 0), &text, style(Role::Text));
+}
+
+/// Whether the program's name is shown, and the titles of the tabs: the longest that leave the scene's name in full.
+fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
+    let titles = |shown: usize, full: bool, active_full: bool| -> Vec<String> {
+        let title = |tab: Tab| {
+            let is_shown = tab == app.tab;
+            let long = if is_shown { active_full } else { full };
+            let title = if long { tab.title() } else { tab.short_title() };
+            if is_shown { format!("[{title}]") } else { title.chars().take(shown).collect() }
+        };
+        Tab::ALL.into_iter().map(title).collect()
+    };
+    if width >= 100 {
+        return (true, titles(usize::MAX, true, true));
+    }
+    if width < 74 {
+        // Not even the tabs have room: only the one shown has its name.
+        return (width >= 66, titles(1, false, true));
+    }
+    let changed = if app.is_modified() { 2 } else { 0 };
+    let name = usize::from(columns(&app.base.name)) + changed;
+    let fits = |named: bool, titles: &[String]| {
+        let tabs: usize = titles.iter().map(|title| title.chars().count() + 1).sum();
+        tabs + name + if named { 9 } else { 3 } <= usize::from(width)
+    };
+    for (named, active_full) in [(true, true), (false, true)] {
+        let titles = titles(usize::MAX, false, active_full);
+        if fits(named, &titles) {
+            return (named, titles);
+        }
+    }
+    (false, titles(usize::MAX, false, false))
 }
 
 /// The newest message with its mark, or what stands in its place.

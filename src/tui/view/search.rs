@@ -78,6 +78,9 @@ fn setup(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
         let room = usize::from(inner.width.saturating_sub(LABEL));
         put(buffer, inner, (LABEL, at), &clip(&label, room), app.theme.style(role));
         let start = VALUE.max(LABEL + columns(&label) + 1);
+        // A long value moves to the left, up to its name.
+        let start =
+            start.min(inner.width.saturating_sub(columns(&value))).max(LABEL + columns(&label) + 1);
         let room = usize::from(inner.width.saturating_sub(start));
         put(buffer, inner, (start, at), &clip(&value, room), app.theme.style(role));
         if on && *row == selected {

@@ -69,8 +69,10 @@ fn line(app: &App, picture: Picture, row: SetupRow, (area, at): (Rect, u16), buf
             put(buffer, area, (1, at), "*", style(Role::Note));
         }
     }
-    put(buffer, area, (LABEL, at), &shown.label, style(role));
+    let label = put(buffer, area, (LABEL, at), &shown.label, style(role));
+    // A long name moves its value: a blank stays between them.
     let start = (VALUE + VALUE_WIDTH).saturating_sub(columns(&shown.value)).max(VALUE);
+    let start = start.max(label + 1);
     let end = put(buffer, area, (start, at), &shown.value, style(role));
     if end < UNIT {
         put(buffer, area, (UNIT, at), shown.unit, style(Role::Dim));

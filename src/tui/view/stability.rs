@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{columns, first_row, paint_row, put};
+use super::text::{NEEDS_SINGLE, columns, first_row, paint_row, put};
 use crate::model::run::Outcome;
 use crate::model::units::significant;
 use crate::study::stability::Row;
@@ -48,7 +48,11 @@ fn map(app: &App, area: Rect, buffer: &mut Buffer) {
     let pane = Pane::new(title).right("Tab: battery").focused(app.dialog.is_none());
     let inner = pane.render(area, buffer, app.theme);
     let Some((_, map)) = &tab.map else {
-        let text = if tab.mapping.is_some() { "drawing up the map" } else { "r draws up the map" };
+        let text = match tab.mapping {
+            Some(_) => "drawing up the map",
+            None if app.needs_single_plate() => NEEDS_SINGLE,
+            None => "r draws up the map",
+        };
         let column = inner.width.saturating_sub(columns(text)) / 2;
         put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
         return;

@@ -5,6 +5,9 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 
+/// What stands in a tab that studies one plate while the scene is a stack.
+pub(super) const NEEDS_SINGLE: &str = "this tab needs a single plate";
+
 /// The columns a text takes.
 pub(super) fn columns(text: &str) -> u16 {
     u16::try_from(Span::raw(text).width()).unwrap_or(u16::MAX)

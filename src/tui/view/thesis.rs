@@ -15,7 +15,7 @@ use crate::tui::theme::{Pane, Role};
 
 /// From this width on the detail stands beside the list.
 const BESIDE: u16 = 110;
-/// Columns of a claim's place in the list.
+/// Columns of a claim's place in the list, at most; a third of a narrow list.
 const PLACE: u16 = 25;
 /// Columns of a label of the detail.
 const LABEL: u16 = 12;
@@ -70,13 +70,14 @@ fn claims(app: &App, area: Rect, buffer: &mut Buffer) {
         put(buffer, inner, (1, 1), text, app.theme.style(Role::Dim));
     }
     let first = first_row(tab.selected, usize::from(inner.height), shown.len());
+    let says = PLACE.min(inner.width / 3);
     for (y, (index, row)) in (0..inner.height).zip(shown.iter().enumerate().skip(first)) {
         let style = app.theme.style(role(row.found.verdict));
         put(buffer, inner, (0, y), &row.found.verdict.letter().to_string(), style);
-        let place = clip(row.claim.place, usize::from(PLACE - 3));
+        let place = clip(row.claim.place, usize::from(says.saturating_sub(3)));
         put(buffer, inner, (2, y), &place, style);
-        let room = usize::from(inner.width.saturating_sub(PLACE));
-        put(buffer, inner, (PLACE, y), &clip(row.claim.says, room), style);
+        let room = usize::from(inner.width.saturating_sub(says));
+        put(buffer, inner, (says, y), &clip(row.claim.says, room), style);
         if index == tab.selected && app.dialog.is_none() {
             paint_row(buffer, inner, y, app.theme.style(Role::Selection));
         }

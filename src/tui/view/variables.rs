@@ -69,7 +69,7 @@ fn title(app: &App) -> String {
 /// Which of the variables are in sight, where not all are.
 fn counter(app: &App, rows: &[Row], first: usize, height: usize) -> String {
     let all =
-        VARIABLES.iter().filter(|variable| variables::is_listed(variable, &app.scene)).count();
+        VARIABLES.iter().filter(|variable| variables::is_offered(variable, &app.scene)).count();
     let number = |rows: &[Row]| rows.iter().filter(|row| matches!(row, Row::Variable(_))).count();
     let end = (first + height).min(rows.len());
     if rows.len() <= height && number(rows) == all {
@@ -209,5 +209,10 @@ fn foot(app: &App, width: usize) -> String {
             return format!("{low} {bar} {high} {table}");
         }
     }
-    clip(&variable.allowed(), width)
+    let allowed = variable.allowed();
+    let words = variable.words().len();
+    if words > 2 && usize::from(columns(&allowed)) > width {
+        return clip(&format!("one of {words} words: Enter lists them"), width);
+    }
+    clip(&allowed, width)
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
 use cmra::files::csv::Rows;
-use cmra::model::scene::{InterfaceLaw, Mount};
+use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
 use cmra::tui::app::Tab;
 use cmra::tui::app::charts::Window;
 use cmra::tui::app::dialog::Dialog;
@@ -96,7 +96,7 @@ fn every_key_works_in_its_place_and_draws() {
             }
             bench.send(Message::Key(KeyEvent::new(key.0, key.1)));
             bench.answer();
-            assert!(bench.screen().contains("cmra"), "{}", key.words());
+            assert!(bench.screen().contains("1:Run"), "{}", key.words());
             let unknown = bench.message().contains("does nothing here");
             assert!(!unknown, "{} in {:?}", key.words(), binding.place);
         }
@@ -219,6 +219,34 @@ fn choices_and_switches_go_round() {
     assert!(!bench.app.scene.target.dishing);
     bench.keys("i");
     assert_eq!(bench.app.scene.interface.law, InterfaceLaw::Plastic);
+}
+
+#[test]
+fn enter_on_a_choice_of_many_words_lists_them() {
+    let mut bench = bench();
+    select(&mut bench, "spring");
+    bench.keys("<Enter>");
+    let screen = bench.screen();
+    for word in ["power-law  now", "bistable", "column", "helix", "the spring's force law"] {
+        assert!(screen.contains(word), "{word}: {screen}");
+    }
+    bench.keys("<Esc>");
+    assert!(bench.app.history.edits.is_empty());
+    bench.keys("<Enter>jjj<Enter>");
+    assert_eq!(bench.app.scene.mechanism.spring.kind, SpringKind::FixedGuided);
+    assert_eq!(bench.app.history.edits.len(), 1);
+    bench.keys("u");
+    assert_eq!(bench.app.scene.mechanism.spring.kind, SpringKind::PowerLaw);
+}
+
+#[test]
+fn the_values_of_a_stop_are_listed_with_the_stop() {
+    let mut bench = Bench::ascii(160, 50);
+    assert!(bench.screen().contains("x_stop"));
+    assert!(!bench.screen().contains("stop_kind") && !bench.screen().contains("k_stop"));
+    select(&mut bench, "x_stop");
+    bench.keys("<Enter>0.01<Enter>");
+    assert!(bench.screen().contains("stop_kind") && !bench.screen().contains("k_stop"));
 }
 
 #[test]
@@ -404,7 +432,7 @@ fn the_crosshair_reads_out_and_goes_to_events() {
     bench.keys("n");
     assert_eq!(bench.app.event_at_cursor(), Some("first arrest"));
     assert!(
-        bench.message().contains("t 113.0 us | first arrest | now p 4.565 mm"),
+        bench.message().contains("t 113.0 us | first arrest | p 4.565 mm"),
         "{}",
         bench.message()
     );

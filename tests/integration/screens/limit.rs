@@ -110,11 +110,7 @@ fn what_there_is_not_is_said() {
 #[test]
 fn the_limit_is_found_once_a_scene_and_again_when_asked() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
-    assert!(
-        bench
-            .screen()
-            .contains("v_bl 232.300 m/s, margin +132.3 % at the scene's 100 m/s: it is stopped")
-    );
+    assert!(bench.screen().contains("v_bl 232.300 m/s, margin +132.3 %: 100 m/s is stopped"));
     bench.keys("18");
     assert!(studies(&mut bench).is_empty());
     // An edit from within the tab makes it old; r finds the new scene's.

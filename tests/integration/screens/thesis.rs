@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use super::bench::Bench;
-use cmra::study::thesis::{Row, Verdict, check, claims};
+use cmra::study::sweep::Axis;
+use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
 use cmra::tui::app::Tab;
-use cmra::tui::message::{Effect, Message};
+use cmra::tui::message::{Effect, Message, PresetEntry};
 use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
 use insta::assert_snapshot;
 
@@ -76,6 +77,58 @@ fn enter_opens_what_shows_a_claim_and_undo_comes_back() {
     bench.keys("g<Enter>");
     assert!(bench.message().contains("no scene shows this"), "{}", bench.message());
     assert_eq!(bench.app.tab, Tab::Thesis);
+}
+
+#[test]
+fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
+    for (preset, tab, names) in [
+        ("figure-9.2", Tab::Sweep, &["gamma"][..]),
+        ("figure-9.8", Tab::Surface, &["gamma", "n"][..]),
+    ] {
+        let mut bench = Bench::ascii(80, 24);
+        let found = cmra::files::preset::resolve(preset, None).expect("a bundled preset");
+        let (name, comment) = (preset.to_owned(), String::new());
+        let scene = found.scene;
+        bench.app.presets.push(PresetEntry { name, origin: "bundled", scene, comment });
+        bench.keys("7");
+        let id = asked(&bench).expect("the claims are asked for");
+        let rows = claims().find(|it| matches!(it.opens, Opens::Preset(name) if name == preset));
+        let rows: Vec<Row> = rows.into_iter().map(check).collect();
+        send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(rows), true)));
+        bench.press("<Enter>");
+        assert_eq!((bench.app.tab, bench.app.base.name.as_str()), (tab, preset));
+        let asked = bench.effects.iter().rev().find_map(|effect| match effect {
+            Effect::Sweep(job) => Some(Arc::clone(&job.plan)),
+            _ => None,
+        });
+        let plan = asked.expect("a sweep");
+        let along: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
+        assert_eq!(along, names);
+        bench.press("u7");
+        assert_eq!(bench.app.base.name, "thesis-baseline");
+    }
+}
+
+#[test]
+fn each_page_is_exported() {
+    let mut bench = bench(80, 24);
+    for (file, head, rows) in [
+        ("claims.csv", "id,where,says,sound,as_printed,verdict,cause,preset,runs", 24),
+        ("principles.csv", "family,principle,section,idea,functions,computed,preset", 0),
+        ("screening.csv", "rank,concept,total,rank_printed,total_printed,section,preset", 8),
+    ] {
+        bench.keys("e<Enter>");
+        let written = bench.effects.iter().rev().find_map(|effect| match effect {
+            Effect::ExportTable { text, path, .. } => Some((text.clone(), path.clone())),
+            _ => None,
+        });
+        let (text, path) = written.expect("an export");
+        assert!(path.ends_with(file), "{}", path.display());
+        let mut lines = text.lines();
+        assert_eq!(lines.next(), Some(head));
+        assert!(rows == 0 || lines.count() == rows, "{text}");
+        bench.keys("<Esc><Tab>");
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ use crate::study::sensitivity::{self, indices::Index};
 use crate::study::sweep::Fate;
 use crate::study::worth;
 use crate::tui::app::notice::Severity;
+use crate::tui::app::status::clip;
 
 /// A line, and how it is meant.
 pub type Line = (Severity, String);
@@ -79,6 +80,9 @@ fn sought(report: &seek::Report, selected: usize) -> Vec<Line> {
     }
     lines
 }
+
+/// Beyond this, m/s, no shot flies: a plate has no limit to speak of.
+const SPEED_MAX_M_S: f64 = 1e6;
 
 fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
     if front.candidates.is_empty() {
@@ -207,11 +211,27 @@ fn scattered(report: &scatter::Report, output: &str, width: usize) -> Vec<Line> 
         };
         let at = |share: f64| show(summary.quantile(share).map(|quantile| quantile.value));
         let mark = if summary.measure.name == output { ">" } else { " " };
-        let title: String = summary.measure.title().chars().take(name).collect();
+        let title = short(&summary.measure.title(), name);
         let values = cells([show(summary.nominal), at(0.05), at(0.5), at(0.95)]);
         lines.push(note(format!("{mark} {title:name$}{values}")));
     }
     lines
+}
+
+/// A result's title in so many columns: shorter words where it is too long, so that no two look alike.
+fn short(title: &str, width: usize) -> String {
+    if title.chars().count() <= width {
+        return title.to_owned();
+    }
+    let words = [
+        ("first arrest", "1st"),
+        ("plate displacement", "travel"),
+        ("plate velocity", "speed"),
+        ("penetration", "depth"),
+        ("percent of", "% of"),
+    ];
+    let short = words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word));
+    clip(&short, width)
 }
 
 fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
@@ -222,7 +242,8 @@ fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
     let heads: Vec<&str> =
         report.entries.iter().map(|entry| head(entry.candidate.word())).collect();
     let row = |label: &str, cells: Vec<String>| {
-        let cells = cells.iter().fold(String::new(), |line, text| line + &format!("{text:>cell$}"));
+        let cells =
+            cells.iter().fold(String::new(), |line, text| line + &format!(" {text:>0$}", cell - 1));
         note(format!("{label:13}{cells}"))
     };
     let mut lines = vec![row("", heads.iter().map(|head| (*head).to_owned()).collect())];
@@ -243,6 +264,7 @@ fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
         let figure = worth::FIGURES.iter().find(|figure| figure.name == name);
         let show = |value: Option<f64>| match (value, unit) {
             (None, _) => "-".to_owned(),
+            (Some(value), "m/s") if value > SPEED_MAX_M_S => "none".to_owned(),
             (Some(value), "" | "kg/m2") => significant(value, 4),
             (Some(value), unit) => Engineering { value, unit, digits: 3 }.to_string(),
         };
