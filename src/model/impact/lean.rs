@@ -13,7 +13,7 @@ use crate::model::contact::{AreaLaw, Geometry, Piece};
 use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring, moving_plate_kg};
 use crate::model::plan::holds_still;
 use crate::model::scene::{ContactModel, Mount, Scene};
-use crate::numerics::smaller;
+use crate::numerics::{larger, smaller};
 use expansion::{Clock, Constants};
 use law::{Law, Linear, Power, Whole};
 use riding::RIDES_BELOW;
@@ -38,6 +38,10 @@ const LOOSE: f64 = 3e-6;
 const TIGHT: f64 = 3e-10;
 /// How tight a singular start of such a plate can be made.
 const RIDES_TO: f64 = 1e-11;
+/// Part of the force that is reached at least, if it grew as at first contact.
+const REACHED: f64 = 0.3;
+/// The least part of a tolerance that is used for the plate's sake: less drowns in rounding.
+const SHARE_LEAST: f64 = 1e-4;
 /// First unit of a graded clock, relative to where it starts.
 const GRADED_UNIT: f64 = 0.6;
 
@@ -128,6 +132,24 @@ impl Contact {
         } else {
             self.with_terms::<TERMS_TIGHT>(tolerance)
         }
+    }
+
+    /// Run it so that the plate's place, too, is accurate relative to its own way: where that is far shorter than the travel, to a
+    /// tighter tolerance.
+    pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
+        self.run(tolerance * self.plate_share().unwrap_or(1.0))
+    }
+
+    /// The plate's way over the travel, if the way is the shorter and not known relative to itself anyway.
+    fn plate_share(&self) -> Option<f64> {
+        let moves = self.constants.plate_mobility > 0.0 && self.start_m == 0.0;
+        if !moves || self.spring.coefficient == 0.0 || self.as_riding().is_some() {
+            return None;
+        }
+        let (scale_s, v) = (self.scale_s()?, self.constants.velocity_m_s);
+        let force_n = REACHED * self.growth_n_s()? * scale_s * self.constants.cos;
+        let share = self.spring.at_force(force_n) / (v * scale_s);
+        Some(larger(smaller(share, 1.0), SHARE_LEAST))
     }
 
     fn with_terms<const N: usize>(&self, tolerance: f64) -> Option<ContactEnd> {
@@ -281,7 +303,6 @@ mod tests {
     use crate::model::impact::{Settings, simulate};
     use crate::model::units::Bare;
     use crate::model::variables::set_by_name;
-    use crate::numerics::larger;
     use std::ops::ControlFlow;
     use std::sync::Arc;
 

@@ -115,7 +115,7 @@ impl<'p> Quick<'p> {
                 self.contacts.push((place, Contact::of(scene)));
             }
         }
-        let ends = contacts(&self.contacts, SHARE * scene.run.tolerance);
+        let ends = contacts(&self.contacts, SHARE * scene.run.tolerance, self.travel);
         for ((place, _), end) in self.contacts.iter().zip(ends) {
             let Some(end) = end else { continue };
             self.plan.place(scene, points[*place]);
@@ -150,8 +150,13 @@ impl<'p> Quick<'p> {
 }
 
 /// Run contacts, one after the other; the place where lanes of them can run together.
-fn contacts(contacts: &[(usize, Contact)], tolerance: f64) -> Vec<Option<ContactEnd>> {
-    contacts.iter().map(|(_, contact)| contact.run(tolerance)).collect()
+fn contacts(
+    contacts: &[(usize, Contact)],
+    tolerance: f64,
+    travel: bool,
+) -> Vec<Option<ContactEnd>> {
+    let run = if travel { Contact::run_minding_plate } else { Contact::run };
+    contacts.iter().map(|(_, contact)| run(contact, tolerance)).collect()
 }
 
 /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
