@@ -4,7 +4,7 @@ mod page;
 
 use std::io::IsTerminal as _;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::deliver;
+use crate::cli::table::deliver_report;
 use crate::cli::{CliError, output};
 use crate::files::limit as rows;
 use crate::study::limit::scatter::Scattering;
@@ -83,16 +83,9 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
         output::progress("");
     }
     let name = preset.name.as_str();
-    if arguments.json {
-        // The object tells more than the shots; the file still holds these.
-        if let Some(path) = arguments.csv.as_deref().filter(|path| *path != Path::new("-")) {
-            crate::cli::table::write(path, &rows::shots(name, &report), arguments.force)?;
-        }
-        output::print(&rows::json(name, &report))?;
-    } else {
-        let page = page::text(name, &report);
-        let csv = (false, arguments.csv.as_deref(), arguments.force);
-        deliver(&page, &rows::shots(name, &report), csv)?;
-    }
+    let page = || page::text(name, &report);
+    let object = || rows::json(name, &report);
+    let to = (arguments.json, arguments.csv.as_deref(), arguments.force);
+    deliver_report(page, object, &rows::shots(name, &report), to)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -2,14 +2,14 @@
 
 mod page;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
 
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Pace, say_if_long, threads};
-use crate::cli::table::{deliver, write};
+use crate::cli::table::deliver_report;
 use crate::cli::{CliError, output};
 use crate::files::scatter as files;
 use crate::model::scene::Scene;
@@ -95,16 +95,10 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     let stopped = pace.end();
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
-    if arguments.json {
-        // The object tells more than the rows; the file still holds these.
-        if let Some(path) = arguments.csv.as_deref().filter(|path| *path != Path::new("-")) {
-            write(path, &rows, arguments.force)?;
-        }
-        output::print(&files::json(name, &report))?;
-    } else {
-        let page = page::text(name, &report);
-        deliver(&page, &rows, (false, arguments.csv.as_deref(), arguments.force))?;
-    }
+    let page = || page::text(name, &report);
+    let object = || files::json(name, &report);
+    let to = (arguments.json, arguments.csv.as_deref(), arguments.force);
+    deliver_report(page, object, &rows, to)?;
     if report.census[4] > 0 {
         output::note(&format!("{} samples failed and are left out", report.census[4]));
     }

@@ -45,8 +45,24 @@ pub(super) fn deliver(
     if json { output::print(&rows.json()) } else { output::print(page) }
 }
 
+/// The same for a report whose JSON object tells more than its rows: a file still holds the rows.
+pub(super) fn deliver_report(
+    page: impl FnOnce() -> String,
+    object: impl FnOnce() -> String,
+    rows: &Rows,
+    (json, csv, force): (bool, Option<&Path>, bool),
+) -> Result<(), CliError> {
+    if !json {
+        return deliver(&page(), rows, (false, csv, force));
+    }
+    if let Some(path) = csv.filter(|path| *path != Path::new("-")) {
+        write(path, rows, force)?;
+    }
+    output::print(&object())
+}
+
 /// Write the rows to a file.
-pub(super) fn write(path: &Path, rows: &Rows, force: bool) -> Result<(), CliError> {
+fn write(path: &Path, rows: &Rows, force: bool) -> Result<(), CliError> {
     write_text(path, &rows.csv()?, force)
 }
 

@@ -3,15 +3,15 @@
 mod page;
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::{deliver, write};
-use crate::cli::{CliError, output};
+use crate::cli::table::deliver_report;
 use crate::files::worth as files;
 use crate::model::units::{self, Bare, Quantity};
 use crate::study::worth::{Masses, compare};
@@ -60,16 +60,9 @@ pub(super) fn run(arguments: &WorthArguments) -> Result<ExitCode, CliError> {
     let report = compare(&scene, masses, &mut |_, _| ControlFlow::Continue(()))?;
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
-    if arguments.json {
-        // The object tells more than the rows; the file still holds these.
-        if let Some(path) = arguments.csv.as_deref().filter(|path| *path != Path::new("-")) {
-            write(path, &rows, arguments.force)?;
-        }
-        output::print(&files::json(name, &report))?;
-    } else {
-        let given = arguments.spring_mass.is_some();
-        let page = page::text(name, &scene, &report, given);
-        deliver(&page, &rows, (false, arguments.csv.as_deref(), arguments.force))?;
-    }
+    let page = || page::text(name, &scene, &report, arguments.spring_mass.is_some());
+    let object = || files::json(name, &report);
+    let to = (arguments.json, arguments.csv.as_deref(), arguments.force);
+    deliver_report(page, object, &rows, to)?;
     Ok(ExitCode::SUCCESS)
 }

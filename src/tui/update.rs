@@ -20,6 +20,7 @@ mod field;
 mod input;
 mod jobs;
 mod limit;
+mod path;
 mod runs;
 mod search;
 mod setup;

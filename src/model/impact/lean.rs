@@ -146,10 +146,14 @@ impl Contact {
         if !moves || self.spring.coefficient == 0.0 || self.as_riding().is_some() {
             return None;
         }
-        let (scale_s, v) = (self.scale_s()?, self.constants.velocity_m_s);
-        let force_n = REACHED * self.growth_n_s()? * scale_s * self.constants.cos;
-        let share = self.spring.at_force(force_n) / (v * scale_s);
+        let share = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s()?);
         Some(larger(smaller(share, 1.0), SHARE_LEAST))
+    }
+
+    /// How far the plate comes at least: where the spring holds a part of the contact force that is reached for certain, m.
+    fn reach_m(&self) -> Option<f64> {
+        let force_n = REACHED * self.growth_n_s()? * self.scale_s()? * self.constants.cos;
+        Some(self.spring.at_force(force_n))
     }
 
     fn with_terms<const N: usize>(&self, tolerance: f64) -> Option<ContactEnd> {

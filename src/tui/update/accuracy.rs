@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crossterm::event::{KeyCode, KeyEvent};
+use crossterm::event::KeyEvent;
 use tui_input::Input;
 
-use super::{input, jobs};
+use super::{jobs, path};
 use crate::study::accuracy::Effort;
 use crate::tui::app::App;
 use crate::tui::app::accuracy::Measuring;
@@ -174,37 +174,16 @@ fn export(app: &mut App) {
 }
 
 /// A key while the dialog for the path is open.
-pub(super) fn press(app: &mut App, mut state: Save, key: KeyEvent) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    match key.code {
-        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
-        KeyCode::Esc => return Vec::new(),
-        KeyCode::Char('y' | 'o') if state.question => effects = write(app, &mut state, true),
-        KeyCode::Enter if state.question => {}
-        KeyCode::Enter => effects = write(app, &mut state, false),
-        _ => {
-            if input::press(&mut state.input, &mut state.fresh, key) {
-                state.question = false;
-                state.error = None;
-            }
-        }
-    }
-    app.dialog = Some(Dialog::ExportAccuracy(state));
-    effects
+pub(super) fn press(app: &mut App, state: Save, key: KeyEvent) -> Vec<Effect> {
+    path::press(app, state, key, write, Dialog::ExportAccuracy)
 }
 
 fn write(app: &App, state: &mut Save, overwrite: bool) -> Vec<Effect> {
-    let text = state.input.value().trim();
     let Some(report) = &app.accuracy.report else {
         return Vec::new();
     };
-    if text.is_empty() || text.ends_with('/') {
-        state.error = Some("the path needs a file name, for example `accuracy.csv`".to_owned());
-        return Vec::new();
-    }
-    let path = app.directory.join(text);
+    let Some(path) = path::typed(app, state, "accuracy.csv") else { return Vec::new() };
     let name = name_of(&report.scene, &app.base.name, &app.base.scene);
-    state.question = false;
     let found = Box::new((name, (**report).clone()));
     vec![Effect::ExportAccuracy { path, overwrite, found }]
 }

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crossterm::event::{KeyCode, KeyEvent};
+use crossterm::event::KeyEvent;
 use tui_input::Input;
 
-use super::{edit, input, jobs, setup};
+use super::{edit, jobs, path, setup};
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::dialog::{Dialog, Save};
@@ -295,37 +295,16 @@ fn export(app: &mut App) {
 }
 
 /// A key while the dialog for the path is open.
-pub(super) fn press(app: &mut App, mut state: Save, key: KeyEvent) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    match key.code {
-        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
-        KeyCode::Esc => return Vec::new(),
-        KeyCode::Char('y' | 'o') if state.question => effects = write(app, &mut state, true),
-        KeyCode::Enter if state.question => {}
-        KeyCode::Enter => effects = write(app, &mut state, false),
-        _ => {
-            if input::press(&mut state.input, &mut state.fresh, key) {
-                state.question = false;
-                state.error = None;
-            }
-        }
-    }
-    app.dialog = Some(Dialog::ExportSweep(state));
-    effects
+pub(super) fn press(app: &mut App, state: Save, key: KeyEvent) -> Vec<Effect> {
+    path::press(app, state, key, write, Dialog::ExportSweep)
 }
 
 fn write(app: &App, state: &mut Save, overwrite: bool) -> Vec<Effect> {
-    let text = state.input.value().trim();
     let Some(found) = app.picture().and_then(|picture| app.sweeping.found(picture)) else {
         return Vec::new();
     };
-    if text.is_empty() || text.ends_with('/') {
-        state.error = Some("the path needs a file name, for example `sweep.csv`".to_owned());
-        return Vec::new();
-    }
-    let path = app.directory.join(text);
+    let Some(path) = path::typed(app, state, "sweep.csv") else { return Vec::new() };
     let name = name_of(found.grid.plan().base(), &app.base.name, &app.base.scene);
-    state.question = false;
     let grid = Arc::clone(&found.grid);
     vec![Effect::ExportSweep(Box::new(SweepExport { path, overwrite, name, grid }))]
 }

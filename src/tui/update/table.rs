@@ -1,9 +1,9 @@
 //! The dialog that writes a tab's table: a path, and the question before a file is replaced.
 
-use crossterm::event::{KeyCode, KeyEvent};
+use crossterm::event::KeyEvent;
 use tui_input::Input;
 
-use super::input;
+use super::path;
 use crate::files::error::FileError;
 use crate::files::{limit, stability, thesis};
 use crate::study::thesis::Row;
@@ -76,33 +76,13 @@ fn thesis_page(app: &App) -> Option<Result<String, FileError>> {
 }
 
 /// A key while the dialog is open.
-pub(super) fn press(app: &mut App, table: Table, mut state: Save, key: KeyEvent) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    match key.code {
-        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
-        KeyCode::Esc => return Vec::new(),
-        KeyCode::Char('y' | 'o') if state.question => effects = write(app, table, &mut state, true),
-        KeyCode::Enter if state.question => {}
-        KeyCode::Enter => effects = write(app, table, &mut state, false),
-        _ => {
-            if input::press(&mut state.input, &mut state.fresh, key) {
-                state.question = false;
-                state.error = None;
-            }
-        }
-    }
-    app.dialog = Some(Dialog::ExportTable(table, state));
-    effects
+pub(super) fn press(app: &mut App, table: Table, state: Save, key: KeyEvent) -> Vec<Effect> {
+    let write = |app: &App, state: &mut Save, overwrite| write(app, table, state, overwrite);
+    path::press(app, state, key, write, |state| Dialog::ExportTable(table, state))
 }
 
 fn write(app: &App, table: Table, state: &mut Save, overwrite: bool) -> Vec<Effect> {
-    let name = state.input.value().trim();
-    if name.is_empty() || name.ends_with('/') {
-        state.error = Some("the path needs a file name, for example `table.csv`".to_owned());
-        return Vec::new();
-    }
-    let path = app.directory.join(name);
-    state.question = false;
+    let Some(path) = path::typed(app, state, "table.csv") else { return Vec::new() };
     match text(app, table) {
         Some(Ok(text)) => return vec![Effect::ExportTable { path, overwrite, text }],
         Some(Err(error)) => state.error = Some(error.to_string()),

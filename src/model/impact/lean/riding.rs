@@ -48,8 +48,6 @@ pub(super) struct Riding {
 }
 /// Exponent below which a plate rides on its spring from the start.
 pub(super) const RIDES_BELOW: f64 = 1.0 / 3.0;
-/// Part of the force that is reached at least, if it grew as at first contact.
-const RIDDEN: f64 = 0.3;
 /// By how much earlier than need be a riding plate is started at most, so that it rides at first.
 const EARLIEST: f64 = 1e-3;
 /// Part of the tolerance for each of the many steps of a plate that swings fast.
@@ -275,12 +273,11 @@ impl Contact {
         if !(linear && rides && self.start_m == 0.0 && self.constants.plate_mobility > 0.0) {
             return None;
         }
-        let force_n = RIDDEN * self.growth_n_s()? * self.scale_s()? * self.constants.cos;
         Some(Riding {
             spring,
             damper_n_s_m: damper.coefficient,
             plate_kg: 1.0 / self.constants.plate_mobility,
-            reach_m: spring.at_force(force_n),
+            reach_m: self.reach_m()?,
         })
     }
 }

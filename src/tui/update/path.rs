@@ -1,0 +1,48 @@
+//! The dialog for the path of a table: typing, confirming, overwriting. What is written there is each tab's own business.
+
+use std::path::PathBuf;
+
+use crossterm::event::{KeyCode, KeyEvent};
+
+use super::input;
+use crate::tui::app::App;
+use crate::tui::app::dialog::{Dialog, Save};
+use crate::tui::message::Effect;
+
+/// A key while it is open. `write` is given the state and whether a file may be overwritten; `dialog` keeps it open.
+pub(super) fn press(
+    app: &mut App,
+    mut state: Save,
+    key: KeyEvent,
+    write: impl FnOnce(&App, &mut Save, bool) -> Vec<Effect>,
+    dialog: impl FnOnce(Save) -> Dialog,
+) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    match key.code {
+        KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
+        KeyCode::Esc => return Vec::new(),
+        KeyCode::Char('y' | 'o') if state.question => effects = write(app, &mut state, true),
+        KeyCode::Enter if state.question => {}
+        KeyCode::Enter => effects = write(app, &mut state, false),
+        _ => {
+            if input::press(&mut state.input, &mut state.fresh, key) {
+                state.question = false;
+                state.error = None;
+            }
+        }
+    }
+    app.dialog = Some(dialog(state));
+    effects
+}
+
+/// The path that was typed; `None`, with the reason in the dialog, where it names no file.
+pub(super) fn typed(app: &App, state: &mut Save, example: &str) -> Option<PathBuf> {
+    let text = state.input.value().trim();
+    if text.is_empty() || text.ends_with('/') {
+        state.error = Some(format!("the path needs a file name, for example `{example}`"));
+        return None;
+    }
+    let path = app.directory.join(text);
+    state.question = false;
+    Some(path)
+}
