@@ -74,6 +74,21 @@ pub(super) fn changed(mut scene: Scene, changes: &[(&str, f64)]) -> Scene {
     scene
 }
 
+/// The thesis's scene with variables set as `--set` does: for mechanisms, which are chosen by a word.
+pub(super) fn spelled(changes: &[(&str, &str)]) -> Scene {
+    let mut scene = base();
+    for (name, value) in changes {
+        let set = variables::set_by_name(&mut scene, name, value, units::Bare::Si);
+        debug_assert!(set.is_ok(), "{name} = {value}");
+    }
+    scene
+}
+
+/// A finding of the sound model alone.
+pub(super) fn found(sound: String, verdict: Verdict, cause: &'static str) -> Found {
+    Found { sound, printed: String::new(), verdict, cause }
+}
+
 /// On a rigid mount.
 pub(super) fn rigid(mut scene: Scene) -> Scene {
     scene.plate.mount = Mount::Rigid;
