@@ -4,6 +4,7 @@ use crate::model::design::beam::Cantilever;
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::principles::PRINCIPLES;
 use crate::study::screening::CONCEPTS;
 use crate::study::thesis::lab::Measure::Percent;
 use crate::study::thesis::lab::{
@@ -452,6 +453,22 @@ pub(super) static CLAIMS: &[Claim] = &[
                 format!("a concept of that name: {named}; Helical rotating spring: {meant}"),
                 misprint_verdict(named, meant),
                 "the Helical Rotating Spring is meant",
+            )
+        },
+    },
+    Claim {
+        id: "10.1.6-confirm",
+        place: "10.1.6",
+        says: "the sensitivity plots confirm the importance of the design principles",
+        opens: Opens::Nothing,
+        check: |_| {
+            // What the variables of Figures 9.2 to 9.12 act on: d, and gamma, b, k, n.
+            let moved = ["Relative velocity reduction", "Transfer rate minimization"];
+            let shown = PRINCIPLES.iter().filter(|it| moved.contains(&it.name)).count();
+            found(
+                format!("{shown} of {} principles are varied in chapter 9", PRINCIPLES.len()),
+                number_verdict(shown == PRINCIPLES.len(), shown > 0),
+                "of relative velocity and transfer rate; nothing there turns, spreads, or makes the shot glance off",
             )
         },
     },

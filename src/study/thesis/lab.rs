@@ -16,6 +16,9 @@ use crate::study::thesis::{Found, Verdict};
 /// The thesis's baseline, m (section 9.3).
 pub(super) const BASELINE_M: f64 = 7.129e-3;
 
+/// Longer than any contact here, s.
+const CONTACT_S: f64 = 1e-3;
+
 /// Which algorithm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Law {
@@ -121,7 +124,12 @@ impl Lab {
 
     /// Depth at the first arrest, m; infinite for a perforation, NaN where there is none.
     pub(super) fn depth_m(&self, law: Law, scene: &Scene) -> f64 {
-        let run = self.run(law, scene);
+        let mut own = scene.clone();
+        if law == Law::Printed {
+            // The listing follows the plate for as long as it swings; its depth is known when the contact ends.
+            own.run.horizon_s = own.run.horizon_s.or(Some(CONTACT_S));
+        }
+        let run = self.run(law, &own);
         match run.outcome {
             Outcome::Perforated => f64::INFINITY,
             Outcome::Arrested | Outcome::Separated | Outcome::Moving => {
