@@ -37,6 +37,9 @@ pub enum FileError {
         /// What is accepted.
         limit: u64,
     },
+    /// The file is no table of displacement and force: which, where, and the cure.
+    #[error("{0}")]
+    Curve(String),
     /// The file is not a scene.
     #[error("{0}")]
     Scene(SceneErrors),

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::rect;
-use super::sweep::{chart_axis, drawn, nothing, value_scale};
+use super::sweep::{centred, chart_axis, drawn, nothing, value_scale, why_empty};
 use super::text::put;
 use crate::model::results::ResultColumn;
 use crate::model::units::significant;
@@ -105,9 +105,16 @@ impl<'a> Sight<'a> {
         );
         let Some(levels) = &self.levels else {
             let inner = Pane::new(title).render(area, buffer, app.theme);
-            let text = "no point has a value here: v shows another output, Y a linear scale";
-            let text = clip(text, usize::from(inner.width));
-            put(buffer, inner, (1, inner.height / 2), &text, app.theme.style(Role::Dim));
+            let (along, up) = self.grid.counts();
+            let hidden = (0..along).any(|x| {
+                (0..up).any(|y| matches!(self.grid.cell(x, y, self.output), Cell::Value(_)))
+            });
+            let text = if hidden {
+                "no value can stand on a logarithmic scale: Y shows a linear one".to_owned()
+            } else {
+                why_empty(self.grid, self.output)
+            };
+            centred(app, &text, inner, buffer);
             return;
         };
         let spot = |x: usize, y: usize| {

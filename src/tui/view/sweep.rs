@@ -8,9 +8,10 @@ use super::rect;
 use super::text::{columns, put};
 use crate::model::units::significant;
 use crate::study::sweep::grid::{Cell, Grid};
-use crate::study::sweep::{Axis, Spacing};
+use crate::study::sweep::{Axis, Fate, Spacing};
 use crate::tui::app::App;
 use crate::tui::app::layout::SweepPanes;
+use crate::tui::app::status::wrap;
 use crate::tui::app::sweep::{Found, Picture};
 use crate::tui::chart::{self, Chart, Curve, Emphasis, Legend, MARKERS, Scale, Unit, ViewRange};
 use crate::tui::theme::{Pane, Role};
@@ -103,7 +104,7 @@ fn curves(
     let values = || lines.iter().flatten().map(|point| point.1);
     let title = column.title() + if old { ", old" } else { "" };
     let Some(range) = ViewRange::of(scale, values()) else {
-        nothing_exists(app, &title, grid, area, buffer);
+        nothing_exists(app, (&title, grid, output), area, buffer);
         return;
     };
     let view = match scale {
@@ -162,12 +163,49 @@ fn marks(
 }
 
 /// No point of the sweep has this output.
-fn nothing_exists(app: &App, title: &str, grid: &Grid, area: Rect, buffer: &mut Buffer) {
+fn nothing_exists(
+    app: &App,
+    (title, grid, output): (&str, &Grid, usize),
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let inner = Pane::new(title.to_owned()).render(area, buffer, app.theme);
     let text = match grid.progress().0 {
         0 => "sweeping the first points".to_owned(),
-        _ => "no point has this: v shows another output".to_owned(),
+        _ => why_empty(grid, output),
     };
-    let column = inner.width.saturating_sub(columns(&text)) / 2;
-    put(buffer, inner, (column, inner.height / 2), &text, app.theme.style(Role::Dim));
+    centred(app, &text, inner, buffer);
+}
+
+/// A sentence in the middle of an empty picture, on as many lines as it needs.
+pub(super) fn centred(app: &App, text: &str, inner: Rect, buffer: &mut Buffer) {
+    for (row, line) in (inner.height / 2..inner.height).zip(wrap(text, usize::from(inner.width))) {
+        let column = inner.width.saturating_sub(columns(&line)) / 2;
+        put(buffer, inner, (column, row), &line, app.theme.style(Role::Dim));
+    }
+}
+
+/// Why no point has a value of an output: what became of them, if it is the same everywhere, and what to do.
+pub(super) fn why_empty(grid: &Grid, output: usize) -> String {
+    let (along, up) = grid.counts();
+    let mut fates = (0..along).flat_map(|x| (0..up).map(move |y| (x, y))).filter_map(|(x, y)| {
+        match grid.cell(x, y, output) {
+            Cell::Fate(fate) => Some(fate),
+            Cell::Value(_) | Cell::Waiting => None,
+        }
+    });
+    let first = fates.next();
+    match first.filter(|first| fates.all(|fate| fate.letter() == first.letter())) {
+        Some(Fate::Perforated) => {
+            "every shot perforates: choose residual velocity under Show, lower v_i, or see the Limit tab (8)".to_owned()
+        }
+        Some(Fate::Moving) => {
+            "nothing is decided at any point: v shows another output, a longer horizon may decide".to_owned()
+        }
+        Some(Fate::Failed(_)) => "every point failed: the line below says why".to_owned(),
+        Some(fate @ (Fate::Arrested | Fate::Separated)) => {
+            format!("every shot is {}: this output does not exist then; v shows another", fate.word())
+        }
+        None => "no point has this output: v shows another".to_owned(),
+    }
 }
