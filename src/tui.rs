@@ -24,6 +24,7 @@ mod terminal;
 use std::io::{self, Write};
 use std::sync::mpsc;
 
+use crossterm::event::MouseEvent;
 use thiserror::Error;
 
 use crate::files::paths::Paths;
@@ -55,6 +56,8 @@ pub enum TuiError {
 enum Incoming {
     /// Something for `update`.
     Message(Message),
+    /// The mouse, which the program has.
+    Mouse(MouseEvent),
     /// A signal of the system.
     Signal(Signal),
     /// Nothing can be read from the terminal any more.

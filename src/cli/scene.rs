@@ -1,6 +1,7 @@
 //! The scene a command works on: SCENE, then every `--set` in order.
 
-use std::io::{self, Read as _};
+use std::io;
+use std::path::Path;
 
 use clap::Args;
 
@@ -8,6 +9,7 @@ use crate::cli::CliError;
 use crate::files::bundled;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
+use crate::files::read;
 use crate::model::scene::Scene;
 use crate::model::units::Bare;
 use crate::model::variables;
@@ -60,7 +62,7 @@ pub(super) fn named(name: &str) -> Result<Preset, CliError> {
 }
 
 fn from_stdin() -> Result<Preset, CliError> {
-    let mut text = String::new();
-    io::stdin().read_to_string(&mut text).map_err(CliError::Stdin)?;
-    Ok(preset::from_text("standard input".to_owned(), Origin::Text, text)?)
+    let name = "standard input";
+    let text = read::text_from(io::stdin().lock(), Path::new(name))?;
+    Ok(preset::from_text(name.to_owned(), Origin::Text, text)?)
 }

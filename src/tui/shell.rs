@@ -7,6 +7,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 use crossterm::clipboard::CopyToClipboard;
+use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::effects::{Clerk, Task};
 use super::pace::Pace;
@@ -229,6 +230,10 @@ impl Shell {
     fn receive(&mut self, incoming: Incoming) -> io::Result<Option<Ending>> {
         match incoming {
             Incoming::Message(message) => self.take(message),
+            Incoming::Mouse(mouse) => match self.pointed(mouse) {
+                Some(message) => self.take(message),
+                None => Ok(None),
+            },
             Incoming::Signal(Signal::End(status)) => Ok(Some(Ending::Signal(status))),
             Incoming::Signal(Signal::Continued) => {
                 self.guard.enter_again()?;
@@ -236,6 +241,16 @@ impl Shell {
                 Ok(None)
             }
             Incoming::InputLost => Ok(Some(Ending::HungUp)),
+        }
+    }
+
+    /// What a click or a turn of the wheel means on the screen as it is.
+    fn pointed(&self, mouse: MouseEvent) -> Option<Message> {
+        let target = view::pointer::target(&self.app, (mouse.column, mouse.row));
+        match mouse.kind {
+            MouseEventKind::ScrollUp => Some(Message::Wheel(true, target)),
+            MouseEventKind::ScrollDown => Some(Message::Wheel(false, target)),
+            _ => target.map(Message::Click),
         }
     }
 
@@ -263,7 +278,8 @@ impl Shell {
     /// Keep count of what the worker is doing.
     fn note(&mut self, report: &Report) {
         if !report.body.is_last() {
-            self.pace.set_busy(true);
+            // A curve so far may come after the end.
+            self.pace.set_busy(!self.running.is_empty());
             return;
         }
         self.running.remove(&report.id);

@@ -5,6 +5,7 @@ mod bench;
 mod keys;
 mod limit;
 mod models;
+mod pointer;
 mod readme;
 mod search;
 mod stability;

@@ -11,19 +11,23 @@ use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::{Axis, Spacing};
 use crate::tui::app::App;
 use crate::tui::app::layout::SweepPanes;
-use crate::tui::app::sweep::{Found, Picture};
-use crate::tui::chart::{self, Chart, Curve, Emphasis, Legend, MARKERS, Scale, Unit, ViewRange};
+use crate::tui::app::status::wrap;
+use crate::tui::app::sweep::{Found, Picture, no_value};
+use crate::tui::chart::{
+    self, Chart, Curve, Emphasis, Layout, Legend, MARKERS, Scale, Unit, ViewRange,
+};
 use crate::tui::theme::{Pane, Role};
 
-/// Draw the charts.
-pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) {
+/// Draw the charts, and tell where everything lies in each.
+pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) -> Vec<Layout> {
     let picture = Picture::Line;
     let Some(found) = app.sweeping.found(picture) else {
         if let Some(area) = panes.plots.first() {
             nothing(app, "Curves", rect(*area), buffer);
         }
-        return;
+        return Vec::new();
     };
+    let mut layouts = Vec::new();
     let outputs = found.grid.plan().outputs().len();
     let (shown, _) = app.shown_output(&found.grid);
     for (place, area) in panes.plots.iter().enumerate() {
@@ -33,8 +37,9 @@ pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) {
             nothing(app, "", rect(*area), buffer);
             continue;
         }
-        curves(app, found, (output, place == 0), rect(*area), buffer);
+        layouts.extend(curves(app, found, (output, place == 0), rect(*area), buffer));
     }
+    layouts
 }
 
 /// A pane that has nothing to show yet.
@@ -84,7 +89,7 @@ fn curves(
     (output, is_first): (usize, bool),
     area: Rect,
     buffer: &mut Buffer,
-) {
+) -> Option<Layout> {
     let grid = &found.grid;
     let column = grid.plan().outputs()[output];
     let old = app.sweep_is_old(Picture::Line) && app.sweeping.computing.is_none();
@@ -103,8 +108,8 @@ fn curves(
     let values = || lines.iter().flatten().map(|point| point.1);
     let title = column.title() + if old { ", old" } else { "" };
     let Some(range) = ViewRange::of(scale, values()) else {
-        nothing_exists(app, &title, grid, area, buffer);
-        return;
+        nothing_exists(app, &title, (grid, output), area, buffer);
+        return None;
     };
     let view = match scale {
         Scale::Linear => range.padded(scale, 0.05),
@@ -135,6 +140,7 @@ fn curves(
     };
     let layout = chart.render(area, buffer, app.theme).layout;
     marks(app, grid, output, (layout.plot, layout.x), buffer);
+    Some(layout)
 }
 
 /// A letter at the foot of the plot wherever the selected curve has a gap.
@@ -161,13 +167,27 @@ fn marks(
     }
 }
 
-/// No point of the sweep has this output.
-fn nothing_exists(app: &App, title: &str, grid: &Grid, area: Rect, buffer: &mut Buffer) {
+/// No point of the sweep has this output: say why, and what to do.
+pub(super) fn nothing_exists(
+    app: &App,
+    title: &str,
+    (grid, output): (&Grid, usize),
+    area: Rect,
+    buffer: &mut Buffer,
+) {
     let inner = Pane::new(title.to_owned()).render(area, buffer, app.theme);
-    let text = match grid.progress().0 {
-        0 => "sweeping the first points".to_owned(),
-        _ => "no point has this: v shows another output".to_owned(),
-    };
-    let column = inner.width.saturating_sub(columns(&text)) / 2;
-    put(buffer, inner, (column, inner.height / 2), &text, app.theme.style(Role::Dim));
+    let room = usize::from(inner.width.saturating_sub(2)).max(8);
+    let texts = no_value(grid, output);
+    let said: Vec<(bool, String)> = texts
+        .iter()
+        .enumerate()
+        .flat_map(|(at, text)| wrap(text, room).into_iter().map(move |line| (at == 0, line)))
+        .collect();
+    let rows = u16::try_from(said.len()).unwrap_or(u16::MAX);
+    let top = inner.height.saturating_sub(rows) / 2;
+    for (row, (is_case, text)) in (top..inner.height).zip(&said) {
+        let column = inner.width.saturating_sub(columns(text)) / 2;
+        let role = if *is_case { Role::Text } else { Role::Dim };
+        put(buffer, inner, (column, row), text, app.theme.style(role));
+    }
 }
