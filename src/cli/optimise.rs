@@ -13,7 +13,7 @@ use crate::cli::table::TableArguments;
 use crate::files::front as files;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::study::search::field::Field;
-use crate::study::search::front::{Constraint, Task, objectives, optimise};
+use crate::study::search::front::{Constraint, STEPS_MAX, Task, objectives, optimise};
 use crate::study::search::measure::{measure, parse_value};
 use crate::study::search::nsga::Effort;
 
@@ -135,7 +135,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     // The slower law stands for both.
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
-    let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?;
+    let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?.limited(STEPS_MAX);
     say_if_long(&field, task.runs(), task.threads);
     let mut pace = Pace::begin();
     let fronts = optimise(&preset.scene, &task, &mut |done, total, _| pace.watch(done, total))?;

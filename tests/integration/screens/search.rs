@@ -49,6 +49,7 @@ fn front(scene: &Scene, task: &Task) -> Front {
         candidates: candidates.into_iter().map(candidate).collect(),
         generations: 40,
         runs: 2460,
+        given_up: 0,
         is_complete: true,
     }
 }
