@@ -77,7 +77,11 @@ pub fn run(options: Options) -> Result<u8, TuiError> {
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
     let mut shell = Shell::start(options, paths, sender, inbox)?;
     let ending = shell.run();
-    let summary = shell.leave(&ending);
+    let (summary, lost) = shell.leave(&ending);
+    if let Some(why) = lost {
+        // As below.
+        let _ = writeln!(io::stderr().lock(), "the session was not kept: {why}");
+    }
     if let Some(text) = summary {
         // The reader of standard output may be gone; the workbench is over either way.
         let _ = writeln!(io::stdout().lock(), "{}", text.trim_end());

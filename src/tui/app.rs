@@ -200,6 +200,8 @@ pub struct App {
     pub mouse: bool,
     /// The presets as last listed.
     pub presets: Vec<PresetEntry>,
+    /// The session could not be saved the last time.
+    pub session_lost: bool,
     /// Where relative paths start.
     pub directory: PathBuf,
 }
@@ -237,6 +239,7 @@ impl App {
             auto_run: true,
             mouse: false,
             presets: Vec::new(),
+            session_lost: false,
             directory,
         }
     }

@@ -92,6 +92,8 @@ pub enum EffectReport {
     Copied(String),
     /// Something could not be done, and why.
     Refused(String),
+    /// The session cannot be kept any more, and why; or it can again.
+    Session(Result<(), String>),
     /// Names that complete a path.
     Completions(Vec<String>),
 }

@@ -104,7 +104,8 @@ impl Shell {
         let clerk = Clerk::spawn(paths, sender.clone())?;
         let unsaved = clerk.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
-            unsaved.save();
+            // Nobody is left to be told.
+            let _ = unsaved.save();
             terminal::restore_without_waiting();
         })?;
         let now = Instant::now();
@@ -153,8 +154,9 @@ impl Shell {
         }
     }
 
-    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted.
-    pub(super) fn leave(self, ending: &Ending) -> Option<String> {
+    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted, and why the
+    /// session was not saved, if it was not.
+    pub(super) fn leave(self, ending: &Ending) -> (Option<String>, Option<String>) {
         let (patience, summary) = match ending {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
             Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
@@ -162,8 +164,8 @@ impl Shell {
         self.clerk.session_changed(start::session(&self.app, &self.recent));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
-        self.clerk.finish(patience);
-        summary.then(|| self.app.summary())
+        let lost = self.clerk.finish(patience).err();
+        (summary.then(|| self.app.summary()), lost)
     }
 
     /// Wait for something, deal with all that has come, and draw if it is time.
