@@ -3,7 +3,7 @@
 //! Map of the folder, in reading order: [`series`] is arithmetic on truncated power series, from which a model builds the
 //! Taylor expansion of its solution; [`taylor`] chooses the step such an expansion is good for; [`implicit`] is an
 //! L-stable collocation method for what is too stiff for that; [`explicit`] are the Runge-Kutta methods everything is compared
-//! with; [`root`] locates events; [`quadrature`] integrates.
+//! with; [`root`] locates events; [`quadrature`] integrates; [`wide`] is several numbers at once.
 //! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
 
 pub mod double_double;
@@ -17,6 +17,7 @@ pub mod random;
 pub mod root;
 pub mod series;
 pub mod taylor;
+pub mod wide;
 
 /// The larger of two numbers; NaN when either is NaN (unlike `f64::max`, which hides it).
 pub fn larger(a: f64, b: f64) -> f64 {

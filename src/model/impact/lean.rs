@@ -14,16 +14,18 @@ use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring, moving_pla
 use crate::model::plan::holds_still;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
+pub use abreast::run_abreast;
 use expansion::{Clock, Constants};
-use law::{Law, Linear, Power, Whole};
 use riding::RIDES_BELOW;
 use slaved::Slaved;
 use start::Start;
-use way::Track;
+use way::{Outset, Track, Walk};
 
+mod abreast;
 mod expansion;
 mod free;
 mod law;
+mod plain;
 mod riding;
 mod root;
 mod slaved;
@@ -119,25 +121,22 @@ impl Contact {
 
     /// Run it to the relative accuracy `tolerance`; `None` where the full track is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
-        if self.left_to_others {
-            return None;
-        }
-        if let Some(end) = self.closed(tolerance) {
-            return Some(end);
-        }
-        if tolerance >= LOOSE {
-            self.with_terms::<TERMS_LOOSE>(tolerance)
-        } else if tolerance >= TIGHT {
-            self.with_terms::<TERMS>(tolerance)
-        } else {
-            self.with_terms::<TERMS_TIGHT>(tolerance)
+        match self.outset(tolerance) {
+            Outset::Ended(end) => Some(end),
+            Outset::Steps(walk) => self.walk(&walk),
+            Outset::Left => None,
         }
     }
 
     /// Run it so that the plate's place, too, is accurate relative to its own way: where that is far shorter than the travel, to a
     /// tighter tolerance.
     pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
-        self.run(tolerance * self.plate_share().unwrap_or(1.0))
+        self.run(self.minding_plate(tolerance))
+    }
+
+    /// The tolerance for that.
+    fn minding_plate(&self, tolerance: f64) -> f64 {
+        tolerance * self.plate_share().unwrap_or(1.0)
     }
 
     /// The plate's way over the travel, if the way is the shorter and not known relative to itself anyway.
@@ -156,80 +155,49 @@ impl Contact {
         Some(self.spring.at_force(force_n))
     }
 
-    fn with_terms<const N: usize>(&self, tolerance: f64) -> Option<ContactEnd> {
+    /// The contact up to where plain steps begin, or to its end where it needs none.
+    fn outset(&self, tolerance: f64) -> Outset {
+        if self.left_to_others {
+            return Outset::Left;
+        }
+        if let Some(end) = self.closed(tolerance) {
+            return Outset::Ended(end);
+        }
+        let outset = if tolerance >= LOOSE {
+            self.outset_with::<TERMS_LOOSE>(tolerance)
+        } else if tolerance >= TIGHT {
+            self.outset_with::<TERMS>(tolerance)
+        } else {
+            self.outset_with::<TERMS_TIGHT>(tolerance)
+        };
+        outset.unwrap_or(Outset::Left)
+    }
+
+    fn outset_with<const N: usize>(&self, tolerance: f64) -> Option<Outset> {
         if let Some(slaved) = self.as_slaved(tolerance) {
-            return self.slaved::<N>(slaved, tolerance);
+            return self.slaved::<N>(slaved, tolerance).map(Outset::Ended);
         }
         if let Some(riding) = self.as_riding()
-            && let Some(end) = self.ridden::<N>(riding, tolerance)
+            && let Some(outset) = self.ridden::<N>(riding, tolerance)
         {
-            return Some(end);
+            return Some(outset);
         }
-        let law = self.spring;
-        let side = if self.start_m < 0.0 { -1.0 } else { 1.0 };
-        match law.kind() {
-            PowerKind::Absent | PowerKind::Linear => {
-                self.with_spring::<N>(Linear(law.coefficient), tolerance)
+        let starts = self.start_m == 0.0;
+        let is_smooth =
+            |law: PowerLaw| !matches!(law.kind(), PowerKind::General | PowerKind::Whole(4..));
+        let singular = (starts && !is_smooth(self.spring), !is_smooth(self.damper));
+        let track = if singular.0 || singular.1 {
+            if singular.0 && self.spring.exponent < RIDES_BELOW && tolerance < RIDES_TO {
+                return None;
             }
-            PowerKind::Whole(2) => self.with_spring::<N>(Whole::<N, 2>::new(law, side), tolerance),
-            PowerKind::Whole(3) => self.with_spring::<N>(Whole::<N, 3>::new(law, side), tolerance),
-            // The singular start serves them, too: a high power of a small displacement is next to nothing.
-            PowerKind::Whole(_) | PowerKind::General => {
-                self.with_spring::<N>(Power::<N>::new(law), tolerance)
-            }
-        }
-    }
-
-    fn with_spring<const N: usize>(
-        &self,
-        spring: impl Law<N>,
-        tolerance: f64,
-    ) -> Option<ContactEnd> {
-        let law = self.damper;
-        match law.kind() {
-            PowerKind::Absent | PowerKind::Linear => {
-                self.track(spring, Linear(law.coefficient), tolerance)
-            }
-            PowerKind::Whole(2) => {
-                // From rest the plate only goes forward.
-                self.track(spring, Whole::<N, 2>::new(law, 1.0), tolerance)
-            }
-            PowerKind::Whole(_) | PowerKind::General => {
-                self.track(spring, Power::<N>::new(law), tolerance)
-            }
-        }
-    }
-
-    fn track<const N: usize, K: Law<N>, D: Law<N>>(
-        &self,
-        spring: K,
-        damper: D,
-        tolerance: f64,
-    ) -> Option<ContactEnd> {
-        let constants = self.constants;
-        let sides = (K::TWO_SIDED, D::TWO_SIDED);
-        let singular = (!K::SMOOTH && self.start_m == 0.0, !D::SMOOTH);
-        if singular.0 && self.spring.exponent < RIDES_BELOW && tolerance < RIDES_TO {
-            return None;
-        }
-        if singular.0 || singular.1 {
             let (t_s, state) = self.moved(singular, tolerance)?;
             let s = t_s.cbrt();
-            let clock = Clock::Graded { s, unit: GRADED_UNIT * s };
-            let expand = |track: &Track, piece| {
-                let rates = track.clock.rates();
-                Some(constants.expand::<N, true>((spring, damper), track.state, rates, piece))
-            };
-            self.go_on(expand, self.begin(t_s, state, clock), (sides, tolerance, None)).ended()
+            self.begin(t_s, state, Clock::Graded { s, unit: GRADED_UNIT * s })
         } else {
             let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
-            let clock = Clock::Even { unit_s: 0.5 * self.scale_s()? };
-            let expand = |track: &Track, piece| {
-                let rates = track.clock.rates();
-                Some(constants.expand::<N, false>((spring, damper), track.state, rates, piece))
-            };
-            self.go_on(expand, self.begin(0.0, state, clock), (sides, tolerance, None)).ended()
-        }
+            self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s()? })
+        };
+        Some(Outset::Steps(Walk { track, tolerance, reach_m: None, terms: N }))
     }
 
     /// The state a moment after a singular start.

@@ -5,7 +5,7 @@
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
-use crate::model::impact::lean::{Contact, ContactEnd};
+use crate::model::impact::lean::{Contact, ContactEnd, run_abreast};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
@@ -72,8 +72,9 @@ pub(super) struct Quick<'p> {
     /// The displacement is asked for.
     travel: bool,
     baseline: Baseline,
-    /// The contacts of the piece that have to be integrated, with their places.
-    contacts: Vec<(usize, Contact)>,
+    /// The contacts of the piece that have to be integrated, and their places.
+    contacts: Vec<Contact>,
+    places: Vec<usize>,
     answers: Vec<Option<(Fate, Answer)>>,
 }
 
@@ -95,6 +96,7 @@ impl<'p> Quick<'p> {
                 Baseline::ByPoint
             },
             contacts: Vec::new(),
+            places: Vec::new(),
             answers: Vec::new(),
         })
     }
@@ -109,14 +111,16 @@ impl<'p> Quick<'p> {
         self.answers.clear();
         self.answers.resize(points.len(), None);
         self.contacts.clear();
+        self.places.clear();
         for (place, index) in points.iter().enumerate() {
             self.plan.place(scene, *index);
             if self.serves(scene) {
-                self.contacts.push((place, Contact::of(scene)));
+                self.contacts.push(Contact::of(scene));
+                self.places.push(place);
             }
         }
-        let ends = contacts(&self.contacts, SHARE * scene.run.tolerance, self.travel);
-        for ((place, _), end) in self.contacts.iter().zip(ends) {
+        let ends = run_abreast(&self.contacts, SHARE * scene.run.tolerance, self.travel);
+        for (place, end) in self.places.iter().zip(ends) {
             let Some(end) = end else { continue };
             self.plan.place(scene, points[*place]);
             self.answers[*place] = Some(self.finish(scene, end));
@@ -147,16 +151,6 @@ impl<'p> Quick<'p> {
         let fate = if end.arrested { Fate::Arrested } else { Fate::Perforated };
         (fate, Answer { end: Some(end), baseline_m, farthest_m, start_m })
     }
-}
-
-/// Run contacts, one after the other; the place where lanes of them can run together.
-fn contacts(
-    contacts: &[(usize, Contact)],
-    tolerance: f64,
-    travel: bool,
-) -> Vec<Option<ContactEnd>> {
-    let run = if travel { Contact::run_minding_plate } else { Contact::run };
-    contacts.iter().map(|(_, contact)| run(contact, tolerance)).collect()
 }
 
 /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.

@@ -5,19 +5,22 @@
 
 use crate::model::impact::lean::law::{Law, product_before, square_at, square_before};
 use crate::numerics::larger;
+use crate::numerics::taylor::rough_root;
+use crate::numerics::wide::Real;
 
 /// The four series, in the step's own variable from 0 to 1.
-pub(super) struct Series<const N: usize> {
-    pub(super) travel: [f64; N],
-    pub(super) slip: [f64; N],
-    pub(super) plate: [f64; N],
-    pub(super) speed: [f64; N],
+pub(super) struct Series<const N: usize, R: Real = f64> {
+    pub(super) travel: [R; N],
+    pub(super) slip: [R; N],
+    pub(super) plate: [R; N],
+    pub(super) speed: [R; N],
 }
 
-impl<const N: usize> Series<N> {
+impl<const N: usize, R: Real> Series<N, R> {
     /// (travel, slip, plate, speed) at `span`, side by side.
-    pub(super) fn state(&self, span: f64) -> [f64; 4] {
-        let mut state = [0.0; 4];
+    #[inline(always)]
+    pub(super) fn state(&self, span: R) -> [R; 4] {
+        let mut state = [span.alike(0.0); 4];
         for j in (0..N).rev() {
             let terms = [self.travel[j], self.slip[j], self.plate[j], self.speed[j]];
             for (value, term) in state.iter_mut().zip(terms) {
@@ -26,17 +29,38 @@ impl<const N: usize> Series<N> {
         }
         state
     }
+
+    /// How fast the slip changes at `span`.
+    #[inline(always)]
+    pub(super) fn slip_slope(&self, span: R) -> R {
+        let mut sum = span.alike(0.0);
+        for j in (1..N).rev() {
+            sum = sum * span + self.slip[j] * j as f64;
+        }
+        sum
+    }
+
+    /// The series of one lane.
+    pub(super) fn lane(&self, lane: usize) -> Series<N> {
+        let of = |series: &[R; N]| series.map(|term| term.lane(lane));
+        Series {
+            travel: of(&self.travel),
+            slip: of(&self.slip),
+            plate: of(&self.plate),
+            speed: of(&self.speed),
+        }
+    }
 }
 
 /// What stays the same along the way.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Constants {
-    pub(super) strength_pa: f64,
-    pub(super) drag_kg_m3: f64,
-    pub(super) slip_mobility: f64,
-    pub(super) plate_mobility: f64,
-    pub(super) cos: f64,
-    pub(super) velocity_m_s: f64,
+pub(super) struct Constants<R = f64> {
+    pub(super) strength_pa: R,
+    pub(super) drag_kg_m3: R,
+    pub(super) slip_mobility: R,
+    pub(super) plate_mobility: R,
+    pub(super) cos: R,
+    pub(super) velocity_m_s: R,
 }
 
 /// Time along a step.
@@ -98,17 +122,17 @@ impl Clock {
     }
 }
 
-impl Constants {
+impl<R: Real> Constants<R> {
     /// Expand from `state` = (travel, slip, plate, speed) on a piece whose area is a0 + a1 (q - origin) + a2 (q - origin)².
-    #[inline]
+    #[inline(always)]
     pub(super) fn expand<const N: usize, const GRADED: bool>(
         &self,
-        (mut spring, mut damper): (impl Law<N>, impl Law<N>),
-        state: [f64; 4],
-        rates: [f64; 3],
-        (origin_m, a): (f64, [f64; 3]),
-    ) -> Series<N> {
-        let zero = [0.0; N];
+        (mut spring, mut damper): (impl Law<N, R>, impl Law<N, R>),
+        state: [R; 4],
+        rates: [R; 3],
+        (origin_m, a): (R, [R; 3]),
+    ) -> Series<N, R> {
+        let zero = [origin_m.alike(0.0); N];
         let mut s = Series { travel: zero, slip: zero, plate: zero, speed: zero };
         let (mut offset, mut area, mut pressure) = (zero, zero, zero);
         let (mut slowing, mut driving) = (zero, zero);
@@ -125,7 +149,7 @@ impl Constants {
         offset[0] = state[0] - origin_m;
         area[0] = a[0] + offset[0] * (a[1] + a[2] * offset[0]);
         // What a coefficient of the slip adds to that of the pressure, and to that of the force.
-        let by_slip = 2.0 * drag * state[1];
+        let by_slip = drag * state[1] * 2.0;
         let by_slip_there = area[0] * by_slip;
         macro_rules! order {
             ($($j:literal)*) => { $( if $j < N {
@@ -136,10 +160,10 @@ impl Constants {
                     f = area[0] * pressure[0];
                 } else {
                     offset[J] = s.travel[J];
-                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J>(&offset);
-                    let older = drag * square_before::<N, J>(&s.slip);
+                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J, R>(&offset);
+                    let older = drag * square_before::<N, J, R>(&s.slip);
                     pressure[J] = older + by_slip * s.slip[J];
-                    let known = product_before::<N, J>(&area, &pressure) + area[J] * pressure[0];
+                    let known = product_before::<N, J, R>(&area, &pressure) + area[J] * pressure[0];
                     f = known + area[0] * older + by_slip_there * s.slip[J];
                 }
                 let g = per_force * (spring.term::<J>(&s.plate) + damper.term::<J>(&s.speed));
@@ -147,10 +171,10 @@ impl Constants {
                 driving[J] = share * f - g;
                 if J + 1 < N {
                     let per_order = 1.0 / (J + 1) as f64;
-                    s.travel[J + 1] = per_order * unit_s * along::<N, J, GRADED>(&s.slip, rates);
-                    s.slip[J + 1] = per_order * along::<N, J, GRADED>(&slowing, rates);
-                    s.plate[J + 1] = per_order * unit_s * along::<N, J, GRADED>(&s.speed, rates);
-                    s.speed[J + 1] = per_order * along::<N, J, GRADED>(&driving, rates);
+                    s.travel[J + 1] = along::<N, J, GRADED, R>(&s.slip, rates) * (unit_s * per_order);
+                    s.slip[J + 1] = along::<N, J, GRADED, R>(&slowing, rates) * per_order;
+                    s.plate[J + 1] = along::<N, J, GRADED, R>(&s.speed, rates) * (unit_s * per_order);
+                    s.speed[J + 1] = along::<N, J, GRADED, R>(&driving, rates) * per_order;
                 }
             } )* };
         }
@@ -158,34 +182,34 @@ impl Constants {
         s
     }
 
-    /// The part of the unit for which the truncated terms stay below the tolerance, in what matters to depth and time. The
-    /// plate's way is measured against `plate_m`, m, if that is less than the travel.
-    #[inline]
-    pub(super) fn trusted<const N: usize>(
-        &self,
-        s: &Series<N>,
-        tolerance: f64,
-        plate_m: f64,
-    ) -> f64 {
+    /// How large the last terms are in what matters to depth and time, relative. The plate's way is measured against `plate_m`,
+    /// m, if that is less than the travel.
+    #[inline(always)]
+    pub(super) fn last_terms<const N: usize>(&self, s: &Series<N, R>, plate_m: R) -> R {
         let length = s.travel[0].abs() + s.travel[1].abs();
-        let (per_length, per_speed) = (1.0 / length, 1.0 / self.velocity_m_s);
-        let share = if plate_m < length { length / plate_m } else { 1.0 };
+        let share = (length / plate_m).each(length, |share, _| larger(share, 1.0));
         let size = |j: usize| {
-            let lengths = larger(s.travel[j].abs(), share * s.plate[j].abs()) * per_length;
-            larger(lengths, larger(s.slip[j].abs(), s.speed[j].abs()) * per_speed)
+            let lengths = (s.travel[j].abs() + share * s.plate[j].abs()) / length;
+            lengths + (s.slip[j].abs() + s.speed[j].abs()) / self.velocity_m_s
         };
-        // The last two terms: one of them may vanish by symmetry.
-        let reach = (tolerance / larger(size(N - 1), size(N - 2))).ln();
-        let order = if reach < 0.0 { N - 2 } else { N - 1 };
-        let step = (reach / order as f64).exp();
-        // Zero terms give an infinite reach; a NaN gives none.
-        if step.is_nan() {
-            0.0
-        } else if step < REACH_MAX {
-            step
-        } else {
-            REACH_MAX
-        }
+        // Two of them: one may vanish by symmetry.
+        size(N - 1) + size(N - 2)
+    }
+}
+
+/// The part of the unit for which truncated terms of that size stay below the tolerance.
+#[inline]
+pub(super) fn trusted<const N: usize>(last_terms: f64, tolerance: f64) -> f64 {
+    let reach = tolerance / last_terms;
+    let order = if reach < 1.0 { N - 2 } else { N - 1 };
+    let step = rough_root(reach, order as f64);
+    // Zero terms give an infinite reach; a NaN gives none.
+    if step.is_nan() {
+        0.0
+    } else if step < REACH_MAX {
+        step
+    } else {
+        REACH_MAX
     }
 }
 
@@ -193,14 +217,17 @@ impl Constants {
 const REACH_MAX: f64 = 20.0;
 
 /// Coefficient J of dz/dt · dt/dsigma, in units of the clock's first rate.
-#[inline]
-fn along<const N: usize, const J: usize, const GRADED: bool>(z: &[f64; N], rates: [f64; 3]) -> f64 {
-    let mut older = 0.0;
-    if GRADED && J >= 2 {
-        older += rates[2] * z[J - 2];
-    }
+#[inline(always)]
+fn along<const N: usize, const J: usize, const GRADED: bool, R: Real>(
+    z: &[R; N],
+    rates: [R; 3],
+) -> R {
+    let mut sum = z[J];
     if GRADED && J >= 1 {
-        older += rates[1] * z[J - 1];
+        sum = rates[1] * z[J - 1] + sum;
     }
-    if GRADED { older + z[J] } else { z[J] }
+    if GRADED && J >= 2 {
+        sum = rates[2] * z[J - 2] + sum;
+    }
+    sum
 }

@@ -1,26 +1,24 @@
 //! The force laws of the lean contact, one Taylor coefficient at a time, each compiled for itself. They know no step and no event.
 
 use crate::model::mechanism::{PowerLaw, sign};
+use crate::numerics::wide::Real;
 
 /// A force law along an expansion.
-pub(super) trait Law<const N: usize>: Copy {
-    /// Whether the law can be expanded at its zero.
-    const SMOOTH: bool;
+pub(super) trait Law<const N: usize, R: Real = f64>: Copy {
     /// Whether it is one analytic function on both sides of zero.
     const TWO_SIDED: bool;
     /// Coefficient J of the force, given the argument's coefficients up to J.
-    fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64;
+    fn term<const J: usize>(&mut self, z: &[R; N]) -> R;
 }
 
 /// coefficient · z; zero for no law at all.
 #[derive(Clone, Copy)]
-pub(super) struct Linear(pub(super) f64);
+pub(super) struct Linear<R = f64>(pub(super) R);
 
-impl<const N: usize> Law<N> for Linear {
-    const SMOOTH: bool = true;
+impl<const N: usize, R: Real> Law<N, R> for Linear<R> {
     const TWO_SIDED: bool = true;
-    #[inline]
-    fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64 {
+    #[inline(always)]
+    fn term<const J: usize>(&mut self, z: &[R; N]) -> R {
         self.0 * z[J]
     }
 }
@@ -42,13 +40,12 @@ impl<const N: usize, const K: usize> Whole<N, K> {
 }
 
 impl<const N: usize, const K: usize> Law<N> for Whole<N, K> {
-    const SMOOTH: bool = true;
     const TWO_SIDED: bool = K % 2 == 1;
-    #[inline]
+    #[inline(always)]
     fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64 {
         self.powers[0][J] = z[J];
         for k in 1..K {
-            self.powers[k][J] = product_at::<N, J>(&self.powers[k - 1], z);
+            self.powers[k][J] = product_at::<N, J, f64>(&self.powers[k - 1], z);
         }
         self.coefficient * self.powers[K - 1][J]
     }
@@ -56,38 +53,55 @@ impl<const N: usize, const K: usize> Law<N> for Whole<N, K> {
 
 /// coefficient · |z|^exponent sgn(z), away from zero.
 #[derive(Clone, Copy)]
-pub(super) struct Power<const N: usize> {
-    law: PowerLaw,
-    inverse: f64,
+pub(super) struct Power<const N: usize, R = f64> {
+    coefficient: R,
+    exponent: R,
+    inverse: R,
     /// df/dz at the start.
-    tangent: f64,
-    force: [f64; N],
+    tangent: R,
+    force: [R; N],
     /// i times the coefficient i of z.
-    slope: [f64; N],
+    slope: [R; N],
 }
 
 impl<const N: usize> Power<N> {
-    pub(super) fn new(law: PowerLaw) -> Self {
-        Self { law, inverse: 0.0, tangent: 0.0, force: [0.0; N], slope: [0.0; N] }
+    pub(super) fn of(law: PowerLaw) -> Self {
+        Self::new(law.coefficient, law.exponent)
     }
 }
 
-impl<const N: usize> Law<N> for Power<N> {
-    const SMOOTH: bool = false;
+impl<const N: usize, R: Real> Power<N, R> {
+    #[inline(always)]
+    pub(super) fn new(coefficient: R, exponent: R) -> Self {
+        let zero = exponent.alike(0.0);
+        Self {
+            coefficient,
+            exponent,
+            inverse: zero,
+            tangent: zero,
+            force: [zero; N],
+            slope: [zero; N],
+        }
+    }
+}
+
+impl<const N: usize, R: Real> Law<N, R> for Power<N, R> {
     const TWO_SIDED: bool = false;
     /// From z f' = exponent f z': j `z[0]` `f[j]` = sum over i of (exponent (i) - (j - i)) `z[i]` `f[j - i]`.
-    #[inline]
-    fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64 {
+    #[inline(always)]
+    fn term<const J: usize>(&mut self, z: &[R; N]) -> R {
         if J == 0 {
-            self.inverse = 1.0 / z[0];
-            self.force[0] = self.law.coefficient * z[0].abs().powf(self.law.exponent) * sign(z[0]);
-            self.tangent = self.law.exponent * self.force[0] * self.inverse;
+            self.inverse = z[0].alike(1.0) / z[0];
+            let power = z[0].each(self.exponent, |z, exponent| z.abs().powf(exponent) * sign(z));
+            self.force[0] = self.coefficient * power;
+            self.tangent = self.exponent * self.force[0] * self.inverse;
             return self.force[0];
         }
-        self.slope[J] = J as f64 * z[J];
-        let by_slope = product_before::<N, J>(&self.slope, &self.force);
-        let by_value = product_before::<N, J>(z, &self.force);
-        let sum = (self.law.exponent + 1.0) / J as f64 * by_slope - by_value;
+        self.slope[J] = z[J] * J as f64;
+        let by_slope = product_before::<N, J, R>(&self.slope, &self.force);
+        let by_value = product_before::<N, J, R>(z, &self.force);
+        let per_order = 1.0 / J as f64;
+        let sum = (self.exponent * per_order + z[0].alike(per_order)) * by_slope - by_value;
         self.force[J] = sum * self.inverse + self.tangent * z[J];
         self.force[J]
     }
@@ -95,45 +109,47 @@ impl<const N: usize> Law<N> for Power<N> {
 
 /// Coefficient J of a² but for the part of a\[J\], 2 a\[0\] a\[J\]; the newest coefficients come last, so that the
 /// processor can add the others while it waits for them.
-#[inline]
-pub(super) fn square_before<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
-    let (mut even, mut odd) = (0.0, 0.0);
+#[inline(always)]
+pub(super) fn square_before<const N: usize, const J: usize, R: Real>(a: &[R; N]) -> R {
+    let zero = a[0].alike(0.0);
+    let (mut even, mut odd) = (zero, zero);
     let mut i = J.div_ceil(2);
     while i > 1 {
         i -= 1;
         let term = a[i] * a[J - i];
         if i.is_multiple_of(2) {
-            even += term;
+            even = even + term;
         } else {
-            odd += term;
+            odd = odd + term;
         }
     }
-    let twice = 2.0 * (even + odd);
+    let twice = (even + odd) * 2.0;
     if J >= 2 && J.is_multiple_of(2) { twice + a[J / 2] * a[J / 2] } else { twice }
 }
 
 /// Coefficient J of a·b but for the parts of a\[J\] and b\[J\], likewise.
-#[inline]
-pub(super) fn product_before<const N: usize, const J: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    let (mut first, mut second) = (0.0, 0.0);
+#[inline(always)]
+pub(super) fn product_before<const N: usize, const J: usize, R: Real>(a: &[R; N], b: &[R; N]) -> R {
+    let zero = a[0].alike(0.0);
+    let (mut first, mut second) = (zero, zero);
     let mut i = J.div_ceil(2);
     while i > 1 {
         i -= 1;
-        first += a[i] * b[J - i];
-        second += a[J - i] * b[i];
+        first = first + a[i] * b[J - i];
+        second = second + a[J - i] * b[i];
     }
     let sum = first + second;
     if J >= 2 && J.is_multiple_of(2) { sum + a[J / 2] * b[J / 2] } else { sum }
 }
 
 /// Coefficient J of a².
-#[inline]
-pub(super) fn square_at<const N: usize, const J: usize>(a: &[f64; N]) -> f64 {
-    if J == 0 { a[0] * a[0] } else { square_before::<N, J>(a) + 2.0 * a[0] * a[J] }
+#[inline(always)]
+pub(super) fn square_at<const N: usize, const J: usize, R: Real>(a: &[R; N]) -> R {
+    if J == 0 { a[0] * a[0] } else { square_before::<N, J, R>(a) + a[0] * a[J] * 2.0 }
 }
 
 /// Coefficient J of a·b.
-#[inline]
-pub(super) fn product_at<const N: usize, const J: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
-    if J == 0 { a[0] * b[0] } else { product_before::<N, J>(a, b) + a[J] * b[0] + a[0] * b[J] }
+#[inline(always)]
+pub(super) fn product_at<const N: usize, const J: usize, R: Real>(a: &[R; N], b: &[R; N]) -> R {
+    if J == 0 { a[0] * b[0] } else { product_before::<N, J, R>(a, b) + a[J] * b[0] + a[0] * b[J] }
 }

@@ -8,11 +8,9 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::impact::lean::expansion::{Clock, Constants, Series};
-use crate::model::impact::lean::law::{
-    Law as _, Linear, Power, product_at, product_before, square_at,
-};
-use crate::model::impact::lean::way::{Track, Way};
-use crate::model::impact::lean::{Contact, ContactEnd, free};
+use crate::model::impact::lean::law::{Law as _, Power, product_at, product_before, square_at};
+use crate::model::impact::lean::way::{Outset, Track, Walk, Way};
+use crate::model::impact::lean::{Contact, free};
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::numerics::{larger, smaller};
 
@@ -138,14 +136,14 @@ impl Riding {
         // The projectile's own travel and velocity, as far as they are known.
         let next = &mut [zero, zero];
         (next[0][0], next[1][0]) = (state[0] + cos * state[2], state[1] + cos * state[3]);
-        let mut spring = Power::<N>::new(self.spring);
+        let mut spring = Power::<N>::of(self.spring);
         // df/dx of the spring, and of what the contact gives way.
         let by_plate = &mut 0.0;
         macro_rules! order {
             ($($j:literal)*) => { $( if $j < N {
                 const J: usize = $j;
                 s.slip[J] = next[1][J] - cos * speed[J];
-                pressure[J] = drag_kg_m3 * square_at::<N, J>(&s.slip)
+                pressure[J] = drag_kg_m3 * square_at::<N, J, f64>(&s.slip)
                     + if J == 0 { strength_pa } else { 0.0 };
                 let force;
                 if J == 0 {
@@ -166,16 +164,16 @@ impl Riding {
                 } else {
                     // All but the parts of the plate's coefficient J, which is not known yet, ...
                     offset[J] = next[0][J];
-                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J>(&offset);
-                    let known = product_at::<N, J>(&area, &pressure);
+                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J, f64>(&offset);
+                    let known = product_at::<N, J, f64>(&area, &pressure);
                     let held = spring.term::<J>(&s.plate);
                     // ... and those parts, linear in it.
                     let x = (cos * known - lag[J] - held) / *by_plate;
                     s.plate[J] = x;
                     spring.term::<J>(&s.plate);
                     offset[J] -= cos * x;
-                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J>(&offset);
-                    force = product_before::<N, J>(&area, &pressure)
+                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J, f64>(&offset);
+                    force = product_before::<N, J, f64>(&area, &pressure)
                         + area[J] * pressure[0] + area[0] * pressure[J];
                 }
                 s.travel[J] = offset[J] + if J == 0 { origin_m } else { 0.0 };
@@ -212,11 +210,7 @@ impl Riding {
 
 impl Contact {
     /// A spring so stiff near its zero that the plate rides on it; where it no longer does, plain steps take over.
-    pub(super) fn ridden<const N: usize>(
-        &self,
-        riding: Riding,
-        tolerance: f64,
-    ) -> Option<ContactEnd> {
+    pub(super) fn ridden<const N: usize>(&self, riding: Riding, tolerance: f64) -> Option<Outset> {
         let constants = self.constants;
         let expand = |track: &Track, piece| {
             let tolerance = tolerance * eased(track.state[2], riding.reach_m);
@@ -232,18 +226,15 @@ impl Contact {
             }
             start = self.at_balance(&riding, part * earlier, tolerance)?;
         }
-        let track = match self.go_on(expand, start, (sides, tolerance, Some(riding.reach_m))) {
-            Way::Ended(end) => return Some(end),
-            Way::Handed(track) if track.steps > 0 => track,
-            Way::Handed(_) | Way::Left => return None,
-        };
-        let laws = (Power::<N>::new(riding.spring), Linear(riding.damper_n_s_m));
-        let expand = |track: &Track, piece| {
-            let rates = track.clock.rates();
-            Some(constants.expand::<N, false>(laws, track.state, rates, piece))
-        };
-        let tolerance = SWINGING * tolerance;
-        self.go_on(expand, track, (sides, tolerance, Some(riding.reach_m))).ended()
+        let reach_m = Some(riding.reach_m);
+        match self.go_on(expand, start, (sides, tolerance, reach_m)) {
+            Way::Ended(end) => Some(Outset::Ended(end)),
+            Way::Handed(track) if track.steps > 0 => {
+                let tolerance = SWINGING * tolerance;
+                Some(Outset::Steps(Walk { track, tolerance, reach_m, terms: N }))
+            }
+            Way::Handed(_) | Way::Left => None,
+        }
     }
 
     /// Where a riding plate is so early that the projectile has not felt it move.

@@ -1,8 +1,10 @@
 //! The way of a lean contact from step to step: how far each expansion is trusted, where the slip ends, a piece of travel, or a
 //! way of expanding.
 
+use std::borrow::Borrow;
+
 use crate::model::contact::AreaLaw;
-use crate::model::impact::lean::expansion::{Clock, Series};
+use crate::model::impact::lean::expansion::{Clock, Series, trusted};
 use crate::model::impact::lean::riding::eased;
 use crate::model::impact::lean::root::{dips, fall, rise};
 use crate::model::impact::lean::{Contact, ContactEnd};
@@ -10,9 +12,11 @@ use crate::numerics::larger;
 use crate::numerics::series::evaluate;
 
 /// Local tolerance per global tolerance.
-const LOCAL: f64 = 0.5;
+pub(super) const LOCAL: f64 = 0.5;
 /// Steps after which the full track is the better way.
-const STEPS_MAX: usize = 1500;
+pub(super) const STEPS_MAX: usize = 1500;
+/// Part of its unit below which a step is tried again with a shorter one.
+const SHORT: f64 = 0.02;
 /// Part of a step below which a plate that no longer rides is not asked again.
 const SHORTEST: f64 = 0.1;
 
@@ -31,6 +35,29 @@ pub(super) struct Track {
     pub(super) farthest_m: f64,
     /// Steps taken.
     pub(super) steps: usize,
+}
+
+/// What is left of a contact once plain steps will do.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Walk {
+    /// From here.
+    pub(super) track: Track,
+    /// Of the steps.
+    pub(super) tolerance: f64,
+    /// The plate's way matters against this, m, or only against the travel.
+    pub(super) reach_m: Option<f64>,
+    /// Of the expansion.
+    pub(super) terms: usize,
+}
+
+/// How far a contact comes before plain steps.
+pub(super) enum Outset {
+    /// To the end.
+    Ended(ContactEnd),
+    /// To these.
+    Steps(Walk),
+    /// To where the full track must take over.
+    Left,
 }
 
 /// How far one way of expanding led.
@@ -52,6 +79,38 @@ impl Way {
     }
 }
 
+/// A step as far as it is trusted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    /// Up to this part of its unit.
+    pub(super) trusted: f64,
+    /// (travel, slip, plate, speed) there.
+    pub(super) state: [f64; 4],
+    /// The slip rises there.
+    pub(super) rises: bool,
+    /// The plate's velocity where it begins, m/s.
+    pub(super) speed_m_s: f64,
+}
+
+impl Seen {
+    fn of<const N: usize>(series: &Series<N>, trusted: f64) -> Self {
+        Self {
+            trusted,
+            state: series.state(trusted),
+            rises: series.slip_slope(trusted) > 0.0,
+            speed_m_s: series.speed[0],
+        }
+    }
+}
+
+/// What the plate's way is measured against where it is at `plate_m`, m.
+pub(super) fn minded_m(plate_m: f64, reach_m: Option<f64>) -> f64 {
+    match reach_m {
+        Some(reach_m) => plate_m.abs() * eased(plate_m.abs(), reach_m),
+        None => f64::INFINITY,
+    }
+}
+
 impl Contact {
     /// The beginning, in this state.
     pub(super) fn begin(&self, t_s: f64, state: [f64; 4], clock: Clock) -> Track {
@@ -61,20 +120,18 @@ impl Contact {
     /// Go on by steps from `track` to the end, or to where `expand` gives none.
     pub(super) fn go_on<const N: usize>(
         &self,
-        expand: impl Fn(&Track, (f64, [f64; 3])) -> Option<Series<N>>,
+        mut expand: impl FnMut(&Track, (f64, [f64; 3])) -> Option<Series<N>>,
         mut track: Track,
         (sides, tolerance, reach_m): ((bool, bool), f64, Option<f64>),
     ) -> Way {
-        let pieces = self.geometry.pieces();
         // From where to go on another way: a step earlier than where this one was seen to fail.
         let mut before = track;
         let mut joint = None;
         let mut leash = 1.0;
         while track.steps < STEPS_MAX {
-            let Some(piece) = pieces.get(track.piece) else { return Way::Left };
-            let AreaLaw::Quadratic { origin_m, a } = piece.law else { return Way::Left };
+            let Some(piece) = self.area_law(track.piece) else { return Way::Left };
             track.steps += 1;
-            let Some(series) = expand(&track, (origin_m, a)) else {
+            let Some(series) = expand(&track, piece) else {
                 // Fine up to the joint, where the next piece sets the plate swinging?
                 if joint.is_some_and(|law| expand(&track, law).is_some()) {
                     return Way::Handed(track);
@@ -88,46 +145,84 @@ impl Contact {
                 continue;
             };
             joint = None;
-            let plate_m = match reach_m {
-                Some(reach_m) => series.plate[0].abs() * eased(series.plate[0].abs(), reach_m),
-                None => f64::INFINITY,
-            };
-            let trusted = leash * self.constants.trusted(&series, tolerance * LOCAL, plate_m);
-            if trusted < 0.02 {
-                // The unit is far too long for what happens now.
-                track.clock = track.clock.shorter(larger(2.0 * trusted, 1e-3));
-                continue;
+            let last_terms = self.constants.last_terms(&series, minded_m(series.plate[0], reach_m));
+            let seen = Seen::of(&series, leash * trusted::<N>(last_terms, tolerance * LOCAL));
+            let here = track;
+            if let Some(way) = self.stride(&mut track, sides, &seen, || &series) {
+                return way;
             }
-            let stops = evaluate(&series.slip, trusted) <= 0.0;
-            let span = if stops { fall(&series.slip, trusted) } else { trusted };
-            if !stops && dips(&series.slip, span) {
-                return Way::Left;
+            if track.t_s > here.t_s {
+                before = here;
             }
-            // Travel only grows up to the arrest: the piece's end may lie before it.
-            let at_end = evaluate(&series.travel, span) >= piece.to_m;
-            let span = if at_end { rise(&series.travel, piece.to_m, span) } else { span };
-            let arrested = stops && !at_end;
-            before = track;
-            track.t_s += track.clock.elapsed_s(span);
-            track.state = series.state(span);
-            track.farthest_m = larger(track.farthest_m, highest(&series, span, &track.state));
-            if !self.passes(sides, &track.state) {
-                return Way::Left;
+            if track.piece > here.piece {
+                joint = Some(piece);
             }
-            if arrested {
-                return Way::Ended(self.end(true, &track));
-            }
-            if at_end {
-                track.state[0] = piece.to_m;
-                track.piece += 1;
-                joint = Some((origin_m, a));
-                if track.piece == pieces.len() {
-                    return Way::Ended(self.end(false, &track));
-                }
-            }
-            track.clock = track.clock.next(span, trusted);
         }
         Way::Left
+    }
+
+    /// Origin and coefficients of the area on a piece; `None` where it is no polynomial.
+    pub(super) fn area_law(&self, piece: usize) -> Option<(f64, [f64; 3])> {
+        match self.geometry.pieces().get(piece)?.law {
+            AreaLaw::Quadratic { origin_m, a } => Some((origin_m, a)),
+            _ => None,
+        }
+    }
+
+    /// Take a step as far as it is trusted, or to what ends it before; `Some` where that is the end of this way.
+    pub(super) fn stride<const N: usize, S: Borrow<Series<N>>>(
+        &self,
+        track: &mut Track,
+        sides: (bool, bool),
+        seen: &Seen,
+        series: impl Fn() -> S,
+    ) -> Option<Way> {
+        if seen.trusted < SHORT {
+            // The unit is far too long for what happens now.
+            track.clock = track.clock.shorter(larger(2.0 * seen.trusted, 1e-3));
+            return None;
+        }
+        let to_m = self.geometry.pieces()[track.piece].to_m;
+        let (mut span, mut state) = (seen.trusted, seen.state);
+        let stops = state[1] <= 0.0;
+        if !stops && seen.rises && dips(&series().borrow().slip, span) {
+            return Some(Way::Left);
+        }
+        if stops {
+            span = fall(&series().borrow().slip, span);
+            state = series().borrow().state(span);
+        }
+        // Travel only grows up to the arrest: the piece's end may lie before it.
+        let at_end = state[0] >= to_m;
+        if at_end {
+            span = rise(&series().borrow().travel, to_m, span);
+            state = series().borrow().state(span);
+        }
+        track.t_s += track.clock.elapsed_s(span);
+        track.state = state;
+        // A step is shorter than half a swing, so there is one maximum at most.
+        let turns = seen.speed_m_s > 0.0 && state[3] < 0.0;
+        if turns {
+            let series = series();
+            let top = fall(&series.borrow().speed, span);
+            track.farthest_m = larger(track.farthest_m, evaluate(&series.borrow().plate, top));
+        }
+        track.farthest_m = larger(track.farthest_m, state[2]);
+        if !self.passes(sides, &state) {
+            return Some(Way::Left);
+        }
+        if stops && !at_end {
+            return Some(Way::Ended(self.end(true, track)));
+        }
+        if at_end {
+            track.state[0] = to_m;
+            track.piece += 1;
+            if track.piece == self.geometry.pieces().len() {
+                return Some(Way::Ended(self.end(false, track)));
+            }
+        }
+        track.clock = track.clock.next(span, seen.trusted);
+        None
     }
 
     /// Whether the plate is still where its laws hold: on the side of zero on which it started, and going forward.
@@ -149,10 +244,4 @@ impl Contact {
             steps: track.steps,
         }
     }
-}
-
-/// The plate's greatest displacement up to `span`. A step is shorter than half a swing, so there is one maximum at most.
-fn highest<const N: usize>(s: &Series<N>, span: f64, end: &[f64; 4]) -> f64 {
-    let turns = s.speed[0] > 0.0 && end[3] < 0.0;
-    if turns { larger(end[2], evaluate(&s.plate, fall(&s.speed, span))) } else { end[2] }
 }

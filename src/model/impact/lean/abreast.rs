@@ -1,0 +1,315 @@
+//! Many contacts at once, their plain steps side by side in the lanes of a vector.
+//!
+//! A lane is a contact; all lanes take a step together, each with its own length, and a lane whose contact has ended takes the
+//! next. The arithmetic is that of the single contact in the same order, so that its results are the same to the last digit
+//! whatever runs beside it. What is rare (an arrest, the end of a piece, a turn of the plate) is done for its lane alone, and so is
+//! a contact whose spring or damper is of a kind that has no lanes here.
+
+use pulp::{Arch, Simd, WithSimd};
+
+use crate::model::impact::lean::expansion::{Clock, Constants, trusted};
+use crate::model::impact::lean::law::{Law, Linear, Power};
+use crate::model::impact::lean::way::{LOCAL, Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
+use crate::model::impact::lean::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
+use crate::model::mechanism::PowerKind;
+use crate::numerics::wide::Wide;
+
+/// Lanes of the widest vectors there are.
+const LANES_MAX: usize = 8;
+
+/// Rows of a [`Bench`], each a number per lane.
+const ROWS: usize = 24;
+const STATE: usize = 0;
+const RATES: usize = 4;
+const PIECE: usize = 7;
+const CONSTANTS: usize = 11;
+const SPRING: usize = 17;
+const DAMPER: usize = 19;
+const MINDED: usize = 20;
+/// What a step shows.
+const TRUSTED: usize = 21;
+const SLOPE: usize = 22;
+const SIZE: usize = 23;
+
+/// Run contacts to the relative accuracy `tolerance` each, as [`Contact::run`] or [`Contact::run_minding_plate`] does.
+pub fn run_abreast(
+    contacts: &[Contact],
+    tolerance: f64,
+    minding_plate: bool,
+) -> Vec<Option<ContactEnd>> {
+    let mut ends = vec![None; contacts.len()];
+    let mut queues: [Vec<Job<'_>>; CLASSES] = Default::default();
+    for (place, contact) in contacts.iter().enumerate() {
+        let tolerance = if minding_plate { contact.minding_plate(tolerance) } else { tolerance };
+        match contact.outset(tolerance) {
+            Outset::Ended(end) => ends[place] = Some(end),
+            Outset::Left => {}
+            Outset::Steps(walk) => match contact.class(&walk) {
+                Some(class) => queues[class].push(Job { contact, walk, place }),
+                None => ends[place] = contact.walk(&walk),
+            },
+        }
+    }
+    let arch = Arch::new();
+    for (class, jobs) in queues.iter().enumerate().filter(|(_, jobs)| !jobs.is_empty()) {
+        let ends = &mut ends[..];
+        match class {
+            0 => arch.dispatch(Abreast::<TERMS_LOOSE, false, false> { jobs, ends }),
+            1 => arch.dispatch(Abreast::<TERMS_LOOSE, true, false> { jobs, ends }),
+            2 => arch.dispatch(Abreast::<TERMS_LOOSE, true, true> { jobs, ends }),
+            3 => arch.dispatch(Abreast::<TERMS, false, false> { jobs, ends }),
+            4 => arch.dispatch(Abreast::<TERMS, true, false> { jobs, ends }),
+            5 => arch.dispatch(Abreast::<TERMS, true, true> { jobs, ends }),
+            6 => arch.dispatch(Abreast::<TERMS_TIGHT, false, false> { jobs, ends }),
+            7 => arch.dispatch(Abreast::<TERMS_TIGHT, true, false> { jobs, ends }),
+            _ => arch.dispatch(Abreast::<TERMS_TIGHT, true, true> { jobs, ends }),
+        }
+    }
+    ends
+}
+
+/// Kinds of steps that have lanes: terms of the expansion, then spring and clock.
+const CLASSES: usize = 9;
+
+/// A contact on its way.
+#[derive(Clone, Copy)]
+struct Job<'c> {
+    contact: &'c Contact,
+    walk: Walk,
+    place: usize,
+}
+
+impl Contact {
+    /// Among which its plain steps are; `None` where they have no lanes.
+    fn class(&self, walk: &Walk) -> Option<usize> {
+        if !matches!(self.damper.kind(), PowerKind::Absent | PowerKind::Linear) {
+            return None;
+        }
+        let spring = match self.spring.kind() {
+            PowerKind::Absent | PowerKind::Linear => 0,
+            PowerKind::General | PowerKind::Whole(4..) => {
+                1 + usize::from(matches!(walk.track.clock, Clock::Graded { .. }))
+            }
+            PowerKind::Whole(_) => return None,
+        };
+        let terms = match walk.terms {
+            TERMS_LOOSE => 0,
+            TERMS => 1,
+            _ => 2,
+        };
+        Some(3 * terms + spring)
+    }
+}
+
+/// Contacts of a class, to be run by the vectors of the machine.
+struct Abreast<'r, 'c, const N: usize, const POWER: bool, const GRADED: bool> {
+    jobs: &'r [Job<'c>],
+    ends: &'r mut [Option<ContactEnd>],
+}
+
+impl<const N: usize, const POWER: bool, const GRADED: bool> WithSimd
+    for Abreast<'_, '_, N, POWER, GRADED>
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        if S::F64_LANES == 1 || S::F64_LANES > LANES_MAX {
+            for job in self.jobs {
+                self.ends[job.place] = job.contact.walk(&job.walk);
+            }
+        } else if POWER {
+            let power =
+                |rows: &Bench| Power::new(rows.wide(simd, SPRING), rows.wide(simd, SPRING + 1));
+            run::<S, N, GRADED, Power<N, Wide<S>>>(simd, power, self.jobs, self.ends);
+        } else {
+            let linear = |rows: &Bench| Linear(rows.wide(simd, SPRING));
+            run::<S, N, GRADED, Linear<Wide<S>>>(simd, linear, self.jobs, self.ends);
+        }
+    }
+}
+
+/// The numbers of the contacts under way, a row a quantity and a column a lane.
+#[repr(align(64))]
+struct Bench([[f64; LANES_MAX]; ROWS]);
+
+impl Bench {
+    #[inline(always)]
+    fn wide<S: Simd>(&self, simd: S, row: usize) -> Wide<S> {
+        Wide::load(simd, &self.0[row])
+    }
+
+    #[inline(always)]
+    fn wides<S: Simd, const K: usize>(&self, simd: S, row: usize) -> [Wide<S>; K] {
+        std::array::from_fn(|k| self.wide(simd, row + k))
+    }
+
+    #[inline(always)]
+    fn constants<S: Simd>(&self, simd: S) -> Constants<Wide<S>> {
+        let [strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s] =
+            self.wides(simd, CONSTANTS);
+        Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s }
+    }
+
+    fn put<const K: usize>(&mut self, lane: usize, row: usize, numbers: [f64; K]) {
+        for (row, number) in self.0[row..].iter_mut().zip(numbers) {
+            row[lane] = number;
+        }
+    }
+
+    fn of<const K: usize>(&self, lane: usize, row: usize) -> [f64; K] {
+        std::array::from_fn(|k| self.0[row + k][lane])
+    }
+
+    /// What does not change along the way.
+    fn seat(&mut self, lane: usize, contact: &Contact) {
+        let Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s } =
+            contact.constants;
+        let constants = [strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s];
+        self.put(lane, CONSTANTS, constants);
+        self.put(lane, SPRING, [contact.spring.coefficient, contact.spring.exponent]);
+        self.put(lane, DAMPER, [contact.damper.coefficient]);
+    }
+
+    /// What changes from step to step; `None` where the area is no polynomial.
+    fn place(&mut self, lane: usize, job: &Job<'_>) -> Option<()> {
+        let Walk { track, reach_m, .. } = &job.walk;
+        let (origin_m, [a0, a1, a2]) = job.contact.area_law(track.piece)?;
+        self.put(lane, STATE, track.state);
+        self.put(lane, RATES, track.clock.rates());
+        self.put(lane, PIECE, [origin_m, a0, a1, a2]);
+        self.put(lane, MINDED, [minded_m(track.state[2], *reach_m)]);
+        Some(())
+    }
+}
+
+/// All lanes, step by step, until the jobs are done.
+#[inline(always)]
+fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
+    simd: S,
+    spring: impl Fn(&Bench) -> K,
+    jobs: &[Job<'_>],
+    ends: &mut [Option<ContactEnd>],
+) {
+    let mut bench = Bench([[1.0; LANES_MAX]; ROWS]);
+    let mut waiting = jobs.iter();
+    let mut lanes: [Option<Job<'_>>; LANES_MAX] = [None; LANES_MAX];
+    let lanes = &mut lanes[..S::F64_LANES];
+    for (lane, seat) in lanes.iter_mut().enumerate() {
+        *seat = next(&mut waiting, &mut bench, lane);
+    }
+    while lanes.iter().any(Option::is_some) {
+        let [origin_m, a0, a1, a2] = bench.wides(simd, PIECE);
+        let laws = (spring(&bench), Linear(bench.wide(simd, DAMPER)));
+        let state: [Wide<S>; 4] = bench.wides(simd, STATE);
+        let constants = bench.constants(simd);
+        let area = (origin_m, [a0, a1, a2]);
+        let series = constants.expand::<N, GRADED>(laws, state, bench.wides(simd, RATES), area);
+        constants.last_terms(&series, bench.wide(simd, MINDED)).store(&mut bench.0[SIZE]);
+        for (lane, job) in lanes.iter().enumerate() {
+            let tolerance = job.as_ref().map_or(1.0, |job| job.walk.tolerance);
+            bench.0[TRUSTED][lane] = trusted::<N>(bench.0[SIZE][lane], tolerance * LOCAL);
+        }
+        let span = bench.wide(simd, TRUSTED);
+        series.slip_slope(span).store(&mut bench.0[SLOPE]);
+        let speeds = bench.0[STATE + 3];
+        for (row, value) in series.state(span).into_iter().enumerate() {
+            value.store(&mut bench.0[STATE + row]);
+        }
+        for (lane, seat) in lanes.iter_mut().enumerate() {
+            let Some(job) = seat else { continue };
+            let seen = Seen {
+                trusted: bench.0[TRUSTED][lane],
+                state: bench.of(lane, STATE),
+                rises: bench.0[SLOPE][lane] > 0.0,
+                speed_m_s: speeds[lane],
+            };
+            job.walk.track.steps += 1;
+            let sides = (K::TWO_SIDED, true);
+            let track = &mut job.walk.track;
+            let way = job.contact.stride(track, sides, &seen, || series.lane(lane));
+            let goes_on =
+                way.is_none() && track.steps < STEPS_MAX && bench.place(lane, job).is_some();
+            if !goes_on {
+                ends[job.place] = way.and_then(Way::ended);
+                *seat = next(&mut waiting, &mut bench, lane);
+            }
+        }
+    }
+}
+
+/// Seat the next job on a lane.
+fn next<'c>(
+    waiting: &mut std::slice::Iter<'_, Job<'c>>,
+    bench: &mut Bench,
+    lane: usize,
+) -> Option<Job<'c>> {
+    waiting.by_ref().find_map(|job| {
+        bench.seat(lane, job.contact);
+        bench.place(lane, job).map(|()| *job)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::scene::Scene;
+    use crate::model::units::Bare;
+    use crate::model::variables::set_by_name;
+
+    /// Contacts of every class and of none, long and short ones mixed.
+    fn contacts() -> Vec<Contact> {
+        let springs = ["k=1e5", "k=0", "k=1e6 n=0.5", "k=1e5 n=0.2", "k=1e5 n=1.4", "k=5e6 n=0.36"];
+        let others = ["", "d=0.01", "b=500", "b=100 m=2", "b=1e8", "h=0.003 v_i=400", "n=2", "m_p=0"];
+        let mut contacts = Vec::new();
+        for gamma in ["0.8", "1", "5"] {
+            for spring in springs {
+                for other in others {
+                    let mut scene = Scene::default();
+                    for pair in spring.split(' ').chain(other.split_whitespace()) {
+                        let (name, value) = pair.split_once('=').unwrap();
+                        // A projectile without mass is refused and leaves the one there is.
+                        let _refused = set_by_name(&mut scene, name, value, Bare::Si);
+                    }
+                    set_by_name(&mut scene, "gamma", gamma, Bare::Si).unwrap();
+                    contacts.push(Contact::of(&scene));
+                }
+            }
+        }
+        contacts
+    }
+
+    #[test]
+    fn a_lane_is_the_single_contact_to_the_last_digit() {
+        let contacts = contacts();
+        for tolerance in [1e-5, 1e-8, 1e-11] {
+            for minding_plate in [false, true] {
+                let abreast = run_abreast(&contacts, tolerance, minding_plate);
+                for (contact, end) in contacts.iter().zip(&abreast) {
+                    let single = if minding_plate {
+                        contact.run_minding_plate(tolerance)
+                    } else {
+                        contact.run(tolerance)
+                    };
+                    assert_eq!(*end, single, "{tolerance}: {contact:?}");
+                }
+                let answered = abreast.iter().filter(|end| end.is_some()).count();
+                assert!(answered > contacts.len() / 2, "{answered} of {}", contacts.len());
+            }
+        }
+    }
+
+    #[test]
+    fn neither_neighbours_nor_order_change_a_digit() {
+        let contacts = contacts();
+        let all = run_abreast(&contacts, 1e-7, true);
+        let mut reversed = contacts.clone();
+        reversed.reverse();
+        let mut back = run_abreast(&reversed, 1e-7, true);
+        back.reverse();
+        assert_eq!(all, back);
+        for (place, some) in contacts.chunks(5).zip(all.chunks(5)) {
+            assert_eq!(run_abreast(place, 1e-7, true), some);
+        }
+    }
+}
