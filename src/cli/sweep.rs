@@ -237,9 +237,10 @@ impl Job<'_> {
                 Ok(whole)
             });
             look.show(summary.points());
+            // A piece that goes the quick way is done before it looks whether it should stop.
             match taken {
-                Ok(true) => ControlFlow::Continue(()),
-                Ok(false) => ControlFlow::Break(()),
+                Ok(true) if !self.stop.load(Ordering::Relaxed) => ControlFlow::Continue(()),
+                Ok(_) => ControlFlow::Break(()),
                 Err(error) => {
                     problem = Some(error);
                     ControlFlow::Break(())

@@ -254,12 +254,10 @@ impl App {
                     results.join(" ")
                 ))
             }
-            (Answer::Worth(_), _) => {
-                Some("v: the next search; z: this pane alone; r computes again".to_owned())
-            }
-            (Answer::Front(_) | Answer::Sensitivity(_) | Answer::Scatter(_), _) => {
-                Some("v: the next search; Tab: the setup; r computes again".to_owned())
-            }
+            (
+                Answer::Front(_) | Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Worth(_),
+                _,
+            ) => Some("v: the next search; z: this pane alone; r computes again".to_owned()),
         }
     }
 
