@@ -24,6 +24,7 @@ mod terminal;
 use std::io::{self, Write};
 use std::sync::mpsc;
 
+use crossterm::event::MouseEvent;
 use thiserror::Error;
 
 use crate::files::paths::Paths;
@@ -55,6 +56,8 @@ pub enum TuiError {
 enum Incoming {
     /// Something for `update`.
     Message(Message),
+    /// The mouse, which the program has.
+    Mouse(MouseEvent),
     /// A signal of the system.
     Signal(Signal),
     /// Nothing can be read from the terminal any more.
@@ -74,7 +77,11 @@ pub fn run(options: Options) -> Result<u8, TuiError> {
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
     let mut shell = Shell::start(options, paths, sender, inbox)?;
     let ending = shell.run();
-    let summary = shell.leave(&ending);
+    let (summary, lost) = shell.leave(&ending);
+    if let Some(why) = lost {
+        // As below.
+        let _ = writeln!(io::stderr().lock(), "the session was not kept: {why}");
+    }
     if let Some(text) = summary {
         // The reader of standard output may be gone; the workbench is over either way.
         let _ = writeln!(io::stdout().lock(), "{}", text.trim_end());

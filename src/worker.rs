@@ -7,6 +7,7 @@
 
 pub mod cache;
 mod job;
+mod preview;
 pub mod searches;
 pub mod studies;
 pub mod sweeps;
@@ -65,6 +66,9 @@ pub enum ReportBody {
         /// How long it has been running.
         elapsed: Duration,
     },
+    /// It is still running, and this is its curve so far, computed more roughly (at most twice a second; the scene on the
+    /// screen only).
+    Part(Arc<Run>),
     /// It is done.
     Done {
         /// The result.
@@ -85,14 +89,15 @@ impl ReportBody {
     /// Whether no further report of this job will follow.
     pub fn is_last(&self) -> bool {
         match self {
-            Self::Started | Self::Progress { .. } => false,
+            Self::Started | Self::Progress { .. } | Self::Part(_) => false,
             Self::Done { .. } | Self::Failed(_) | Self::Cancelled { .. } => true,
         }
     }
 }
 
 /// Computes one scene, asking the observer after every step.
-type Compute = dyn Fn(&Arc<Scene>, impact::Observer<'_>) -> Result<Run, String> + Send + Sync;
+type Compute =
+    dyn Fn(&Arc<Scene>, Settings, impact::Observer<'_>) -> Result<Run, String> + Send + Sync;
 
 /// Where reports go; called on the worker's thread and on the submitting one.
 type Sink = dyn Fn(Report) + Send + Sync;
@@ -123,9 +128,8 @@ impl Worker {
     /// # Errors
     /// When the system has no thread to give.
     pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
-        Self::spawn_with(sink, |scene, observer| {
-            impact::simulate(scene, &Settings::default(), observer)
-                .map_err(|error| error.to_string())
+        Self::spawn_with(sink, |scene, settings, observer| {
+            impact::simulate(scene, &settings, observer).map_err(|error| error.to_string())
         })
     }
 
@@ -135,7 +139,7 @@ impl Worker {
     /// When the system has no thread to give.
     pub fn spawn_with(
         sink: impl Fn(Report) + Send + Sync + 'static,
-        compute: impl Fn(&Arc<Scene>, impact::Observer<'_>) -> Result<Run, String>
+        compute: impl Fn(&Arc<Scene>, Settings, impact::Observer<'_>) -> Result<Run, String>
         + Send
         + Sync
         + 'static,
@@ -146,6 +150,7 @@ impl Worker {
             sink: Box::new(sink),
         });
         let for_thread = Arc::clone(&shared);
+        let compute: Arc<Compute> = Arc::new(compute);
         let thread = thread::Builder::new()
             .name("worker".to_owned())
             .spawn(move || for_thread.serve(&compute))?;
@@ -219,7 +224,7 @@ impl Shared {
         self.report(job, ReportBody::Cancelled { partial: None });
     }
 
-    fn serve(&self, compute: &Compute) {
+    fn serve(self: &Arc<Self>, compute: &Arc<Compute>) {
         let mut cache = cache::Cache::default();
         while let Some((job, cancel)) = self.next_job() {
             let body = match cache.find(&job.scene) {
@@ -249,13 +254,15 @@ impl Shared {
     }
 
     fn run(
-        &self,
+        self: &Arc<Self>,
         job: &Job,
         cancel: &AtomicBool,
-        compute: &Compute,
+        compute: &Arc<Compute>,
         cache: &mut cache::Cache,
     ) -> ReportBody {
         let mut pulse = job::Pulse::start();
+        let over = Arc::new(AtomicBool::new(false));
+        let mut previewed = job.slot != Slot::Current;
         let mut observer = |t_s: f64| {
             if cancel.load(Ordering::Relaxed) {
                 return ControlFlow::Break(());
@@ -263,9 +270,15 @@ impl Shared {
             if let Some(body) = pulse.beat(t_s) {
                 self.report(job, body);
             }
+            if !previewed && pulse.is_slow() {
+                previewed = true;
+                self.preview(job, compute, &over);
+            }
             ControlFlow::Continue(())
         };
-        let (ended, took) = job::contained(|| compute(&job.scene, &mut observer));
+        let settings = Settings::default();
+        let (ended, took) = job::contained(|| compute(&job.scene, settings, &mut observer));
+        over.store(true, Ordering::Relaxed);
         match ended {
             Err(text) => ReportBody::Failed(text),
             Ok(run) => {
@@ -278,6 +291,21 @@ impl Shared {
                 ReportBody::Done { run, took }
             }
         }
+    }
+}
+
+impl Shared {
+    /// Show the curve so far of a slow run until `over` is set. Without a thread to spare there is none.
+    fn preview(self: &Arc<Self>, job: &Job, compute: &Arc<Compute>, over: &Arc<AtomicBool>) {
+        let (shared, compute, over) = (Arc::clone(self), Arc::clone(compute), Arc::clone(over));
+        let job = job.clone();
+        let work = move || {
+            preview::run(&job.scene, &*compute, &over, |run| {
+                shared.report(&job, ReportBody::Part(run));
+            });
+        };
+        // Not joined: it ends by itself within a step of the run's end.
+        let _ = thread::Builder::new().name("preview".to_owned()).spawn(work);
     }
 }
 

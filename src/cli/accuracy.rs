@@ -3,19 +3,17 @@
 mod page;
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Instant;
 
 use clap::Args;
 
+use crate::cli::CliError;
 use crate::cli::scene;
-use crate::cli::{CliError, output};
+use crate::cli::table::TableArguments;
 use crate::files::accuracy::{self as rows, Named};
-use crate::files::atomic::{self, Existing};
 use crate::files::bundled;
-use crate::files::error::FileError;
 use crate::study::accuracy::{Effort, compare};
 
 #[derive(Debug, Args)]
@@ -33,15 +31,8 @@ pub(super) struct AccuracyArguments {
     /// Fewer points and shorter timings
     #[arg(long)]
     quick: bool,
-    /// Print JSON: one object a scene, in a list
-    #[arg(long)]
-    json: bool,
-    /// Write every point to this file; `-` writes to standard output instead of the page
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 /// Compare the methods on each scene; exit status 1 when `auto` gave no answer somewhere.
@@ -63,32 +54,11 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
         let report = compare(&Arc::new(preset.scene), effort, &mut clock, watch)?;
         reports.push((preset.name, report));
     }
-    let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
-    if let Some(path) = &arguments.csv {
-        let table = rows::csv(&reports)?;
-        if to_stdout {
-            output::print(&table)?;
-        } else {
-            write(path, &table, arguments.force)?;
-        }
-    }
-    if !to_stdout {
-        let text = if arguments.json { rows::json(&reports) } else { page::text(&reports) };
-        output::print(&text)?;
-    }
+    let (page, json) = (|| page::text(&reports), || rows::json(&reports));
+    arguments.table.deliver_text(page, json, || rows::csv(&reports))?;
     Ok(if reports.iter().all(|(_, report)| rows::auto_answers(report)) {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
     })
-}
-
-fn write(path: &Path, table: &str, force: bool) -> Result<(), CliError> {
-    let existing = if force { Existing::Replace } else { Existing::Keep };
-    atomic::write(path, table.as_bytes(), existing).map_err(|error| match error {
-        FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
-        other => CliError::File(other),
-    })?;
-    output::note(&format!("wrote {}", path.display()));
-    Ok(())
 }

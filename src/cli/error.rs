@@ -83,9 +83,6 @@ pub enum CliError {
         /// What there is.
         known: String,
     },
-    /// Standard input cannot be read.
-    #[error("cannot read standard input: {0}")]
-    Stdin(io::Error),
     /// Standard output cannot be written.
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
@@ -106,8 +103,7 @@ impl CliError {
         match self {
             // Whoever reads our output has had enough: not a failure.
             Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-            Self::Stdin(_)
-            | Self::Stdout(_)
+            Self::Stdout(_)
             | Self::Workbench(_)
             | Self::File(FileError::Write { .. } | FileError::Csv(_) | FileError::NoHome) => {
                 ExitCode::FAILURE

@@ -4,7 +4,6 @@ mod page;
 
 use std::io::IsTerminal as _;
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -12,7 +11,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::deliver_report;
+use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::limit as rows;
 use crate::study::limit::scatter::Scattering;
@@ -37,15 +36,8 @@ pub(super) struct LimitArguments {
     /// Seed of the scatter: the same seed gives the same digits
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
-    /// Print JSON instead of the page
-    #[arg(long)]
-    json: bool,
-    /// Write every shot to this file; `-` writes to standard output instead of the page
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 impl LimitArguments {
@@ -85,7 +77,6 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || rows::json(name, &report);
-    let to = (arguments.json, arguments.csv.as_deref(), arguments.force);
-    deliver_report(page, object, &rows::shots(name, &report), to)?;
+    arguments.table.deliver_report(page, object, &rows::shots(name, &report))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -2,19 +2,18 @@
 
 mod page;
 
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Pace, bounds, say_if_long, threads};
-use crate::cli::table::write_text;
-use crate::cli::{CliError, output};
+use crate::cli::table::TableArguments;
 use crate::files::front as files;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::study::search::field::Field;
-use crate::study::search::front::{Constraint, Task, objectives, optimise};
+use crate::study::search::front::{Constraint, STEPS_MAX, Task, objectives, optimise};
 use crate::study::search::measure::{measure, parse_value};
 use crate::study::search::nsga::Effort;
 
@@ -75,15 +74,8 @@ pub(super) struct OptimiseArguments {
     /// Threads; the digits do not depend on it [default: one for each core]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Print JSON instead of the page
-    #[arg(long)]
-    json: bool,
-    /// Write a row a design to this file; `-` writes to standard output instead of the page
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 impl OptimiseArguments {
@@ -143,24 +135,15 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     // The slower law stands for both.
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
-    let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?;
+    let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?.limited(STEPS_MAX);
     say_if_long(&field, task.runs(), task.threads);
     let mut pace = Pace::begin();
     let fronts = optimise(&preset.scene, &task, &mut |done, total, _| pace.watch(done, total))?;
     let stopped = pace.end();
     let name = preset.name.as_str();
-    let csv = files::csv(name, &task, &fronts)?;
-    match arguments.csv.as_deref() {
-        Some(path) if path == Path::new("-") => output::print(&csv)?,
-        path => {
-            if let Some(path) = path {
-                write_text(path, &csv, arguments.force)?;
-            }
-            let json = || files::json(name, &task, &fronts);
-            let page = || page::text(name, &task, &fronts);
-            output::print(&if arguments.json { json() } else { page() })?;
-        }
-    }
+    let json = || files::json(name, &task, &fronts);
+    let page = || page::text(name, &task, &fronts);
+    arguments.table.deliver_text(page, json, || files::csv(name, &task, &fronts))?;
     let found = fronts.iter().all(|front| !front.designs.is_empty()) && !stopped;
     Ok(if found { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

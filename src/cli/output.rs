@@ -11,6 +11,11 @@ pub(super) fn print(text: &str) -> Result<(), CliError> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
 }
 
+/// A text of a scene file for a person's terminal, which would obey control characters: they are replaced.
+pub(super) fn printable(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}
+
 /// Write a piece of a result that goes on.
 pub(super) fn print_bytes(bytes: &[u8]) -> Result<(), CliError> {
     io::stdout().lock().write_all(bytes).map_err(CliError::Stdout)

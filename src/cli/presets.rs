@@ -56,7 +56,8 @@ fn list() -> Result<(), CliError> {
 
 fn rows(text: &mut String, presets: &[&Preset], width: usize) {
     for preset in presets {
-        let row = format!("{:width$}  {}", preset.name, preset.scene.title);
+        let title = output::printable(&preset.scene.title);
+        let row = format!("{:width$}  {title}", preset.name);
         let _ = writeln!(text, "{}", row.trim_end());
     }
 }

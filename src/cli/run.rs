@@ -1,7 +1,7 @@
 //! `cmra run SCENE`: one impact, as a readable summary, as JSON, as CSV, or with charts in plain text.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -10,9 +10,10 @@ use clap::Args;
 
 use crate::cli::compare::{self, Compare};
 use crate::cli::scene::SceneArguments;
-use crate::cli::{CliError, Glyphs, json, output, plain, summary, table};
+use crate::cli::table::{TableArguments, Target, exists};
+use crate::cli::{CliError, Glyphs, json, output, plain, summary};
+use crate::files::atomic::Existing;
 use crate::files::csv::{self, NamedRun, Rows};
-use crate::files::error::FileError;
 use crate::files::export::{self, ExportRequest};
 use crate::files::preset::Preset;
 use crate::model::impact::{self, Settings};
@@ -20,24 +21,20 @@ use crate::model::run::Run;
 use crate::model::variables::VariableError;
 
 #[derive(Debug, Args)]
+#[command(
+    after_help = "--csv FILE writes the series, and beside it NAME.toml: the scene that gives the same digits again."
+)]
 pub(super) struct RunArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Print one JSON object, SI units, null where a quantity does not exist
-    #[arg(long, conflicts_with = "plain")]
-    json: bool,
     /// Compare on this scene instead: the interaction models, or the quirks of Appendix A
     #[arg(long, value_enum, value_name = "WHAT", conflicts_with = "plain")]
     compare: Option<Compare>,
     /// Print charts as plain text below the summary
-    #[arg(long)]
+    #[arg(long, conflicts_with = "json")]
     plain: bool,
-    /// Write the series to this file, and the scene beside it as NAME.toml; `-` writes it to standard output instead
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace existing files
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
     /// The characters charts are drawn with
     #[arg(long, value_enum, default_value = "auto", value_name = "GLYPHS")]
     glyphs: Glyphs,
@@ -77,21 +74,22 @@ pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if let Some(what) = arguments.compare {
         let (page, rows) = compare::compute(&arguments.scene.load()?, what)?;
-        let options = (arguments.json, arguments.csv.as_deref(), arguments.force);
-        return table::deliver(&page, &rows, options).map(|()| ExitCode::SUCCESS);
+        return arguments.table.deliver(&page, &rows).map(|()| ExitCode::SUCCESS);
     }
     let computed = compute(arguments.scene.load()?)?;
-    let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
-    match &arguments.csv {
-        Some(_) if to_stdout => {
+    match arguments.table.target() {
+        Target::None => {}
+        Target::Stdout => {
             output::print(&csv::text(Rows::Series, &named(&computed), &[])?)?;
+            return Ok(exit_code(&computed.run));
         }
-        Some(path) => write_csv(&computed, path, arguments.force)?,
-        None => {}
+        Target::File(path) => {
+            write_csv(&computed, path, arguments.table.existing() == Existing::Replace)?;
+        }
     }
-    if arguments.json && !to_stdout {
+    if arguments.table.json {
         output::print(&json::text(&computed))?;
-    } else if !to_stdout {
+    } else {
         let charts = if arguments.plain { Charts::With(arguments.glyphs) } else { Charts::Without };
         print_readable(&computed, charts)?;
     }
@@ -138,11 +136,7 @@ fn write_csv(computed: &Computed, path: &Path, force: bool) -> Result<(), CliErr
         runs: named(computed),
         columns: Vec::new(),
     };
-    let written = export::write(&request).map_err(|error| match error {
-        FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
-        other => CliError::File(other),
-    })?;
-    for path in written {
+    for path in export::write(&request).map_err(exists)? {
         output::note(&format!("wrote {}", path.display()));
     }
     Ok(())

@@ -2,14 +2,13 @@
 
 mod page;
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
 
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Pace, say_if_long, threads};
-use crate::cli::table::deliver_report;
+use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::scatter as files;
 use crate::model::scene::Scene;
@@ -48,15 +47,8 @@ pub(super) struct ScatterArguments {
     /// Threads; the digits do not depend on it [default: one for each core]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Print JSON instead of the page
-    #[arg(long)]
-    json: bool,
-    /// Write a row a result to this file; `-` writes to standard output instead of the page
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 impl ScatterArguments {
@@ -97,8 +89,7 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let to = (arguments.json, arguments.csv.as_deref(), arguments.force);
-    deliver_report(page, object, &rows, to)?;
+    arguments.table.deliver_report(page, object, &rows)?;
     if report.census[4] > 0 {
         output::note(&format!("{} samples failed and are left out", report.census[4]));
     }

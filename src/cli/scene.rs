@@ -1,6 +1,6 @@
 //! The scene a command works on: SCENE, then every `--set` in order.
 
-use std::io::{self, Read as _};
+use std::io;
 use std::path::Path;
 
 use clap::Args;
@@ -9,7 +9,7 @@ use crate::cli::CliError;
 use crate::files::bundled;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
-use crate::files::read_table;
+use crate::files::{read, read_table};
 use crate::model::scene::{Scene, SpringKind};
 use crate::model::units::Bare;
 use crate::model::variables;
@@ -85,7 +85,7 @@ pub(super) fn named(name: &str) -> Result<Preset, CliError> {
 }
 
 fn from_stdin() -> Result<Preset, CliError> {
-    let mut text = String::new();
-    io::stdin().read_to_string(&mut text).map_err(CliError::Stdin)?;
-    Ok(preset::from_text("standard input".to_owned(), Origin::Text, text)?)
+    let name = "standard input";
+    let text = read::text_from(io::stdin().lock(), Path::new(name))?;
+    Ok(preset::from_text(name.to_owned(), Origin::Text, text)?)
 }

@@ -25,8 +25,8 @@ const LONG: Duration = Duration::from_secs(60);
 /// Designs tried for that, and how long they may take.
 const TRIED: usize = 32;
 const TRYING: Duration = Duration::from_millis(250);
-/// Searches of fewer runs are not asked how long they will take.
-const FEW: usize = 2000;
+/// At the most one run for so many is tried: a search of fewer is not asked how long it will take.
+const SPARED: usize = 4;
 
 /// A search under way, seen from outside.
 pub(super) struct Pace {
@@ -93,12 +93,13 @@ pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliEr
 
 /// Try a few designs spread over the bounds, and say how long so many runs will take where that is long.
 pub(super) fn say_if_long(field: &Field, runs: usize, threads: usize) {
-    if runs < FEW {
+    let most = TRIED.min(runs / SPARED);
+    if most == 0 {
         return;
     }
     let start = Instant::now();
     let mut tried = 0;
-    while tried < TRIED && start.elapsed() < TRYING {
+    while tried < most && start.elapsed() < TRYING {
         // Shares that do not fall on one line through the box.
         let share = |axis: usize| (0.5 + 0.618_034 * (tried * (axis + 1)) as f64).fract();
         let axes = field.axes().iter().enumerate();

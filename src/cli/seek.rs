@@ -2,7 +2,6 @@
 
 mod page;
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -11,7 +10,7 @@ use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Pace, say_if_long, threads};
 use crate::cli::sweep::axes::over;
-use crate::cli::table::deliver_report;
+use crate::cli::table::TableArguments;
 use crate::files::seek as files;
 use crate::study::search::field::Field;
 use crate::study::search::measure::{measure, parse_value};
@@ -42,15 +41,8 @@ pub(super) struct SeekArguments {
     /// Threads; the digits do not depend on it [default: one for each core]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Print JSON instead of the page
-    #[arg(long)]
-    json: bool,
-    /// Write a row a solution to this file; `-` writes to standard output instead of the page
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 impl SeekArguments {
@@ -90,8 +82,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let to = (arguments.json, arguments.csv.as_deref(), arguments.force);
-    deliver_report(page, object, &rows, to)?;
+    arguments.table.deliver_report(page, object, &rows)?;
     let found = !report.solutions.is_empty() && !stopped;
     Ok(if found { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -2,7 +2,6 @@
 
 mod page;
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use clap::Args;
 use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Pace, bounds, say_if_long, threads};
-use crate::cli::table::deliver_report;
+use crate::cli::table::TableArguments;
 use crate::files::sensitivity as files;
 use crate::study::search::field::Field;
 use crate::study::sensitivity::{Effort, study};
@@ -41,15 +40,8 @@ pub(super) struct SensitivityArguments {
     /// Threads; the digits do not depend on it [default: one for each core]
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Print JSON instead of the page
-    #[arg(long)]
-    json: bool,
-    /// Write a row a variable to this file; `-` writes to standard output instead of the page
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 impl SensitivityArguments {
@@ -88,7 +80,6 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let to = (arguments.json, arguments.csv.as_deref(), arguments.force);
-    deliver_report(page, object, &rows, to)?;
+    arguments.table.deliver_report(page, object, &rows)?;
     Ok(if stopped { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }

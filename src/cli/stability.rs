@@ -1,7 +1,6 @@
 //! `cmra stability`: the battery of stiff and extreme scenes, or the map of a fixed-step method.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -10,9 +9,8 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 
 use crate::cli::scene::SceneArguments;
+use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
-use crate::files::atomic::{self, Existing};
-use crate::files::error::FileError;
 use crate::files::stability as values;
 use crate::study::stability::map::{self, Axis, Method};
 use crate::study::stability::{self, Clock, Row};
@@ -32,17 +30,10 @@ const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
 pub(super) struct StabilityArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Print one JSON object
-    #[arg(long)]
-    json: bool,
-    /// Write the rows to this file; `-` writes them to standard output instead
-    #[arg(long, value_name = "FILE", conflicts_with = "map")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    rows: TableArguments,
     /// Map where a fixed-step method is stable on SCENE, over its step and this variable
-    #[arg(long, value_enum, value_name = "k|n|b")]
+    #[arg(long, value_enum, value_name = "k|n|b", conflicts_with = "csv")]
     map: Option<MapAxis>,
     /// The method of the map
     #[arg(long, value_enum, default_value = "thesis", requires = "map")]
@@ -78,25 +69,8 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let start = Instant::now();
     let rows = battery(arguments.quick)?;
     let took_s = start.elapsed().as_secs_f64();
-    let to_stdout = arguments.csv.as_deref() == Some(Path::new("-"));
-    if let Some(path) = &arguments.csv {
-        let text = values::csv(&rows)?;
-        if to_stdout {
-            output::print(&text)?;
-        } else {
-            let existing = if arguments.force { Existing::Replace } else { Existing::Keep };
-            atomic::write(path, text.as_bytes(), existing).map_err(|error| match error {
-                FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
-                other => CliError::File(other),
-            })?;
-            output::note(&format!("wrote {}", path.display()));
-        }
-    }
-    if arguments.json && !to_stdout {
-        output::print(&values::json(&rows))?;
-    } else if !to_stdout {
-        output::print(&table::battery(&rows, took_s, table::width()))?;
-    }
+    let page = || table::battery(&rows, took_s, table::width());
+    arguments.rows.deliver_text(page, || values::json(&rows), || values::csv(&rows))?;
     let short = rows.iter().any(|row| row.shortfall.is_some());
     Ok(if short { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
@@ -148,7 +122,8 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     let ControlFlow::Continue(map) = map::map(&preset.scene, (method, axis), cells, go_on) else {
         return Ok(ExitCode::FAILURE);
     };
-    let text = if arguments.json { values::map_json(&map) } else { table::map(&map, &preset.name) };
+    let text =
+        if arguments.rows.json { values::map_json(&map) } else { table::map(&map, &preset.name) };
     output::print(&text)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -4,6 +4,7 @@
 
 use std::fmt::Write as _;
 
+use crate::cli::output;
 use crate::cli::run::Computed;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EstimateBasis, Outcome, Run};
@@ -20,7 +21,7 @@ const VALUE: usize = 14;
 pub(super) fn text(computed: &Computed) -> String {
     let run = &computed.run;
     let mut page = String::new();
-    let title = &run.scene.title;
+    let title = output::printable(&run.scene.title);
     let name = &computed.preset.name;
     if title.is_empty() {
         let _ = writeln!(page, "{name}");

@@ -8,7 +8,6 @@ mod sidecar;
 
 use std::io::{self, IsTerminal as _};
 use std::ops::{ControlFlow, Range};
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -19,9 +18,9 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use crate::cli::scene::SceneArguments;
+use crate::cli::table::{TableArguments, Target, exists};
 use crate::cli::{CliError, output};
-use crate::files::atomic::{Existing, Growing};
-use crate::files::error::FileError;
+use crate::files::atomic::Growing;
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
 use crate::study::sweep::crew::Crew;
@@ -33,8 +32,8 @@ const LONG: Duration = Duration::from_secs(60);
 /// Points tried for that, and how long they may take.
 const TRIED: u64 = 48;
 const TRYING: Duration = Duration::from_millis(250);
-/// Sweeps of fewer points are not asked how long they will take.
-const FEW: u64 = 2000;
+/// At the most every so manieth point is tried: a sweep of fewer points is not asked how long it will take.
+const SPARED: u64 = 4;
 /// Least time between two looks of the progress line.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
@@ -72,21 +71,15 @@ pub(super) struct SweepArguments {
     /// Threads [default: one a core]
     #[arg(long, value_name = "N")]
     threads: Option<std::num::NonZeroUsize>,
-    /// Print one JSON object, a row a point
-    #[arg(long)]
-    json: bool,
-    /// Write a row a point to this file; `-` writes to standard output instead
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 /// Sweep; exit status 1 when a point failed or the sweep was interrupted.
 pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
-    let rows_wanted = arguments.json || arguments.csv.is_some();
+    let csv_wanted = !matches!(arguments.table.target(), Target::None);
+    let rows_wanted = arguments.table.json || csv_wanted;
     let usual = axes::usual(&preset.scene);
     let asked = Asked {
         over: &arguments.over,
@@ -123,7 +116,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         ));
         return Ok(ExitCode::FAILURE);
     }
-    if rows_wanted && arguments.csv.is_some() && !arguments.json {
+    if csv_wanted && !arguments.table.json {
         output::note(&format!(
             "{} points in {}: {}",
             ended.points(),
@@ -182,19 +175,17 @@ impl Job<'_> {
 
     /// Write rows as they are made.
     fn rows(&self, arguments: &SweepArguments, columns: Columns) -> Result<Summary, CliError> {
-        let existing = if arguments.force { Existing::Replace } else { Existing::Keep };
-        let path = arguments.csv.as_deref();
-        let to_stdout = path == Some(Path::new("-"));
-        let mut file = match path {
-            Some(path) if !to_stdout => {
+        let (existing, target) = (arguments.table.existing(), arguments.table.target());
+        let mut file = match target {
+            Target::File(path) => {
                 sidecar::check(path, existing).map_err(exists)?;
                 Some(Growing::begin(path, existing).map_err(exists)?)
             }
-            Some(_) | None => None,
+            Target::None | Target::Stdout => None,
         };
         self.say_if_long();
-        let json = arguments.json && !to_stdout;
-        let texts = Texts { csv: path.is_some(), json };
+        let json = arguments.table.json && !matches!(target, Target::Stdout);
+        let texts = Texts { csv: !matches!(target, Target::None), json };
         let sheet = Sheet::new(self.plan, &self.preset.name, columns, texts);
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
             match &mut file {
@@ -214,7 +205,7 @@ impl Job<'_> {
         })?;
         write(&[], if json { JSON_TAIL } else { "" })?;
         output::print("")?;
-        if let (Some(file), Some(path)) = (file, path) {
+        if let (Some(file), Target::File(path)) = (file, target) {
             file.finish(existing).map_err(exists)?;
             output::note(&format!("wrote {}", path.display()));
             let made = sidecar::Made { plan: self.plan, columns, shard: &arguments.shard };
@@ -246,9 +237,10 @@ impl Job<'_> {
                 Ok(whole)
             });
             look.show(summary.points());
+            // A piece that goes the quick way is done before it looks whether it should stop.
             match taken {
-                Ok(true) => ControlFlow::Continue(()),
-                Ok(false) => ControlFlow::Break(()),
+                Ok(true) if !self.stop.load(Ordering::Relaxed) => ControlFlow::Continue(()),
+                Ok(_) => ControlFlow::Break(()),
                 Err(error) => {
                     problem = Some(error);
                     ControlFlow::Break(())
@@ -263,14 +255,15 @@ impl Job<'_> {
     fn say_if_long(&self) {
         let points = self.points();
         let count = points.end - points.start;
-        if count < FEW {
+        let most = TRIED.min(count / SPARED);
+        if most == 0 {
             return;
         }
         let mut evaluator = Evaluator::new(self.plan, self.stop);
         let start = Instant::now();
         let mut tried = 0;
-        while tried < TRIED && start.elapsed() < TRYING {
-            let index = points.start + (2 * tried + 1) * (count / (2 * TRIED));
+        while tried < most && start.elapsed() < TRYING {
+            let index = points.start + tried * (count / most) + count / (2 * most);
             evaluator.rows(index..index + 1);
             tried += 1;
         }
@@ -283,13 +276,6 @@ impl Job<'_> {
                 page::duration(takes_s)
             ));
         }
-    }
-}
-
-fn exists(error: FileError) -> CliError {
-    match error {
-        FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
-        other => CliError::File(other),
     }
 }
 

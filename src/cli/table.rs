@@ -1,4 +1,5 @@
-//! Where a table of rows goes: to a file beside the page, to standard output instead of it, or as JSON.
+//! Where a table of rows goes: to a file beside the page, to standard output instead of it, or as JSON. The one declaration of
+//! `--json`, `--csv` and `--force`.
 
 use std::path::{Path, PathBuf};
 
@@ -12,67 +13,80 @@ use crate::files::rows::Rows;
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Args)]
 pub(super) struct TableArguments {
-    /// Print JSON: a list with one object a row
+    /// Print JSON instead of the page, SI units, null where a quantity does not exist
     #[arg(long)]
-    json: bool,
-    /// Write the rows to this file; `-` writes them to standard output instead of the page
+    pub(super) json: bool,
+    /// Write the table to this file; `-` writes it to standard output instead of the page
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Replace an existing file
+    /// Replace what exists
     #[arg(long, requires = "csv")]
     force: bool,
 }
 
+/// Where a table is to go.
+pub(super) enum Target<'a> {
+    /// Nowhere: it was not asked for.
+    None,
+    /// To standard output, instead of the page.
+    Stdout,
+    /// To a file.
+    File(&'a Path),
+}
+
 impl TableArguments {
+    /// Where the table is to go.
+    pub(super) fn target(&self) -> Target<'_> {
+        match self.csv.as_deref() {
+            None => Target::None,
+            Some(path) if path == Path::new("-") => Target::Stdout,
+            Some(path) => Target::File(path),
+        }
+    }
+
+    /// What may happen to a file that is there already.
+    pub(super) fn existing(&self) -> Existing {
+        if self.force { Existing::Replace } else { Existing::Keep }
+    }
+
     /// Print the page or the rows, and write the file.
     pub(super) fn deliver(&self, page: &str, rows: &Rows) -> Result<(), CliError> {
-        deliver(page, rows, (self.json, self.csv.as_deref(), self.force))
+        self.deliver_text(|| page.to_owned(), || rows.json(), || rows.csv())
+    }
+
+    /// The same for a report whose JSON object tells more than its rows: a file still holds the rows.
+    pub(super) fn deliver_report(
+        &self,
+        page: impl FnOnce() -> String,
+        object: impl FnOnce() -> String,
+        rows: &Rows,
+    ) -> Result<(), CliError> {
+        self.deliver_text(page, object, || rows.csv())
+    }
+
+    /// The same for a table that is a text already.
+    pub(super) fn deliver_text(
+        &self,
+        page: impl FnOnce() -> String,
+        object: impl FnOnce() -> String,
+        table: impl FnOnce() -> Result<String, FileError>,
+    ) -> Result<(), CliError> {
+        match self.target() {
+            Target::None => {}
+            Target::Stdout => return output::print(&table()?),
+            Target::File(path) => {
+                atomic::write(path, table()?.as_bytes(), self.existing()).map_err(exists)?;
+                output::note(&format!("wrote {}", path.display()));
+            }
+        }
+        output::print(&if self.json { object() } else { page() })
     }
 }
 
-/// As [`TableArguments::deliver`], with the three options by themselves.
-pub(super) fn deliver(
-    page: &str,
-    rows: &Rows,
-    (json, csv, force): (bool, Option<&Path>, bool),
-) -> Result<(), CliError> {
-    if csv == Some(Path::new("-")) {
-        return output::print(&rows.csv()?);
-    }
-    if let Some(path) = csv {
-        write(path, rows, force)?;
-    }
-    if json { output::print(&rows.json()) } else { output::print(page) }
-}
-
-/// The same for a report whose JSON object tells more than its rows: a file still holds the rows.
-pub(super) fn deliver_report(
-    page: impl FnOnce() -> String,
-    object: impl FnOnce() -> String,
-    rows: &Rows,
-    (json, csv, force): (bool, Option<&Path>, bool),
-) -> Result<(), CliError> {
-    if !json {
-        return deliver(&page(), rows, (false, csv, force));
-    }
-    if let Some(path) = csv.filter(|path| *path != Path::new("-")) {
-        write(path, rows, force)?;
-    }
-    output::print(&object())
-}
-
-/// Write the rows to a file.
-fn write(path: &Path, rows: &Rows, force: bool) -> Result<(), CliError> {
-    write_text(path, &rows.csv()?, force)
-}
-
-/// Write a table that is a text already.
-pub(super) fn write_text(path: &Path, text: &str, force: bool) -> Result<(), CliError> {
-    let existing = if force { Existing::Replace } else { Existing::Keep };
-    atomic::write(path, text.as_bytes(), existing).map_err(|error| match error {
+/// On the command line there is a cure for a file that exists.
+pub(super) fn exists(error: FileError) -> CliError {
+    match error {
         FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
         other => CliError::File(other),
-    })?;
-    output::note(&format!("wrote {}", path.display()));
-    Ok(())
+    }
 }

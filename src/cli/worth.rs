@@ -3,7 +3,6 @@
 mod page;
 
 use std::ops::ControlFlow;
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -11,7 +10,7 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::deliver_report;
+use crate::cli::table::TableArguments;
 use crate::files::worth as files;
 use crate::model::units::{self, Bare, Quantity};
 use crate::study::worth::{Masses, compare};
@@ -26,15 +25,8 @@ pub(super) struct WorthArguments {
     /// Mass of damper, stop and mount together, kg or with a unit
     #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true)]
     mount_mass: String,
-    /// Print JSON instead of the page
-    #[arg(long)]
-    json: bool,
-    /// Write a row a candidate to this file; `-` writes to standard output instead of the page
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long, requires = "csv")]
-    force: bool,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 fn mass(option: &str, text: &str) -> Result<f64, CliError> {
@@ -62,7 +54,6 @@ pub(super) fn run(arguments: &WorthArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &scene, &report, arguments.spring_mass.is_some());
     let object = || files::json(name, &report);
-    let to = (arguments.json, arguments.csv.as_deref(), arguments.force);
-    deliver_report(page, object, &rows, to)?;
+    arguments.table.deliver_report(page, object, &rows)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -28,18 +28,22 @@ pub enum FileError {
         source: io::Error,
     },
     /// The file is far larger than any scene.
-    #[error("`{}` has {bytes} bytes: a scene has at most {limit}; is this the right file?", .path.display())]
+    #[error("`{}` has more than {limit} bytes, which no scene has: is this the right file?", .path.display())]
     TooLarge {
         /// The file.
         path: PathBuf,
-        /// Its size.
-        bytes: u64,
         /// What is accepted.
         limit: u64,
     },
     /// The file is no table of displacement and force: which, where, and the cure.
     #[error("{0}")]
     Curve(String),
+    /// The file is not text.
+    #[error("`{}` is no text in UTF-8, as every scene is: is this the right file? if so, save it as UTF-8", .path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+    },
     /// The file is not a scene.
     #[error("{0}")]
     Scene(SceneErrors),

@@ -127,6 +127,7 @@ fn of_front(task: &Task, front: &Front) -> Value {
     json!({
         "interface": law(front.law),
         "runs": front.runs,
+        "given_up": front.given_up,
         "generations": front.generations,
         "complete": front.is_complete,
         "designs": designs.collect::<Vec<_>>(),

@@ -4,6 +4,7 @@
 //! collected and told together, each with its line and column. Writing is in [`crate::files::write`].
 
 use std::fs;
+use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
@@ -36,11 +37,25 @@ pub fn scene_file(path: &Path) -> Result<Scene, FileError> {
 /// # Errors
 /// [`FileError`] when it cannot be read, is too large, or is not UTF-8.
 pub fn text_file(path: &Path) -> Result<String, FileError> {
-    let bytes = fs::metadata(path).map_err(|source| FileError::read(path, source))?.len();
-    if bytes > BYTES_MAX {
-        return Err(FileError::TooLarge { path: path.to_owned(), bytes, limit: BYTES_MAX });
+    let file = fs::File::open(path).map_err(|source| FileError::read(path, source))?;
+    text_from(file, path)
+}
+
+/// The text that a source of reasonable size gives; `path` is the name used in errors. A device may never end: no more is
+/// read than is accepted.
+///
+/// # Errors
+/// As [`text_file`].
+pub fn text_from(source: impl Read, path: &Path) -> Result<String, FileError> {
+    let mut bytes = Vec::new();
+    source
+        .take(BYTES_MAX + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|source| FileError::read(path, source))?;
+    if bytes.len() as u64 > BYTES_MAX {
+        return Err(FileError::TooLarge { path: path.to_owned(), limit: BYTES_MAX });
     }
-    fs::read_to_string(path).map_err(|source| FileError::read(path, source))
+    String::from_utf8(bytes).map_err(|_not_text| FileError::NotText { path: path.to_owned() })
 }
 
 /// Read a scene from text; `file` is the name used in errors.
@@ -325,7 +340,12 @@ fn find(document: &DeTable<'_>, key: &str) -> Option<Range<usize>> {
 
 /// What to say about a key that is not in the table.
 fn unknown(path: &str, is_table: bool) -> String {
-    let path: String = path.chars().map(|c| if c.is_control() { '?' } else { c }).collect();
+    const SHOWN_MAX: usize = 80;
+    let shown = path.chars().map(|c| if c.is_control() { '?' } else { c });
+    let mut path: String = shown.clone().take(SHOWN_MAX).collect();
+    if shown.count() > SHOWN_MAX {
+        path += "...";
+    }
     let what = if is_table { "table" } else { "key" };
     let last = path.rsplit('.').next().unwrap_or(&path);
     let hint = if let Ok(variable) = variables::find(last) {

@@ -43,6 +43,9 @@ use stability::Stability;
 use sweep::Sweeping;
 use thesis::Thesis;
 
+/// Messages kept of a session.
+const LOG_MAX: usize = 2000;
+
 /// The tabs, in the order of the title row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tab {
@@ -197,6 +200,8 @@ pub struct App {
     pub mouse: bool,
     /// The presets as last listed.
     pub presets: Vec<PresetEntry>,
+    /// The session could not be saved the last time.
+    pub session_lost: bool,
     /// Where relative paths start.
     pub directory: PathBuf,
 }
@@ -234,6 +239,7 @@ impl App {
             auto_run: true,
             mouse: false,
             presets: Vec::new(),
+            session_lost: false,
             directory,
         }
     }
@@ -256,7 +262,7 @@ impl App {
 
     fn layout_with(&self, size: (u16, u16), message_rows: u16) -> Layout {
         let pins = self.pins.len();
-        let focus = if self.picture().is_some() { self.place() } else { self.focus };
+        let focus = if self.tab == Tab::Run { self.focus } else { self.place() };
         layout::layout(size, message_rows, self.tab, (focus, self.full_pane), pins)
     }
 
@@ -300,8 +306,16 @@ impl App {
     /// Show a message and keep it for the Log tab.
     pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
         let notice = Notice { severity, text: text.into() };
-        self.log.push(notice.clone());
+        self.keep(notice.clone());
         self.notice = Some(notice);
+    }
+
+    /// Keep a message for the Log tab; of very many the oldest go.
+    fn keep(&mut self, notice: Notice) {
+        if self.log.len() >= LOG_MAX {
+            self.log.drain(..LOG_MAX / 4);
+        }
+        self.log.push(notice);
     }
 
     /// The runs to draw, the current one last so that it lies on top.

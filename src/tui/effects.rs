@@ -3,6 +3,7 @@
 //! Tasks are done in order. The session is kept soon after it changed (changes in quick succession are written once), and at
 //! once when the loop leaves. Knows nothing of the terminal.
 
+use std::cell::Cell;
 use std::fs;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
@@ -53,7 +54,7 @@ pub(super) enum Task {
     /// The session has changed: it lies in [`Unsaved`].
     SessionChanged,
     /// Save the session now and say so.
-    Finish(Sender<()>),
+    Finish(Sender<Result<(), String>>),
 }
 
 /// The session that has yet to be saved. Whoever takes it out saves it.
@@ -68,15 +69,14 @@ impl Unsaved {
         self.session.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Save what has not been saved. Failing is told in the log: there is nothing a person must do at once.
-    pub(super) fn save(&self) {
-        let session = self.lock().take();
-        let (Some(session), Some(paths)) = (session, &self.paths) else {
-            return;
-        };
-        if let Err(error) = session::save(&paths.session_file(), &session) {
-            log::error!("the session was not saved: {error}");
-        }
+    /// Save what has not been saved; `None` when there is nothing to save, or no place for it.
+    ///
+    /// # Errors
+    /// Why it was not saved, in words.
+    pub(super) fn save(&self) -> Option<Result<(), String>> {
+        let session = self.lock().take()?;
+        let saved = session::save(&self.paths.as_ref()?.session_file(), &session);
+        Some(saved.map_err(|error| error.to_string()))
     }
 }
 
@@ -94,7 +94,7 @@ impl Clerk {
     pub(super) fn spawn(paths: Option<Paths>, inbox: Sender<Incoming>) -> std::io::Result<Self> {
         let (tasks, receive) = mpsc::channel();
         let unsaved = Unsaved { session: Arc::default(), paths };
-        let desk = Desk { unsaved: unsaved.clone(), inbox };
+        let desk = Desk { unsaved: unsaved.clone(), inbox, is_kept: Cell::new(true) };
         thread::Builder::new().name("clerk".to_owned()).spawn(move || desk.serve(&receive))?;
         Ok(Self { tasks, unsaved })
     }
@@ -118,11 +118,16 @@ impl Clerk {
     }
 
     /// Finish all tasks and save the session, waiting at most this long.
-    pub(super) fn finish(&self, patience: Duration) {
+    ///
+    /// # Errors
+    /// Why the session was not saved, in words.
+    pub(super) fn finish(&self, patience: Duration) -> Result<(), String> {
         let (done, wait) = mpsc::channel();
-        if self.tasks.send(Task::Finish(done)).is_err() || wait.recv_timeout(patience).is_err() {
+        let asked = self.tasks.send(Task::Finish(done)).is_ok();
+        match wait.recv_timeout(patience) {
+            Ok(saved) if asked => saved,
             // Stuck behind a slow task: the session comes first.
-            self.unsaved.save();
+            _ => self.unsaved.save().unwrap_or(Ok(())),
         }
     }
 }
@@ -131,6 +136,8 @@ impl Clerk {
 struct Desk {
     unsaved: Unsaved,
     inbox: Sender<Incoming>,
+    /// Whether the session could be saved the last time.
+    is_kept: Cell<bool>,
 }
 
 impl Desk {
@@ -147,20 +154,28 @@ impl Desk {
                 }
                 Ok(Task::Finish(done)) => {
                     session_due = None;
-                    self.unsaved.save();
                     // The loop may have lost patience.
-                    let _ = done.send(());
+                    let _ = done.send(self.unsaved.save().unwrap_or(Ok(())));
                 }
                 Ok(task) => self.contained(task),
                 Err(RecvTimeoutError::Timeout) => {
                     session_due = None;
-                    self.unsaved.save();
+                    self.save();
                 }
                 Err(RecvTimeoutError::Disconnected) => {
-                    self.unsaved.save();
+                    self.save();
                     return;
                 }
             }
+        }
+    }
+
+    /// Save the session; a person hears of it when that begins to fail, and when it works again.
+    fn save(&self) {
+        let Some(saved) = self.unsaved.save() else { return };
+        if self.is_kept.replace(saved.is_ok()) != saved.is_ok() {
+            // The loop may be over already.
+            let _ = self.inbox.send(Incoming::Message(Message::Done(EffectReport::Session(saved))));
         }
     }
 
@@ -317,7 +332,10 @@ mod tests {
         loop {
             match inbox.recv_timeout(PATIENCE).expect("a report in time") {
                 Incoming::Message(Message::Done(report)) => return report,
-                Incoming::Message(_) | Incoming::InputLost | Incoming::Signal(_) => {}
+                Incoming::Message(_)
+                | Incoming::Mouse(_)
+                | Incoming::InputLost
+                | Incoming::Signal(_) => {}
             }
         }
     }
@@ -333,9 +351,31 @@ mod tests {
         let (_place, paths, clerk, _inbox) = start();
         clerk.session_changed(session_of(2.0));
         clerk.session_changed(session_of(3.0));
-        clerk.finish(PATIENCE);
+        clerk.finish(PATIENCE).unwrap();
         let kept = session::load(&paths.session_file()).session;
         assert_eq!(kept, Some(session_of(3.0)));
+    }
+
+    #[test]
+    fn a_session_that_cannot_be_kept_is_told_once_and_again_when_it_can() {
+        let (place, paths, clerk, inbox) = start();
+        // Where the folder should be there is a file.
+        let state = paths.state.clone();
+        fs::create_dir_all(state.parent().unwrap()).unwrap();
+        fs::write(&state, "").unwrap();
+        let told = || match report(&inbox) {
+            EffectReport::Session(saved) => saved,
+            other => panic!("{other:?}"),
+        };
+        clerk.session_changed(session_of(2.0));
+        let why = told().unwrap_err();
+        assert!(why.contains("cannot write"), "{why}");
+        clerk.session_changed(session_of(3.0));
+        assert!(clerk.finish(PATIENCE).is_err());
+        fs::remove_file(&state).unwrap();
+        clerk.session_changed(session_of(4.0));
+        assert_eq!(told(), Ok(()));
+        drop(place);
     }
 
     #[test]

@@ -6,9 +6,7 @@
 use std::sync::mpsc::Sender;
 use std::thread;
 
-use crossterm::event::{
-    self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseEventKind,
-};
+use crossterm::event::{self, Event, KeyEventKind, MouseButton, MouseEvent, MouseEventKind};
 
 use super::Incoming;
 use crate::tui::message::Message;
@@ -23,10 +21,10 @@ pub(super) fn spawn(inbox: Sender<Incoming>) -> std::io::Result<()> {
         loop {
             match event::read() {
                 Ok(event) => {
-                    let Some(message) = message_of(event) else {
+                    let Some(incoming) = incoming_of(event) else {
                         continue;
                     };
-                    if last_words.0.send(Incoming::Message(message)).is_err() {
+                    if last_words.0.send(incoming).is_err() {
                         return;
                     }
                 }
@@ -51,44 +49,60 @@ impl Drop for LastWords {
 }
 
 /// What an event of the terminal means to the workbench.
-fn message_of(event: Event) -> Option<Message> {
-    match event {
+fn incoming_of(event: Event) -> Option<Incoming> {
+    Some(Incoming::Message(match event {
         // Some terminals also report releases.
-        Event::Key(key) => (key.kind != KeyEventKind::Release).then_some(Message::Key(key)),
-        Event::Paste(text) => Some(Message::Paste(text)),
-        Event::Resize(columns, rows) => Some(Message::Resize(columns, rows)),
-        Event::Mouse(mouse) => wheel(mouse.kind),
-        Event::FocusGained | Event::FocusLost => None,
-    }
+        Event::Key(key) if key.kind == KeyEventKind::Release => return None,
+        Event::Key(key) => Message::Key(key),
+        Event::Paste(text) => Message::Paste(text),
+        Event::Resize(columns, rows) => Message::Resize(columns, rows),
+        Event::Mouse(mouse) => return pointing(mouse),
+        Event::FocusGained | Event::FocusLost => return None,
+    }))
 }
 
-/// The wheel moves as the arrow keys do; buttons are left to the terminal's own menus.
-fn wheel(kind: MouseEventKind) -> Option<Message> {
-    let code = match kind {
-        MouseEventKind::ScrollUp => KeyCode::Up,
-        MouseEventKind::ScrollDown => KeyCode::Down,
+/// The left button and the wheel; other buttons are left to the terminal's own menus. What they point at only the loop knows,
+/// which has the screen.
+fn pointing(mouse: MouseEvent) -> Option<Incoming> {
+    let used = match mouse.kind {
+        MouseEventKind::Down(button) => button == MouseButton::Left,
+        MouseEventKind::ScrollUp | MouseEventKind::ScrollDown => true,
         // Sideways would step values, which nobody means by brushing a touchpad.
         MouseEventKind::ScrollLeft
         | MouseEventKind::ScrollRight
-        | MouseEventKind::Down(_)
         | MouseEventKind::Up(_)
         | MouseEventKind::Drag(_)
-        | MouseEventKind::Moved => return None,
+        | MouseEventKind::Moved => false,
     };
-    Some(Message::Key(KeyEvent::new(code, KeyModifiers::NONE)))
+    used.then_some(Incoming::Mouse(mouse))
 }
 
 #[cfg(test)]
 mod tests {
+    use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
     use super::*;
 
     #[test]
     fn releases_are_not_keys() {
         let mut key = KeyEvent::new(KeyCode::Char('x'), KeyModifiers::NONE);
-        assert!(matches!(message_of(Event::Key(key)), Some(Message::Key(seen)) if seen == key));
+        let seen = incoming_of(Event::Key(key));
+        assert!(matches!(seen, Some(Incoming::Message(Message::Key(seen))) if seen == key));
         key.kind = KeyEventKind::Repeat;
-        assert!(message_of(Event::Key(key)).is_some());
+        assert!(incoming_of(Event::Key(key)).is_some());
         key.kind = KeyEventKind::Release;
-        assert!(message_of(Event::Key(key)).is_none());
+        assert!(incoming_of(Event::Key(key)).is_none());
+    }
+
+    #[test]
+    fn only_the_left_button_and_the_wheel_upward_and_downward_count() {
+        let counts = |kind| {
+            let mouse = MouseEvent { kind, column: 3, row: 4, modifiers: KeyModifiers::NONE };
+            matches!(incoming_of(Event::Mouse(mouse)), Some(Incoming::Mouse(seen)) if seen == mouse)
+        };
+        assert!(counts(MouseEventKind::Down(MouseButton::Left)));
+        assert!(counts(MouseEventKind::ScrollUp) && counts(MouseEventKind::ScrollDown));
+        assert!(!counts(MouseEventKind::Down(MouseButton::Right)));
+        assert!(!counts(MouseEventKind::ScrollLeft) && !counts(MouseEventKind::Moved));
     }
 }

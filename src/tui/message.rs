@@ -11,6 +11,9 @@ use crate::files::accuracy::Named;
 use crate::files::export::ExportRequest;
 use crate::model::scene::Scene;
 use crate::study::sweep::grid::Grid;
+use crate::tui::app::Tab;
+use crate::tui::app::search::Row;
+use crate::tui::app::sweep::SetupRow;
 use crate::worker::studies::{Study, StudyReport};
 use crate::worker::sweeps::{SweepJob, SweepReport};
 use crate::worker::{Job, Report};
@@ -28,6 +31,10 @@ pub enum Message {
     Paste(String),
     /// The terminal has a new size.
     Resize(u16, u16),
+    /// Something was clicked.
+    Click(Target),
+    /// The wheel was turned, upward or not, over something.
+    Wheel(bool, Option<Target>),
     /// An action was chosen from the palette or the help overlay.
     Act(Action),
     /// A report from the worker.
@@ -46,6 +53,30 @@ pub enum Message {
     Logged(log::Level, String),
 }
 
+/// What a mouse points at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// A tab in the title row.
+    Tab(Tab),
+    /// A variable, by index into the table.
+    Variable(usize),
+    /// A time in one of the charts, s since first contact.
+    Time {
+        /// Which chart, from the top.
+        chart: usize,
+        /// The time.
+        t_s: f64,
+    },
+    /// A pane without parts to point at.
+    Pane(Place),
+    /// A row of the setup of a sweep.
+    Setup(SetupRow),
+    /// A point of a sweep.
+    Point((usize, usize)),
+    /// A row of the setup of a search.
+    SearchSetup(Row),
+}
+
 /// How an effect ended. The texts are for the message row.
 #[derive(Clone, Debug)]
 pub enum EffectReport {
@@ -61,6 +92,8 @@ pub enum EffectReport {
     Copied(String),
     /// Something could not be done, and why.
     Refused(String),
+    /// The session cannot be kept any more, and why; or it can again.
+    Session(Result<(), String>),
     /// Names that complete a path.
     Completions(Vec<String>),
     /// A spring's measured curve was read: whether the second one's, the file, and its points.

@@ -7,6 +7,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 use crossterm::clipboard::CopyToClipboard;
+use crossterm::event::{MouseEvent, MouseEventKind};
 
 use super::effects::{Clerk, Task};
 use super::pace::Pace;
@@ -103,7 +104,8 @@ impl Shell {
         let clerk = Clerk::spawn(paths, sender.clone())?;
         let unsaved = clerk.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
-            unsaved.save();
+            // Nobody is left to be told.
+            let _ = unsaved.save();
             terminal::restore_without_waiting();
         })?;
         let now = Instant::now();
@@ -152,8 +154,9 @@ impl Shell {
         }
     }
 
-    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted.
-    pub(super) fn leave(self, ending: &Ending) -> Option<String> {
+    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted, and why the
+    /// session was not saved, if it was not.
+    pub(super) fn leave(self, ending: &Ending) -> (Option<String>, Option<String>) {
         let (patience, summary) = match ending {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
             Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
@@ -161,8 +164,8 @@ impl Shell {
         self.clerk.session_changed(start::session(&self.app, &self.recent));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
-        self.clerk.finish(patience);
-        summary.then(|| self.app.summary())
+        let lost = self.clerk.finish(patience).err();
+        (summary.then(|| self.app.summary()), lost)
     }
 
     /// Wait for something, deal with all that has come, and draw if it is time.
@@ -229,6 +232,10 @@ impl Shell {
     fn receive(&mut self, incoming: Incoming) -> io::Result<Option<Ending>> {
         match incoming {
             Incoming::Message(message) => self.take(message),
+            Incoming::Mouse(mouse) => match self.pointed(mouse) {
+                Some(message) => self.take(message),
+                None => Ok(None),
+            },
             Incoming::Signal(Signal::End(status)) => Ok(Some(Ending::Signal(status))),
             Incoming::Signal(Signal::Continued) => {
                 self.guard.enter_again()?;
@@ -236,6 +243,16 @@ impl Shell {
                 Ok(None)
             }
             Incoming::InputLost => Ok(Some(Ending::HungUp)),
+        }
+    }
+
+    /// What a click or a turn of the wheel means on the screen as it is.
+    fn pointed(&self, mouse: MouseEvent) -> Option<Message> {
+        let target = view::pointer::target(&self.app, (mouse.column, mouse.row));
+        match mouse.kind {
+            MouseEventKind::ScrollUp => Some(Message::Wheel(true, target)),
+            MouseEventKind::ScrollDown => Some(Message::Wheel(false, target)),
+            _ => target.map(Message::Click),
         }
     }
 
@@ -263,7 +280,8 @@ impl Shell {
     /// Keep count of what the worker is doing.
     fn note(&mut self, report: &Report) {
         if !report.body.is_last() {
-            self.pace.set_busy(true);
+            // A curve so far may come after the end.
+            self.pace.set_busy(!self.running.is_empty());
             return;
         }
         self.running.remove(&report.id);

@@ -22,6 +22,7 @@ mod input;
 mod jobs;
 mod limit;
 mod path;
+mod pointer;
 mod runs;
 mod search;
 mod setup;
@@ -47,6 +48,12 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
         Message::Resize(width, height) => {
             app.size = (width, height);
             Vec::new()
+        }
+        Message::Click(target) => pointer::click(app, target),
+        Message::Wheel(up, target) if app.dialog.is_none() => pointer::wheel(app, up, target),
+        Message::Wheel(up, _) => {
+            let code = if up { KeyCode::Up } else { KeyCode::Down };
+            press(app, KeyEvent::new(code, KeyModifiers::NONE))
         }
         Message::Act(action) => act::act(app, action),
         Message::Report(report) => jobs::report(app, report),

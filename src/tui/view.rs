@@ -18,6 +18,7 @@ mod history;
 mod keys;
 mod limit;
 mod log;
+pub mod pointer;
 mod popup;
 mod presets;
 mod rows;
@@ -78,7 +79,7 @@ fn run_tab(app: &App, panes: &Panes, buffer: &mut Buffer, cursor: &mut Cursor) {
         variables::render(app, rect(area), has(Place::Variables), buffer, cursor);
     }
     let areas: Vec<Rect> = panes.charts.iter().copied().map(rect).collect();
-    charts::render(app, &areas, has(Place::Charts), buffer);
+    let _ = charts::render(app, &areas, has(Place::Charts), buffer);
     if let Some(area) = panes.runs {
         runs::render(app, rect(area), has(Place::Runs), buffer);
     }
@@ -98,8 +99,9 @@ fn sweep_tabs(app: &App, panes: &SweepPanes, buffer: &mut Buffer, cursor: &mut C
         setup::render(app, picture, rect(area), buffer, cursor);
     }
     match picture {
-        Picture::Line => sweep::render(app, panes, buffer),
-        Picture::Surface => surface::render(app, panes, buffer),
+        // Where the charts lie matters only to the mouse.
+        Picture::Line => drop(sweep::render(app, panes, buffer)),
+        Picture::Surface => drop(surface::render(app, panes, buffer)),
     }
 }
 

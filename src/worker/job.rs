@@ -18,6 +18,8 @@ const STEPS_PER_LOOK: u32 = 8;
 pub(super) struct Pulse {
     steps: u32,
     started: Instant,
+    /// The last look at the clock.
+    seen: Instant,
     said_started: bool,
     last_progress: Instant,
 }
@@ -26,7 +28,12 @@ impl Pulse {
     /// The job starts now.
     pub(super) fn start() -> Self {
         let now = Instant::now();
-        Self { steps: 0, started: now, said_started: false, last_progress: now }
+        Self { steps: 0, started: now, seen: now, said_started: false, last_progress: now }
+    }
+
+    /// Whether it has been running for so long that a person waits for its curve.
+    pub(super) fn is_slow(&self) -> bool {
+        self.seen.duration_since(self.started) >= super::preview::SLOW
     }
 
     /// After a step that reached `t_s`: what to report, if anything.
@@ -36,6 +43,7 @@ impl Pulse {
             return None;
         }
         let now = Instant::now();
+        self.seen = now;
         if !self.said_started {
             if now.duration_since(self.started) < QUIET {
                 return None;

@@ -14,7 +14,11 @@ use crate::model::scene::Scene;
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// Runs the real simulation of the scene, then pretends to need steps until cancelled when the title says so.
-fn slow(scene: &Arc<Scene>, observer: impact::Observer<'_>) -> Result<Run, String> {
+fn slow(
+    scene: &Arc<Scene>,
+    _settings: Settings,
+    observer: impact::Observer<'_>,
+) -> Result<Run, String> {
     let mut run = impact::simulate(scene, &Settings::default(), &mut |_| ControlFlow::Continue(()))
         .map_err(|error| error.to_string())?;
     assert!(scene.title != "panics", "deliberate");
@@ -137,13 +141,40 @@ fn progress_comes_at_most_twice_a_second() {
     let (worker, reports) = start();
     worker.submit(job(1, Slot::Current, "endless"));
     await_started(&reports, 1);
-    next(&reports);
-    let first = Instant::now();
-    next(&reports);
+    let progress = || {
+        while !matches!(next(&reports).body, ReportBody::Progress { .. }) {}
+        Instant::now()
+    };
+    let first = progress();
+    progress();
     // The sending side keeps 500 ms; the receiving side may be late for the first one.
     assert!(first.elapsed() > Duration::from_millis(300), "{:?}", first.elapsed());
     worker.cancel();
     next_last(&reports);
+}
+
+#[test]
+fn a_slow_run_of_the_screen_shows_its_curve_so_far_and_one_of_a_pin_does_not() {
+    let (worker, reports) = start();
+    worker.submit(job(1, Slot::Current, "endless"));
+    let part = loop {
+        let report = next(&reports);
+        assert_eq!(report.id, 1);
+        if let ReportBody::Part(run) = report.body {
+            break run;
+        }
+    };
+    // As it would be of a cancelled run, and of the very scene that runs.
+    assert_eq!(part.end, EndReason::Cancelled);
+    assert!(part.scene.title == "endless" && part.scene.run == Scene::default().run);
+    assert!(!part.series.is_empty());
+    worker.cancel();
+    next_last(&reports);
+    worker.submit(job(2, Slot::Pin('A'), "endless"));
+    // Progress comes after half a second, a curve would have come before.
+    while !matches!(next(&reports).body, ReportBody::Progress { .. }) {}
+    worker.cancel();
+    assert!(matches!(next_last(&reports).body, ReportBody::Cancelled { .. }));
 }
 
 #[test]
@@ -185,9 +216,9 @@ fn an_unchanged_scene_is_not_computed_again() {
         move |report| {
             let _ = send.send(report);
         },
-        move |scene, observer| {
+        move |scene, settings, observer| {
             counted.fetch_add(1, Ordering::Relaxed);
-            slow(scene, observer)
+            slow(scene, settings, observer)
         },
     )
     .expect("a thread");

@@ -1,16 +1,11 @@
 //! `cmra limit` as a user meets it.
 
-use assert_cmd::Command;
 use serde_json::Value;
 
-fn cmra(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("cmra").unwrap();
-    command.arg("limit").args(arguments);
-    command
-}
+use crate::support::{cmra, says};
 
 fn output(arguments: &[&str]) -> String {
-    String::from_utf8(cmra(arguments).assert().success().get_output().stdout.clone()).unwrap()
+    says("limit", arguments, 0).0
 }
 
 fn json(arguments: &[&str]) -> Value {
@@ -69,7 +64,7 @@ fn the_same_seed_gives_the_same_page_and_bad_options_are_refused() {
     for (option, value, told) in
         [("--scatter", "2", "outside 0..0.5"), ("--samples", "1", "outside 2..")]
     {
-        let refused = cmra(&[option, value]).assert().code(2);
+        let refused = cmra("limit", &[option, value]).assert().code(2);
         let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
         assert!(text.contains(told), "{text}");
     }

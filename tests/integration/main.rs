@@ -11,6 +11,8 @@ mod estimate;
 #[cfg(test)]
 mod files;
 #[cfg(test)]
+mod hostile;
+#[cfg(test)]
 mod limit;
 #[cfg(test)]
 mod mechanisms;

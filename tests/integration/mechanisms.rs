@@ -1,33 +1,14 @@
 //! Whole runs on every kind of mechanism, against closed forms and against each other.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files::read;
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::mechanism::Mechanism;
 use cmra::model::run::{Outcome, Run};
 use cmra::model::scene::{Scene, SpringKind};
-use cmra::model::units::Bare;
 use cmra::model::variables;
 
-fn scene(pairs: &str) -> Scene {
-    let mut scene = Scene::default();
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').unwrap();
-        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    scene
-}
-
-fn run(scene: Scene) -> Run {
-    simulate(&Arc::new(scene), &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap()
-}
-
-#[track_caller]
-fn assert_near(value: f64, exact: f64, tolerance: f64) {
-    assert!((value / exact - 1.0).abs() <= tolerance, "{value} is not {exact} to {tolerance:e}");
-}
+use crate::support::{assert_near, run, scene};
 
 /// Depth, time, plate displacement and velocity at the first arrest, and the greatest displacement.
 fn outcome(run: &Run) -> [f64; 5] {

@@ -1,15 +1,11 @@
 //! `cmra optimise` as a user meets it.
 
-use assert_cmd::Command;
 use serde_json::Value;
 
+use crate::support::{cmra, says};
+
 fn out(arguments: &[&str], code: i32) -> (String, String) {
-    let mut command = Command::cargo_bin("cmra").unwrap();
-    let output = command.arg("optimise").args(arguments).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    let (out, error) = (text(output.stdout), text(output.stderr));
-    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {out}{error}");
-    (out, error)
+    says("optimise", arguments, code)
 }
 
 const QUICK: [&str; 4] = ["--population", "20", "--generations", "15"];
@@ -45,8 +41,7 @@ fn a_front_has_both_laws_and_the_designs_of_the_thesis() {
     // A row of a front runs to the same numbers.
     let row: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
     let sets = [3, 4, 5].map(|at| format!("{}={}", ["gamma", "k", "d"][at - 3], row[at]));
-    let mut run = Command::cargo_bin("cmra").unwrap();
-    run.args(["run", "--json"]);
+    let mut run = cmra("run", &["--json"]);
     for set in &sets {
         run.args(["--set", set]);
     }

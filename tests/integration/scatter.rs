@@ -1,15 +1,11 @@
 //! `cmra scatter` as a user meets it.
 
-use assert_cmd::Command;
 use serde_json::Value;
 
+use crate::support::says;
+
 fn out(arguments: &[&str], code: i32) -> (String, String) {
-    let mut command = Command::cargo_bin("cmra").unwrap();
-    let output = command.arg("scatter").args(arguments).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    let (out, error) = (text(output.stdout), text(output.stderr));
-    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {out}{error}");
-    (out, error)
+    says("scatter", arguments, code)
 }
 
 /// Velocities uniform about the rigid limit of 232.295378 m/s (model page): half perforate.

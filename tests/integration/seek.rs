@@ -1,19 +1,11 @@
 //! `cmra seek` as a user meets it.
 
-use assert_cmd::Command;
 use serde_json::Value;
 
-fn seek(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("cmra").unwrap();
-    command.arg("seek").args(arguments);
-    command
-}
+use crate::support::says;
 
 fn out(arguments: &[&str], code: i32) -> (String, String) {
-    let output = seek(arguments).output().unwrap();
-    assert_eq!(output.status.code(), Some(code), "{arguments:?}");
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (text(output.stdout), text(output.stderr))
+    says("seek", arguments, code)
 }
 
 /// The model page's free plate: 4.568088344392 mm at gamma = 1.
@@ -27,9 +19,8 @@ fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
     assert_eq!(answer["solutions"].as_array().unwrap().len(), 1);
     assert_eq!(answer["complete"], true);
     let set = format!("gamma={gamma}");
-    let mut run = Command::cargo_bin("cmra").unwrap();
-    let output = run.args(["run", "free-plate", "--set", &set, "--json"]).output().unwrap();
-    let run: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let (run, _) = says("run", &["free-plate", "--set", &set, "--json"], 0);
+    let run: Value = serde_json::from_str(&run).unwrap();
     let depth = run["final_penetration_m"].as_f64().unwrap();
     assert!((depth - 4.568_088_344_392e-3).abs() < 1e-12, "{depth}");
 }

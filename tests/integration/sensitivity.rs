@@ -1,16 +1,11 @@
 //! `cmra sensitivity` as a user meets it.
 
-use assert_cmd::Command;
 use serde_json::Value;
 
-fn cmra(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("cmra").unwrap();
-    command.arg("sensitivity").args(arguments);
-    command
-}
+use crate::support::{cmra, says};
 
 fn output(arguments: &[&str]) -> String {
-    String::from_utf8(cmra(arguments).assert().success().get_output().stdout.clone()).unwrap()
+    says("sensitivity", arguments, 0).0
 }
 
 const QUICK: [&str; 4] = ["--samples", "64", "--trajectories", "10"];
@@ -56,7 +51,7 @@ fn bad_options_are_refused_before_anything_runs() {
         (&["--output", "depth"], "depth"),
         (&["--set", "mount=rigid"], "no variable of Table 9.2"),
     ] {
-        let refused = cmra(arguments).assert().code(2);
+        let refused = cmra("sensitivity", arguments).assert().code(2);
         let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
         assert!(text.contains(told), "{text}");
     }

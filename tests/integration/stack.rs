@@ -1,33 +1,13 @@
 //! Stacks of elements: against closed forms, against the single run, and what is refused.
 
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files::{read, write};
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::{Outcome, Run, Warning};
-use cmra::model::scene::Scene;
-use cmra::model::units::Bare;
 use cmra::model::variables;
 
-fn scene(pairs: &str) -> Scene {
-    let mut scene = Scene::default();
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').unwrap();
-        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    scene
-}
-
-fn run(scene: Scene) -> Run {
-    simulate(&Arc::new(scene), &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap()
-}
-
-#[track_caller]
-fn assert_near(value: f64, exact: f64, tolerance: f64) {
-    assert!((value / exact - 1.0).abs() <= tolerance, "{value} is not {exact} to {tolerance:e}");
-}
+use crate::support::{assert_near, run, scene};
 
 #[test]
 fn a_stack_of_one_element_is_the_single_run() {

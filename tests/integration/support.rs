@@ -1,6 +1,52 @@
-//! Where the tests find what they read.
+//! What several tests need: where they find what they read, scenes in a few words, runs, and the program itself.
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use assert_cmd::Command;
+use cmra::model::impact::{Settings, simulate};
+use cmra::model::run::Run;
+use cmra::model::scene::Scene;
+use cmra::model::units::Bare;
+use cmra::model::variables;
+
+/// The default scene with some variables changed: `gamma=2 k=1e5`.
+pub(crate) fn scene(pairs: &str) -> Scene {
+    let mut scene = Scene::default();
+    for pair in pairs.split_whitespace() {
+        let (name, value) = pair.split_once('=').unwrap();
+        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+    }
+    scene
+}
+
+/// A whole run of a scene.
+pub(crate) fn run(scene: Scene) -> Run {
+    simulate(&Arc::new(scene), &Settings::default(), &mut |_| ControlFlow::Continue(())).unwrap()
+}
+
+#[track_caller]
+pub(crate) fn assert_near(value: f64, exact: f64, tolerance: f64) {
+    assert!((value / exact - 1.0).abs() <= tolerance, "{value} is not {exact} to {tolerance:e}");
+}
+
+/// A subcommand with arguments.
+pub(crate) fn cmra(subcommand: &str, arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("cmra").unwrap();
+    command.arg(subcommand).args(arguments);
+    command
+}
+
+/// What a subcommand says on standard output and standard error when it ends with an exit status.
+#[track_caller]
+pub(crate) fn says(subcommand: &str, arguments: &[&str], code: i32) -> (String, String) {
+    let output = cmra(subcommand, arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    let (out, error) = (text(output.stdout), text(output.stderr));
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {out}{error}");
+    (out, error)
+}
 
 /// A path in the repository.
 pub(crate) fn in_repository(path: &str) -> PathBuf {

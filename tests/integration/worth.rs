@@ -1,16 +1,11 @@
 //! `cmra worth` as a user meets it.
 
-use assert_cmd::Command;
 use serde_json::Value;
 
-fn cmra(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("cmra").unwrap();
-    command.arg("worth").args(arguments);
-    command
-}
+use crate::support::{cmra, says};
 
 fn output(arguments: &[&str]) -> String {
-    String::from_utf8(cmra(arguments).assert().success().get_output().stdout.clone()).unwrap()
+    says("worth", arguments, 0).0
 }
 
 #[test]
@@ -60,7 +55,7 @@ fn candidates_are_rows_and_bad_masses_are_refused() {
     for (option, value, told) in
         [("--mount-mass", "-1g", "0 kg or more"), ("--spring-mass", "2mm", "--spring-mass 2mm")]
     {
-        let refused = cmra(&[option, value]).assert().code(2);
+        let refused = cmra("worth", &[option, value]).assert().code(2);
         let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
         assert!(text.contains(told), "{text}");
     }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::files::front::law;
 use crate::model::results::ResultColumn;
 use crate::model::units::significant;
-use crate::study::search::front::{Candidate, Design, Front, Standing, Task};
+use crate::study::search::front::{Candidate, Design, Front, STEPS_MAX, Standing, Task};
 use crate::study::sweep::Spacing;
 
 /// Designs of a front that are listed.
@@ -53,6 +53,13 @@ fn one(page: &mut String, task: &Task, front: &Front) {
         front.generations,
         task.effort.seed
     );
+    if front.given_up > 0 {
+        let count = front.given_up;
+        let _ = writeln!(
+            page,
+            "  {count} runs given up after {STEPS_MAX} steps: such designs count as failed"
+        );
+    }
     let measures = task.measures();
     let head: String = task
         .axes

@@ -11,7 +11,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::model::impact::{Settings, simulate};
 use crate::model::results::ResultColumn;
 use crate::model::run::EndReason;
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::{InterfaceLaw, Mount, Scene};
+use crate::numerics::larger;
 use crate::study::search::measure::{
     CONTACT_FORCE, DESIGN_MEASURES, FARTHEST, Way, mass_kg, measure, mount_force_n, needs_course,
 };
@@ -20,8 +21,9 @@ use crate::study::sweep::grid::tells;
 use crate::study::sweep::{Axis, Design, Evaluator, Failure, Fate, Plan, Rows, SweepError};
 use crate::study::worth::load::holds_still;
 
-/// Designs a thread takes at once.
+/// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
 const PIECE: u64 = 16;
+const PIECE_OF_RUNS: u64 = 1;
 
 /// What is known of one design.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,6 +46,8 @@ pub struct Field {
     /// The force into the mount is asked for, and the error estimate.
     needs_course: bool,
     estimate: bool,
+    /// Steps after which a run is given up.
+    steps_max: Option<usize>,
     threads: usize,
 }
 
@@ -99,7 +103,24 @@ impl Field {
         let plan = Plan::new(scene, axes, Design::Sobol { points: 2, seed: 0 }, &outputs)?;
         let needs_course = ways.contains(&Way::MountForce);
         let estimate = outputs.contains(&"error_estimate");
-        Ok(Self { plan, measures, ways, farthest, contact, needs_course, estimate, threads })
+        Ok(Self {
+            plan,
+            measures,
+            ways,
+            farthest,
+            contact,
+            needs_course,
+            estimate,
+            steps_max: None,
+            threads,
+        })
+    }
+
+    /// A field whose runs are given up after so many steps: such a design fails with its step budget used up. A search looks at
+    /// many designs; a few whose plate swings millions of times must not take all of its time.
+    #[must_use]
+    pub fn limited(self, steps: usize) -> Self {
+        Self { steps_max: Some(steps), ..self }
     }
 
     /// The axes.
@@ -135,7 +156,8 @@ impl Field {
     ) -> ControlFlow<Vec<Found>, Vec<Found>> {
         let plan = self.plan.over_points(designs);
         let stop = AtomicBool::new(false);
-        let crew = Crew { threads: self.threads, piece: PIECE };
+        let piece = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
+        let crew = Crew { threads: self.threads, piece };
         let mut all = Vec::with_capacity(designs.len());
         let hire = || {
             let mut evaluator = Evaluator::new(&plan, &stop);
@@ -192,7 +214,10 @@ impl Field {
         evaluator: &mut Evaluator<'_>,
         points: Range<u64>,
     ) -> Vec<Found> {
-        let by_course = |point: &u64| self.needs_course && needs_course(&plan.scene(*point));
+        let by_course = |point: &u64| {
+            let course = || self.needs_course && needs_course(&plan.scene(*point));
+            (self.steps_max.is_some() && self.runs_whole()) || course()
+        };
         let (mut slow, mut quick) = (Vec::new(), Vec::new());
         for point in points.clone() {
             if by_course(&point) { slow.push(point) } else { quick.push(point) }
@@ -237,19 +262,39 @@ impl Field {
         Found { fate, values: self.ways.iter().zip(&self.measures).map(value).collect() }
     }
 
-    /// A design by a run that keeps its series; `None` when it was stopped.
+    /// Whether there is no quick way: on the plastic law, and where the force into the mount is looked for along the run.
+    fn runs_whole(&self) -> bool {
+        let scene = self.plan.base();
+        let mut far = scene.clone();
+        for axis in self.axes() {
+            (axis.number().set)(&mut far, Some(larger(axis.ends().0, axis.ends().1)));
+        }
+        scene.interface.law == InterfaceLaw::Plastic || (self.needs_course && needs_course(&far))
+    }
+
+    /// A design by a run, which keeps its series where that is looked at; `None` when it was stopped.
     fn course(&self, scene: Scene, stop: &AtomicBool) -> Option<Found> {
-        let settings = Settings { series: true, estimate: self.estimate };
+        let settings = Settings { series: self.needs_course, estimate: self.estimate };
+        let mut steps = 0;
         let mut observer = |_t_s: f64| {
-            let stopped = stop.load(Ordering::Relaxed);
-            if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            steps += 1;
+            let given_up = self.steps_max.is_some_and(|most| steps > most);
+            if given_up || stop.load(Ordering::Relaxed) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
         };
         let Ok(run) = simulate(&Arc::new(scene), &settings, &mut observer) else {
             let fate = Fate::Failed(Failure::Refused);
             return Some(Found { fate, values: vec![None; self.measures.len()] });
         };
         if run.end == EndReason::Cancelled {
-            return None;
+            if stop.load(Ordering::Relaxed) {
+                return None;
+            }
+            let fate = Fate::Failed(Failure::Early(EndReason::StepBudget));
+            return Some(Found { fate, values: vec![None; self.measures.len()] });
         }
         let fate = Fate::of(&run);
         let value = |column: &&'static ResultColumn| {
@@ -323,6 +368,30 @@ mod tests {
 
     /// 4 rho G/tau² of a steel spring, by hand.
     const SPRING_FOR_TEST: f64 = 5.081_673_469_387_755e-3;
+
+    #[test]
+    fn a_run_that_takes_too_many_steps_is_given_up_and_the_others_are_as_without_a_limit() {
+        let mut scene = Scene::default();
+        scene.interface.law = InterfaceLaw::Plastic;
+        scene.mechanism.damper.exponent = 1.406_25;
+        let bounds = axes(&[
+            ("gamma", 0.8, 7.0),
+            ("k", 1e3, 7.5e6),
+            ("n", 0.25, 3.0),
+            ("d", 0.0, 0.5),
+            ("b", 0.0, 2000.0),
+        ]);
+        // The second swings thousands of times on a spring of small exponent before it is decided.
+        let designs =
+            [vec![1.0, 1e5, 1.0, 0.0, 0.0], vec![4.2875, 3_281_250.0, 0.546_875, 0.406_25, 375.0]];
+        let field = Field::new(&scene, bounds, &["final_penetration_m", "stroke_m"], 1).unwrap();
+        let free = whole(field.evaluate(&designs, &mut go_on));
+        let found = whole(field.limited(1000).evaluate(&designs, &mut go_on));
+        assert_eq!(found[0], free[0]);
+        assert_eq!(free[1].fate, Fate::Arrested);
+        assert_eq!(found[1].fate, Fate::Failed(Failure::Early(EndReason::StepBudget)));
+        assert_eq!(found[1].values, [None, None]);
+    }
 
     #[test]
     fn what_perforates_has_no_depth_and_a_stop_keeps_what_is_done() {

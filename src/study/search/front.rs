@@ -9,12 +9,13 @@ use std::collections::{HashMap, HashSet};
 use std::ops::ControlFlow;
 
 use crate::model::results::ResultColumn;
+use crate::model::run::EndReason;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::study::search::field::{Field, Found};
 use crate::study::search::measure::measure;
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
-use crate::study::sweep::{Axis, Fate, SweepError};
+use crate::study::sweep::{Axis, Failure, Fate, SweepError};
 use polish::{Trial, polish};
 
 mod polish;
@@ -26,6 +27,8 @@ pub const USUAL: [&str; 4] =
 /// Runs to close in a single best design, and to look for one that beats a candidate.
 const POLISHED: usize = 600;
 const CHALLENGED: usize = 200;
+/// Steps after which the run of a design is given up: a hundred times as many as most take.
+pub const STEPS_MAX: usize = 30_000;
 
 /// A measure that is to be small, or great.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -169,6 +172,8 @@ pub struct Front {
     pub generations: usize,
     /// Runs made.
     pub runs: usize,
+    /// Runs given up after [`STEPS_MAX`] steps.
+    pub given_up: usize,
     /// Whether it was done to its end.
     pub is_complete: bool,
 }
@@ -187,7 +192,7 @@ pub fn optimise(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Vec<Fron
         let mut own = scene.clone();
         own.interface.law = *law;
         let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
-        let field = Field::new(&own, task.axes.clone(), &names, task.threads)?;
+        let field = Field::new(&own, task.axes.clone(), &names, task.threads)?.limited(STEPS_MAX);
         fields.push((own, field));
     }
     let mut fronts: Vec<Front> = Vec::new();
@@ -287,6 +292,7 @@ impl Search<'_> {
             candidates: Vec::new(),
             generations: 0,
             runs: 0,
+            given_up: 0,
             is_complete: true,
         }
     }
@@ -305,6 +311,8 @@ impl Search<'_> {
         front.is_complete = ended.is_continue();
         let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
         front.runs += found.len();
+        let budget = Fate::Failed(Failure::Early(EndReason::StepBudget));
+        front.given_up += found.iter().filter(|found| found.fate == budget).count();
         for ((shares, values), found) in points.iter().zip(designs).zip(&found) {
             known.insert(bits(shares), Self::design(values, found.clone()));
         }

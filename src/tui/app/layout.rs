@@ -192,13 +192,18 @@ pub fn layout(
         match tab {
             Tab::Sweep => Body::Sweep(lines(body, focus, full_pane)),
             Tab::Surface => Body::Sweep(surface(body, focus, full_pane)),
-            Tab::Accuracy => Body::Accuracy(accuracy(body)),
+            Tab::Accuracy => Body::Accuracy(accuracy(body, full_pane)),
             Tab::Stability => Body::Stability(body),
             Tab::Log => Body::Log(body),
             Tab::Thesis => Body::Thesis(body),
             Tab::Limit => Body::Limit(body),
             Tab::Search => {
-                let (setup, found) = body.split_left(setup_width(body.width));
+                let width = match (full_pane, focus) {
+                    (false, _) => setup_width(body.width),
+                    (true, Place::SearchSetup) => body.width,
+                    (true, _) => 0,
+                };
+                let (setup, found) = body.split_left(width);
                 Body::Search(setup, found)
             }
             Tab::Run if full_pane => Body::Run(full(body, focus)),
@@ -338,10 +343,11 @@ fn surface(body: Area, focus: Place, full_pane: bool) -> SweepPanes {
     SweepPanes { setup, plots: vec![map], scale: Some(scale), slices }
 }
 
-/// The chart beside the methods, and a row for each answer below.
-fn accuracy(body: Area) -> AccuracyPanes {
+/// The chart beside the methods, or alone, and a row for each answer below.
+fn accuracy(body: Area, alone: bool) -> AccuracyPanes {
     let (top, answers) = body.split_bottom(2);
     let wanted = match body.width {
+        _ if alone => 0,
         0..72 => 29,
         72..WIDE => 35,
         WIDE.. => 54,

@@ -38,7 +38,7 @@ impl App {
             log::Level::Warn => Severity::Warning,
             log::Level::Info | log::Level::Debug | log::Level::Trace => Severity::Note,
         };
-        self.log.push(Notice { severity, text });
+        self.keep(Notice { severity, text });
     }
 
     /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.

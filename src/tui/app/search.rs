@@ -33,6 +33,9 @@ pub enum Page {
     Worth,
 }
 
+/// Least rows of a chart that can be read.
+const CHART_ROWS: u16 = 9;
+
 impl Page {
     /// All pages, in order.
     pub const ALL: [Self; 5] =
@@ -150,6 +153,29 @@ impl Searching {
         }
     }
 
+    /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart.
+    pub fn words_height(&self, height: u16, lines: usize) -> u16 {
+        let draws = matches!(
+            self.shown().map(|found| &found.answer),
+            Some(Answer::Seek(_) | Answer::Front(_) | Answer::Scatter(_))
+        );
+        if !draws || height < CHART_ROWS + 3 {
+            return height;
+        }
+        let wanted = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
+        wanted.min(height - CHART_ROWS).max(3)
+    }
+
+    /// Whether the first of the lines names the columns of all others.
+    pub fn has_heads(&self, lines: &[lines::Line]) -> bool {
+        self.page == Page::Worth && lines.first().is_some_and(|line| line.1.starts_with(' '))
+    }
+
+    /// The first line shown of a page without designs to choose from.
+    pub fn scrolled(&self) -> usize {
+        self.cursor[self.page.place()]
+    }
+
     /// The selected one of them.
     pub fn selected(&self) -> usize {
         self.cursor[self.page.place()].min(self.choices().saturating_sub(1))
@@ -231,7 +257,7 @@ impl App {
             (
                 Answer::Front(_) | Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Worth(_),
                 _,
-            ) => Some("v: the next search; Tab: the setup; r computes again".to_owned()),
+            ) => Some("v: the next search; z: this pane alone; r computes again".to_owned()),
         }
     }
 

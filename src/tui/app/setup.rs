@@ -65,11 +65,14 @@ impl App {
         rows.extend(axis(0));
         match picture {
             Picture::Surface => {
-                rows.push(R::Heading("Up"));
-                rows.extend(axis(1));
+                let grid = self.sweeping.spread(picture) == Spread::Grid;
+                rows.extend([R::Design, R::Heading("Up"), R::Name(1), R::From(1), R::To(1)]);
+                // A design has so many points in all, not along each axis.
+                rows.extend(grid.then_some(R::Points(1)));
+                rows.push(R::Spacing(1));
             }
             Picture::Line => {
-                let grid = self.sweeping.spread == Spread::Grid;
+                let grid = self.sweeping.spread(picture) == Spread::Grid;
                 rows.push(R::Design);
                 rows.extend([R::Heading(if grid { "Repeat for" } else { "And" }), R::Name(1)]);
                 if has_family(&self.scene) {
@@ -138,7 +141,9 @@ impl App {
                 let word = if axis(at).log { "log" } else { "linear" };
                 shown("spacing", word.to_owned(), "")
             }
-            SetupRow::Design => shown("design", self.sweeping.spread.word().to_owned(), ""),
+            SetupRow::Design => {
+                shown("design", self.sweeping.spread(picture).word().to_owned(), "")
+            }
             SetupRow::Curves => shown("curves", self.sweeping.curves.to_string(), ""),
             SetupRow::Output => {
                 let at = self.sweeping.output.min(sweep.outputs.len() - 1);
@@ -210,7 +215,9 @@ impl App {
                 })
             }
             SetupRow::Held(index) => {
-                format!("{}: {} (held)", VARIABLES[index].symbol, VARIABLES[index].meaning)
+                let variable = &VARIABLES[index];
+                let allowed = variable.allowed();
+                format!("{}: {} (held); {allowed}", variable.symbol, variable.meaning)
             }
         }
     }

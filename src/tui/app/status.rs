@@ -8,8 +8,9 @@ use super::{App, Tab};
 use crate::model::run::{EstimateBasis, Outcome, Run, Warning};
 use crate::tui::message::Place;
 
-/// Most rows a message may take.
-const MESSAGE_ROWS: usize = 4;
+/// Most rows a message may take; the second on a screen lower than that.
+const MESSAGE_ROWS: (usize, usize) = (4, 2);
+const LOW: u16 = 20;
 
 impl App {
     /// The message row: error of the open field, newest message, readout, or what the selected variable means; wrapped.
@@ -17,10 +18,15 @@ impl App {
         let (severity, text) = self.message(width);
         let room = width.saturating_sub(4).max(10);
         let mut lines = wrap(&glued(&text), room);
-        if lines.len() > MESSAGE_ROWS {
-            lines.truncate(MESSAGE_ROWS);
+        // A refused text keeps its whole reason: it is nowhere else.
+        let is_kept = self.notice.as_ref().is_some_and(|notice| notice.text == text);
+        let most = if self.size.1 < LOW && is_kept { MESSAGE_ROWS.1 } else { MESSAGE_ROWS.0 };
+        if lines.len() > most {
+            lines.truncate(most);
+            let end = if is_kept { " ...: 6:Log" } else { " ..." };
             if let Some(last) = lines.last_mut() {
-                last.push_str(" ...");
+                *last = clip(last, room.saturating_sub(end.len())).trim_end_matches('.').to_owned()
+                    + end;
             }
         }
         lines.into_iter().map(|line| (severity, line.replace('\u{a0}', " "))).collect()
@@ -177,6 +183,11 @@ impl App {
             return parts;
         };
         let run = &shown.run;
+        if shown.took.is_none() && self.jobs.current.is_some() {
+            // What will become of it is not known yet.
+            parts.push(same(Severity::Note, "the curve so far".to_owned()));
+            return parts;
+        }
         // What became of the shot stays in sight on the narrowest screen.
         let severity = |outcome| match outcome {
             Outcome::Arrested | Outcome::Separated => Severity::Note,
@@ -202,20 +213,7 @@ impl App {
             ));
         }
         let cost = &run.cost;
-        let rejected = match cost.rejected {
-            0 => String::new(),
-            count => format!(", {count} rejected"),
-        };
-        parts.push(same(
-            Severity::Note,
-            format!(
-                "{} {}{rejected}, {} {}",
-                cost.steps,
-                plural("step", cost.steps),
-                run.events.len(),
-                plural("event", run.events.len())
-            ),
-        ));
+        parts.push(same(Severity::Note, steps(run)));
         parts.push((
             Severity::Note,
             format!("{} ({})", cost.method, cost.reason),
@@ -324,6 +322,17 @@ pub fn results(run: &Run) -> Vec<String> {
         add("interface", format!("{ratio:.3} of the A S_y it can push"));
     }
     lines
+}
+
+/// `10 steps, 2 events`.
+fn steps(run: &Run) -> String {
+    let (cost, events) = (&run.cost, run.events.len());
+    let rejected = match cost.rejected {
+        0 => String::new(),
+        count => format!(", {count} rejected"),
+    };
+    let (step, event) = (plural("step", cost.steps), plural("event", events));
+    format!("{} {step}{rejected}, {events} {event}", cost.steps)
 }
 
 fn plural(word: &str, count: usize) -> String {

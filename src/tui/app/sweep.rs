@@ -18,6 +18,9 @@ use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, Fate, Plan, SweepError, USUAL_OUTPUTS};
 
 pub use super::setup::{SetupField, SetupRow};
+pub use gaps::no_value;
+
+mod gaps;
 
 /// Curves of a family unless another number is chosen.
 const CURVES: u64 = 5;
@@ -71,7 +74,7 @@ impl Computing {
     }
 }
 
-/// Which points the Sweep tab visits.
+/// Which points a picture visits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Spread {
     /// Every combination: curves.
@@ -143,8 +146,8 @@ pub struct Sweeping {
     pub residuals: bool,
     /// Curves of a family.
     pub curves: u64,
-    /// Which points the Sweep tab visits.
-    pub spread: Spread,
+    /// Which points each tab visits: Sweep, Surface.
+    spreads: [Spread; 2],
 }
 
 impl Default for Sweeping {
@@ -162,7 +165,7 @@ impl Default for Sweeping {
             contour: Contour::Cursor,
             residuals: false,
             curves: CURVES,
-            spread: Spread::Grid,
+            spreads: [Spread::Grid; 2],
         }
     }
 }
@@ -174,6 +177,16 @@ impl Sweeping {
             Picture::Line => self.line.as_ref(),
             Picture::Surface => self.surface.as_ref(),
         }
+    }
+
+    /// Which points a picture visits.
+    pub fn spread(&self, picture: Picture) -> Spread {
+        self.spreads[picture as usize]
+    }
+
+    /// Let a picture visit other points.
+    pub fn set_spread(&mut self, picture: Picture, spread: Spread) {
+        self.spreads[picture as usize] = spread;
     }
 
     /// Show what was found.
@@ -199,8 +212,16 @@ pub fn quadratic(grid: &Grid, output: usize) -> Option<Quadratic> {
     }))
 }
 
-/// A point of a grid in shares of its axes, -1 to 1.
+/// A point of a grid or a design in shares of its axes, -1 to 1.
 pub fn place(grid: &Grid, (x, y): (usize, usize)) -> (f64, f64) {
+    if !grid.is_full() {
+        let axes = grid.plan().axes();
+        let share = |at: usize| {
+            let share = axes.get(at).and_then(|axis| axis.share(grid.coordinate((x, y), at)));
+            2.0 * share.unwrap_or(0.5) - 1.0
+        };
+        return (share(0), share(1));
+    }
     let share = |at: usize, count: usize| 2.0 * at as f64 / (count.max(2) - 1) as f64 - 1.0;
     let (along, up) = grid.counts();
     (share(x, along), share(y, up))
@@ -259,10 +280,7 @@ impl App {
             Picture::Line => {}
             Picture::Surface => axes.push(Axis::of(&sweep.axes[1])?),
         }
-        let design = match picture {
-            Picture::Line => self.sweeping.spread.design(axes[0].count()),
-            Picture::Surface => Design::Factorial,
-        };
+        let design = self.sweeping.spread(picture).design(axes[0].count());
         Plan::new(&self.scene, axes, design, &sweep.outputs)
     }
 
@@ -311,8 +329,13 @@ impl App {
 
     /// What is under the cursor, in at most this many columns: units and long names go first.
     pub fn sweep_readout(&self, width: usize) -> Option<String> {
-        let long = self.readout_with(Words::Long)?;
-        if long.chars().count() <= width { Some(long) } else { self.readout_with(Words::Short) }
+        for words in [Words::Long, Words::Short] {
+            let text = self.readout_with(words)?;
+            if text.chars().count() <= width {
+                return Some(text);
+            }
+        }
+        self.readout_with(Words::Least)
     }
 
     fn readout_with(&self, words: Words) -> Option<String> {
@@ -325,6 +348,7 @@ impl App {
             let shown = match words {
                 Words::Long => axis_value(axis, value),
                 Words::Short => units::significant(value, 5),
+                Words::Least => units::significant(value, 4),
             };
             format!("{} {shown}", axis.symbol())
         };
@@ -335,7 +359,11 @@ impl App {
         });
         let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
         parts.clear();
+        let (shown, _) = self.shown_output(grid);
         for (index, output) in grid.plan().outputs().iter().enumerate() {
+            if words == Words::Least && index != shown {
+                continue;
+            }
             let name = words.of(output);
             let text = match grid.cell(x, y, index) {
                 Cell::Value(value) if output.unit() == "%" => {
@@ -424,17 +452,19 @@ impl App {
 enum Words {
     Long,
     Short,
+    /// Only the output that is shown.
+    Least,
 }
 
 impl Words {
     /// The name of an output.
     fn of(self, output: &ResultColumn) -> String {
         match (self, output.name) {
-            (Self::Short, "max_plate_displacement_m") => "plate".to_owned(),
-            (Self::Short, "final_penetration_m" | "first_arrest_penetration_m") => {
+            (Self::Short | Self::Least, "max_plate_displacement_m") => "plate".to_owned(),
+            (Self::Short | Self::Least, "final_penetration_m" | "first_arrest_penetration_m") => {
                 "depth".to_owned()
             }
-            (Self::Long | Self::Short, _) => output.title(),
+            (Self::Long | Self::Short | Self::Least, _) => output.title(),
         }
     }
 }

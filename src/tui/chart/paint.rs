@@ -23,8 +23,8 @@ pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer, the
         return;
     }
     let mut brush = Brush { chart, layout, buffer, theme };
-    brush.vertical_axis(layout.axis_left, &layout.y_ticks.ticks, true);
-    brush.vertical_axis(layout.axis_right, &layout.right_ticks.ticks, false);
+    brush.vertical_axis(layout.axis_left, &layout.y_ticks.labelled, true);
+    brush.vertical_axis(layout.axis_right, &layout.right_ticks.labelled, false);
     brush.horizontal_axis();
     brush.levels();
     brush.events();
@@ -85,8 +85,11 @@ impl Brush<'_> {
         if let Some(x) = self.layout.axis_right {
             self.put(x, y, lines.bottom_right, style);
         }
+        for cell in &self.layout.x_ticks.minor {
+            self.put(plot.x + cell, y, lines.tick_minor, style);
+        }
         let mut free_from = i32::from(self.layout.inner.left());
-        for tick in &self.layout.x_ticks.ticks {
+        for tick in &self.layout.x_ticks.labelled {
             self.put(plot.x + tick.cell, y, lines.tick_below, style);
             free_from = self.label_below(tick, free_from);
         }

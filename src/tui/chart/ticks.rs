@@ -11,6 +11,10 @@ use super::steps::{Step, decade, power};
 const LABEL_GAP: (i32, i32) = (2, 8);
 /// Steps tried for one axis, each 2 or 2.5 times the one before: enough to pass from one tick a cell to one in all.
 const STEPS_TRIED: usize = 24;
+/// From so many rows on a row more or less between two labels is not noticed.
+const EVEN_ROWS: u16 = 8;
+/// A smaller tick stands in every so manieth cell at the most: nearer ones cannot be counted.
+const MINOR_CELLS: f64 = 3.0;
 /// Ticks looked at for one step; more would never fit.
 const TICKS_LOOKED_AT: usize = 512;
 
@@ -27,7 +31,9 @@ pub(super) struct Tick {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Ticks {
     /// In order of value.
-    pub(super) ticks: Vec<Tick>,
+    pub(super) labelled: Vec<Tick>,
+    /// Cells of the smaller ticks between them, without labels.
+    pub(super) minor: Vec<u16>,
     /// Power of ten the labels are to be multiplied by.
     pub(super) exponent: i32,
 }
@@ -35,7 +41,7 @@ pub(super) struct Ticks {
 impl Ticks {
     /// Width of the widest label.
     pub(super) fn width(&self) -> u16 {
-        let widest = self.ticks.iter().map(|tick| tick.label.len()).max();
+        let widest = self.labelled.iter().map(|tick| tick.label.len()).max();
         widest.and_then(|width| u16::try_from(width).ok()).unwrap_or(0)
     }
 }
@@ -74,23 +80,45 @@ fn linear(map: Mapping, along: Along) -> Ticks {
     let mut best = Ticks::default();
     for _ in 0..STEPS_TRIED {
         let found = shorter(map, step, exponent);
-        if found.ticks.is_empty() {
+        if found.labelled.is_empty() {
             break;
         }
-        if fits(&found.ticks, along, map) {
-            return found;
+        if fits(&found.labelled, along, map) {
+            return Ticks { minor: between(map, step, along), ..found };
         }
         best = found;
         step = step.next();
     }
-    best.ticks.truncate(1);
+    best.labelled.truncate(1);
     best
+}
+
+/// The cells of the smaller ticks: of the steps that divide a step, the least whose ticks can be counted. An axis upward has
+/// too few rows for any.
+fn between(map: Mapping, step: Step, along: Along) -> Vec<u16> {
+    let cells = f64::from(map.cells().saturating_sub(1)) / map.view().span();
+    // 1 is divided by 10, 5 and 2; 2 by 10, 4 and 2; 5 by 10 and 5.
+    let tenth = Step { exponent: step.exponent - 1, ..step };
+    let candidates = [tenth, tenth.next(), tenth.next().next()];
+    let divides = |small: &Step| {
+        let ratio = step.size() / small.size();
+        (ratio - ratio.round()).abs() < 1e-9 && ratio > 1.5
+    };
+    let fitting = candidates.into_iter().filter(divides);
+    let found =
+        fitting.filter(|small| small.size() * cells >= MINOR_CELLS).find(|_| along == Along::Row);
+    found.map_or_else(Vec::new, |small| {
+        multiples(map, small, 0).into_iter().map(|tick| tick.cell).collect()
+    })
 }
 
 /// The multiples of a step in view, with the common power of ten factored out where that makes their labels shorter.
 fn shorter(map: Mapping, step: Step, exponent: i32) -> Ticks {
-    let [factored, whole] =
-        [exponent, 0].map(|exponent| Ticks { ticks: multiples(map, step, exponent), exponent });
+    let [factored, whole] = [exponent, 0].map(|exponent| Ticks {
+        labelled: multiples(map, step, exponent),
+        exponent,
+        ..Ticks::default()
+    });
     if whole.width() <= factored.width() { whole } else { factored }
 }
 
@@ -157,14 +185,19 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
         return None;
     }
     if fits(&dense, along, map) {
-        return Some(Ticks { ticks: dense, exponent: 0 });
+        return Some(Ticks { labelled: dense, ..Ticks::default() });
     }
     let strides = [1, 2, 3, 5, 10, 20, 50, 100, 200];
-    let found = strides.into_iter().map(|stride| list(&[1], stride));
-    found
-        .filter(|ticks| !ticks.is_empty())
-        .find(|ticks| fits(ticks, along, map))
-        .map(|ticks| Ticks { ticks, exponent: 0 })
+    let found = strides.into_iter().map(|stride| (stride, list(&[1], stride)));
+    let mut fitting = found.filter(|(_, ticks)| !ticks.is_empty() && fits(ticks, along, map));
+    let (stride, ticks) = fitting.next()?;
+    // Between decades 2 and 5, between every so manieth decade those left out.
+    let small = if stride == 1 { list(&[2, 5], 1) } else { list(&[1], 1) };
+    let cells = f64::from(map.cells()) / f64::from(last - first + 1).max(1.0);
+    let apart = if stride == 1 { 0.3 * cells } else { cells };
+    let minor = small.into_iter().map(|tick| tick.cell);
+    let minor = minor.filter(|_| along == Along::Row && apart >= MINOR_CELLS).collect();
+    Some(Ticks { labelled: ticks, minor, exponent: 0 })
 }
 
 fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {
@@ -173,7 +206,8 @@ fn in_view(map: Mapping, mantissa: u8, exponent: i32) -> bool {
     view.lo() * (1.0 - 1e-9) <= value && value <= view.hi() * (1.0 + 1e-9)
 }
 
-/// Whether all labels stand clear of each other, each on a cell of its own.
+/// Whether all labels stand clear of each other, each on a cell of its own; on a short axis upward also at equal distances:
+/// there a row more or less makes an even scale look uneven.
 fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
     let (least, most) = LABEL_GAP;
     let gap = (i32::from(map.cells()) / 12).clamp(least, most);
@@ -193,7 +227,11 @@ fn fits(ticks: &[Tick], along: Along, map: Mapping) -> bool {
         }
         (_, Along::Column(_) | Along::Row) => true,
     };
-    loose && ticks.windows(2).all(apart)
+    let mut gaps = ticks.windows(2).map(|pair| pair[1].cell.abs_diff(pair[0].cell));
+    let first = gaps.next();
+    let even =
+        along == Along::Row || map.cells() >= EVEN_ROWS || gaps.all(|gap| Some(gap) == first);
+    loose && even && ticks.windows(2).all(apart)
 }
 
 /// The power of ten, a multiple of three, that keeps labels short: 0 from 0.001 to 99999.

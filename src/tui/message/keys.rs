@@ -132,7 +132,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[plain('z')], A::FullPane, "full", "the focused pane fills the body", 11),
     bind(Anywhere, &[plain('m')], A::Glyphs, "glyphs", "ASCII, block or braille characters", 0),
     bind(Anywhere, &[plain('t')], A::Theme, "theme", "colours: full, sixteen or none", 0),
-    bind(Anywhere, &[plain('M')], A::Mouse, "mouse", "let the program have the mouse, or give it back to the terminal", 0),
+    bind(Anywhere, &[plain('M')], A::Mouse, "mouse", "let the program have the mouse (a click selects, a second one opens, the wheel moves or zooms), or give it back", 0),
     bind(Anywhere, &[ctrl('l')], A::Redraw, "redraw", "clear and redraw the screen", 0),
     bind(Anywhere, &[plain(':')], A::Palette, "palette", "find any action by name", 12),
     bind(Anywhere, &[plain('1')], A::TabRun, "Run", "the Run tab", 0),

@@ -139,6 +139,8 @@ pub struct Lines {
     pub tick_right: char,
     /// Labelled tick of an axis below a plot.
     pub tick_below: char,
+    /// Smaller tick between two labelled ones.
+    pub tick_minor: char,
     /// Vertical dotted line: an event.
     pub event: char,
     /// Horizontal dotted line: a reference.
@@ -159,6 +161,7 @@ const ASCII_LINES: Lines = Lines {
     tick_left: '+',
     tick_right: '+',
     tick_below: '+',
+    tick_minor: '\'',
     event: ':',
     level: '.',
     crosshair: '|',
@@ -175,6 +178,7 @@ const BLOCK_LINES: Lines = Lines {
     tick_left: '┤',
     tick_right: '├',
     tick_below: '┬',
+    tick_minor: '┴',
     event: ':',
     level: '·',
     crosshair: '│',

@@ -279,6 +279,16 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
             );
             Vec::new()
         }
+        Action::Quit | Action::QuitWithSummary
+            if app.session_lost && app.is_modified() && !app.jobs.asked_to_quit =>
+        {
+            app.jobs.asked_to_quit = true;
+            app.say(
+                Severity::Warning,
+                "the session cannot be kept (see 6:Log): q again leaves without it, s or e save what matters",
+            );
+            Vec::new()
+        }
         Action::Cancel | Action::Back if running => vec![Effect::CancelJob],
         Action::Cancel | Action::Back if sweeping.is_some() => vec![Effect::CancelSweep],
         Action::Cancel | Action::Back if studying => vec![Effect::CancelStudy],

@@ -29,6 +29,7 @@ pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
         EffectReport::Refused(text) | EffectReport::Loaded(Err(text)) => {
             app.say(Severity::Error, text);
         }
+        EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Copied(text) => app.say(Severity::Note, text),
         EffectReport::Completions(names) => complete(app, names),
         EffectReport::Curve(second, path, points) => {
@@ -36,6 +37,18 @@ pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
         }
     }
     Vec::new()
+}
+
+/// Leaving would lose what is not saved otherwise: it is said, and asked before leaving.
+fn session(app: &mut App, kept: &Result<(), String>) {
+    match kept {
+        Ok(()) => app.say(Severity::Note, "the session is kept again"),
+        Err(why) => {
+            let text = format!("the session cannot be kept: {why}; e exports what matters");
+            app.say(Severity::Warning, text);
+        }
+    }
+    app.session_lost = kept.is_err();
 }
 
 fn saved(app: &mut App, name: String, path: &Path) -> Vec<Effect> {

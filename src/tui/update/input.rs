@@ -3,9 +3,9 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
-use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, ExportRow};
 use crate::tui::app::notice::Severity;
+use crate::tui::app::{App, Tab};
 use crate::tui::message::Effect;
 
 use super::dialogs;
@@ -51,12 +51,29 @@ fn request(key: KeyEvent) -> Option<InputRequest> {
     }
 }
 
+/// No field of the workbench takes a longer text.
+const PASTE_MAX: usize = 1024;
+
 /// Pasted text goes into the open field, without line breaks and control characters; else it is ignored with a note.
 pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
     app.notice = None;
-    let clean: String = text.trim().chars().filter(|c| !c.is_control()).collect();
+    let clean: String =
+        text.trim().chars().filter(|c| !c.is_control()).take(PASTE_MAX + 1).collect();
+    if clean.chars().count() > PASTE_MAX {
+        let text = format!("pasted text is ignored: it is longer than {PASTE_MAX} characters");
+        app.say(Severity::Warning, text);
+        return Vec::new();
+    }
     let mut never = false;
-    let (input, fresh) = match (&mut app.dialog, &mut app.editor.field) {
+    let in_setup = app.picture().is_some();
+    let in_search = app.tab == Tab::Search;
+    let setup = app.sweeping.field.as_mut().filter(|_| in_setup);
+    let setup = setup.map(|field| (&mut field.input, &mut field.fresh, &mut field.error));
+    let search = app.searching.field.as_mut().filter(|_| in_search);
+    let search = search.map(|field| (&mut field.input, &mut field.fresh, &mut field.error));
+    let open = app.editor.field.as_mut();
+    let open = open.map(|field| (&mut field.input, &mut field.fresh, &mut field.error));
+    let (input, fresh) = match (&mut app.dialog, open.or(setup).or(search)) {
         (
             Some(
                 Dialog::Save(save)
@@ -78,9 +95,12 @@ pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
         {
             (&mut picker.filter, &mut never)
         }
-        (None, Some(field)) => {
-            field.error = None;
-            (&mut field.input, &mut field.fresh)
+        (None, Some((input, fresh, error))) => {
+            *error = None;
+            (input, fresh)
+        }
+        (None, None) if app.editor.filter_field.is_some() => {
+            return paste_filter(app, &clean);
         }
         (Some(_) | None, _) => {
             app.say(
@@ -98,5 +118,17 @@ pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
         input.handle(InputRequest::InsertChar(c));
     }
     dialogs::after_typing(app);
+    Vec::new()
+}
+
+/// Into the filter of the list of variables, which follows.
+fn paste_filter(app: &mut App, text: &str) -> Vec<Effect> {
+    if let Some(field) = &mut app.editor.filter_field {
+        for c in text.chars() {
+            field.handle(InputRequest::InsertChar(c));
+        }
+        let text = field.value().to_owned();
+        app.editor.set_filter(&app.scene, &text);
+    }
     Vec::new()
 }

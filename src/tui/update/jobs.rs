@@ -127,6 +127,10 @@ fn current(app: &mut App, body: ReportBody) -> Vec<Effect> {
             }
             return Vec::new();
         }
+        ReportBody::Part(run) => {
+            app.shown = Some(Shown { run, took: None });
+            return Vec::new();
+        }
         ReportBody::Done { run, took } => show(app, run, Some(took)),
         ReportBody::Failed(text) => {
             app.jobs.failure = Some(text.clone());
@@ -180,7 +184,7 @@ fn pin(app: &mut App, letter: char, id: u64, body: ReportBody) {
         return;
     };
     match body {
-        ReportBody::Started | ReportBody::Progress { .. } => {}
+        ReportBody::Started | ReportBody::Progress { .. } | ReportBody::Part(_) => {}
         ReportBody::Done { run, .. } => {
             pin.run = Some(run);
             pin.job = None;

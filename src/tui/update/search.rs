@@ -9,6 +9,7 @@ use super::{edit, input, jobs, table};
 use crate::study::search::measure::{self, measure, parse_value};
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Table, wrap};
+use crate::tui::app::layout::Body;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::search::setup::{bound, read_bound};
 use crate::tui::app::search::{Found, Row, SearchField};
@@ -83,8 +84,15 @@ fn turn(app: &mut App, by: isize) -> Vec<Effect> {
 }
 
 fn walk(app: &mut App, by: isize) {
-    let last = app.searching.choices().saturating_sub(1);
-    let at = app.searching.selected().saturating_add_signed(by).min(last);
+    let (at, last) = match (app.searching.choices(), app.layout().body) {
+        (0, Body::Search(_, area)) => {
+            let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
+            let below = app.searching.words_height(area.height, lines);
+            (app.searching.scrolled(), lines.saturating_sub(usize::from(below.saturating_sub(2))))
+        }
+        (choices, _) => (app.searching.selected(), choices.saturating_sub(1)),
+    };
+    let at = at.min(last).saturating_add_signed(by).min(last);
     app.searching.cursor[app.searching.page.place()] = at;
 }
 

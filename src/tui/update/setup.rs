@@ -64,8 +64,9 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         (None, SetupRow::Spacing(_) | SetupRow::Design) => {
             step(app, picture, row, (true, Size::Plain))
         }
+        // A list of the words, or the other of two.
         (None, SetupRow::Held(index)) if !matches!(VARIABLES[index].kind, Kind::Number(_)) => {
-            edit::step(app, true, Size::Plain)
+            super::field::open(app)
         }
         (None, row) => {
             let input = Input::new(app.setup_text(row));
@@ -200,8 +201,9 @@ fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)
         }
         SetupRow::Design => {
             let all = Spread::ALL;
-            let at = all.iter().position(|one| *one == app.sweeping.spread).unwrap_or(0);
-            app.sweeping.spread = all[wrap(at, by, all.len())];
+            let here = app.sweeping.spread(picture);
+            let at = all.iter().position(|one| *one == here).unwrap_or(0);
+            app.sweeping.set_spread(picture, all[wrap(at, by, all.len())]);
             Ok(super::sweep::after_edit(app))
         }
         SetupRow::Curves => {

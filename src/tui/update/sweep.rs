@@ -90,40 +90,35 @@ pub(super) fn compute(app: &mut App) -> Vec<Effect> {
 
 /// Whether the tab has its own meaning for an action.
 pub(super) fn is_own(app: &App, action: Action) -> bool {
-    let plot = matches!(
-        action,
-        Action::CursorLeft
-            | Action::CursorRight
-            | Action::CursorLeftFar
-            | Action::CursorRightFar
-            | Action::CursorUpFar
-            | Action::CursorDownFar
-            | Action::Up
-            | Action::Down
-            | Action::Quantity
-            | Action::LogY
-            | Action::Contour
-            | Action::OpenDesign
-    ) || (action == Action::Difference && app.picture() == Some(Picture::Surface));
     let both =
         matches!(action, Action::Run | Action::Export | Action::FocusNext | Action::FocusPrevious);
-    both || (plot && !app.sweeping.on_setup) || (app.sweeping.on_setup && setup::is_own(action))
+    if both || app.sweeping.on_setup {
+        return both || setup::is_own(action);
+    }
+    let surface = app.picture() == Some(Picture::Surface);
+    moved(action).is_some()
+        || matches!(action, Action::Quantity | Action::LogY | Action::Contour | Action::OpenDesign)
+        || (action == Action::Difference && surface)
 }
 
 /// Whether an action moves the cursor: such steps join into one edit.
 pub(super) fn is_step(app: &App, action: Action) -> bool {
-    let moves = matches!(
-        action,
-        Action::CursorLeft
-            | Action::CursorRight
-            | Action::CursorLeftFar
-            | Action::CursorRightFar
-            | Action::CursorUpFar
-            | Action::CursorDownFar
-            | Action::Up
-            | Action::Down
-    );
-    app.picture().is_some() && !app.sweeping.on_setup && moves
+    app.picture().is_some() && !app.sweeping.on_setup && moved(action).is_some()
+}
+
+/// How many points along and up an action moves the cursor.
+fn moved(action: Action) -> Option<(isize, isize)> {
+    match action {
+        Action::CursorLeft => Some((-1, 0)),
+        Action::CursorRight => Some((1, 0)),
+        Action::CursorLeftFar => Some((-FAR, 0)),
+        Action::CursorRightFar => Some((FAR, 0)),
+        Action::Up => Some((0, 1)),
+        Action::Down => Some((0, -1)),
+        Action::CursorUpFar => Some((0, FAR)),
+        Action::CursorDownFar => Some((0, -FAR)),
+        _ => None,
+    }
 }
 
 /// An action the tab has its own meaning for.
@@ -160,17 +155,7 @@ fn next_output(app: &App) -> usize {
 
 /// Move the cursor: the variables on the axes get the values of the point.
 fn walk(app: &mut App, action: Action) -> Vec<Effect> {
-    let (x, y) = match action {
-        Action::CursorLeft => (-1, 0),
-        Action::CursorRight => (1, 0),
-        Action::CursorLeftFar => (-FAR, 0),
-        Action::CursorRightFar => (FAR, 0),
-        Action::Up => (0, 1),
-        Action::Down => (0, -1),
-        Action::CursorUpFar => (0, FAR),
-        _ => (0, -FAR),
-    };
-    let Some(picture) = app.picture() else {
+    let (Some((x, y)), Some(picture)) = (moved(action), app.picture()) else {
         return Vec::new();
     };
     let Some(found) = app.sweeping.found(picture) else {
@@ -179,40 +164,59 @@ fn walk(app: &mut App, action: Action) -> Vec<Effect> {
     };
     let grid = Arc::clone(&found.grid);
     if !grid.is_full() {
-        return walk_along(app, &grid, if x == 0 { y } else { x });
+        let upward = x == 0 && picture == Picture::Surface;
+        return to_neighbour(app, &grid, usize::from(upward), x + y);
     }
     let at = app.cursor_point(&grid);
     let axes = grid.plan().axes();
-    let mut scene = (*app.scene).clone();
-    let mut words = Vec::new();
     // On curves only the axis that is walked along snaps to its points; on a surface the cross is the design.
-    let steps = [(axes.first(), at.0, x), (axes.get(1), at.1, y)];
-    for (axis, at, by) in steps {
-        let Some(axis) = axis.filter(|_| by != 0 || picture == Picture::Surface) else { continue };
-        let value = stepped(axis, at, by);
-        (axis.number().set)(&mut scene, Some(value));
-        words.push(format!("{}={}", axis.symbol(), crate::model::units::significant(value, 5)));
-    }
-    if words.is_empty() || scene == *app.scene {
-        return Vec::new();
-    }
-    edit::commit_scene(app, scene, format!("cursor to {}", words.join(" ")), Some(CURSOR))
+    let steps = axes.iter().zip([(at.0, x), (at.1, y)]);
+    let steps = steps.filter(|(_, (_, by))| *by != 0 || picture == Picture::Surface);
+    let values: Vec<(&Axis, f64)> =
+        steps.map(|(axis, (at, by))| (axis, stepped(axis, at, by))).collect();
+    cursor_to(app, &values)
 }
 
-/// Move through the points of a design in the order of the first axis.
-fn walk_along(app: &mut App, grid: &Grid, by: isize) -> Vec<Effect> {
+/// Move to another point of a design, in the order of one of its axes.
+fn to_neighbour(app: &mut App, grid: &Grid, axis: usize, by: isize) -> Vec<Effect> {
     let mut order: Vec<usize> = (0..grid.counts().0).collect();
-    let along = |x: &usize| grid.coordinate((*x, 0), 0);
+    let axis = axis.min(grid.plan().axes().len() - 1);
+    let along = |x: &usize| grid.coordinate((*x, 0), axis);
     order.sort_by(|a, b| along(a).total_cmp(&along(b)));
     let here = app.cursor_point(grid).0;
     let at = order.iter().position(|x| *x == here).unwrap_or(0);
-    let next = order[at.saturating_add_signed(by).min(order.len() - 1)];
+    cursor_to_point(app, grid, (order[at.saturating_add_signed(by).min(order.len() - 1)], 0))
+}
+
+/// The design of a point of the picture shown becomes the scene.
+pub(super) fn jump(app: &mut App, point: (usize, usize)) -> Vec<Effect> {
+    let found = app.picture().and_then(|picture| app.sweeping.found(picture));
+    let Some(grid) = found.map(|found| Arc::clone(&found.grid)) else {
+        return Vec::new();
+    };
+    let along = app.picture() == Some(Picture::Line) && grid.is_full();
+    if !along {
+        return cursor_to_point(app, &grid, point);
+    }
+    let axes: Vec<(&Axis, f64)> =
+        grid.plan().axes().iter().take(1).map(|axis| (axis, grid.coordinate(point, 0))).collect();
+    cursor_to(app, &axes)
+}
+
+fn cursor_to_point(app: &mut App, grid: &Grid, point: (usize, usize)) -> Vec<Effect> {
+    let axes = grid.plan().axes().iter().enumerate();
+    let values: Vec<(&Axis, f64)> =
+        axes.map(|(place, axis)| (axis, grid.coordinate(point, place))).collect();
+    cursor_to(app, &values)
+}
+
+/// The variables on axes get these values.
+fn cursor_to(app: &mut App, values: &[(&Axis, f64)]) -> Vec<Effect> {
     let mut scene = (*app.scene).clone();
     let mut words = Vec::new();
-    for (place, axis) in grid.plan().axes().iter().enumerate() {
-        let value = grid.coordinate((next, 0), place);
-        (axis.number().set)(&mut scene, Some(value));
-        words.push(format!("{}={}", axis.symbol(), crate::model::units::significant(value, 5)));
+    for (axis, value) in values {
+        (axis.number().set)(&mut scene, Some(*value));
+        words.push(format!("{}={}", axis.symbol(), crate::model::units::significant(*value, 5)));
     }
     if scene == *app.scene {
         return Vec::new();

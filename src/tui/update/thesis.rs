@@ -10,7 +10,7 @@ use crate::study::thesis::Opens;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::Table;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::sweep::Spread;
+use crate::tui::app::sweep::{Picture, Spread};
 use crate::tui::app::thesis::Page;
 use crate::tui::app::{App, Base, Origin, Tab};
 use crate::tui::message::{Action, Effect, Message};
@@ -113,7 +113,9 @@ fn open(app: &mut App) -> Vec<Effect> {
         // The sweep as the preset has it, whatever was looked at before.
         app.sweeping.on_setup = false;
         app.sweeping.output = 0;
-        app.sweeping.spread = Spread::Grid;
+        for picture in [Picture::Line, Picture::Surface] {
+            app.sweeping.set_spread(picture, Spread::Grid);
+        }
     }
     let mut effects = edit::load(app, base);
     if swept {

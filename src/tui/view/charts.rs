@@ -13,8 +13,8 @@ use crate::tui::app::quantity::Quantity;
 use crate::tui::app::runs::{RunView, engineering};
 use crate::tui::app::status::{clip, short_name, value_at};
 use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Side, Unit,
-    ViewRange, align_gutters,
+    self, Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Side,
+    Unit, ViewRange, align_gutters,
 };
 use crate::tui::theme::{Pane, Role};
 
@@ -26,16 +26,21 @@ const SECOND_COLOUR: usize = 9;
 /// Most event lines in one chart.
 const EVENT_LINES: usize = 24;
 
-/// Draw the charts, one an area.
-pub(super) fn render(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buffer) {
+/// Draw the charts, one an area, and tell where everything lies in each.
+pub(super) fn render(
+    app: &App,
+    areas: &[Rect],
+    focused: bool,
+    buffer: &mut Buffer,
+) -> Vec<chart::Layout> {
     match areas {
-        [] => {}
-        [area] => single(app, *area, focused, buffer),
+        [] => Vec::new(),
+        [area] => vec![single(app, *area, focused, buffer)],
         _ => stacked(app, areas, focused, buffer),
     }
 }
 
-fn single(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) {
+fn single(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) -> chart::Layout {
     let inner = Pane::new("").focused(focused).render(area, buffer, app.theme);
     let data = app.curves(app.charts.quantities[app.charts.selected]);
     let below = if area.height >= 12 { READOUT_ROWS } else { 0 };
@@ -44,15 +49,16 @@ fn single(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) {
     chart.frame = Frame::OpenBelow;
     chart.focused = focused;
     let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
-    chart.render(upper, buffer, app.theme);
+    let drawn = chart.render(upper, buffer, app.theme);
     nothing_yet(app, upper, buffer);
     if below > 0 {
         let rows = Rect { y: inner.bottom() - below, height: below, ..inner };
         readout(app, rows, buffer);
     }
+    drawn.layout
 }
 
-fn stacked(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buffer) {
+fn stacked(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buffer) -> Vec<chart::Layout> {
     let data: Vec<Vec<Data>> =
         (0..areas.len()).map(|index| app.curves(app.charts.quantities[index])).collect();
     let second: Vec<Option<(Quantity, Data)>> =
@@ -71,10 +77,12 @@ fn stacked(app: &App, areas: &[Rect], focused: bool, buffer: &mut Buffer) {
         }
     }
     align_gutters(&mut charts, areas);
+    let mut layouts = Vec::new();
     for (chart, area) in charts.iter().zip(areas) {
-        chart.render(*area, buffer, app.theme);
+        layouts.push(chart.render(*area, buffer, app.theme).layout);
         nothing_yet(app, *area, buffer);
     }
+    layouts
 }
 
 /// Where there is no curve: say why.

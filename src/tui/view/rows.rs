@@ -53,6 +53,18 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     put(buffer, area, (start, 0), &text, style(Role::Text));
 }
 
+/// The tab whose title is at a column of the title row.
+pub(super) fn tab_at(app: &App, width: u16, column: u16) -> Option<Tab> {
+    let (named, titles) = tabs(app, width);
+    let mut start = if named { 7 } else { 1 };
+    Tab::ALL.into_iter().zip(&titles).find_map(|(tab, title)| {
+        let end = start + columns(title);
+        let hit = (start..end).contains(&column);
+        start = end + 1;
+        hit.then_some(tab)
+    })
+}
+
 /// Whether the program's name is shown, and the titles of the tabs: the longest that leave the scene's name in full.
 fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
     let titles = |shown: usize, full: bool, active_full: bool| -> Vec<String> {

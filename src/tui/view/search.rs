@@ -24,8 +24,6 @@ use crate::worker::searches::Answer;
 /// Where a row's label and value begin.
 const LABEL: u16 = 2;
 const VALUE: u16 = 12;
-/// Least rows of a chart that can be read.
-const CHART_ROWS: u16 = 9;
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
 
@@ -41,12 +39,10 @@ pub(super) fn render(
     let Some(found) = app.searching.shown() else {
         return nothing(app, right, buffer);
     };
-    let draws = matches!(found.answer, Answer::Seek(_) | Answer::Front(_) | Answer::Scatter(_));
-    if !draws || right.height < CHART_ROWS + 3 {
+    let below = app.searching.words_height(right.height, lines.len());
+    if below == right.height {
         return words(app, &lines, right, buffer);
     }
-    let wanted = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
-    let below = wanted.min(right.height - CHART_ROWS).max(3);
     let top = Rect { height: right.height - below, ..right };
     match &found.answer {
         Answer::Seek(report) => sought(app, report, top, buffer),
@@ -136,15 +132,19 @@ fn words(app: &App, lines: &[(Severity, String)], area: Rect, buffer: &mut Buffe
     let old = if app.search_is_old() { ", old" } else { "" };
     let title = format!("{}{old}", app.searching.page.title());
     let focused = !app.searching.on_setup && app.dialog.is_none();
-    let inner = Pane::new(title).right("v: next").focused(focused).render(area, buffer, app.theme);
-    let selected = app.searching.selected();
-    let first = first_row(selected.min(lines.len()), usize::from(inner.height), lines.len());
-    let first = if app.searching.choices() > 0 && lines.len() > usize::from(inner.height) {
-        first
-    } else {
-        0
+    let height = usize::from(area.height.saturating_sub(2));
+    let (has_choices, more) = (app.searching.choices() > 0, lines.len() > height);
+    let hint = if more && !has_choices { "j/k: more" } else { "v: next" };
+    let inner = Pane::new(title).right(hint).focused(focused).render(area, buffer, app.theme);
+    // The names of columns stay in sight.
+    let frozen = usize::from(app.searching.has_heads(lines));
+    let first = match (more, has_choices) {
+        (false, _) => 0,
+        (true, true) => first_row(app.searching.selected().min(lines.len()), height, lines.len()),
+        (true, false) => app.searching.scrolled().min(lines.len() - height),
     };
-    for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
+    let shown = lines.iter().take(frozen).chain(lines.iter().skip(first + frozen));
+    for (row, (severity, text)) in (0..inner.height).zip(shown) {
         let role = match severity {
             Severity::Note => Role::Text,
             Severity::Warning => Role::Warning,

@@ -119,6 +119,22 @@ fn cells(app: &App, map: &Map, plot: Rect, buffer: &mut Buffer) {
     }
 }
 
+/// The columns of a plot that are nearest to powers of ten among the steps shown, and those powers.
+fn decades(steps: &[f64], width: u16) -> Vec<(u16, String)> {
+    let (Some(first), Some(last)) = (steps.first(), steps.last()) else {
+        return Vec::new();
+    };
+    (-30..30)
+        .map(|exponent| (10_f64.powi(exponent), format!("1e{exponent}")))
+        .filter(|(value, _)| (*first..=*last).contains(value))
+        .filter_map(|(value, text)| {
+            let away = |at: &usize| (steps[*at] / value).ln().abs();
+            let nearest = (0..steps.len()).min_by(|a, b| away(a).total_cmp(&away(b)))?;
+            Some((place(nearest, width, steps.len()), text))
+        })
+        .collect()
+}
+
 /// The values of rows and columns.
 fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), buffer: &mut Buffer) {
     let style = app.theme.style(Role::Text);
@@ -131,12 +147,13 @@ fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), buffer: &mut Buffer
         put(buffer, inner, (column, y), &text, style);
     }
     let below = plot.height;
-    let every = usize::from((plot.width / 6).max(9));
-    for x in (0..plot.width).step_by(every) {
+    // The name of the axis stands before the first.
+    let mut free = GUTTER;
+    for (x, text) in decades(&map.dt_s, plot.width) {
         put(buffer, inner, (GUTTER + x, below), "|", app.theme.style(Role::Border));
-        let text = significant(map.dt_s[spread(x, plot.width, map.dt_s.len())], 2);
-        if GUTTER + x + columns(&text) <= inner.width {
-            put(buffer, inner, (GUTTER + x, below + 1), &text, style);
+        let start = (GUTTER + x).saturating_sub(columns(&text) / 2);
+        if start >= free && start + columns(&text) <= inner.width {
+            free = put(buffer, inner, (start, below + 1), &text, style) + 2;
         }
     }
     put(buffer, inner, (1, below + 1), "dt [s]", style);

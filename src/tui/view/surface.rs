@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::rect;
-use super::sweep::{centred, chart_axis, drawn, nothing, value_scale, why_empty};
+use super::sweep::{chart_axis, drawn, nothing, nothing_exists, value_scale};
 use super::text::put;
 use crate::model::results::ResultColumn;
 use crate::model::units::significant;
@@ -15,32 +15,31 @@ use crate::tui::app::App;
 use crate::tui::app::layout::SweepPanes;
 use crate::tui::app::status::clip;
 use crate::tui::app::sweep::{Contour, Picture, place, quadratic};
-use crate::tui::chart::heatmap::swatch;
+use crate::tui::chart::heatmap::{dot, swatch};
 use crate::tui::chart::{
-    self, Chart, Curve, Heatmap, Legend, Levels, Scale, Spot, Unit, ViewRange,
+    self, Chart, Curve, Heatmap, Layout, Legend, Levels, Scale, Spot, Unit, ViewRange,
 };
 use crate::tui::theme::{Pane, Role};
 
-/// Draw map, scale and slices.
-pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) {
-    let Some(area) = panes.plots.first().map(|area| rect(*area)) else {
-        return;
-    };
+/// Draw map, scale and slices, and tell where the map lies.
+pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) -> Option<Layout> {
+    let area = panes.plots.first().map(|area| rect(*area))?;
     let Some(found) = app.sweeping.found(Picture::Surface) else {
         nothing(app, "Map", area, buffer);
         for area in panes.scale.iter().chain(&panes.slices) {
             Pane::new("").render(rect(*area), buffer, app.theme);
         }
-        return;
+        return None;
     };
     let sight = Sight::of(app, &found.grid);
-    sight.map(app, area, buffer);
+    let layout = sight.map(app, area, buffer);
     if let Some(area) = panes.scale {
         sight.scale(app, rect(area), buffer);
     }
     for (area, along) in panes.slices.iter().zip([true, false]) {
         sight.slice(app, along, rect(*area), buffer);
     }
+    layout
 }
 
 /// What is looked at: an output of a grid, with its bands.
@@ -93,7 +92,7 @@ impl<'a> Sight<'a> {
         (turn(x, along, 0), turn(y, up, 1))
     }
 
-    fn map(&self, app: &App, area: Rect, buffer: &mut Buffer) {
+    fn map(&self, app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
         let axes = self.grid.plan().axes();
         let old = app.sweep_is_old(Picture::Surface) && app.sweeping.computing.is_none();
         let title = format!(
@@ -104,19 +103,12 @@ impl<'a> Sight<'a> {
             axes[1].symbol()
         );
         let Some(levels) = &self.levels else {
-            let inner = Pane::new(title).render(area, buffer, app.theme);
-            let (along, up) = self.grid.counts();
-            let hidden = (0..along).any(|x| {
-                (0..up).any(|y| matches!(self.grid.cell(x, y, self.output), Cell::Value(_)))
-            });
-            let text = if hidden {
-                "no value can stand on a logarithmic scale: Y shows a linear one".to_owned()
-            } else {
-                why_empty(self.grid, self.output)
-            };
-            centred(app, &text, inner, buffer);
-            return;
+            nothing_exists(app, &title, (self.grid, self.output), area, buffer);
+            return None;
         };
+        if !self.grid.is_full() {
+            return Some(self.dots(app, title, levels, area, buffer));
+        }
         let spot = |x: usize, y: usize| {
             let (x, y) = self.turned(x, y);
             match self.grid.cell(x, y, self.output) {
@@ -142,7 +134,48 @@ impl<'a> Sight<'a> {
             cursor: Some(self.turned(x, y)),
             focused: !app.sweeping.on_setup && app.dialog.is_none(),
         };
-        map.render(area, buffer, app.theme);
+        Some(map.render(area, buffer, app.theme))
+    }
+
+    /// The points of a design where they lie, each in the colour of its band or as its letter.
+    fn dots(
+        &self,
+        app: &App,
+        title: String,
+        levels: &Levels,
+        area: Rect,
+        buffer: &mut Buffer,
+    ) -> Layout {
+        let axes = self.grid.plan().axes();
+        let chart = Chart {
+            legend: Legend::Hidden,
+            focused: !app.sweeping.on_setup && app.dialog.is_none(),
+            ..Chart::new(title, chart_axis(&axes[0]), chart_axis(&axes[1]), Vec::new())
+        };
+        let layout = chart.render(area, buffer, app.theme).layout;
+        let plot = layout.plot;
+        let cursor = app.cursor_point(self.grid).0;
+        // The cursor's point last: it lies over others in its cell.
+        let points = (0..self.grid.counts().0).filter(|x| *x != cursor).chain([cursor]);
+        for x in points {
+            let at = |axis: usize| self.grid.coordinate((x, 0), axis);
+            let Some((column, up)) = layout.x.cell(at(0)).zip(layout.y.cell(at(1))) else {
+                continue;
+            };
+            let value = self.value((x, 0));
+            let (symbol, style) = match self.grid.cell(x, 0, self.output) {
+                _ if x == cursor => ('X', app.theme.style(Role::Selection)),
+                Cell::Value(_) if scale_of(app).shows(value) => {
+                    dot(levels.index(value), levels.bands(), app.theme)
+                }
+                Cell::Value(_) => ('0', app.theme.style(Role::Dim)),
+                Cell::Fate(fate) => (fate.letter(), app.theme.style(role(fate))),
+                Cell::Waiting => continue,
+            };
+            let place = (column, plot.height.saturating_sub(up + 1));
+            put(buffer, plot, place, &symbol.to_string(), style);
+        }
+        layout
     }
 
     /// The bands from the greatest down, then what the letters mean.
@@ -156,7 +189,8 @@ impl<'a> Sight<'a> {
             let (x, y) = app.cursor_point(self.grid);
             let here = self.value((x, y));
             for band in (0..levels.bands()).rev() {
-                let (symbol, style) = swatch(band, levels.bands(), app.theme);
+                let patch = if self.grid.is_full() { swatch } else { dot };
+                let (symbol, style) = patch(band, levels.bands(), app.theme);
                 let patch: String = [symbol; 3].iter().collect();
                 put(buffer, inner, (1, row), &patch, style);
                 let (from, to) = levels.band(band);
@@ -207,8 +241,11 @@ impl<'a> Sight<'a> {
         list
     }
 
-    /// The output along one axis, through the cursor.
+    /// The output along one axis, through the cursor; of a design, which has no rows, all points seen along the other axis.
     fn slice(&self, app: &App, along: bool, area: Rect, buffer: &mut Buffer) {
+        if !self.grid.is_full() {
+            return self.shadow(app, usize::from(!along), area, buffer);
+        }
         let axes = self.grid.plan().axes();
         let (x, y) = app.cursor_point(self.grid);
         let (axis, held, count, place) = if along {
@@ -220,12 +257,7 @@ impl<'a> Sight<'a> {
         let point = |index: usize| if along { (index, y) } else { (x, index) };
         let points: Vec<(f64, f64)> =
             (0..count).map(|index| (at(index), self.value(point(index)))).collect();
-        let scale = scale_of(app);
-        let view = match scale {
-            Scale::Linear => self.range.padded(scale, 0.05),
-            Scale::Log10 => self.range.rounded(scale),
-        };
-        let vertical = chart::Axis::new("", view).scale(scale).unit(self.unit.clone());
+        let vertical = self.value_axis(app);
         let other = if along { y } else { x };
         let other = held.value(u64::try_from(other).unwrap_or(u64::MAX));
         let chart = Chart {
@@ -239,6 +271,36 @@ impl<'a> Sight<'a> {
             )
         };
         chart.render(area, buffer, app.theme);
+    }
+
+    /// All points of a design over one of its axes.
+    fn shadow(&self, app: &App, axis: usize, area: Rect, buffer: &mut Buffer) {
+        let place = |x: usize| self.grid.coordinate((x, 0), axis);
+        // Each by itself: they are no neighbours.
+        let points: Vec<(f64, f64)> = (0..self.grid.counts().0)
+            .flat_map(|x| [(place(x), self.value((x, 0))), (f64::NAN, f64::NAN)])
+            .collect();
+        let over = &self.grid.plan().axes()[axis];
+        let chart = Chart {
+            legend: Legend::Hidden,
+            crosshair: Some(place(app.cursor_point(self.grid).0)),
+            ..Chart::new(
+                format!("over {}", over.symbol()),
+                chart_axis(over),
+                self.value_axis(app),
+                vec![Curve::new('*', "", &points)],
+            )
+        };
+        chart.render(area, buffer, app.theme);
+    }
+
+    fn value_axis(&self, app: &App) -> chart::Axis<'static> {
+        let scale = scale_of(app);
+        let view = match scale {
+            Scale::Linear => self.range.padded(scale, 0.05),
+            Scale::Log10 => self.range.rounded(scale),
+        };
+        chart::Axis::new("", view).scale(scale).unit(self.unit.clone())
     }
 }
 

@@ -8,23 +8,26 @@ use super::rect;
 use super::text::{columns, put};
 use crate::model::units::significant;
 use crate::study::sweep::grid::{Cell, Grid};
-use crate::study::sweep::{Axis, Fate, Spacing};
+use crate::study::sweep::{Axis, Spacing};
 use crate::tui::app::App;
 use crate::tui::app::layout::SweepPanes;
 use crate::tui::app::status::wrap;
-use crate::tui::app::sweep::{Found, Picture};
-use crate::tui::chart::{self, Chart, Curve, Emphasis, Legend, MARKERS, Scale, Unit, ViewRange};
+use crate::tui::app::sweep::{Found, Picture, no_value};
+use crate::tui::chart::{
+    self, Chart, Curve, Emphasis, Layout, Legend, MARKERS, Scale, Unit, ViewRange,
+};
 use crate::tui::theme::{Pane, Role};
 
-/// Draw the charts.
-pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) {
+/// Draw the charts, and tell where everything lies in each.
+pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) -> Vec<Layout> {
     let picture = Picture::Line;
     let Some(found) = app.sweeping.found(picture) else {
         if let Some(area) = panes.plots.first() {
             nothing(app, "Curves", rect(*area), buffer);
         }
-        return;
+        return Vec::new();
     };
+    let mut layouts = Vec::new();
     let outputs = found.grid.plan().outputs().len();
     let (shown, _) = app.shown_output(&found.grid);
     for (place, area) in panes.plots.iter().enumerate() {
@@ -34,8 +37,9 @@ pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) {
             nothing(app, "", rect(*area), buffer);
             continue;
         }
-        curves(app, found, (output, place == 0), rect(*area), buffer);
+        layouts.extend(curves(app, found, (output, place == 0), rect(*area), buffer));
     }
+    layouts
 }
 
 /// A pane that has nothing to show yet.
@@ -85,7 +89,7 @@ fn curves(
     (output, is_first): (usize, bool),
     area: Rect,
     buffer: &mut Buffer,
-) {
+) -> Option<Layout> {
     let grid = &found.grid;
     let column = grid.plan().outputs()[output];
     let old = app.sweep_is_old(Picture::Line) && app.sweeping.computing.is_none();
@@ -104,8 +108,8 @@ fn curves(
     let values = || lines.iter().flatten().map(|point| point.1);
     let title = column.title() + if old { ", old" } else { "" };
     let Some(range) = ViewRange::of(scale, values()) else {
-        nothing_exists(app, (&title, grid, output), area, buffer);
-        return;
+        nothing_exists(app, &title, (grid, output), area, buffer);
+        return None;
     };
     let view = match scale {
         Scale::Linear => range.padded(scale, 0.05),
@@ -136,6 +140,7 @@ fn curves(
     };
     let layout = chart.render(area, buffer, app.theme).layout;
     marks(app, grid, output, (layout.plot, layout.x), buffer);
+    Some(layout)
 }
 
 /// A letter at the foot of the plot wherever the selected curve has a gap.
@@ -162,50 +167,27 @@ fn marks(
     }
 }
 
-/// No point of the sweep has this output.
-fn nothing_exists(
+/// No point of the sweep has this output: say why, and what to do.
+pub(super) fn nothing_exists(
     app: &App,
-    (title, grid, output): (&str, &Grid, usize),
+    title: &str,
+    (grid, output): (&Grid, usize),
     area: Rect,
     buffer: &mut Buffer,
 ) {
     let inner = Pane::new(title.to_owned()).render(area, buffer, app.theme);
-    let text = match grid.progress().0 {
-        0 => "sweeping the first points".to_owned(),
-        _ => why_empty(grid, output),
-    };
-    centred(app, &text, inner, buffer);
-}
-
-/// A sentence in the middle of an empty picture, on as many lines as it needs.
-pub(super) fn centred(app: &App, text: &str, inner: Rect, buffer: &mut Buffer) {
-    for (row, line) in (inner.height / 2..inner.height).zip(wrap(text, usize::from(inner.width))) {
-        let column = inner.width.saturating_sub(columns(&line)) / 2;
-        put(buffer, inner, (column, row), &line, app.theme.style(Role::Dim));
-    }
-}
-
-/// Why no point has a value of an output: what became of them, if it is the same everywhere, and what to do.
-pub(super) fn why_empty(grid: &Grid, output: usize) -> String {
-    let (along, up) = grid.counts();
-    let mut fates = (0..along).flat_map(|x| (0..up).map(move |y| (x, y))).filter_map(|(x, y)| {
-        match grid.cell(x, y, output) {
-            Cell::Fate(fate) => Some(fate),
-            Cell::Value(_) | Cell::Waiting => None,
-        }
-    });
-    let first = fates.next();
-    match first.filter(|first| fates.all(|fate| fate.letter() == first.letter())) {
-        Some(Fate::Perforated) => {
-            "every shot perforates: choose residual velocity under Show, lower v_i, or see the Limit tab (8)".to_owned()
-        }
-        Some(Fate::Moving) => {
-            "nothing is decided at any point: v shows another output, a longer horizon may decide".to_owned()
-        }
-        Some(Fate::Failed(_)) => "every point failed: the line below says why".to_owned(),
-        Some(fate @ (Fate::Arrested | Fate::Separated)) => {
-            format!("every shot is {}: this output does not exist then; v shows another", fate.word())
-        }
-        None => "no point has this output: v shows another".to_owned(),
+    let room = usize::from(inner.width.saturating_sub(2)).max(8);
+    let texts = no_value(grid, output);
+    let said: Vec<(bool, String)> = texts
+        .iter()
+        .enumerate()
+        .flat_map(|(at, text)| wrap(text, room).into_iter().map(move |line| (at == 0, line)))
+        .collect();
+    let rows = u16::try_from(said.len()).unwrap_or(u16::MAX);
+    let top = inner.height.saturating_sub(rows) / 2;
+    for (row, (is_case, text)) in (top..inner.height).zip(&said) {
+        let column = inner.width.saturating_sub(columns(text)) / 2;
+        let role = if *is_case { Role::Text } else { Role::Dim };
+        put(buffer, inner, (column, row), text, app.theme.style(role));
     }
 }

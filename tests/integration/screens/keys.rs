@@ -720,3 +720,29 @@ fn unpinning_is_undone_and_redone_like_any_edit() {
     assert_eq!(bench.app.pins.len(), 1);
     assert_eq!(gamma(&bench), 2.0);
 }
+
+#[test]
+fn leaving_asks_first_while_the_session_cannot_be_kept() {
+    let leaves =
+        |bench: &Bench| bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. }));
+    let mut bench = Bench::ascii(80, 24);
+    let lost = || Message::Done(EffectReport::Session(Err("cannot write `/full`".to_owned())));
+    bench.send(lost());
+    assert!(bench.message().contains("cannot be kept: cannot write `/full`"));
+    // Nothing has been changed: there is nothing to lose.
+    bench.press("q");
+    assert!(leaves(&bench));
+    let mut bench = Bench::ascii(80, 24);
+    bench.send(lost());
+    bench.keys("l");
+    bench.press("q");
+    assert!(!leaves(&bench) && bench.message().contains("q again"), "{}", bench.message());
+    bench.press("q");
+    assert!(leaves(&bench));
+    let mut bench = Bench::ascii(80, 24);
+    bench.send(lost());
+    bench.send(Message::Done(EffectReport::Session(Ok(()))));
+    bench.keys("l");
+    bench.press("q");
+    assert!(leaves(&bench));
+}

@@ -49,6 +49,7 @@ fn front(scene: &Scene, task: &Task) -> Front {
         candidates: candidates.into_iter().map(candidate).collect(),
         generations: 40,
         runs: 2460,
+        given_up: 0,
         is_complete: true,
     }
 }
@@ -190,4 +191,31 @@ fn what_was_found_is_exported() {
     });
     let (text, path) = text.expect("an export");
     assert!(path.ends_with("seek.csv") && text.starts_with("scene,kind,variable,"), "{text}");
+}
+
+#[test]
+fn on_a_small_screen_the_comparison_is_folded_or_alone_and_scrolled_to_its_end_and_back() {
+    let mut bench = open(GlyphSet::Ascii, (60, 16));
+    for _ in 0..4 {
+        bench.keys("v");
+        answer(&mut bench);
+    }
+    assert_eq!(bench.app.searching.page, Page::Worth);
+    let top = bench.screen();
+    assert!(top.contains("mass efficiency") && !top.contains("solid"), "{top}");
+    bench.keys(&"j".repeat(100));
+    let bottom = bench.screen();
+    assert!(bottom.contains("9.35 mm") && bottom.contains("preload"), "{bottom}");
+    bench.keys("k");
+    assert_ne!(bench.screen(), bottom);
+    bench.keys("K<Up>");
+    bench.keys(&"k".repeat(100));
+    assert_eq!(bench.screen(), top);
+    // Alone, the names of all four stay in sight.
+    bench.keys("z");
+    let is_whole =
+        |screen: &str| ["scene", "rigid", "free", "solid"].iter().all(|it| screen.contains(it));
+    assert!(is_whole(&bench.screen()), "{}", bench.screen());
+    bench.keys(&"j".repeat(100));
+    assert!(is_whole(&bench.screen()) && bench.screen().contains("mass efficiency"));
 }

@@ -57,7 +57,7 @@ pub(super) fn answer(bench: &mut Bench) {
 }
 
 /// A bench on a figure with so many points along every axis.
-fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
     let mut scene = preset::resolve(figure, None).unwrap().scene;
     for axis in &mut scene.sweep.as_mut().unwrap().axes {
@@ -107,7 +107,7 @@ fn one_curve_and_a_logarithmic_surface() {
 #[test]
 fn what_has_no_value_is_a_letter_with_its_meaning() {
     let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, "3<Tab>jjjjj<Enter>v_i<Enter>");
+    keys(&mut bench, "3<Tab>jjjjjj<Enter>v_i<Enter>");
     keys(&mut bench, "<Enter>150<Enter><Enter>400<Enter><Tab>");
     assert_snapshot!("surface_perforated", bench.screen());
     assert!(bench.screen().contains("P  perforated"));

@@ -235,19 +235,46 @@ fn short(title: &str, width: usize) -> String {
 }
 
 fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
-    let narrow = width < 62;
-    let cell = if narrow { 9 } else { 13 };
+    let narrow = width < LABEL + 4 * WIDE_CELL;
+    let cell = if narrow { CELL } else { WIDE_CELL };
+    // As many candidates beside each other as fit, the others below them.
+    let beside = (width.saturating_sub(LABEL) / cell).max(1);
+    let mut lines = Vec::new();
+    let folded = beside < report.entries.len();
+    if folded {
+        lines.extend(verdict(report));
+    }
+    for entries in report.entries.chunks(beside) {
+        if folded {
+            lines.push(note(String::new()));
+        }
+        lines.extend(compared(entries, cell));
+    }
+    if !folded {
+        lines.push(note(String::new()));
+        lines.extend(verdict(report));
+    }
+    lines
+}
+
+/// Columns of a label and of a value, narrow and wide.
+const LABEL: usize = 13;
+const CELL: usize = 9;
+const WIDE_CELL: usize = 13;
+
+/// The figures of some candidates beside each other.
+fn compared(entries: &[worth::Entry], cell: usize) -> Vec<Line> {
     // Of `rigid mount` the first word says it.
+    let narrow = cell < WIDE_CELL;
     let head = |word: &'static str| word.split(' ').next().filter(|_| narrow).unwrap_or(word);
-    let heads: Vec<&str> =
-        report.entries.iter().map(|entry| head(entry.candidate.word())).collect();
     let row = |label: &str, cells: Vec<String>| {
         let cells =
             cells.iter().fold(String::new(), |line, text| line + &format!(" {text:>0$}", cell - 1));
-        note(format!("{label:13}{cells}"))
+        note(format!("{label:LABEL$}{cells}"))
     };
-    let mut lines = vec![row("", heads.iter().map(|head| (*head).to_owned()).collect())];
-    let outcomes = report.entries.iter().map(|entry| entry.outcome.to_string()).collect();
+    let heads = entries.iter().map(|entry| head(entry.candidate.word()).to_owned());
+    let mut lines = vec![row("", heads.collect())];
+    let outcomes = entries.iter().map(|entry| entry.outcome.to_string()).collect();
     lines.push(row("outcome", outcomes));
     let figures: [(&str, &str, &str); 9] = [
         ("penetration_m", "depth", "m"),
@@ -268,10 +295,15 @@ fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
             (Some(value), "" | "kg/m2") => significant(value, 4),
             (Some(value), unit) => Engineering { value, unit, digits: 3 }.to_string(),
         };
-        let cells = report.entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(entry))));
+        let cells = entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(entry))));
         lines.push(row(label, cells.collect()));
     }
-    lines.push(note(String::new()));
+    lines
+}
+
+/// What to make of it.
+fn verdict(report: &worth::Report) -> Vec<Line> {
+    let mut lines = Vec::new();
     let scene = report.of(worth::Candidate::Scene);
     let verdict = scene.and_then(|entry| entry.mass_efficiency).map_or_else(
         || "no mass efficiency: the spring's mass or a limit is not known".to_owned(),

@@ -1,0 +1,138 @@
+//! What is under the mouse: the cells of the screen back to what they show.
+//!
+//! The geometry is that of the drawing itself: charts are drawn into a buffer that nobody sees, and say where everything lies.
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+use super::text::first_row;
+use super::{charts, rect, rows, surface, sweep};
+use crate::tui::app::App;
+use crate::tui::app::editor::Row;
+use crate::tui::app::layout::{Area, Body, Panes, SweepPanes};
+use crate::tui::app::search::Row as SearchRow;
+use crate::tui::app::sweep::{Picture, SetupRow};
+use crate::tui::chart::Layout;
+use crate::tui::message::{Place, Target};
+
+/// What is at a column and a row of the screen; `None` where a click means nothing, and while a dialog is open.
+pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
+    if app.dialog.is_some() {
+        return None;
+    }
+    let layout = app.layout();
+    if at.1 == layout.title.y {
+        return rows::tab_at(app, layout.title.width, at.0).map(Target::Tab);
+    }
+    match &layout.body {
+        Body::Run(panes) => in_run(app, panes, at),
+        Body::Sweep(panes) => in_sweep(app, panes, at),
+        Body::Search(setup, found) => in_search(app, (*setup, *found), at),
+        Body::TooSmall
+        | Body::Accuracy(_)
+        | Body::Stability(_)
+        | Body::Log(_)
+        | Body::Thesis(_)
+        | Body::Limit(_) => None,
+    }
+}
+
+/// The row of a framed list that a cell lies in, counted from its first one shown.
+fn row_of(area: Area, at: (u16, u16)) -> Option<usize> {
+    let inner = Rect::new(
+        area.x + 1,
+        area.y + 1,
+        area.width.saturating_sub(2),
+        area.height.saturating_sub(2),
+    );
+    inner.contains(at.into()).then(|| usize::from(at.1 - inner.y))
+}
+
+fn in_run(app: &App, panes: &Panes, at: (u16, u16)) -> Option<Target> {
+    if let Some(area) = panes.variables
+        && rect(area).contains(at.into())
+    {
+        // The lowest row belongs to no variable.
+        let height = usize::from(area.height.saturating_sub(3));
+        let first = app.editor.first_row(&app.scene, height);
+        let row = row_of(area, at).filter(|row| *row < height)?;
+        return match app.editor.rows(&app.scene).get(first + row)? {
+            Row::Variable(index) => Some(Target::Variable(*index)),
+            Row::Heading(_) => None,
+        };
+    }
+    if panes.runs.is_some_and(|area| rect(area).contains(at.into())) {
+        return Some(Target::Pane(Place::Runs));
+    }
+    let areas: Vec<Rect> = panes.charts.iter().copied().map(rect).collect();
+    let place = areas.iter().position(|area| area.contains(at.into()))?;
+    let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    let layouts = charts::render(app, &areas, false, &mut unseen);
+    let index = if areas.len() == 1 { app.charts.selected } else { place };
+    let t_s = along(layouts.get(place)?, at)?;
+    Some(Target::Time { chart: index, t_s })
+}
+
+/// The value of a chart's horizontal axis at a cell of its plot.
+fn along(layout: &Layout, at: (u16, u16)) -> Option<f64> {
+    layout.plot.contains(at.into()).then(|| layout.x.value(at.0 - layout.plot.x))
+}
+
+fn in_sweep(app: &App, panes: &SweepPanes, at: (u16, u16)) -> Option<Target> {
+    let picture = app.picture()?;
+    if let Some(area) = panes.setup
+        && rect(area).contains(at.into())
+    {
+        let rows = app.setup_rows(picture);
+        let here = rows.iter().position(|row| *row == app.setup_row(picture)).unwrap_or(0);
+        let height = usize::from(area.height.saturating_sub(2));
+        let first = if app.sweeping.on_setup { first_row(here, height, rows.len()) } else { 0 };
+        let row = *rows.get(first + row_of(area, at)?)?;
+        return (!matches!(row, SetupRow::Heading(_))).then_some(Target::Setup(row));
+    }
+    let grid = &app.sweeping.found(picture)?.grid;
+    let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    let layouts = match picture {
+        Picture::Line => sweep::render(app, panes, &mut unseen),
+        Picture::Surface => surface::render(app, panes, &mut unseen).into_iter().collect(),
+    };
+    let layout = layouts.into_iter().find(|layout| layout.plot.contains(at.into()))?;
+    let axes = grid.plan().axes();
+    let (x, up) = (at.0 - layout.plot.x, layout.plot.bottom() - 1 - at.1);
+    if !grid.is_full() {
+        // The nearest dot; on curves only along counts.
+        let away = |index: usize| {
+            let cells = |value: Option<f64>, cell: u16| {
+                value.map_or(0.0, |value| (value - f64::from(cell)).powi(2))
+            };
+            let along = layout.x.position(grid.coordinate((index, 0), 0));
+            let upward = axes.get(1).filter(|_| picture == Picture::Surface);
+            let upward = upward.and_then(|_| layout.y.position(grid.coordinate((index, 0), 1)));
+            // A cell is twice as high as wide.
+            cells(along, x) + 4.0 * cells(upward, up)
+        };
+        let nearest = (0..grid.counts().0).min_by(|a, b| away(*a).total_cmp(&away(*b)))?;
+        return Some(Target::Point((nearest, 0)));
+    }
+    let nearest = |axis: usize, value: f64| {
+        axes.get(axis).and_then(|axis| usize::try_from(axis.nearest(value)).ok())
+    };
+    let x = nearest(0, layout.x.value(x))?;
+    let y = match picture {
+        Picture::Line => app.cursor_point(grid).1,
+        Picture::Surface => nearest(1, layout.y.value(up))?,
+    };
+    Some(Target::Point((x, y)))
+}
+
+fn in_search(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Option<Target> {
+    if rect(found).contains(at.into()) {
+        return Some(Target::Pane(Place::Search));
+    }
+    let rows = app.search_rows();
+    let here = rows.iter().position(|row| *row == app.search_row()).unwrap_or(0);
+    let height = usize::from(setup.height.saturating_sub(2));
+    let first = if app.searching.on_setup { first_row(here, height, rows.len()) } else { 0 };
+    let row = *rows.get(first + row_of(setup, at)?)?;
+    (!matches!(row, SearchRow::Heading(_))).then_some(Target::SearchSetup(row))
+}

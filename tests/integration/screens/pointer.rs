@@ -1,0 +1,179 @@
+//! The mouse, on whole screens: what a click hits is what is drawn there; and pasted text.
+
+use super::bench::Bench;
+use super::sweep::{answer, open};
+use cmra::model::variables::VARIABLES;
+use cmra::tui::app::Tab;
+use cmra::tui::app::dialog::Dialog;
+use cmra::tui::message::{Message, Place, Target};
+use cmra::tui::theme::GlyphSet;
+use cmra::tui::view::pointer::target;
+
+/// Where a text stands on the screen.
+fn find(bench: &Bench, text: &str) -> (u16, u16) {
+    let screen = bench.screen();
+    let (row, line) = screen.lines().enumerate().find(|(_, line)| line.contains(text)).unwrap();
+    let column = line[..line.find(text).unwrap()].chars().count();
+    (u16::try_from(column).unwrap(), u16::try_from(row).unwrap())
+}
+
+fn click(bench: &mut Bench, at: (u16, u16)) {
+    let hit = target(&bench.app, at).unwrap_or_else(|| panic!("nothing at {at:?}"));
+    bench.send(Message::Click(hit));
+    bench.answer();
+    answer(bench);
+}
+
+#[test]
+fn a_click_on_a_tab_opens_it_at_every_width() {
+    for width in [60, 80, 120] {
+        let mut bench = Bench::ascii(width, 24);
+        let title = if width < 74 { "3" } else { "3:Surf" };
+        let at = find(&bench, title);
+        click(&mut bench, at);
+        assert_eq!(bench.app.tab, Tab::Surface, "{width}");
+        let at = find(&bench, "1");
+        click(&mut bench, at);
+        assert_eq!(bench.app.tab, Tab::Run, "{width}");
+    }
+}
+
+#[test]
+fn a_click_selects_a_variable_and_a_second_one_opens_it() {
+    let mut bench = Bench::ascii(80, 24);
+    let at = find(&bench, "S_y");
+    click(&mut bench, at);
+    assert_eq!(VARIABLES[bench.app.editor.selected].symbol, "S_y");
+    assert!(bench.app.editor.field.is_none());
+    click(&mut bench, at);
+    assert!(bench.app.editor.field.is_some());
+    // What is being typed is not taken away by a click.
+    bench.press("1.6e8");
+    let other = find(&bench, "v_i");
+    click(&mut bench, other);
+    assert_eq!(bench.app.editor.field.as_ref().unwrap().input.value(), "1.6e8");
+    assert!(bench.message().contains("Enter takes it"), "{}", bench.message());
+}
+
+#[test]
+fn a_click_in_a_chart_puts_the_crosshair_there_and_the_wheel_zooms_about_it() {
+    let mut bench = Bench::ascii(160, 50);
+    // The label of 60 us stands under its tick.
+    let (column, _) = find(&bench, " 60 ");
+    let at = (column + 1, 20);
+    click(&mut bench, at);
+    let t_s = bench.app.charts.cursor_s.unwrap();
+    assert!((t_s - 60e-6).abs() < 2e-6, "{t_s}");
+    assert_eq!((bench.app.focus, bench.app.charts.selected), (Place::Charts, 1));
+    bench.send(Message::Wheel(true, target(&bench.app, at)));
+    let (from, to) = bench.app.time_range_s();
+    assert!(from < t_s && t_s < to && to - from < 100e-6, "{from} {to}");
+}
+
+#[test]
+fn a_click_on_a_map_loads_the_design_that_is_drawn_there() {
+    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
+    bench.press("3");
+    answer(&mut bench);
+    // The cell right of the axis in the lowest row of the plot is the first point of both axes.
+    // It has the label of the axis at its left.
+    let screen = bench.screen();
+    let rows = screen.lines().enumerate().filter(|(_, line)| line.contains("||  0+"));
+    let (row, line) = rows.last().unwrap();
+    let label = line[..line.find("||  0+").unwrap()].chars().count() + 4;
+    let (axis, row) = (u16::try_from(label).unwrap() + 1, u16::try_from(row).unwrap());
+    click(&mut bench, (axis + 1, row));
+    assert!((bench.app.scene.plate.mass_ratio - 0.8).abs() < 1e-12);
+    assert_eq!(bench.app.scene.mechanism.spring.coefficient.to_bits(), 0.0_f64.to_bits());
+    let hit = target(&bench.app, (axis + 1, 1 + 1)).unwrap();
+    assert_eq!(hit, Target::Point((0, 10)));
+    bench.send(Message::Click(hit));
+    assert!((bench.app.scene.mechanism.spring.coefficient - 7.5e6).abs() < 1.0);
+}
+
+#[test]
+fn a_click_on_the_setup_selects_its_row() {
+    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
+    bench.press("3");
+    answer(&mut bench);
+    let at = find(&bench, "  v_i ");
+    click(&mut bench, (at.0 + 2, at.1));
+    assert!(bench.app.sweeping.on_setup);
+    click(&mut bench, (at.0 + 2, at.1));
+    assert!(bench.app.sweeping.field.is_some());
+    bench.send(Message::Paste(" 120\n".to_owned()));
+    bench.keys("<Enter>");
+    assert!((bench.app.scene.projectile.velocity_m_s - 120.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_click_beside_everything_or_under_a_dialog_does_nothing() {
+    let mut bench = Bench::ascii(80, 24);
+    assert_eq!(target(&bench.app, (79, 23)), None);
+    assert_eq!(target(&bench.app, (500, 500)), None);
+    bench.press("?");
+    assert_eq!(target(&bench.app, (5, 5)), None);
+    // The wheel walks through the dialog's list.
+    bench.send(Message::Wheel(false, None));
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Help(picker)) if picker.selected == 1));
+}
+
+#[test]
+fn a_very_long_paste_is_refused_and_the_field_keeps_its_text() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("<Enter>1");
+    bench.send(Message::Paste("9".repeat(2_000_000)));
+    assert_eq!(bench.app.editor.field.as_ref().unwrap().input.value(), "1");
+    assert!(bench.message().contains("longer than"), "{}", bench.message());
+}
+
+#[test]
+fn held_words_are_listed_as_in_the_editor() {
+    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
+    bench.press("3<Tab>");
+    answer(&mut bench);
+    while !bench.message().starts_with("closure:") {
+        bench.press("j");
+    }
+    assert!(bench.message().contains("given"), "{}", bench.message());
+    bench.press("<Enter>");
+    assert!(bench.screen().contains("double-yield"), "{}", bench.screen());
+}
+
+#[test]
+fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
+    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
+    // Along: the row below the spacing chooses the points.
+    bench.press("3<Tab>jjjjjl<Tab>");
+    answer(&mut bench);
+    let grid = bench.app.sweeping.surface.as_ref().unwrap().grid.clone();
+    assert!(!grid.is_full() && grid.counts() == (21, 1));
+    let scenes = |bench: &Bench| {
+        (bench.app.scene.plate.mass_ratio, bench.app.scene.mechanism.spring.coefficient)
+    };
+    let points: Vec<(f64, f64)> =
+        (0..21).map(|at| (grid.coordinate((at, 0), 0), grid.coordinate((at, 0), 1))).collect();
+    bench.keys("l");
+    let first = scenes(&bench);
+    assert!(points.contains(&first), "{first:?}");
+    bench.keys("l");
+    let next = scenes(&bench);
+    assert!(points.contains(&next) && next.0 > first.0);
+    let between = |point: &&(f64, f64)| first.0 < point.0 && point.0 < next.0;
+    assert_eq!(points.iter().filter(between).count(), 0);
+    bench.keys("k");
+    let above = scenes(&bench);
+    assert!(points.contains(&above) && above.1 > next.1);
+    insta::assert_snapshot!("surface_dots", bench.screen());
+}
+
+#[test]
+fn a_map_without_values_says_why_and_what_to_do() {
+    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (80, 24));
+    bench.press("/v_i<Enter><Enter>2000<Enter><Esc>3");
+    bench.answer();
+    answer(&mut bench);
+    insta::assert_snapshot!("surface_all_perforated", bench.screen());
+    assert!(bench.screen().contains("every point perforates"));
+    assert!(bench.screen().contains("residual_velocity_m_s"));
+}
