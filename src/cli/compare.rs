@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use serde_json::Value;
 
 use crate::cli::CliError;
+use crate::cli::reproduce::wrapped;
 use crate::files::preset::Preset;
 use crate::files::rows::{Rows, number};
 use crate::model::run::Outcome;
@@ -78,7 +79,14 @@ fn rows(name: &str, found: &Comparison) -> Rows {
             Value::from(row.judged.1),
         ]
     };
-    Rows { columns: COLUMNS.to_vec(), rows: found.rows.iter().map(row).collect() }
+    let refused = |(model, reason): &(&str, String)| {
+        let mut row = vec![Value::Null; COLUMNS.len()];
+        (row[0], row[1]) = (Value::from(name), Value::from(*model));
+        (row[2], row[17]) = (Value::from("refused"), Value::from(reason.as_str()));
+        row
+    };
+    let rows = found.rows.iter().map(row).chain(found.refused.iter().map(refused)).collect();
+    Rows { columns: COLUMNS.to_vec(), rows }
 }
 
 fn page(name: &str, found: &Comparison) -> String {
@@ -100,6 +108,9 @@ fn page(name: &str, found: &Comparison) -> String {
         "\nagainst: deviation from {first}; -: does not exist; travel: greatest displacement of the plate\n\
          run time: shortest of several, without series and error estimate"
     );
+    for (name, reason) in &found.refused {
+        wrapped(&mut page, "refused", &format!("{name}: {reason}"));
+    }
     let told: Vec<&Row> = found.rows.iter().filter(|row| !row.with.is_empty()).collect();
     if found.what == What::Models {
         for row in told {

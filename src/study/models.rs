@@ -12,7 +12,7 @@ use crate::model::interaction::Values;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Jumps, Listing, Reading, Scene};
 use crate::model::units::{self, Engineering};
-use crate::model::variables::VariableError;
+use crate::model::variables::{self, VariableError};
 
 /// Computations of one scene whose shortest time counts, and how long they may take in all, s.
 const REPEATS: usize = 15;
@@ -51,6 +51,8 @@ pub struct Comparison {
     pub what: What,
     /// The rows.
     pub rows: Vec<Row>,
+    /// Who cannot run this scene, and why: a model that knows power laws only, on another spring.
+    pub refused: Vec<(&'static str, String)>,
 }
 
 /// A value and how far it is from the first row's, relative; `None` where either does not exist.
@@ -92,20 +94,28 @@ struct Plan {
 /// Compute a comparison; `now_s` is the clock.
 ///
 /// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
+/// A [`VariableError`] when the scene makes no physical sense, or none of the rows can run it.
 pub fn compare(
     scene: &Scene,
     what: What,
     now_s: &dyn Fn() -> f64,
 ) -> Result<Comparison, VariableError> {
-    crate::model::variables::require_single(scene)?;
+    variables::require_single(scene)?;
     let plans = match what {
         What::Models => models(scene),
         What::Quirks => quirks(scene),
     };
-    let mut rows = Vec::new();
+    let (mut rows, mut refused) = (Vec::new(), Vec::new());
     for plan in plans {
         let own = Arc::new(plan.scene);
+        if let Err(reason) = variables::validate(&own) {
+            // Without the first row there is nothing to compare with.
+            if rows.is_empty() {
+                return Err(reason);
+            }
+            refused.push((plan.name, reason.to_string()));
+            continue;
+        }
         let run = simulate(&own, Settings::default())?;
         let quiet = Settings { series: false, estimate: false };
         let begin_s = now_s();
@@ -128,7 +138,7 @@ pub fn compare(
             judged: plan.judged,
         });
     }
-    Ok(Comparison { what, rows })
+    Ok(Comparison { what, rows, refused })
 }
 
 fn simulate(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError> {

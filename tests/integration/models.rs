@@ -30,6 +30,33 @@ fn the_models_stand_in_one_table_and_as_rows() {
 }
 
 #[test]
+fn who_cannot_run_a_spring_says_so_and_the_others_stand() {
+    let (page, status) = cmra(&["run", "concept-helical-spring", "--compare", "models"]);
+    assert_eq!(status, 0, "{page}");
+    for line in [
+        "hydrodynamic",
+        "lumped  ",
+        "half-sine  ",
+        "initial-velocity  ",
+        "    refused     appendix: model",
+    ] {
+        assert!(page.lines().any(|own| own.starts_with(line)), "{line}: {page}");
+    }
+    let (json, _) = cmra(&["run", "concept-buckling-tube", "--compare", "models", "--json"]);
+    let rows: Vec<serde_json::Value> = serde_json::from_str(&json).unwrap();
+    assert_eq!(rows.len(), 5);
+    assert_eq!(rows[0]["outcome"], "arrested");
+    assert_eq!(rows[1]["outcome"], "refused");
+    assert!(rows[1]["weakness"].as_str().unwrap().contains("power law"), "{json}");
+    let (text, status) = cmra(&["run", "concept-buckling-tube", "--compare", "quirks"]);
+    assert_eq!(status, 2);
+    assert!(text.contains("set model = hydrodynamic, or spring = power-law"), "{text}");
+    let (text, status) = cmra(&["run", "--set", "closure=cavity", "--compare", "models"]);
+    assert_eq!(status, 2);
+    assert!(text.contains("corrects twice"), "{text}");
+}
+
+#[test]
 fn a_model_is_set_by_name_and_what_it_cannot_be_is_said() {
     let (json, status) = cmra(&["run", "--set", "model=half-sine", "--set", "t_d=150us", "--json"]);
     assert_eq!(status, 0);

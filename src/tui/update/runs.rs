@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
+use crate::model::variables;
 use crate::study::models::by_every_model;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
@@ -54,11 +55,19 @@ pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect>
 /// Pin the scene by every interaction model but its own; take them away when all are there.
 fn models(app: &mut App) -> Vec<Effect> {
     let own = app.scene.contact.model;
-    let wanted: Vec<(&str, Arc<Scene>)> = by_every_model(&app.scene)
-        .into_iter()
-        .filter(|(_, scene)| scene.contact.model != own)
-        .map(|(name, scene)| (name, Arc::new(scene)))
-        .collect();
+    let mut refused = None;
+    let mut wanted: Vec<(&str, Arc<Scene>)> = Vec::new();
+    for (name, scene) in by_every_model(&app.scene) {
+        match variables::validate(&scene) {
+            Ok(()) if scene.contact.model != own => wanted.push((name, Arc::new(scene))),
+            Ok(()) => {}
+            Err(reason) => refused = Some(reason.to_string()),
+        }
+    }
+    if let (true, Some(reason)) = (wanted.is_empty(), &refused) {
+        app.say(Severity::Error, reason.clone());
+        return Vec::new();
+    }
     let is_pinned = |app: &App, scene: &Scene| app.pins.iter().any(|pin| *pin.scene == *scene);
     let missing: Vec<_> =
         wanted.iter().filter(|(_, scene)| !is_pinned(app, scene)).cloned().collect();
@@ -82,9 +91,11 @@ fn models(app: &mut App) -> Vec<Effect> {
     for (name, scene) in missing {
         effects.extend(pin(app, name.to_owned(), scene));
     }
+    let rest =
+        if refused.is_some() { "; those that know power laws only are left out" } else { "" };
     app.say(
         Severity::Note,
-        format!("{} and the other models side by side (I again takes them away)", own.word()),
+        format!("{} and the other models side by side (I again takes them away){rest}", own.word()),
     );
     effects
 }

@@ -1,6 +1,6 @@
 //! The interaction models in the workbench: side by side by one key, their variables only where they matter.
 
-use cmra::model::scene::ContactModel;
+use cmra::model::scene::{ContactModel, SpringKind};
 
 use super::bench::Bench;
 
@@ -21,6 +21,22 @@ fn one_key_pins_every_other_model_and_takes_them_away_again() {
     bench.keys("I");
     assert_eq!(bench.app.pins.len(), 5);
     assert!(bench.message().contains("3 of the eight pins are free"));
+}
+
+#[test]
+fn models_that_cannot_run_a_spring_are_left_out_and_it_is_said() {
+    let mut bench = Bench::ascii(120, 40);
+    std::sync::Arc::make_mut(&mut bench.app.scene).mechanism.spring.kind = SpringKind::Helix;
+    bench.keys("I");
+    let names: Vec<&str> = bench.app.pins.iter().map(|pin| pin.name.as_str()).collect();
+    assert_eq!(names, ["lumped", "half-sine", "initial-velocity"]);
+    assert!(bench.message().contains("are left out"), "{}", bench.message());
+    bench.keys("I");
+    assert!(bench.app.pins.is_empty());
+    std::sync::Arc::make_mut(&mut bench.app.scene).mechanism.spring.kind = SpringKind::Column;
+    bench.keys("I");
+    assert!(bench.app.pins.is_empty());
+    assert!(bench.message().contains("set model = hydrodynamic"), "{}", bench.message());
 }
 
 #[test]
