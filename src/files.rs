@@ -29,4 +29,4 @@ pub mod write;
 
 mod read_stack;
 mod read_sweep;
-mod read_table;
+pub mod read_table;

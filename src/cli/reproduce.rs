@@ -1,7 +1,6 @@
 //! `cmra reproduce`: every checkable claim of the thesis against what is computed.
 
 use std::fmt::Write as _;
-use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -32,11 +31,17 @@ pub(super) struct ReproduceArguments {
 
 /// Check every claim; exit status 1 when a verdict differs from the stored one.
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
-    let report = report();
-    let differences = rows::differences(&report);
-    let shown: Vec<Row> = match &arguments.only {
-        None => report.clone(),
-        Some(text) => report.iter().filter(|row| matches(row, text)).cloned().collect(),
+    let (shown, differences) = match &arguments.only {
+        None => {
+            let report = report(&thesis::claims().collect::<Vec<_>>());
+            let differences = rows::differences(&report);
+            (report, differences)
+        }
+        Some(text) => {
+            let shown = only(text);
+            let differences = rows::changed(&shown);
+            (shown, differences)
+        }
     };
     arguments.table.deliver(&page(&shown), &rows::rows(&shown))?;
     for difference in &differences {
@@ -45,21 +50,22 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
     Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-fn matches(row: &Row, text: &str) -> bool {
+/// The rows with this text in them; all are computed only where it may be a verdict's.
+fn only(text: &str) -> Vec<Row> {
     let wanted = text.to_lowercase();
-    let claim = row.claim;
-    [claim.id, claim.place, claim.says, row.found.verdict.words()]
-        .iter()
-        .any(|field| field.to_lowercase().contains(&wanted))
+    let has = |field: &str| field.to_lowercase().contains(&wanted);
+    let said = |claim: &Claim| [claim.id, claim.place, claim.says].into_iter().any(has);
+    if Verdict::ALL.into_iter().any(|verdict| has(verdict.words())) {
+        let mut rows = report(&thesis::claims().collect::<Vec<_>>());
+        rows.retain(|row| said(row.claim) || has(row.found.verdict.words()));
+        return rows;
+    }
+    report(&thesis::claims().filter(|claim| said(claim)).collect::<Vec<_>>())
 }
 
-/// Every row, computed on all cores, in thesis order.
-fn report() -> Vec<Row> {
-    let claims: Vec<&'static Claim> = thesis::claims().collect();
+/// These claims, computed on all cores, in thesis order.
+fn report(claims: &[&'static Claim]) -> Vec<Row> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    if threads == 1 {
-        return thesis::reproduce(&mut |_, _| ControlFlow::Continue(()));
-    }
     let (next, found) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
         for _ in 0..threads {

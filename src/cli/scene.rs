@@ -10,7 +10,8 @@ use crate::files::bundled;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
 use crate::files::read;
-use crate::model::scene::Scene;
+use crate::files::read_table;
+use crate::model::scene::{Scene, SpringKind};
 use crate::model::units::Bare;
 use crate::model::variables;
 
@@ -25,7 +26,7 @@ pub(super) struct SceneArguments {
         value_name = "NAME=VALUE",
         allow_hyphen_values = true,
         help = "Change a variable: NAME is a thesis symbol (gamma, v_i, k) or a full key (interface.grip), VALUE is SI \
-                or has a unit (d=50mm); may be repeated"
+                or has a unit (d=50mm); table=FILE takes a measured spring curve from CSV; may be repeated"
     )]
     set: Vec<String>,
 }
@@ -48,11 +49,34 @@ pub(super) fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> 
         let (name, value) = argument
             .split_once('=')
             .ok_or_else(|| CliError::NotAnAssignment { argument: argument.clone() })?;
+        if let Some(second) = is_curve(name.trim()) {
+            take_curve(scene, second, value.trim())?;
+            continue;
+        }
         variables::set_by_name(scene, name, value, Bare::Si).map_err(|source| CliError::Set {
             argument: argument.clone(),
             source: Box::new(source),
         })?;
     }
+    Ok(())
+}
+
+/// Whether a name means the measured curve of a spring, and whether of the second one.
+fn is_curve(name: &str) -> Option<bool> {
+    match name {
+        "table" | "mechanism.spring.table" | "mechanism.spring.table.file" => Some(false),
+        "table_2" | "mechanism.second.table" | "mechanism.second.table.file" => Some(true),
+        _ => None,
+    }
+}
+
+/// Take a spring's curve from a CSV file; a file makes its spring one of the kind `table`.
+fn take_curve(scene: &mut Scene, second: bool, file: &str) -> Result<(), CliError> {
+    let points = read_table::curve(Path::new(file))?;
+    let mechanism = &mut scene.mechanism;
+    let spring = if second { &mut mechanism.second } else { &mut mechanism.spring };
+    spring.kind = SpringKind::Table;
+    spring.table.points = points;
     Ok(())
 }
 

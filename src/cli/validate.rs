@@ -10,7 +10,7 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::validation;
 use crate::model::units::{Engineering, fixed_significant};
-use crate::study::validation::Row;
+use crate::study::validation::{NOT_CHECKED, Quantity, Row};
 
 #[derive(Debug, Args)]
 pub(super) struct ValidateArguments {
@@ -35,7 +35,12 @@ fn page(report: &[Row]) -> String {
     for row in report {
         let case = row.case;
         let unit = case.quantity.unit();
-        let show = |value: f64| Engineering { value, unit, digits: 4 }.to_string();
+        let show = |value: f64| match case.quantity {
+            Quantity::Ratio => fixed_significant(value, 4),
+            Quantity::Limit | Quantity::Depth | Quantity::Strength | Quantity::Bulge => {
+                Engineering { value, unit, digits: 4 }.to_string()
+            }
+        };
         let off = |value: f64| format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value));
         let absent = || "nothing".to_owned();
         let mut set = String::new();
@@ -62,10 +67,17 @@ fn page(report: &[Row]) -> String {
                 }),
             ),
             (
-                "where",
+                "plate",
+                row.beyond.clone().unwrap_or_else(|| {
+                    format!("h/D = {}", fixed_significant(row.thickness_ratio, 3))
+                }),
+            ),
+            ("nose", case.nose.to_owned()),
+            (
+                "projectile",
                 format!(
-                    "h/D = {}; the nose bears {}",
-                    fixed_significant(row.thickness_ratio, 3),
+                    "{}; must not be used where it yields below {}",
+                    case.projectile,
                     Engineering { value: row.pressure_pa, unit: "Pa", digits: 4 }
                 ),
             ),
@@ -73,6 +85,13 @@ fn page(report: &[Row]) -> String {
             ("source", case.source.to_owned()),
         ];
         for (label, text) in lines.iter().filter(|(_, text)| !text.is_empty()) {
+            wrapped(&mut page, label, text);
+        }
+        page.push('\n');
+    }
+    for it in &NOT_CHECKED {
+        let _ = writeln!(page, "{}  [cannot be checked]", it.id);
+        for (label, text) in [("says", it.says), ("why not", it.why), ("source", it.source)] {
             wrapped(&mut page, label, text);
         }
         page.push('\n');

@@ -62,6 +62,7 @@ pub static BUNDLED: &[Bundled] = bundled![
     "validation-borvik-cavity",
     "validation-thin-sphere",
     "validation-ap-core",
+    "validation-rod-6061",
     "validation-concrete",
 ];
 

@@ -41,6 +41,9 @@ pub enum FileError {
         /// The file.
         path: PathBuf,
     },
+    /// The file is no table of displacement and force: which, where, and the cure.
+    #[error("{0}")]
+    Curve(String),
     /// The file is not a scene.
     #[error("{0}")]
     Scene(SceneErrors),

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::DeValue;
 
+use crate::files::error::FileError;
 use crate::files::read::{self, Reader, kind_of, number};
 
 /// The key of a table of each spring.
@@ -54,6 +55,14 @@ pub(super) fn points(
         }
     }
     found.map(Arc::from)
+}
+
+/// The points of a measured curve in a CSV file.
+///
+/// # Errors
+/// [`FileError::Curve`] when the file cannot be read or is no table of numbers.
+pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
+    csv_points(path).map(Arc::from).map_err(FileError::Curve)
 }
 
 /// The path of a file named in a scene: relative to the scene's own folder.

@@ -80,10 +80,14 @@ pub fn principles() -> Rows {
     Rows { columns, rows }
 }
 
-/// Where verdicts differ from the stored ones, in words; rows that are missing count, too.
-pub fn differences(report: &[Row]) -> Vec<String> {
-    let stored: Vec<(&str, &str)> =
-        STORED.lines().skip(1).filter_map(|line| line.split_once(',')).collect();
+/// `(id, verdict)` as stored.
+fn stored() -> Vec<(&'static str, &'static str)> {
+    STORED.lines().skip(1).filter_map(|line| line.split_once(',')).collect()
+}
+
+/// Where the verdicts of these rows differ from the stored ones, in words.
+pub fn changed(report: &[Row]) -> Vec<String> {
+    let stored = stored();
     let mut told = Vec::new();
     for row in report {
         let (id, now) = (row.claim.id, row.found.verdict.words());
@@ -95,7 +99,13 @@ pub fn differences(report: &[Row]) -> Vec<String> {
             Some(_) => {}
         }
     }
-    for (id, before) in stored {
+    told
+}
+
+/// Where verdicts differ from the stored ones, in words; rows that are missing count, too.
+pub fn differences(report: &[Row]) -> Vec<String> {
+    let mut told = changed(report);
+    for (id, before) in stored() {
         if report.iter().all(|row| row.claim.id != id) {
             told.push(format!("{id}: no such row, stored is {before}"));
         }

@@ -278,6 +278,9 @@ pub fn contact(
     steps_max: usize,
 ) -> Result<Answer, Refusal> {
     let scheme = Scheme::of(scene, coupling.listing(dt_s));
+    if scheme.plate.is_some() && !scene.mechanism.is_plain() {
+        return Err(Refusal::NoPowerLaw);
+    }
     let stop_m = scene.mechanism.stop.position_m.filter(|_| scheme.plate.is_some());
     let (mut state, mut deepest) = (scheme.start(), 0.0);
     for i in 0..steps_max {

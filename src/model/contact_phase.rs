@@ -8,8 +8,12 @@
 //! x' = w    w' = (f cos - g)/gamma                    g = K |x|^n sgn x + D |w|^m sgn w
 //! ```
 //!
+//! Springs that are no power law are the mechanism's own curves, piece by piece: only their force is shared with the engine.
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
+use std::sync::Arc;
+
+use crate::model::mechanism::{self, Mechanism, curve::Curve, moving_plate_kg};
 use crate::model::scene::{Mount, Scene};
 use crate::numerics::explicit::rk4::Crossing;
 use crate::numerics::explicit::{Boundary, Count, Limits, Reached, Start, Stop, System};
@@ -66,6 +70,8 @@ pub struct Answer {
 pub enum Refusal {
     /// A mechanism acts: there is no closed form.
     NoClosedForm,
+    /// The method knows the power law `k |x|^n` of the thesis only.
+    NoPowerLaw,
     /// The plate meets its stop within the contact, which these equations do not contain.
     StopWithinContact,
     /// The step budget was used up.
@@ -97,6 +103,7 @@ impl Refusal {
     pub fn words(self) -> &'static str {
         match self {
             Self::NoClosedForm => "no closed form: a mechanism acts",
+            Self::NoPowerLaw => "refused: it knows only a massless spring k |x|^n",
             Self::StopWithinContact => "the stop acts within the contact: only auto knows stops",
             Self::StepBudget => "gave up: step budget used up",
             Self::StepUnderflow => "gave up: steps too small to move time",
@@ -159,8 +166,62 @@ impl Law {
     }
 }
 
+/// The spring in scaled units.
+#[derive(Clone, Debug)]
+enum Spring {
+    Power(Law),
+    /// A curve in m and N, what a scaled displacement is in m, and what a N is in scaled force.
+    Curve(Arc<Curve>, f64, f64),
+}
+
+impl Spring {
+    fn of(mechanism: &Mechanism, r: f64, unit_n: f64) -> Self {
+        match &mechanism.spring {
+            mechanism::Spring::Power(law) => Self::Power(Law {
+                coefficient: law.coefficient * r.powf(law.exponent) / unit_n,
+                exponent: law.exponent,
+            }),
+            mechanism::Spring::Curve(curve) => Self::Curve(Arc::clone(curve), r, 1.0 / unit_n),
+        }
+    }
+
+    /// Scaled force; of a curve by the piece that is given, wherever x is, or by the one x lies in.
+    fn force(&self, x: f64, region: Option<usize>) -> f64 {
+        match self {
+            Self::Power(law) => law.force(x),
+            Self::Curve(curve, r, per_n) => {
+                let x_m = x * r;
+                per_n * region.map_or_else(|| curve.force(x_m), |at| curve.piece(at).force(x_m))
+            }
+        }
+    }
+
+    /// The stretch of a curve that a plate at x is in; nothing for a power law.
+    fn region(&self, x: f64) -> Option<usize> {
+        match self {
+            Self::Power(_) => None,
+            Self::Curve(curve, r, _) => Some(curve.region(x * r)),
+        }
+    }
+
+    /// The scaled ends of a stretch.
+    fn ends(&self, region: usize) -> (f64, f64) {
+        match self {
+            Self::Power(_) => (f64::NEG_INFINITY, f64::INFINITY),
+            Self::Curve(curve, r, _) => {
+                let (low, high) = curve.ends(region);
+                (low / r, high / r)
+            }
+        }
+    }
+
+    fn has_kink(&self) -> bool {
+        matches!(self, Self::Power(law) if law.has_kink())
+    }
+}
+
 /// The scaled problem of one scene.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Phase {
     faces: Faces,
     radius_m: f64,
@@ -169,7 +230,7 @@ pub struct Phase {
     rigid: bool,
     sigma: f64,
     kappa: f64,
-    spring: Law,
+    spring: Spring,
     damper: Law,
     start_x: f64,
     stop_x: Option<f64>,
@@ -186,19 +247,16 @@ impl Phase {
         let rigid = scene.plate.mount == Mount::Rigid;
         // Forces in units of m_p v²/R.
         let unit_n = m_p * v * v / r;
-        let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
+        let damper = scene.mechanism.damper;
         Self {
             faces: Faces::of(scene),
             radius_m: r,
             unit_s: r / v,
-            gamma: scene.plate.mass_ratio,
+            gamma: moving_plate_kg(scene) / m_p,
             rigid,
             sigma: scene.flow_strength_pa() * r * r / unit_n,
             kappa: scene.drag_kg_m3() * r * r * r / m_p,
-            spring: Law {
-                coefficient: spring.coefficient * r.powf(spring.exponent) / unit_n,
-                exponent: spring.exponent,
-            },
+            spring: Spring::of(&Mechanism::of(scene), r, unit_n),
             damper: Law {
                 coefficient: damper.coefficient * v.powf(damper.exponent) / unit_n,
                 exponent: damper.exponent,
@@ -256,19 +314,26 @@ const JOINT: usize = 1;
 const STOP: usize = 2;
 const PLATE_ZERO: usize = 3;
 const SPEED_ZERO: usize = 4;
+const KNOT_BELOW: usize = 5;
+const KNOT_ABOVE: usize = 6;
 
 /// The equations on one stretch between boundaries.
 struct Stretch<'a> {
     phase: &'a Phase,
     /// The piece of the area law to stay on, or to look up each time.
     piece: Option<usize>,
-    boundaries: [Boundary<4>; 5],
+    /// The stretch of the spring's curve to stay on, or to look up each time.
+    region: Option<usize>,
+    boundaries: [Boundary<4>; 7],
 }
 
 impl<'a> Stretch<'a> {
     fn first(phase: &'a Phase, located: bool) -> Self {
         let never = Boundary { offset: 1.0, slope: [0.0; 4] };
-        let mut stretch = Self { phase, piece: located.then_some(0), boundaries: [never; 5] };
+        let region = phase.spring.region(phase.start_x).filter(|_| located && !phase.rigid);
+        let piece = located.then_some(0);
+        let mut stretch = Self { phase, piece, region, boundaries: [never; 7] };
+        stretch.watch_knots();
         stretch.boundaries[ARREST] = plane(0.0, 1, 1.0);
         stretch.watch_joint();
         if let Some(stop) = phase.stop_x {
@@ -284,6 +349,14 @@ impl<'a> Stretch<'a> {
             }
         }
         stretch
+    }
+
+    fn watch_knots(&mut self) {
+        let Some(region) = self.region else { return };
+        let (low, high) = self.phase.spring.ends(region);
+        let never = Boundary { offset: 1.0, slope: [0.0; 4] };
+        self.boundaries[KNOT_BELOW] = if low.is_finite() { plane(-low, 2, 1.0) } else { never };
+        self.boundaries[KNOT_ABOVE] = if high.is_finite() { plane(high, 2, -1.0) } else { never };
     }
 
     fn watch_joint(&mut self) {
@@ -312,6 +385,14 @@ impl<'a> Stretch<'a> {
                 let ahead = self.rate(reached.t, &reached.y)[3];
                 self.boundaries[SPEED_ZERO].slope[3] = 1f64.copysign(ahead);
             }
+            Stop::Boundary(KNOT_ABOVE) => {
+                self.region = self.region.map(|region| region + 1);
+                self.watch_knots();
+            }
+            Stop::Boundary(KNOT_BELOW) => {
+                self.region = self.region.map(|region| region.saturating_sub(1));
+                self.watch_knots();
+            }
             Stop::Boundary(_) | Stop::Until => return Err(Refusal::NoEnd),
             Stop::StepBudget => return Err(Refusal::StepBudget),
             Stop::StepUnderflow => return Err(Refusal::StepUnderflow),
@@ -331,7 +412,8 @@ impl System<4> for Stretch<'_> {
             return [u, -f, 0.0, 0.0];
         }
         let cos = phase.faces.cos;
-        let plate = (f * cos - phase.spring.force(x) - phase.damper.force(w)) / phase.gamma;
+        let plate =
+            (f * cos - phase.spring.force(x, self.region) - phase.damper.force(w)) / phase.gamma;
         [u, -f - cos * plate, w, plate]
     }
 

@@ -28,7 +28,7 @@ pub trait Real:
     #[must_use]
     fn each(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
     /// The number in a lane; there is at least one.
-    fn lane(self, lane: usize) -> f64;
+    fn lane(&self, lane: usize) -> f64;
 }
 
 impl Real for f64 {
@@ -48,8 +48,8 @@ impl Real for f64 {
     }
 
     #[inline(always)]
-    fn lane(self, _lane: usize) -> Self {
-        self
+    fn lane(&self, _lane: usize) -> Self {
+        *self
     }
 }
 
@@ -156,8 +156,8 @@ impl<S: Simd> Real for Wide<S> {
     }
 
     #[inline(always)]
-    fn lane(self, lane: usize) -> f64 {
-        pulp::bytemuck::cast_slice(&[self.lanes])[lane]
+    fn lane(&self, lane: usize) -> f64 {
+        pulp::bytemuck::cast_slice(std::slice::from_ref(&self.lanes))[lane]
     }
 }
 

@@ -10,12 +10,19 @@ use crate::model::scene::Scene;
 use lab::Lab;
 
 mod appendix;
+mod chapter4;
 mod chapter8;
 mod cocking;
+mod concepts;
+mod connection;
 mod early;
+mod elastica;
 mod feasibility;
 mod interactions;
 mod lab;
+mod modelling;
+mod numbering;
+mod rating;
 mod shape;
 mod spread;
 mod tables;
@@ -127,13 +134,23 @@ pub struct Row {
 pub fn claims() -> impl Iterator<Item = &'static Claim> {
     early::CLAIMS
         .iter()
+        .chain(chapter4::CLAIMS)
+        .chain(concepts::CLAIMS)
+        .chain(rating::CLAIMS)
+        .chain(modelling::CLAIMS)
         .chain(chapter8::CLAIMS)
         .chain(tables::CLAIMS)
         .chain(trends::CLAIMS)
         .chain(interactions::CLAIMS)
         .chain(cocking::CLAIMS)
+        .chain(connection::CLAIMS)
         .chain(feasibility::CLAIMS)
         .chain(appendix::CLAIMS)
+}
+
+/// The concepts of chapter 6 as the claims have them, each with the name of the bundled preset it is to be equal to.
+pub fn concepts() -> impl Iterator<Item = (&'static str, Scene)> {
+    concepts::CONCEPT_SCENES.iter().map(|(name, scene)| (*name, scene()))
 }
 
 /// Check one claim.

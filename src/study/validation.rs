@@ -1,7 +1,8 @@
 //! Measurements from outside the thesis, and what the model makes of them with nothing fitted.
 //!
-//! What was measured is written here with where it comes from; what the model gives is always computed, by the case's own
-//! closure for the flow strength and by the other one. The scenes are bundled presets of the same names.
+//! What was measured is written in `cases` with where it comes from; what the model gives is always computed, by the case's
+//! own closure for the flow strength and by the other one. The scenes are bundled presets. What is known of but cannot be
+//! checked is listed with the reason.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -12,6 +13,10 @@ use crate::model::units::Bare;
 use crate::model::variables;
 use crate::study::limit;
 
+mod cases;
+
+pub use cases::{CASES, NOT_CHECKED};
+
 /// What was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
@@ -19,6 +24,12 @@ pub enum Quantity {
     Limit,
     /// The depth, m.
     Depth,
+    /// The ballistic limit over that of the same plate at 0 deg.
+    Ratio,
+    /// The strength the target opposes to a slow nose, Pa.
+    Strength,
+    /// How far the plate bulges under the nose, m.
+    Bulge,
 }
 
 impl Quantity {
@@ -27,6 +38,9 @@ impl Quantity {
         match self {
             Self::Limit => "ballistic limit",
             Self::Depth => "depth",
+            Self::Ratio => "limit over that at 0 deg",
+            Self::Strength => "flow strength",
+            Self::Bulge => "bulge",
         }
     }
 
@@ -34,7 +48,9 @@ impl Quantity {
     pub fn unit(self) -> &'static str {
         match self {
             Self::Limit => "m/s",
-            Self::Depth => "m",
+            Self::Depth | Self::Bulge => "m",
+            Self::Ratio => "",
+            Self::Strength => "Pa",
         }
     }
 }
@@ -54,84 +70,28 @@ pub struct Case {
     pub measured: f64,
     /// Its resolution, where it is known, in its unit.
     pub resolution: Option<f64>,
+    /// The nose, and what stands for it here.
+    pub nose: &'static str,
+    /// What the projectile is made of, so far as it is known: it must stay rigid.
+    pub projectile: &'static str,
     /// Where it comes from.
     pub source: &'static str,
     /// Where the model must not be used, seen in this case.
     pub caution: &'static str,
 }
 
-const BORVIK: &str = "Borvik, Langseth, Hopperstad and Malo, IJIE 27 (2002) 19, by a reader's ledger of the paper: second-hand";
-const SPHERE: &str =
-    "Qiang et al. (2022), doi 10.1177/09544062221080139, quoting an experiment: second-hand";
-const CORE: &str =
-    "Forrestal, Borvik, Warren and Chen, Exp. Mech. 54 (2014) 471, by the REL database (CC BY 4.0)";
-const CONCRETE: &str = "Li and Chen's shot 14, as worked on a public page: second-hand";
-
-/// The measurements, in the order of the field notes.
-pub const CASES: [Case; 6] = [
-    Case {
-        id: "borvik-hemispherical",
-        preset: "validation-borvik",
-        set: &[],
-        quantity: Quantity::Limit,
-        measured: 292.1,
-        resolution: Some(5.0),
-        source: BORVIK,
-        caution: "one point: the plate failed by necking and a plug, which the law does not contain; both closures meet it, so \
-                  it cannot tell them apart. Blunt noses (184.5 m/s) plug far earlier",
-    },
-    Case {
-        id: "borvik-lower-yield",
-        preset: "validation-borvik",
-        set: &[("Y", "460MPa")],
-        quantity: Quantity::Limit,
-        measured: 292.1,
-        resolution: Some(5.0),
-        source: BORVIK,
-        caution: "the nominal yield strength instead of the fitted 490 MPa: how far the answer moves with it",
-    },
-    Case {
-        id: "sphere-on-thin-steel",
-        preset: "validation-thin-sphere",
-        set: &[],
-        quantity: Quantity::Limit,
-        measured: 205.1,
-        resolution: None,
-        source: SPHERE,
-        caution: "h/D of 0.06 is far below what the law is made for: a thin plate stretches as a membrane. Agreement is luck",
-    },
-    Case {
-        id: "sphere-lower-yield",
-        preset: "validation-thin-sphere",
-        set: &[("Y", "215MPa")],
-        quantity: Quantity::Limit,
-        measured: 205.1,
-        resolution: None,
-        source: SPHERE,
-        caution: "the yield strength of 304 steel is between 215 and 310 MPa: inside that spread nothing is shown",
-    },
-    Case {
-        id: "ap-core-on-aluminium",
-        preset: "validation-ap-core",
-        set: &[],
-        quantity: Quantity::Limit,
-        measured: 514.0,
-        resolution: None,
-        source: CORE,
-        caution: "an ogive nose, here a sphere with the ogive's drag (N = 0.106): the area law is not its own, and h/D of 3 rules \
-                  out dishing",
-    },
-    Case {
-        id: "ogive-in-concrete",
-        preset: "validation-concrete",
-        set: &[],
-        quantity: Quantity::Depth,
-        measured: 0.173,
-        resolution: None,
-        source: CONCRETE,
-        caution: "concrete spalls a crater on entry that resists less, and the nose is an ogive: neither is in the model",
-    },
-];
+/// What is known of, and nothing can be checked by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotChecked {
+    /// A short name.
+    pub id: &'static str,
+    /// What there is.
+    pub says: &'static str,
+    /// Why it cannot be checked from the data at hand.
+    pub why: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+}
 
 /// A case with what the model makes of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,6 +108,8 @@ pub struct Row {
     pub thickness_ratio: f64,
     /// Pressure on the nose at the start, which the projectile must bear to stay rigid, Pa.
     pub pressure_pa: f64,
+    /// Where the closure is used beyond the plates it suits: in words.
+    pub beyond: Option<String>,
 }
 
 impl Row {
@@ -176,6 +138,10 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
         other: other(&scene).and_then(|scene| value(case.quantity, &scene)),
         thickness_ratio: 0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m,
         pressure_pa: scene.flow_strength_pa() + scene.drag_kg_m3() * v * v,
+        beyond: variables::range_warnings(&scene)
+            .into_iter()
+            .find(|warning| warning.symbol == "closure")
+            .map(|warning| warning.text),
     }
 }
 
@@ -196,6 +162,13 @@ fn value(quantity: Quantity, scene: &Scene) -> Option<f64> {
     variables::validate(scene).ok()?;
     match quantity {
         Quantity::Limit => limit::closed_form(scene),
+        Quantity::Ratio => {
+            let mut straight = scene.clone();
+            straight.projectile.obliquity_deg = 0.0;
+            Some(limit::closed_form(scene)? / limit::closed_form(&straight)?)
+        }
+        Quantity::Strength => Some(scene.flow_strength_pa()),
+        Quantity::Bulge => scene.target.dishing.then_some(2.0 * scene.projectile.tip_radius_m),
         Quantity::Depth => {
             let settings = Settings { series: false, estimate: false };
             let scene = Arc::new(scene.clone());

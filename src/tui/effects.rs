@@ -19,6 +19,7 @@ use crate::files::error::FileError;
 use crate::files::export::{self, ExportRequest};
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
+use crate::files::read_table;
 use crate::files::session::{self, Session};
 use crate::files::sweep;
 use crate::model::scene::Scene;
@@ -44,6 +45,8 @@ pub(super) enum Task {
     ListPresets(Vec<PathBuf>),
     /// Read a scene file.
     Load(PathBuf),
+    /// Read a measured curve for a spring (the second one: true).
+    ReadCurve(bool, PathBuf),
     /// Complete a path.
     Complete(String),
     /// Write copied text to a file; the text says where else it went.
@@ -205,6 +208,10 @@ impl Desk {
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
+            Task::ReadCurve(second, path) => {
+                let points = read_table::curve(&path).map_err(|error| error.to_string());
+                EffectReport::Curve(second, path, points)
+            }
             Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
             Task::KeepCopy { text, sent } => EffectReport::Copied(keep_copy(paths, &text, &sent)),
             Task::SessionChanged | Task::Finish(_) => return None,

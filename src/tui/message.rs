@@ -96,6 +96,8 @@ pub enum EffectReport {
     Session(Result<(), String>),
     /// Names that complete a path.
     Completions(Vec<String>),
+    /// A spring's measured curve was read: whether the second one's, the file, and its points.
+    Curve(bool, PathBuf, Result<Arc<[[f64; 2]]>, String>),
 }
 
 /// How an export ended.
@@ -176,6 +178,8 @@ pub enum Effect {
     ListPresets,
     /// Read a scene file.
     Load(PathBuf),
+    /// Read a measured curve for a spring (the second one: true).
+    ReadCurve(bool, PathBuf),
     /// Complete a path.
     Complete(String),
     /// Copy to the clipboard of the terminal (OSC 52), and to a file as a fallback.

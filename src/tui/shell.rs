@@ -330,6 +330,7 @@ impl Shell {
             }
             Effect::ListPresets => self.clerk.ask(Task::ListPresets(self.recent.clone())),
             Effect::Load(path) => self.clerk.ask(Task::Load(path)),
+            Effect::ReadCurve(second, path) => self.clerk.ask(Task::ReadCurve(second, path)),
             Effect::Complete(text) => self.clerk.ask(Task::Complete(text)),
             Effect::Copy(text) => self.copy(text)?,
             Effect::Mouse(on) => self.guard.set_mouse(on)?,

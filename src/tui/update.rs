@@ -12,6 +12,7 @@ use crate::worker::studies::StudyReport;
 mod accuracy;
 mod act;
 mod charts;
+mod curve;
 mod dialogs;
 mod done;
 mod edit;

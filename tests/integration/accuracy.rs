@@ -95,3 +95,38 @@ fn a_file_is_written_once_and_bad_input_is_told() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("gamma"));
 }
+
+/// Methods that know the thesis's spring only keep their rows and say why; all others run, judged by one another.
+#[test]
+fn springs_of_every_kind_are_measured() {
+    let output = cmra(&["accuracy", "concept-helical-spring", "--quick"]);
+    assert!(output.status.success());
+    let page = text(&output.stdout);
+    assert!(page.contains("refused: it knows only a massless spring k |x|^n"), "{page}");
+    let output = cmra(&["accuracy", "concept-buckling-tube", "--quick", "--csv", "-"]);
+    let mut reader = csv::Reader::from_reader(output.stdout.as_slice());
+    let headers = reader.headers().unwrap().clone();
+    let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
+    let mut best = std::collections::BTreeMap::new();
+    for row in reader.records().map(Result::unwrap) {
+        let error: f64 = row[place("error")].parse().unwrap_or(f64::INFINITY);
+        let least = best.entry(row[place("letter")].to_owned()).or_insert(f64::INFINITY);
+        *least = if error < *least { error } else { *least };
+    }
+    for letter in ["E", "D", "I", "S", "A"] {
+        assert!(best[letter] < 1e-10, "{letter}: {best:?}");
+    }
+    for letter in ["T", "M", "C"] {
+        assert!(best[letter].is_infinite(), "{letter}: {best:?}");
+    }
+}
+
+#[test]
+fn the_stability_map_names_what_it_varies() {
+    let output = cmra(&["stability", "--map", "k", "concept-helical-spring"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = text(&output.stderr);
+    for words in ["helix", "varies k, n or b", "set spring = power-law", "cmra accuracy"] {
+        assert!(told.contains(words), "{told}");
+    }
+}

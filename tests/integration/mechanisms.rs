@@ -324,6 +324,64 @@ fn a_measured_curve_is_read_from_its_file_and_kept_in_the_scene() {
 }
 
 #[test]
+fn a_measured_curve_is_taken_from_the_command_line() {
+    let folder = std::env::temp_dir().join(format!("cmra-set-table-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("curve.csv");
+    // The baseline's spring as measured points: the same answer.
+    std::fs::write(&file, "x_m,force_n\n0,0\n0.02,2000\n0.1,10000\n").unwrap();
+    let cmra = |argument: &str| {
+        let command = assert_cmd::Command::cargo_bin("cmra").unwrap();
+        let mut command = command;
+        command.args(["run", "--json", "--set", argument]).output().unwrap()
+    };
+    let found = cmra(&format!("table={}", file.display()));
+    assert!(found.status.success());
+    let run: serde_json::Value = serde_json::from_slice(&found.stdout).unwrap();
+    assert_near(
+        run["first_arrest_penetration_m"].as_f64().unwrap(),
+        0.004_571_788_754_106_379,
+        1e-11,
+    );
+    std::fs::write(&file, "0,0\n0.02,2000\n0.01,10000\n").unwrap();
+    for (file, words) in [
+        (file.display().to_string(), &["must rise in x", "0.01"][..]),
+        (folder.join("none.csv").display().to_string(), &["none.csv", "cannot read"][..]),
+    ] {
+        let refused = cmra(&format!("table={file}"));
+        assert_eq!(refused.status.code(), Some(2));
+        let told = String::from_utf8(refused.stderr).unwrap();
+        assert!(words.iter().all(|word| told.contains(word)), "{told}");
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+}
+
+/// The contact phase written a second time (own areas, own scaling, DOP853) against the engine, on every kind of spring, alone,
+/// cocked, weighed, combined, and oblique.
+#[test]
+fn valid_a_second_kernel_agrees_on_every_kind() {
+    use cmra::model::contact_phase::{Explicit, Phase};
+    let more = [
+        "spring=helix N_spring=3 gamma=3",
+        "spring=normalised F_ref=2000 x_ref=0.002 n=2",
+        "spring=power-law n=1 own_mass=counted",
+        "spring=prbm-cantilever own_mass=counted d=0.02 theta=30deg",
+        "spring=column combine=parallel spring_2=bistable d=0.01",
+        "spring=prbm-guided combine=series spring_2=helix k_helix_2=2e5",
+        "spring=table b=500 d=0.03",
+    ];
+    let kinds = SpringKind::ALL.map(|kind| format!("spring={} gamma=0.9", kind.word()));
+    for pairs in kinds.iter().map(String::as_str).chain(more) {
+        let own = scene(pairs);
+        let second = Phase::of(&own).solve(Explicit::Dop853 { tolerance: 1e-13 }, 100_000);
+        let second = second.unwrap_or_else(|refusal| panic!("{pairs}: {}", refusal.words()));
+        let first = run(own).first_arrest.unwrap();
+        assert_near(first.penetration_m, second.depth_m, 1e-11);
+        assert_near(first.t_s, second.t_s, 1e-11);
+    }
+}
+
+#[test]
 fn every_kind_is_written_and_read_without_loss() {
     for kind in SpringKind::ALL {
         for how in ["alone", "parallel"] {

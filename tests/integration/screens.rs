@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod bench;
+mod curve;
 mod keys;
 mod limit;
 mod models;

@@ -3,6 +3,7 @@
 use crate::model::closed_form::{self, Passage};
 use crate::model::contact::Geometry;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
+use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::scene::{Mount, Scene};
 
 /// Points on each stretch of the quadrature that gives the time.
@@ -16,15 +17,13 @@ const POINTS: usize = 2;
 pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
     let mechanism = &scene.mechanism;
     let rigid = scene.plate.mount == Mount::Rigid;
-    let acts = mechanism.spring.coefficient > 0.0
-        || mechanism.damper.coefficient > 0.0
-        || mechanism.stop.position_m.is_some();
+    let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
     if acts && !rigid {
         return Err(Refusal::NoClosedForm);
     }
     let geometry = Geometry::of(scene);
     let cos = scene.cos_obliquity();
-    let plate = if rigid { 0.0 } else { cos * cos / scene.plate_mass_kg() };
+    let plate = if rigid { 0.0 } else { cos * cos / moving_plate_kg(scene) };
     let passage = Passage {
         geometry: &geometry,
         mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),

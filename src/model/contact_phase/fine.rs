@@ -140,7 +140,7 @@ type State = [Number; 4];
 /// Solve the contact phase.
 ///
 /// # Errors
-/// A [`Refusal`] where the scene is oblique, has a stop, is too stiff for Taylor steps, or swings through singular zeros
+/// A [`Refusal`] where the scene is oblique, has a spring that is no power law or a stop, is too stiff for Taylor steps, or swings through singular zeros
 /// again and again.
 pub fn solve(scene: &Scene) -> Result<Fine, Refusal> {
     solve_to(scene, TRUNCATION)
@@ -165,6 +165,9 @@ fn solve_to(scene: &Scene, truncation: f64) -> Result<Fine, Refusal> {
         return Err(Refusal::NoReference);
     }
     let rigid = scene.plate.mount == Mount::Rigid;
+    if !rigid && !scene.mechanism.is_plain() {
+        return Err(Refusal::NoPowerLaw);
+    }
     if scene.mechanism.stop.position_m.is_some() && !rigid {
         return Err(Refusal::StopWithinContact);
     }

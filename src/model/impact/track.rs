@@ -11,7 +11,7 @@ use crate::model::impact::Observer;
 use crate::model::impact::guard::Trigger;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
-use crate::model::impact::verdict::Farthest;
+use crate::model::impact::verdict::{Asked, Farthest};
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
 use crate::model::run::{EndReason, Mode};
@@ -73,6 +73,8 @@ pub(super) struct Track<'a> {
     pub(super) noticed_m: f64,
     /// The greatest displacement, as far as it is known.
     pub(super) farthest: Farthest,
+    /// When the outcome was last asked for, on a curve.
+    pub(super) asked: Option<Asked>,
 }
 
 impl<'a> Track<'a> {
@@ -120,6 +122,7 @@ impl<'a> Track<'a> {
             slips_since_deeper: 0,
             noticed_m: 0.0,
             farthest: Farthest::Pending,
+            asked: None,
         }
     }
 

@@ -25,6 +25,8 @@ const RATTLES: usize = 24;
 /// Excess of the interface's load over its strength, relative, from which on the remaining slips are taken at once. They
 /// are exact in energy but for the drag, far below rounding at such slips.
 const LAST_SLIPS: f64 = 2e-2;
+/// Loss of energy, relative, from which on the outcome is asked for again: far above rounding, far below a swing's.
+const LOST: f64 = 1e-9;
 /// A plate slowed by its damper alone to this part of its speed has arrived, for the eye.
 const FADED: f64 = 1e-2;
 
@@ -39,11 +41,20 @@ pub(super) enum Farthest {
     Pending,
 }
 
+/// What the outcome depends on while projectile and plate are together: if none of it changes, it stays the same.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Asked {
+    energy_j: f64,
+    travel_m: f64,
+    slips: usize,
+}
+
 impl Track<'_> {
     /// Whether, and why, the run is over.
     pub(super) fn finished(&mut self) -> Option<EndReason> {
         let at_horizon = self.t_s >= self.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
-        if self.decided_s.is_none() && self.outcome() != Outcome::Moving {
+        if self.decided_s.is_none() && self.may_have_decided() && self.outcome() != Outcome::Moving
+        {
             self.farthest = self.farthest();
             if self.farthest != Farthest::Pending {
                 self.decided_s = Some(self.t_s);
@@ -63,6 +74,28 @@ impl Track<'_> {
             || self.is_swinging()
             || (self.record.keep_series && self.in_tail());
         (!wanted).then_some(EndReason::Decided)
+    }
+
+    /// Whether the outcome is worth asking for again. On a curve that costs roots; without losses, in the same hole, it is what
+    /// it was at the step before, and an undamped mount may swing a million times.
+    fn may_have_decided(&mut self) -> bool {
+        if self.mode != Mode::Fused || self.problem.mechanism.spring.curve().is_none() {
+            return true;
+        }
+        let asked = Asked {
+            energy_j: self.energy_j(),
+            travel_m: self.state.travel_m,
+            slips: self.slips_since_deeper,
+        };
+        let same = self.asked.is_some_and(|before| {
+            before.travel_m.to_bits() == asked.travel_m.to_bits()
+                && before.slips == asked.slips
+                && asked.energy_j > before.energy_j * (1.0 - LOST)
+        });
+        if !same {
+            self.asked = Some(asked);
+        }
+        !same
     }
 
     /// The time at which the tail after the contact ends, s.

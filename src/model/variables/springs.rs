@@ -185,7 +185,7 @@ fn described(mechanism: &scene::Mechanism) -> String {
     }
 }
 
-/// For studies that compare methods on the thesis's own mechanism.
+/// For the stability map, whose axes are the thesis's own mechanism's.
 ///
 /// # Errors
 /// [`VariableError::Together`] when the scene has another one.
@@ -194,8 +194,8 @@ pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
         return Ok(());
     }
     refuse(format!(
-        "{} is not for this study, whose other methods know only the power law k |x|^n: set spring = power-law, combine = \
-         alone, own_mass = ignored, N_spring = 1",
+        "{} is not for the stability map, which varies k, n or b of the thesis's spring k |x|^n and damper: set spring = \
+         power-law, combine = alone, own_mass = ignored, N_spring = 1 (cmra accuracy runs every kind)",
         described(&scene.mechanism)
     ))
 }

@@ -214,7 +214,8 @@ fn is_row(scene: &Scene, row: &Stored) -> bool {
         }
     }
     let mechanism = normal(scene);
-    scene.projectile == own.projectile
+    scene.mechanism.is_plain()
+        && scene.projectile == own.projectile
         && scene.target == own.target
         && scene.plate == own.plate
         && scene.plate.mount == Mount::Sprung

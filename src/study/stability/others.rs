@@ -191,7 +191,10 @@ fn of_refusal(refusal: Refusal) -> Verdict {
         Verdict::WrongEnding
     } else if matches!(refusal, Refusal::StepBudget) {
         Verdict::TooManySteps
-    } else if matches!(refusal, Refusal::StopWithinContact | Refusal::NoClosedForm) {
+    } else if matches!(
+        refusal,
+        Refusal::StopWithinContact | Refusal::NoClosedForm | Refusal::NoPowerLaw
+    ) {
         Verdict::NotApplicable
     } else {
         Verdict::Stuck

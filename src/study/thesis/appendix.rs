@@ -1,10 +1,11 @@
 //! Claims of Appendix A: what the listing computes, quirk by quirk.
 
 use crate::model::appendix::Scheme;
-use crate::model::run::{EndReason, EventKind, Outcome, Run};
+use crate::model::run::{EndReason, EventKind, Mode, Outcome, Run};
 use crate::model::scene::{Jumps, Listing, Reading, Scene};
 use crate::study::thesis::lab::{
-    Law, changed, listing_material, mm, near, number, number_verdict, pc, rigid, unit, with,
+    Law, changed, found, listing_material, mm, near, number, number_verdict, pc, rigid,
+    trend_verdict, unit, with,
 };
 use crate::study::thesis::{Claim, Found, Opens, Verdict};
 
@@ -32,6 +33,18 @@ fn violent() -> Scene {
 
 fn oblique() -> Scene {
     with(&[("theta", 30.0)])
+}
+
+/// A spring of so low an exponent that it holds the plate.
+fn held() -> Scene {
+    with(&[("k", 1e6), ("n", 0.1)])
+}
+
+/// The stiffest spring of Table 9.2 under the lightest plate, with an interface that gives way.
+fn resuming() -> Scene {
+    let mut scene = with(&[("gamma", 0.8), ("k", 7.5e6)]);
+    scene.interface.law = crate::model::scene::InterfaceLaw::Plastic;
+    scene
 }
 
 /// Energy of plate, projectile and spring right after the first turn, and when it comes back through neutral, J.
@@ -120,6 +133,28 @@ pub(super) static CLAIMS: &[Claim] = &[
                 printed: format!("reached by 0.2 ms: {reached}"),
                 verdict: number_verdict(reached, turn_s.is_finite()),
                 cause: "a quarter of the swing takes six times as long: chapter 9 must have run on",
+            }
+        },
+    },
+    Claim {
+        id: "A.1-maxdisp",
+        place: "A.1, MaxDisp",
+        says: "the space a design needs is the plate's greatest position",
+        opens: Opens::Preset("cocked"),
+        check: |lab| {
+            let run = lab.run(Law::Sound, &with(&[("d", 0.5)]));
+            let (most, stroke) = (
+                run.max_plate_displacement_m.unwrap_or(f64::NAN),
+                run.stroke_m().unwrap_or(f64::NAN),
+            );
+            Found {
+                sound: format!("{} forward of neutral, {} in all", mm(most), mm(stroke)),
+                printed: format!(
+                    "{} mm",
+                    number(lab.travel_mm(Law::Printed, &with(&[("d", 0.5)])))
+                ),
+                verdict: number_verdict(near(most, stroke, 0.01), stroke > most),
+                cause: "counted from neutral it leaves out the cocked travel, here half of the space",
             }
         },
     },
@@ -297,6 +332,63 @@ pub(super) static CLAIMS: &[Claim] = &[
         },
     },
     Claim {
+        id: "A.4-rewind",
+        place: "A.4",
+        says: "the run after the contact goes on where the contact ended",
+        opens: Opens::Scene(Scene::default),
+        check: |lab| {
+            let jump = |scene: &Scene| {
+                let run = lab.run_with(Law::Printed, scene, true);
+                let end_s = run.first_arrest.map_or(f64::NAN, |arrest| arrest.t_s);
+                let end = run.first_arrest.map_or(f64::NAN, |arrest| arrest.plate_displacement_m);
+                let next = run.series.iter().find(|row| row.t_s > end_s * (1.0 + 1e-9));
+                next.map_or(f64::NAN, |row| {
+                    row.plate_displacement_m - end - row.plate_velocity_m_s * (row.t_s - end_s)
+                })
+            };
+            let printed = jump(&with(&[]));
+            let mended = jump(&quirk(with(&[]), |it| it.stopping = Reading::Mended));
+            Found {
+                sound: "one state, no seam".to_owned(),
+                printed: format!(
+                    "the plate jumps by {} um; mended by {} um",
+                    number(1e6 * printed),
+                    number(1e6 * mended)
+                ),
+                verdict: number_verdict(printed.abs() < 1e-6, mended.abs() < 0.1 * printed.abs()),
+                cause: "it starts from the state before the last accepted step: the plate is set back by one dt",
+            }
+        },
+    },
+    Claim {
+        id: "A.8-chatter",
+        place: "A.8, n < 1",
+        says: "Runge-Kutta of order four follows the plate on any spring",
+        opens: Opens::Scene(held),
+        check: |lab| {
+            let rattle = |law| {
+                let run = lab.run_with(law, &held(), true);
+                let contact = run.series.iter().filter(|row| row.mode == Mode::Penetrating);
+                let speeds: Vec<f64> = contact.map(|row| row.plate_velocity_m_s).collect();
+                let turns = speeds.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+                (turns, speeds.into_iter().map(f64::abs).fold(0.0, crate::numerics::larger))
+            };
+            let told = |(turns, most): (usize, f64)| {
+                format!(
+                    "the plate turns {turns} times within the contact, with up to {}",
+                    unit(most, "m/s")
+                )
+            };
+            let [sound, printed] = [Law::Sound, Law::Printed].map(rattle);
+            Found {
+                sound: told(sound),
+                printed: told(printed),
+                verdict: number_verdict(printed.0 < 10, sound.0 < 10),
+                cause: "k = 1e6, n = 0.1: infinitely stiff at x = 0, where steps of a fixed size throw the plate to and fro",
+            }
+        },
+    },
+    Claim {
         id: "A.5-mass",
         place: "A.5, A.7",
         says: "after the contact m_1 + m_2 moves on",
@@ -373,6 +465,33 @@ pub(super) static CLAIMS: &[Claim] = &[
                 verdict: number_verdict(run.outcome == Outcome::Arrested, false),
                 cause: "the spring later asks the interface for more than A S_y: a rigid-plastic one gives way, and the plate is perforated",
             }
+        },
+    },
+    Claim {
+        id: "A-resumption-k",
+        place: "9.2.2, A.2",
+        says: "nor does anything penetrate again uncocked",
+        opens: Opens::Scene(resuming),
+        check: |lab| {
+            let greatest = |gamma: f64| {
+                let demand = |k: f64| {
+                    let run = lab.run(Law::Sound, &with(&[("gamma", gamma), ("k", k)]));
+                    (run.interface_demand_ratio.unwrap_or(0.0), k)
+                };
+                let all = (1..=40).map(|i| demand(0.25e6 * f64::from(i)));
+                all.fold((0.0, 0.0), |most, own| if own.0 > most.0 { own } else { most })
+            };
+            let most = [0.8, 1.0].map(greatest);
+            found(
+                format!(
+                    "over k to 10 MN/m the spring asks for up to {} of A S_y at gamma = 0.8 (k = {}), {} at 1",
+                    pc(100.0 * most[0].0),
+                    unit(most[0].1, "N/m"),
+                    pc(100.0 * most[1].0)
+                ),
+                trend_verdict(most.iter().all(|(ratio, _)| *ratio <= 1.0)),
+                "at the corner of Table 9.2 the interface just gives way: 4.6993 mm become 4.7000 mm",
+            )
         },
     },
 ];

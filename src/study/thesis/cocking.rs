@@ -2,8 +2,8 @@
 
 use crate::numerics::larger;
 use crate::study::thesis::lab::Measure::{Percent, Travel};
-use crate::study::thesis::lab::{Axis, LAWS, Law, trend_verdict, with};
-use crate::study::thesis::shape::{curvature, falls, rises, slope};
+use crate::study::thesis::lab::{Axis, LAWS, Law, found, number, trend_verdict, with};
+use crate::study::thesis::shape::{curvature, edge, falls, rises, slope};
 use crate::study::thesis::spread::{falling, greater, judged, list, ranges, rising};
 use crate::study::thesis::{Claim, Found, Opens};
 
@@ -205,6 +205,30 @@ pub(super) static CLAIMS: &[Claim] = &[
         },
     },
     Claim {
+        id: "9.11a-sooner",
+        place: "9.3.5, Figure 9.11(a)",
+        says: "a stiffer cocked spring lowers the contact force and brings common velocity sooner",
+        opens: Opens::Preset("figure-9.11"),
+        check: |lab| {
+            let at = |k: f64| {
+                let run = lab.run(Law::Sound, &with(&[("d", 0.1), ("k", k)]));
+                let t_s = run.first_arrest.map_or(f64::NAN, |arrest| arrest.t_s);
+                (1e-3 * run.peak_contact_force_n.unwrap_or(f64::NAN), 1e6 * t_s)
+            };
+            let values = [0.0, 1e5, 1e6, 7.5e6].map(at);
+            let (forces, times) = (values.map(|it| it.0), values.map(|it| it.1));
+            found(
+                format!(
+                    "d = 0.1, k = 0, 1e5, 1e6, 7.5e6: peak {}, common velocity after {}",
+                    list(&forces, "kN"),
+                    list(&times, "us")
+                ),
+                trend_verdict(falling(&forces) && falling(&times)),
+                "assumed there, and so it is: spring and shot push the plate the same way",
+            )
+        },
+    },
+    Claim {
         id: "9.11b-slope",
         place: "9.3.5, Figure 9.11(b)",
         says: "displacement goes with cocking alike for every stiffness",
@@ -226,6 +250,26 @@ pub(super) static CLAIMS: &[Claim] = &[
         },
     },
     Claim {
+        id: "9.12a-plateau",
+        place: "9.3.5, Figure 9.12(a)",
+        says: "uncocked, the plateau of Figure 9.6(a) at low exponents is there again",
+        opens: Opens::Preset("figure-9.12"),
+        check: |lab| {
+            let curve = |law| lab.curve(law, Percent, &with(&[]), ("n", 0.1, 1.0, 46));
+            let told = |curve: &[super::lab::P]| {
+                format!("edge at n = {}", edge(curve).map_or_else(|| "none".to_owned(), number))
+            };
+            let [sound, printed] = LAWS.map(curve);
+            let flat = sound.first().is_some_and(|point| point.1 > 99.0);
+            Found {
+                sound: told(&sound),
+                printed: told(&printed),
+                verdict: trend_verdict(flat && edge(&sound).is_some()),
+                cause: "for k = 1e5 it ends at n near 0.3, not at the 0.5 of Figure 9.6(a)",
+            }
+        },
+    },
+    Claim {
         id: "9.12a-falls",
         place: "9.3.5, Figure 9.12(a)",
         says: "cocked, a lower exponent means much less depth",
@@ -236,6 +280,26 @@ pub(super) static CLAIMS: &[Claim] = &[
                 &with(&[("d", 0.25)]),
                 rises,
                 "below a metre the lower power is the stronger spring, here pulling the plate away",
+            )
+        },
+    },
+    Claim {
+        id: "9.12b-slope",
+        place: "9.3.5, Figure 9.12(b)",
+        says: "displacement goes with cocking alike for every exponent",
+        opens: Opens::Preset("figure-9.12"),
+        check: |lab| {
+            let slopes = |law| {
+                [0.5, 1.0, 2.0, 3.0].map(|n| {
+                    1e-3 * slope(&lab.curve(law, Travel, &with(&[("n", n)]), ("d", 0.1, 0.5, 9)))
+                })
+            };
+            judged(
+                "slope from d = 0.1 on at n = 0.5, 1, 2, 3",
+                "m/m",
+                LAWS.map(slopes),
+                |values| values.iter().all(|slope| (0.7..1.3).contains(slope)),
+                "the plate swings through by what it was drawn; fairly, as is said: less so where the spring is soft",
             )
         },
     },

@@ -4,10 +4,14 @@ use crate::model::design::beam::Cantilever;
 use crate::model::design::coil_spring_mass_kg;
 use crate::model::mechanism::PowerLaw;
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::principles::PRINCIPLES;
+use crate::study::screening::CONCEPTS;
 use crate::study::thesis::lab::Measure::Percent;
 use crate::study::thesis::lab::{
-    LAWS, Law, mm, near, number, number_verdict, pc, trend_verdict, unit, with,
+    LAWS, Law, changed, found, misprint_verdict, mm, near, number, number_verdict, pc, spelled,
+    trend_verdict, unit, with,
 };
+use crate::study::thesis::numbering::{SYMBOLS, has_table};
 use crate::study::thesis::shape::{at, falls, rises};
 use crate::study::thesis::{Claim, Found, Opens, Verdict};
 
@@ -19,6 +23,11 @@ fn stopped() -> Scene {
     let mut scene = with(&[("k", 0.0), ("x_stop", 0.01)]);
     scene.interface.law = InterfaceLaw::Plastic;
     scene
+}
+
+/// A spring told by its force at a length.
+fn normalised() -> Scene {
+    changed(spelled(&[("spring", "normalised")]), &[("F_ref", 1e4), ("x_ref", 1e-3)])
 }
 
 fn stopped_heavy() -> Scene {
@@ -68,6 +77,64 @@ pub(super) static CLAIMS: &[Claim] = &[
         },
     },
     Claim {
+        id: "9.5.1-surge",
+        place: "9.5.1",
+        says: "a plate with a spring on its rear surface could be practicable",
+        opens: Opens::Scene(Scene::default),
+        check: |lab| {
+            let (rho, shear, stress) = STEEL;
+            let bears = stress / (2.0 * rho * shear).sqrt();
+            let speed = lab
+                .run(Law::Sound, &with(&[]))
+                .first_arrest
+                .map_or(f64::NAN, |arrest| arrest.plate_velocity_m_s);
+            found(
+                format!(
+                    "the plate leaves the contact with {}; the end of a steel coil bears {}",
+                    unit(speed, "m/s"),
+                    unit(bears, "m/s")
+                ),
+                trend_verdict(speed < bears),
+                "tau/sqrt(2 rho G), whatever the wire: a faster end sends a wave that breaks it, or the coils clash",
+            )
+        },
+    },
+    Claim {
+        id: "9.5.1-polynomial",
+        place: "9.5.1",
+        says: "k x^n is a low-order polynomial",
+        opens: Opens::Nothing,
+        check: |_| {
+            let whole = (1..=30).filter(|tenths| tenths % 10 == 0).count();
+            found(
+                format!("{whole} of 30 exponents from 0.1 to 3 are whole numbers"),
+                misprint_verdict(whole == 30, whole > 0),
+                "a power law; only n = 1, 2, 3 are polynomials",
+            )
+        },
+    },
+    Claim {
+        id: "9.5.1-density",
+        place: "9.5.1",
+        says: "plate and projectile together have a greatly decreased sectional density",
+        opens: Opens::Nothing,
+        check: |_| {
+            let alone = 0.0295 / (std::f64::consts::PI * 0.00635 * 0.00635);
+            let joined = [1.0, 7.0]
+                .map(|gamma: f64| (1.0 + gamma) * 0.0295 / (gamma * 0.0295 / (2710.0 * 0.0254)));
+            found(
+                format!(
+                    "{} kg/m2 alone; with a plate of gamma = 1 {}, of 7 {}",
+                    number(alone),
+                    number(joined[0]),
+                    number(joined[1])
+                ),
+                trend_verdict(joined.iter().all(|density| *density < 0.7 * alone)),
+                "over the whole plate's face; what is behind it is hit by a plate, not by a nose",
+            )
+        },
+    },
+    Claim {
         id: "9.5.1-stop",
         place: "9.5.1, 9.6",
         says: "a stop after common speed carries no danger of further penetration",
@@ -114,6 +181,30 @@ pub(super) static CLAIMS: &[Claim] = &[
                 verdict: trend_verdict(falls(&sound) && at(&sound, 1.4) - at(&sound, 3.0) < 1.0),
                 cause: "with x in metres such a spring is as good as absent; F = F_ref (x/x_ref)^n would not say so",
             }
+        },
+    },
+    Claim {
+        id: "9.5.1-normalised",
+        place: "9.5.1, 9.3.4",
+        says: "uncocked, a higher exponent means less depth",
+        opens: Opens::Scene(normalised),
+        check: |lab| {
+            let at = |x_ref: f64, n: f64| {
+                let own = changed(normalised(), &[("x_ref", x_ref), ("n", n)]);
+                lab.percent(Law::Sound, &own)
+            };
+            let exponents = [0.3, 1.0, 1.4, 3.0];
+            let short = exponents.map(|n| at(1e-3, n));
+            let long = exponents.map(|n| at(1e-1, n));
+            found(
+                format!(
+                    "10 kN at 1 mm, n = 0.3, 1, 1.4, 3: {}; 10 kN at 100 mm: {}",
+                    short.map(pc).join(" "),
+                    long.map(pc).join(" ")
+                ),
+                trend_verdict(short[2] < short[1] && short[3] < short[2]),
+                "told by its force at a length, the exponent helps or harms as the plate stays below that length or not",
+            )
         },
     },
     Claim {
@@ -170,6 +261,40 @@ pub(super) static CLAIMS: &[Claim] = &[
                 &with(&[("d", 0.1)]),
                 rises,
                 "cocked or not, the damper holds the plate up",
+            )
+        },
+    },
+    Claim {
+        id: "symbols",
+        place: "chapters 2 to 9",
+        says: "a symbol stands for one thing",
+        opens: Opens::Nothing,
+        check: |_| {
+            let told: Vec<String> = SYMBOLS
+                .iter()
+                .map(|(symbol, meanings)| format!("{symbol}: {}", meanings.join(", ")))
+                .collect();
+            found(
+                told.join("; "),
+                misprint_verdict(SYMBOLS.is_empty(), true),
+                "read with care: the gamma of 9.5.1 is a spring's mass, the d of Figure 4.1 a thickness",
+            )
+        },
+    },
+    Claim {
+        id: "9.5.2-table",
+        place: "9.5.2",
+        says: "the beam's parameters are in Table 9.5.2",
+        opens: Opens::Nothing,
+        check: |_| {
+            found(
+                format!(
+                    "Table 9.5.2 exists: {}; Table 9.3 exists: {}",
+                    has_table("9.5.2"),
+                    has_table("9.3")
+                ),
+                misprint_verdict(has_table("9.5.2"), has_table("9.3")),
+                "Table 9.3 is meant",
             )
         },
     },
@@ -313,6 +438,38 @@ pub(super) static CLAIMS: &[Claim] = &[
                 verdict: trend_verdict(coil < 2.0 && beam < 2.0),
                 cause: "9.5.2 and 9.5.3 say themselves that the useful region is out of reach",
             }
+        },
+    },
+    Claim {
+        id: "9.6-plate",
+        place: "9.6",
+        says: "the Helical Rotating Plate was selected, too",
+        opens: Opens::Nothing,
+        check: |_| {
+            let there = |name: &str| CONCEPTS.iter().any(|it| it.name == name);
+            let (named, meant) =
+                (there("Helical rotating plate"), there("Helical rotating spring"));
+            found(
+                format!("a concept of that name: {named}; Helical rotating spring: {meant}"),
+                misprint_verdict(named, meant),
+                "the Helical Rotating Spring is meant",
+            )
+        },
+    },
+    Claim {
+        id: "10.1.6-confirm",
+        place: "10.1.6",
+        says: "the sensitivity plots confirm the importance of the design principles",
+        opens: Opens::Nothing,
+        check: |_| {
+            // What the variables of Figures 9.2 to 9.12 act on: d, and gamma, b, k, n.
+            let moved = ["Relative velocity reduction", "Transfer rate minimization"];
+            let shown = PRINCIPLES.iter().filter(|it| moved.contains(&it.name)).count();
+            found(
+                format!("{shown} of {} principles are varied in chapter 9", PRINCIPLES.len()),
+                number_verdict(shown == PRINCIPLES.len(), shown > 0),
+                "of relative velocity and transfer rate; nothing there turns, spreads, or makes the shot glance off",
+            )
         },
     },
 ];

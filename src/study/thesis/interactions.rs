@@ -234,6 +234,24 @@ pub(super) static CLAIMS: &[Claim] = &[
         },
     },
     Claim {
+        id: "9.9b-soft",
+        place: "9.3.5, Figure 9.9(b)",
+        says: "the exponent moves displacement more at low coefficients",
+        opens: Opens::Preset("figure-9.9"),
+        check: |lab| {
+            let axis = ("n", 0.5, 3.0, 11);
+            let values =
+                LAWS.map(|law| ranges((lab, law, Travel), &[], axis, ("k", [1e5, 1e6, 7.5e6])));
+            judged(
+                "spread over n at k = 1e5, 1e6, 7.5e6",
+                "mm",
+                values,
+                falling,
+                "softer springs, longer swings",
+            )
+        },
+    },
+    Claim {
         id: "9.9b-largest",
         place: "9.3.5, Figure 9.9(b)",
         says: "displacement is largest where the coefficient is low and the coefficient is high",

@@ -16,6 +16,9 @@ use crate::study::thesis::{Found, Verdict};
 /// The thesis's baseline, m (section 9.3).
 pub(super) const BASELINE_M: f64 = 7.129e-3;
 
+/// Longer than any contact here, s.
+const CONTACT_S: f64 = 1e-3;
+
 /// Which algorithm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Law {
@@ -74,6 +77,21 @@ pub(super) fn changed(mut scene: Scene, changes: &[(&str, f64)]) -> Scene {
     scene
 }
 
+/// The thesis's scene with variables set as `--set` does: for mechanisms, which are chosen by a word.
+pub(super) fn spelled(changes: &[(&str, &str)]) -> Scene {
+    let mut scene = base();
+    for (name, value) in changes {
+        let set = variables::set_by_name(&mut scene, name, value, units::Bare::Si);
+        debug_assert!(set.is_ok(), "{name} = {value}");
+    }
+    scene
+}
+
+/// A finding of the sound model alone.
+pub(super) fn found(sound: String, verdict: Verdict, cause: &'static str) -> Found {
+    Found { sound, printed: String::new(), verdict, cause }
+}
+
 /// On a rigid mount.
 pub(super) fn rigid(mut scene: Scene) -> Scene {
     scene.plate.mount = Mount::Rigid;
@@ -106,7 +124,12 @@ impl Lab {
 
     /// Depth at the first arrest, m; infinite for a perforation, NaN where there is none.
     pub(super) fn depth_m(&self, law: Law, scene: &Scene) -> f64 {
-        let run = self.run(law, scene);
+        let mut own = scene.clone();
+        if law == Law::Printed {
+            // The listing follows the plate for as long as it swings; its depth is known when the contact ends.
+            own.run.horizon_s = own.run.horizon_s.or(Some(CONTACT_S));
+        }
+        let run = self.run(law, &own);
         match run.outcome {
             Outcome::Perforated => f64::INFINITY,
             Outcome::Arrested | Outcome::Separated | Outcome::Moving => {

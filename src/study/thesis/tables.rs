@@ -1,12 +1,13 @@
 //! Claims of sections 9.1 to 9.3: Tables 9.1 and 9.2, and the baseline.
 
+use crate::model::mechanism::PowerLaw;
 use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::study::thesis::lab::{
-    BASELINE_M, Lab, Law, changed, limit_m_s, listing_material, misprint_verdict, mm, near,
-    number_verdict, pc, rigid, trend_verdict, unit, with,
+    BASELINE_M, Lab, Law, changed, found, limit_m_s, listing_material, misprint_verdict, mm, near,
+    number, number_verdict, pc, rigid, spelled, trend_verdict, unit, with,
 };
-use crate::study::thesis::{Claim, Found, Opens};
+use crate::study::thesis::{Claim, Found, Opens, Verdict};
 
 fn rigid_base() -> Scene {
     rigid(with(&[]))
@@ -14,6 +15,16 @@ fn rigid_base() -> Scene {
 
 fn misprinted() -> Scene {
     changed(rigid_base(), &[("S_y", 1.52e7)])
+}
+
+/// A spring whose exponent is not 1, with x in metres.
+fn in_metres() -> Scene {
+    with(&[("k", 1e6), ("n", 0.5)])
+}
+
+/// The same stiffness at n = 1, with x in millimetres.
+fn in_millimetres() -> Scene {
+    changed(spelled(&[("spring", "normalised")]), &[("F_ref", 1e3), ("x_ref", 1e-3), ("n", 0.5)])
 }
 
 /// The listing on a rigid mount, by its own scheme with a step.
@@ -76,6 +87,77 @@ pub(super) static CLAIMS: &[Claim] = &[
         },
     },
     Claim {
+        id: "9.1-drag",
+        place: "Table 9.1, C_d",
+        says: "the drag coefficient of 2024-O is 0.5",
+        opens: Opens::Scene(rigid_base),
+        check: |lab| {
+            let depths = [0.0, 0.5, 1.0]
+                .map(|c| lab.depth_m(Law::Sound, &changed(rigid_base(), &[("C_d", c)])));
+            let share = 0.25 * 2710.0 * 1e4 / 1.52e8;
+            found(
+                format!(
+                    "{}, {}, {} with C_d = 0, 0.5, 1; at 100 m/s the drag is {} of S_y",
+                    mm(depths[0]),
+                    mm(depths[1]),
+                    mm(depths[2]),
+                    pc(100.0 * share)
+                ),
+                Verdict::Unchecked,
+                "8.2.3 has it as Virostek's assumption; at this velocity no measurement could tell 0 from 1",
+            )
+        },
+    },
+    Claim {
+        id: "9.2.2-size",
+        place: "9.2.2, Table 9.1",
+        says: "mass ratios from 0.8 to 7 are had with the plate of Table 9.1, 25.4 mm thick",
+        opens: Opens::Preset("figure-9.2"),
+        check: |_| {
+            let sides =
+                [0.8, 1.0, 7.0].map(|gamma: f64| (gamma * 0.0295 / (2710.0 * 0.0254)).sqrt());
+            found(
+                format!(
+                    "a square plate of gamma = 0.8, 1, 7 is {}, {}, {} wide; the projectile 12.7 mm",
+                    mm(sides[0]),
+                    mm(sides[1]),
+                    mm(sides[2])
+                ),
+                trend_verdict(sides.iter().all(|side| *side > 3.0 * 0.0127)),
+                "a cube hardly wider than the shot would split; the contact law knows no edge",
+            )
+        },
+    },
+    Claim {
+        id: "9.2.2-preload",
+        place: "9.2.2, Table 9.2",
+        says: "the cocking distance goes up to 0.5 m",
+        opens: Opens::Preset("cocked"),
+        check: |_| {
+            let spring = PowerLaw { coefficient: 1e5, exponent: 1.0 };
+            let (force, energy) = (spring.force(0.5), spring.integral(0.5));
+            let speed = (2.0 * energy / 0.059).sqrt();
+            found(
+                format!(
+                    "{} and {} are latched, {} times the shot's energy; let go they throw plate and shot at {}",
+                    unit(force, "N"),
+                    unit(energy, "J"),
+                    number(energy / 147.5),
+                    unit(speed, "m/s")
+                ),
+                Verdict::Unchecked,
+                "the range is free to choose; latch, trigger and what comes back are not in the thesis",
+            )
+        },
+    },
+    Claim {
+        id: "9.2.2-damper",
+        place: "9.2.2",
+        says: "b up to 2000 N s/m covers some common automotive dampers",
+        opens: Opens::Nothing,
+        check: |_| found(String::new(), Verdict::Unchecked, "none is named, and no value given"),
+    },
+    Claim {
         id: "9.2-k-limit",
         place: "Table 9.2 against 9.2.2",
         says: "k up to 7.5 MN/m (table), up to 10 MN/m (text)",
@@ -91,6 +173,26 @@ pub(super) static CLAIMS: &[Claim] = &[
                 verdict: misprint_verdict(!differ, differ),
                 cause: "text and table disagree; the results hardly do",
             }
+        },
+    },
+    Claim {
+        id: "9.2-unit",
+        place: "Table 9.2, eq. 9.3",
+        says: "k is in MN/m for every exponent",
+        opens: Opens::Scene(in_metres),
+        check: |lab| {
+            let metres = lab.percent(Law::Sound, &in_metres());
+            // The same number with x counted in millimetres: F = k (x/1 mm)^n N, scaled to equal force at n = 1.
+            let millimetres = lab.percent(Law::Sound, &in_millimetres());
+            found(
+                format!(
+                    "k = 1e6, n = 0.5: {} with x in metres, {} with x in millimetres",
+                    pc(metres),
+                    pc(millimetres)
+                ),
+                misprint_verdict(near(metres, millimetres, 1e-3), metres > millimetres),
+                "for n other than 1 it is N/m^n, and what a number means hangs on the unit of length (F_ref and x_ref do not)",
+            )
         },
     },
     Claim {
@@ -154,6 +256,48 @@ pub(super) static CLAIMS: &[Claim] = &[
                 verdict: trend_verdict(limit > 100.0 && depth.is_finite()),
                 cause: "by the thesis's own law it is about nine times thicker than needed",
             }
+        },
+    },
+    Claim {
+        id: "9.3-during",
+        place: "9.3",
+        says: "the second measure is the plate's greatest travel during the impact",
+        opens: Opens::Scene(Scene::default),
+        check: |lab| {
+            let run = lab.run(Law::Sound, &with(&[]));
+            let during =
+                run.first_arrest.map_or(f64::NAN, |arrest| 1e3 * arrest.plate_displacement_m);
+            let after = run.max_plate_displacement_m.map_or(f64::NAN, |x| 1e3 * x);
+            found(
+                format!(
+                    "{} mm at first arrest, {} mm at the turning",
+                    number(during),
+                    number(after)
+                ),
+                misprint_verdict(near(during, after, 0.1), after > during),
+                "the figures show what follows the impact: ten times the time, and more",
+            )
+        },
+    },
+    Claim {
+        id: "9.3-general",
+        place: "9.3",
+        says: "the values are of one impact, the trends are general",
+        opens: Opens::Preset("figure-9.2"),
+        check: |lab| {
+            let shares = [50.0, 100.0, 200.0].map(|v| {
+                [0.8, 2.0, 7.0]
+                    .map(|gamma| lab.percent(Law::Sound, &with(&[("v_i", v), ("gamma", gamma)])))
+            });
+            let told = shares.each_ref().map(|share| share.map(pc).join(" "));
+            found(
+                format!(
+                    "gamma = 0.8, 2, 7 at 50 m/s: {}; 100: {}; 200: {}",
+                    told[0], told[1], told[2]
+                ),
+                trend_verdict(shares.iter().all(|share| super::spread::rising(share))),
+                "for the mass ratio, below the ballistic limit",
+            )
         },
     },
     Claim {

@@ -3,9 +3,10 @@
 use crate::model::scene::Scene;
 use crate::study::thesis::lab::Measure::{Percent, Travel};
 use crate::study::thesis::lab::{
-    Axis, LAWS, Lab, Law, P, ends, misprint_verdict, number, pc, trend_verdict, with,
+    Axis, LAWS, Lab, Law, P, ends, found, misprint_verdict, number, pc, trend_verdict, with,
 };
 use crate::study::thesis::shape::{at, edge, falls, flattens, range, rises, slope};
+use crate::study::thesis::spread::{falling, judged, list, rising};
 use crate::study::thesis::{Claim, Found, Opens, Verdict};
 
 const GAMMA: Axis = ("gamma", 0.8, 7.0, 32);
@@ -205,6 +206,30 @@ pub(super) static CLAIMS: &[Claim] = &[
         },
     },
     Claim {
+        id: "9.4-caption",
+        place: "Figure 9.4, caption",
+        says: "k = 0 and n = 1",
+        opens: Opens::Preset("figure-9.4"),
+        check: |lab| {
+            let shares = [0.1, 1.0, 3.0]
+                .map(|n| lab.percent(Law::Sound, &with(&[("k", 0.0), ("b", 1000.0), ("n", n)])));
+            found(
+                format!(
+                    "{}, {}, {} at n = 0.1, 1, 3 with b = 1000",
+                    pc(shares[0]),
+                    pc(shares[1]),
+                    pc(shares[2])
+                ),
+                if range(&[(0.0, shares[0]), (1.0, shares[1]), (2.0, shares[2])]) < 1e-9 {
+                    Verdict::Corrected
+                } else {
+                    Verdict::TrendFails
+                },
+                "a spring that is not there has no exponent: it changes nothing",
+            )
+        },
+    },
+    Claim {
         id: "9.5a-rises",
         place: "9.3.4, Figure 9.5(a)",
         says: "depth grows with the spring's stiffness",
@@ -215,6 +240,24 @@ pub(super) static CLAIMS: &[Claim] = &[
                 &gentle(),
                 rises,
                 "the stiffer mount is nearer to the rigid one",
+            )
+        },
+    },
+    Claim {
+        id: "9.5a-force",
+        place: "9.3.4",
+        says: "a stiffer spring means greater contact forces",
+        opens: Opens::Preset("figure-9.5"),
+        check: |lab| {
+            let peak = |law, k: f64| {
+                lab.run(law, &with(&[("k", k)])).peak_contact_force_n.unwrap_or(f64::NAN) / 1e3
+            };
+            judged(
+                "peak at k = 0, 1e6, 3e6, 7.5e6",
+                "kN",
+                LAWS.map(|law| [0.0, 1e6, 3e6, 7.5e6].map(|k| peak(law, k))),
+                rising,
+                "the deeper nose engages more area",
             )
         },
     },
@@ -354,6 +397,24 @@ pub(super) static CLAIMS: &[Claim] = &[
                 &stiff(),
                 property,
                 "with k = 1e6; x is in metres, so k x^n of a millimetre vanishes for n > 1: an artefact of the unit",
+            )
+        },
+    },
+    Claim {
+        id: "9.6a-soft",
+        place: "9.3.4",
+        says: "with an exponent above one the spring's force is very low for travels below a metre",
+        opens: Opens::Preset("figure-9.6"),
+        check: |lab| {
+            let force = |n: f64| {
+                let run = lab.run(Law::Sound, &with(&[("k", 1e6), ("n", n)]));
+                run.first_arrest.map_or(f64::NAN, |it| 1e6 * it.plate_displacement_m.powf(n))
+            };
+            let values = [0.5, 1.0, 1.5, 3.0].map(force);
+            found(
+                format!("at first arrest, n = 0.5, 1, 1.5, 3: {}", list(&values, "N")),
+                trend_verdict(falling(&values) && values[2] < 200.0),
+                "beside a contact force of 18 kN: an artefact of the metre (row 9.5.1-normalised)",
             )
         },
     },

@@ -27,6 +27,8 @@ pub enum Dialog {
     ExportSweep(Save),
     /// Where to write another table: a path.
     ExportTable(Table, Save),
+    /// Which file a spring's measured curve is in (of the second spring: true): a path.
+    Curve(bool, Save),
 }
 
 /// A table that a tab writes.

@@ -9,7 +9,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::message::{Binding, Effect, Place, PresetEntry};
 
-use super::{accuracy, act, edit, export, input, limit, runs, sweep, table};
+use super::{accuracy, act, curve, edit, export, input, limit, runs, sweep, table};
 
 /// A key while a dialog is open.
 pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
@@ -19,6 +19,7 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
         Some(Dialog::ExportAccuracy(state)) => accuracy::press(app, state, key),
         Some(Dialog::ExportSweep(state)) => sweep::press(app, state, key),
         Some(Dialog::ExportTable(which, state)) => table::press(app, which, state, key),
+        Some(Dialog::Curve(second, state)) => curve::press(app, second, state, key),
         Some(Dialog::Help(picker)) => in_list(app, picker, key, Kind::Help),
         Some(Dialog::Palette(picker)) => in_list(app, picker, key, Kind::Palette),
         Some(Dialog::Presets(picker)) => in_list(app, picker, key, Kind::Presets),
@@ -124,7 +125,8 @@ pub(super) fn after_typing(app: &mut App) {
             Dialog::Save(save)
             | Dialog::ExportAccuracy(save)
             | Dialog::ExportSweep(save)
-            | Dialog::ExportTable(_, save),
+            | Dialog::ExportTable(_, save)
+            | Dialog::Curve(_, save),
         ) => {
             save.question = false;
             save.error = None;
@@ -168,7 +170,10 @@ fn take_word(app: &mut App, picker: &Picker) -> Vec<Effect> {
         return Vec::new();
     };
     match edit::set(app, app.editor.selected, Value::Word(word), None) {
-        Ok(effects) => effects,
+        Ok(effects) => {
+            curve::ask(app, word);
+            effects
+        }
         Err(error) => {
             app.say(Severity::Error, error);
             app.dialog = Some(Dialog::Words(picker.clone()));

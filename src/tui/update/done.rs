@@ -10,7 +10,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::message::{Effect, EffectReport, ExportOutcome};
 
-use super::edit;
+use super::{curve, edit};
 
 /// An effect has been carried out, or has failed.
 pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
@@ -32,6 +32,9 @@ pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
         EffectReport::Session(kept) => session(app, &kept),
         EffectReport::Copied(text) => app.say(Severity::Note, text),
         EffectReport::Completions(names) => complete(app, names),
+        EffectReport::Curve(second, path, points) => {
+            return curve::read(app, second, &path, points);
+        }
     }
     Vec::new()
 }
@@ -103,6 +106,13 @@ fn exported(app: &mut App, outcome: ExportOutcome) {
 
 /// One name: take it. Several: what they have in common, and the list.
 fn complete(app: &mut App, names: Vec<String>) {
+    if let Some(Dialog::Curve(_, save)) = &mut app.dialog {
+        match common_start(&names) {
+            Some(common) => save.input = Input::new(common),
+            None => save.error = Some("no file or directory begins like this".to_owned()),
+        }
+        return;
+    }
     let Some(Dialog::Export(export)) = &mut app.dialog else {
         return;
     };

@@ -79,7 +79,8 @@ pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
                 Dialog::Save(save)
                 | Dialog::ExportAccuracy(save)
                 | Dialog::ExportSweep(save)
-                | Dialog::ExportTable(_, save),
+                | Dialog::ExportTable(_, save)
+                | Dialog::Curve(_, save),
             ),
             _,
         ) => (&mut save.input, &mut save.fresh),

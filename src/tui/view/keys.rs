@@ -90,6 +90,7 @@ fn in_dialog(dialog: &Dialog) -> Keys {
         Dialog::ExportAccuracy(_) | Dialog::ExportSweep(_) | Dialog::ExportTable(..) => {
             &[("Enter", "write"), ("Esc", "close")]
         }
+        Dialog::Curve(..) => &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")],
         Dialog::Save(_) => &[("Enter", "save"), ("Esc", "do not save")],
         Dialog::Export(export) if export.question => {
             &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]

@@ -31,6 +31,9 @@ pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer, cursor: &mut 
             let titles = (table.title(), "Enter writes");
             save::path(app, state, (screen, titles), buffer, cursor);
         }
+        Some(Dialog::Curve(second, state)) => {
+            save::curve(app, (*second, state), screen, buffer, cursor);
+        }
         Some(Dialog::Export(state)) => export::render(app, state, screen, buffer, cursor),
         None => {}
     }

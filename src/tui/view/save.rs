@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::Cursor;
 use super::popup::frame;
 use super::text::put;
+use crate::model::units;
 use crate::tui::app::App;
 use crate::tui::app::dialog::Save;
 use crate::tui::app::status::wrap;
@@ -54,6 +55,45 @@ pub(super) fn path(
         (format!("one row each, as {}", target.display()), Role::Dim)
     };
     below(app, (&text, role), inner, buffer);
+}
+
+/// Draw the dialog for the file of a spring's measured curve.
+pub(super) fn curve(
+    app: &App,
+    (second, state): (bool, &Save),
+    screen: Rect,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) {
+    let titles = ("Measured curve of the spring (CSV)", "Tab completes  Enter reads  Esc keeps");
+    let inner = frame(app, screen, (76, 9), titles, buffer);
+    field(app, state, ("file  ", inner), buffer, cursor);
+    let (text, role) = state.error.as_ref().map_or_else(
+        || {
+            let mechanism = &app.scene.mechanism;
+            let spring = if second { &mechanism.second } else { &mechanism.spring };
+            let text = format!(
+                "displacement in m, force in N, a point a line, as in 0.01,1000. Now: {} (Esc keeps them)",
+                extent(&spring.table.points)
+            );
+            (text, Role::Dim)
+        },
+        |error| (format!("x {error}"), Role::Error),
+    );
+    below(app, (&text, role), inner, buffer);
+}
+
+/// `3 points, x = 0 to 0.05 m`.
+pub(super) fn extent(points: &[[f64; 2]]) -> String {
+    match (points.first(), points.last()) {
+        (Some(first), Some(last)) => format!(
+            "{} points, x = {} to {} m",
+            points.len(),
+            units::shortest(first[0]),
+            units::shortest(last[0])
+        ),
+        _ => "no points".to_owned(),
+    }
 }
 
 /// The text being typed, after its name.

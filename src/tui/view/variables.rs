@@ -4,7 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Cursor;
+use super::save::extent;
 use super::text::{columns, paint_row, put};
+use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::App;
@@ -195,6 +197,16 @@ fn range_bar(variable: &Variable, app: &App, width: usize) -> Option<String> {
     Some(format!("[{}]", bar.into_iter().collect::<String>()))
 }
 
+/// The points of the spring whose kind this is, where it is a table.
+fn measured<'a>(variable: &Variable, app: &'a App) -> Option<&'a [[f64; 2]]> {
+    let spring = match variable.key {
+        "mechanism.spring.kind" => &app.scene.mechanism.spring,
+        "mechanism.second.kind" => &app.scene.mechanism.second,
+        _ => return None,
+    };
+    (spring.kind == SpringKind::Table).then_some(&spring.table.points)
+}
+
 /// Below the list: the selected variable's range of Table 9.2 with its bar, or what it may be.
 fn foot(app: &App, width: usize) -> String {
     let variable = app.editor.variable();
@@ -208,6 +220,9 @@ fn foot(app: &App, width: usize) -> String {
         if let Some(bar) = bar {
             return format!("{low} {bar} {high} {table}");
         }
+    }
+    if let Some(points) = measured(variable, app) {
+        return clip(&format!("{}: Enter", extent(points)), width);
     }
     let allowed = variable.allowed();
     let words = variable.words().len();

@@ -68,13 +68,13 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
 fn enter_opens_what_shows_a_claim_and_undo_comes_back() {
     let mut bench = bench(80, 24);
     // 2.3.1, the inelastic collision: a free plate.
-    bench.keys("jj<Enter>");
+    bench.keys("jjjj<Enter>");
     assert_eq!(bench.app.tab, Tab::Run);
     assert!(bench.app.scene.mechanism.spring.coefficient.abs() < f64::EPSILON);
     assert_eq!(bench.app.base.name, "claim 2.3.1-inelastic");
     bench.keys("u7");
     assert!((bench.app.scene.mechanism.spring.coefficient - 1e5).abs() < 1e-9);
-    bench.keys("g<Enter>");
+    bench.keys("gj<Enter>");
     assert!(bench.message().contains("no scene shows this"), "{}", bench.message());
     assert_eq!(bench.app.tab, Tab::Thesis);
 }

@@ -260,7 +260,8 @@ mod tests {
     /// Contacts of every class and of none, long and short ones mixed.
     fn contacts() -> Vec<Contact> {
         let springs = ["k=1e5", "k=0", "k=1e6 n=0.5", "k=1e5 n=0.2", "k=1e5 n=1.4", "k=5e6 n=0.36"];
-        let others = ["", "d=0.01", "b=500", "b=100 m=2", "b=1e8", "h=0.003 v_i=400", "n=2", "m_p=0"];
+        let others =
+            ["", "d=0.01", "b=500", "b=100 m=2", "b=1e8", "h=0.003 v_i=400", "n=2", "m_p=0"];
         let mut contacts = Vec::new();
         for gamma in ["0.8", "1", "5"] {
             for spring in springs {

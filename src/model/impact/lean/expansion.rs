@@ -42,7 +42,7 @@ impl<const N: usize, R: Real> Series<N, R> {
 
     /// The series of one lane.
     pub(super) fn lane(&self, lane: usize) -> Series<N> {
-        let of = |series: &[R; N]| series.map(|term| term.lane(lane));
+        let of = |series: &[R; N]| std::array::from_fn(|j| series[j].lane(lane));
         Series {
             travel: of(&self.travel),
             slip: of(&self.slip),
@@ -188,12 +188,14 @@ impl<R: Real> Constants<R> {
     pub(super) fn last_terms<const N: usize>(&self, s: &Series<N, R>, plate_m: R) -> R {
         let length = s.travel[0].abs() + s.travel[1].abs();
         let share = (length / plate_m).each(length, |share, _| larger(share, 1.0));
-        let size = |j: usize| {
-            let lengths = (s.travel[j].abs() + share * s.plate[j].abs()) / length;
-            lengths + (s.slip[j].abs() + s.speed[j].abs()) / self.velocity_m_s
-        };
-        // Two of them: one may vanish by symmetry.
-        size(N - 1) + size(N - 2)
+        let mut lengths = length.alike(0.0);
+        let mut speeds = lengths;
+        // Two terms: one may vanish by symmetry.
+        for j in N - 2..N {
+            lengths = lengths + s.travel[j].abs() + share * s.plate[j].abs();
+            speeds = speeds + s.slip[j].abs() + s.speed[j].abs();
+        }
+        lengths / length + speeds / self.velocity_m_s
     }
 }
 

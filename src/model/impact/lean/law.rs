@@ -64,12 +64,6 @@ pub(super) struct Power<const N: usize, R = f64> {
     slope: [R; N],
 }
 
-impl<const N: usize> Power<N> {
-    pub(super) fn of(law: PowerLaw) -> Self {
-        Self::new(law.coefficient, law.exponent)
-    }
-}
-
 impl<const N: usize, R: Real> Power<N, R> {
     #[inline(always)]
     pub(super) fn new(coefficient: R, exponent: R) -> Self {
@@ -82,6 +76,19 @@ impl<const N: usize, R: Real> Power<N, R> {
             force: [zero; N],
             slope: [zero; N],
         }
+    }
+}
+
+impl<const N: usize> Power<N> {
+    pub(super) fn of(law: PowerLaw) -> Self {
+        Self::new(law.coefficient, law.exponent)
+    }
+
+    /// What coefficient J of the argument, taken as zero when it was asked for, adds to that of the force.
+    #[inline(always)]
+    pub(super) fn add<const J: usize>(&mut self, z: f64) {
+        self.slope[J] = J as f64 * z;
+        self.force[J] += self.tangent * z;
     }
 }
 

@@ -8,7 +8,7 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::impact::lean::expansion::{Clock, Constants, Series};
-use crate::model::impact::lean::law::{Law as _, Power, product_at, product_before, square_at};
+use crate::model::impact::lean::law::{Law as _, Power, product_before, square_before};
 use crate::model::impact::lean::way::{Outset, Track, Walk, Way};
 use crate::model::impact::lean::{Contact, free};
 use crate::model::mechanism::{PowerKind, PowerLaw};
@@ -18,6 +18,8 @@ use crate::numerics::{larger, smaller};
 const PASSES_MAX: usize = 8;
 /// Newton steps for the place of balance.
 const NEWTON_MAX: usize = 30;
+/// Its last step at the most, relative.
+const NEWTON_LAST: f64 = 1e-8;
 /// Part of the tolerance by which the last two passes may differ.
 const AGREE: f64 = 0.3;
 /// Radians by which a plate could have swung from first contact to its start, at least.
@@ -44,6 +46,21 @@ pub(super) struct Riding {
     /// How far the plate comes at least, m: what is small against it need not be known as well.
     pub(super) reach_m: f64,
 }
+/// What a coefficient adds to another of the same order.
+#[derive(Clone, Copy, Default)]
+struct Per {
+    /// Pressure by the slip's.
+    slip_pressure: f64,
+    /// Contact force by the slip's.
+    slip_force: f64,
+    /// Area lost by the plate's.
+    plate_area: f64,
+    /// Contact force lost by the plate's.
+    plate_force: f64,
+    /// The plate's by a force on it.
+    force_plate: f64,
+}
+
 /// Exponent below which a plate rides on its spring from the start.
 pub(super) const RIDES_BELOW: f64 = 1.0 / 3.0;
 /// By how much earlier than need be a riding plate is started at most, so that it rides at first.
@@ -132,21 +149,20 @@ impl Riding {
         let slowing = slip_mobility - cos * cos * plate_mobility;
         let zero = [0.0; N];
         let mut s = Series { travel: zero, slip: zero, plate: zero, speed: *speed };
-        let (mut offset, mut area, mut pressure) = (zero, zero, zero);
+        let mut offset = zero;
+        let (area, pressure) = (&mut [0.0; N], &mut [0.0; N]);
         // The projectile's own travel and velocity, as far as they are known.
         let next = &mut [zero, zero];
         (next[0][0], next[1][0]) = (state[0] + cos * state[2], state[1] + cos * state[3]);
         let mut spring = Power::<N>::of(self.spring);
-        // df/dx of the spring, and of what the contact gives way.
-        let by_plate = &mut 0.0;
+        let per = &mut Per::default();
         macro_rules! order {
             ($($j:literal)*) => { $( if $j < N {
                 const J: usize = $j;
                 s.slip[J] = next[1][J] - cos * speed[J];
-                pressure[J] = drag_kg_m3 * square_at::<N, J, f64>(&s.slip)
-                    + if J == 0 { strength_pa } else { 0.0 };
                 let force;
                 if J == 0 {
+                    pressure[0] = strength_pa + drag_kg_m3 * s.slip[0] * s.slip[0];
                     let area_at = |x: f64| {
                         let q = next[0][0] - cos * x - origin_m;
                         (a[0] + q * (a[1] + a[2] * q), a[1] + 2.0 * a[2] * q)
@@ -157,24 +173,36 @@ impl Riding {
                     })?;
                     s.plate[0] = x;
                     offset[0] = next[0][0] - cos * x - origin_m;
-                    area[0] = area_at(x).0;
+                    let (there, slope) = area_at(x);
+                    area[0] = there;
                     force = area[0] * pressure[0];
-                    *by_plate = spring.term::<0>(&s.plate) * self.spring.exponent / x
-                        + cos * cos * area_at(x).1 * pressure[0];
+                    let by_plate = spring.term::<0>(&s.plate) * self.spring.exponent / x;
+                    let by_slip = 2.0 * drag_kg_m3 * s.slip[0];
+                    *per = Per {
+                        slip_pressure: by_slip,
+                        slip_force: area[0] * by_slip,
+                        plate_area: cos * slope,
+                        plate_force: cos * slope * pressure[0],
+                        force_plate: 1.0 / (by_plate + cos * cos * slope * pressure[0]),
+                    };
                 } else {
-                    // All but the parts of the plate's coefficient J, which is not known yet, ...
-                    offset[J] = next[0][J];
-                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J, f64>(&offset);
-                    let known = product_at::<N, J, f64>(&area, &pressure);
+                    // All but the parts of the slip's and the plate's coefficients J: what does not wait for them, ...
+                    let moved = next[0][J];
+                    let bent = square_before::<N, J, f64>(&offset) + 2.0 * offset[0] * moved;
+                    area[J] = a[1] * moved + a[2] * bent;
+                    let older = drag_kg_m3 * square_before::<N, J, f64>(&s.slip);
+                    let known = product_before::<N, J, f64>(area, pressure)
+                        + (area[J] * pressure[0] + area[0] * older);
                     let held = spring.term::<J>(&s.plate);
-                    // ... and those parts, linear in it.
-                    let x = (cos * known - lag[J] - held) / *by_plate;
+                    let pushed = (cos * known - lag[J] - held) * per.force_plate;
+                    // ... and those parts, linear in them.
+                    let x = pushed + cos * per.slip_force * per.force_plate * s.slip[J];
+                    force = (known + per.slip_force * s.slip[J]) - per.plate_force * x;
                     s.plate[J] = x;
-                    spring.term::<J>(&s.plate);
-                    offset[J] -= cos * x;
-                    area[J] = a[1] * offset[J] + a[2] * square_at::<N, J, f64>(&offset);
-                    force = product_before::<N, J, f64>(&area, &pressure)
-                        + area[J] * pressure[0] + area[0] * pressure[J];
+                    spring.add::<J>(x);
+                    offset[J] = moved - cos * x;
+                    area[J] -= per.plate_area * x;
+                    pressure[J] = older + per.slip_pressure * s.slip[J];
                 }
                 s.travel[J] = offset[J] + if J == 0 { origin_m } else { 0.0 };
                 if J + 1 < N {
@@ -199,7 +227,8 @@ impl Riding {
             let gap = (self.spring.force(x) / pushes).ln();
             let step = gap / (self.spring.exponent - x * slope / pushes);
             let next = x * (-step).exp();
-            if (next - x).abs() <= 1e-14 * x {
+            // The method doubles the digits: a step this small leaves rounding alone.
+            if step.abs() <= NEWTON_LAST {
                 return Some(next);
             }
             x = next;

@@ -189,14 +189,16 @@ impl Contact {
             return Some(Way::Left);
         }
         if stops {
-            span = fall(&series().borrow().slip, span);
-            state = series().borrow().state(span);
+            let series = series();
+            span = fall(&series.borrow().slip, span);
+            state = series.borrow().state(span);
         }
         // Travel only grows up to the arrest: the piece's end may lie before it.
         let at_end = state[0] >= to_m;
         if at_end {
-            span = rise(&series().borrow().travel, to_m, span);
-            state = series().borrow().state(span);
+            let series = series();
+            span = rise(&series.borrow().travel, to_m, span);
+            state = series.borrow().state(span);
         }
         track.t_s += track.clock.elapsed_s(span);
         track.state = state;

@@ -1,0 +1,72 @@
+//! A spring's measured curve in the workbench: choosing the kind asks for the file, which becomes one edit.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use cmra::model::scene::SpringKind;
+use cmra::model::variables::VARIABLES;
+use cmra::tui::app::dialog::Dialog;
+use cmra::tui::message::{Effect, EffectReport, Message};
+
+use super::bench::Bench;
+
+/// The workbench with the dialog open: `table` is the last of the spring's words.
+fn asking() -> Bench {
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.editor.selected =
+        VARIABLES.iter().position(|one| one.key == "mechanism.spring.kind").unwrap();
+    bench.keys("<Enter>G<Enter>");
+    bench
+}
+
+fn report(bench: &mut Bench, points: Result<&[[f64; 2]], &str>) {
+    let points = points.map(Arc::from).map_err(str::to_owned);
+    let path = PathBuf::from("measured/curve.csv");
+    bench.send(Message::Done(EffectReport::Curve(false, path, points)));
+}
+
+#[test]
+fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
+    let mut bench = asking();
+    assert!(matches!(bench.app.dialog, Some(Dialog::Curve(false, _))), "{:?}", bench.app.dialog);
+    assert_eq!(bench.app.scene.mechanism.spring.kind, SpringKind::Table);
+    let screen = bench.screen();
+    for words in ["Measured curve of the spring", "0.01,1000", "3 points, x = 0 to 0.05 m"] {
+        assert!(screen.contains(words), "{words} is missing from\n{screen}");
+    }
+    bench.effects.clear();
+    bench.keys("<Tab>");
+    assert!(matches!(&bench.effects[..], [Effect::Complete(text)] if text.is_empty()));
+    bench.send(Message::Done(EffectReport::Completions(vec!["measured/curve.csv".to_owned()])));
+    bench.effects.clear();
+    bench.keys("<Enter>");
+    let wanted = bench.app.directory.join("measured/curve.csv");
+    assert!(
+        matches!(&bench.effects[..], [Effect::ReadCurve(false, path)] if *path == wanted),
+        "{:?}",
+        bench.effects
+    );
+    // What is wrong with the file is said where its name was typed, and nothing is lost.
+    report(&mut bench, Err("`curve.csv`, line 3: `0.002;900` is no point"));
+    assert!(bench.screen().contains("line 3"), "{}", bench.screen());
+    report(&mut bench, Ok(&[[0.0, 0.0], [0.0, 900.0]]));
+    assert!(bench.screen().contains("must rise in x"), "{}", bench.screen());
+    let before = Arc::clone(&bench.app.scene);
+    report(&mut bench, Ok(&[[-0.1, -3e3], [0.0, 0.0], [0.1, 4e3]]));
+    assert!(bench.app.dialog.is_none() && bench.message().contains("3 points from curve.csv"));
+    assert!(bench.app.scene.mechanism.spring.table.points[0][0] < -0.09);
+    assert!(bench.screen().contains("3 points"), "{}", bench.screen());
+    bench.keys("u");
+    assert_eq!(bench.app.scene, before);
+}
+
+#[test]
+fn leaving_the_dialog_keeps_the_points_there_are() {
+    let mut bench = asking();
+    bench.keys("<Enter>");
+    assert!(bench.screen().contains("needs a file name"), "{}", bench.screen());
+    bench.keys("<Esc>");
+    assert!(bench.app.dialog.is_none());
+    assert_eq!(bench.app.scene.mechanism.spring.kind, SpringKind::Table);
+    assert_eq!(bench.app.scene.mechanism.spring.table.points.len(), 3);
+}
