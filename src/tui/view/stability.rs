@@ -151,8 +151,8 @@ fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), buffer: &mut Buffer
     let mut free = GUTTER;
     for (x, text) in decades(&map.dt_s, plot.width) {
         put(buffer, inner, (GUTTER + x, below), "|", app.theme.style(Role::Border));
-        let start = (GUTTER + x).saturating_sub(columns(&text) / 2);
-        if start >= free && start + columns(&text) <= inner.width {
+        let start = (GUTTER + x).saturating_sub(columns(&text) / 2).max(free);
+        if start <= GUTTER + x && start + columns(&text) < inner.width {
             free = put(buffer, inner, (start, below + 1), &text, style) + 2;
         }
     }
