@@ -45,15 +45,22 @@ pub const WHOLE_MAX: usize = 6;
 
 impl PowerLaw {
     /// How it is expanded.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "exponents are positive"
+    )]
     pub fn kind(self) -> PowerKind {
         if self.coefficient == 0.0 {
             return PowerKind::Absent;
         }
-        let whole = (1..=WHOLE_MAX).find(|n| (self.exponent - *n as f64).abs() < f64::EPSILON);
-        match whole {
-            Some(1) => PowerKind::Linear,
-            Some(n) => PowerKind::Whole(n),
-            None => PowerKind::General,
+        // Too large an exponent saturates, and is none of them.
+        let nearest = (self.exponent + 0.5) as usize;
+        let is_whole = (self.exponent - nearest as f64).abs() < f64::EPSILON;
+        match nearest {
+            1 if is_whole => PowerKind::Linear,
+            2..=WHOLE_MAX if is_whole => PowerKind::Whole(nearest),
+            _ => PowerKind::General,
         }
     }
 

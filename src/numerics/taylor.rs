@@ -44,11 +44,12 @@ pub fn rough_root(x: f64, order: f64) -> f64 {
         return x;
     }
     let log = (x.to_bits().wrapping_sub(ONE)).cast_signed() as f64 * STEP / order;
-    let whole = log.floor();
-    let part = log - whole;
+    // The floor, or one less where nothing is left: then the part is 1.
+    let whole = log as i64 - i64::from(log < 0.0);
+    let part = log - whole as f64;
     // Exact at both ends of [0, 1] and in between to 3 in 1000.
     let mantissa = 1.0 + part * (0.6565 + 0.3435 * part);
-    mantissa * f64::from_bits(ONE.wrapping_add_signed((whole / STEP) as i64))
+    mantissa * f64::from_bits(ONE.wrapping_add_signed(whole << 52))
 }
 
 #[cfg(test)]

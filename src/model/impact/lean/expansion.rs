@@ -224,12 +224,11 @@ fn along<const N: usize, const J: usize, const GRADED: bool, R: Real>(
     z: &[R; N],
     rates: [R; 3],
 ) -> R {
-    let mut sum = z[J];
-    if GRADED && J >= 1 {
-        sum = rates[1] * z[J - 1] + sum;
-    }
     if GRADED && J >= 2 {
-        sum = rates[2] * z[J - 2] + sum;
+        (rates[2] * z[J - 2] + rates[1] * z[J - 1]) + z[J]
+    } else if GRADED && J == 1 {
+        rates[1] * z[0] + z[1]
+    } else {
+        z[J]
     }
-    sum
 }

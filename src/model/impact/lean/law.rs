@@ -105,11 +105,26 @@ impl<const N: usize, R: Real> Law<N, R> for Power<N, R> {
             return self.force[0];
         }
         self.slope[J] = z[J] * J as f64;
-        let by_slope = product_before::<N, J, R>(&self.slope, &self.force);
-        let by_value = product_before::<N, J, R>(z, &self.force);
         let per_order = 1.0 / J as f64;
-        let sum = (self.exponent * per_order + z[0].alike(per_order)) * by_slope - by_value;
-        self.force[J] = sum * self.inverse + self.tangent * z[J];
+        let more = self.exponent + z[0].alike(1.0);
+        let older = if J > 2 {
+            let by_slope = product_inside::<N, J, R>(&self.slope, &self.force);
+            let by_value = product_inside::<N, J, R>(z, &self.force);
+            (more * per_order * by_slope - by_value) * self.inverse
+        } else {
+            z[0].alike(0.0)
+        };
+        let mut newest = self.tangent * z[J];
+        if J > 1 {
+            // The youngest factors apart, so that a coefficient waits for the one before no longer than it must.
+            let per_force = (more * per_order - z[0].alike(1.0)) * z[1] * self.inverse;
+            newest = newest + per_force * self.force[J - 1];
+        }
+        if J > 2 {
+            let per_value = (more * (per_order * (J - 1) as f64) - z[0].alike(1.0)) * self.force[1];
+            newest = newest + per_value * self.inverse * z[J - 1];
+        }
+        self.force[J] = older + newest;
         self.force[J]
     }
 }
@@ -147,6 +162,21 @@ pub(super) fn product_before<const N: usize, const J: usize, R: Real>(a: &[R; N]
     }
     let sum = first + second;
     if J >= 2 && J.is_multiple_of(2) { sum + a[J / 2] * b[J / 2] } else { sum }
+}
+
+/// The inner part of coefficient J of a·b: without the first two and the last two coefficients of either; the newest last.
+#[inline(always)]
+fn product_inside<const N: usize, const J: usize, R: Real>(a: &[R; N], b: &[R; N]) -> R {
+    let zero = a[0].alike(0.0);
+    let (mut first, mut second) = (zero, zero);
+    let mut i = J.div_ceil(2);
+    while i > 2 {
+        i -= 1;
+        first = first + a[i] * b[J - i];
+        second = second + a[J - i] * b[i];
+    }
+    let sum = first + second;
+    if J >= 4 && J.is_multiple_of(2) { sum + a[J / 2] * b[J / 2] } else { sum }
 }
 
 /// Coefficient J of a².
