@@ -7,6 +7,8 @@
 use super::steps::{Step, decade, power};
 
 /// Positions are kept within this many cells of the view: far enough that the direction of a line is right, near enough that
+/// Places in a cell that are told apart.
+const GRAINS: f64 = 1e4;
 /// clipping it loses nothing.
 const FAR_CELLS: f64 = 1e9;
 /// The narrowest range, as a fraction of its greatest bound: twelve digits are what a label can still tell apart.
@@ -276,7 +278,9 @@ impl Mapping {
         }
         let fraction = (self.scale.forward(value) - self.from) / self.span;
         let last = f64::from(self.cells.saturating_sub(1));
-        Some((fraction * last).clamp(-FAR_CELLS, FAR_CELLS))
+        // What lies on the edge of two cells by construction (a padded top does) must not flip with the last digit.
+        let grained = (fraction * last * GRAINS).round() / GRAINS;
+        Some(grained.clamp(-FAR_CELLS, FAR_CELLS))
     }
 
     /// The cell a value lies in, from 0; `None` outside the view.

@@ -9,7 +9,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::impact::lean::expansion::{Clock, Constants, trusted};
 use crate::model::impact::lean::law::{Law, Linear, Power};
-use crate::model::impact::lean::way::{LOCAL, Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
+use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
 use crate::model::impact::lean::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
 use crate::model::mechanism::PowerKind;
 use crate::numerics::wide::Wide;
@@ -208,7 +208,7 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
         constants.last_terms(&series, bench.wide(simd, MINDED)).store(&mut bench.0[SIZE]);
         for (lane, job) in lanes.iter().enumerate() {
             let tolerance = job.as_ref().map_or(1.0, |job| job.walk.tolerance);
-            bench.0[TRUSTED][lane] = trusted::<N>(bench.0[SIZE][lane], tolerance * LOCAL);
+            bench.0[TRUSTED][lane] = trusted::<N>(bench.0[SIZE][lane], tolerance);
         }
         let span = bench.wide(simd, TRUSTED);
         series.slip_slope(span).store(&mut bench.0[SLOPE]);

@@ -1,8 +1,10 @@
 //! The plain steps of a single contact: the kernel compiled for its kinds of spring and damper.
 
-use crate::model::impact::lean::expansion::Clock;
+use pulp::{Arch, Simd, WithSimd};
+
+use crate::model::impact::lean::expansion::{Clock, trusted};
 use crate::model::impact::lean::law::{Law, Linear, Power, Whole};
-use crate::model::impact::lean::way::{Track, Walk};
+use crate::model::impact::lean::way::{STEPS_MAX, Seen, Walk, minded_m};
 use crate::model::impact::lean::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
 use crate::model::mechanism::PowerKind;
 
@@ -53,20 +55,52 @@ impl Contact {
         walk: &Walk,
     ) -> Option<ContactEnd> {
         let laws = (spring, damper);
-        let constants = &self.constants;
-        let how = ((K::TWO_SIDED, D::TWO_SIDED), walk.tolerance, walk.reach_m);
+        let arch = Arch::new();
         if matches!(walk.track.clock, Clock::Graded { .. }) {
-            let expand = |track: &Track, (origin_m, a)| {
-                let rates = track.clock.rates();
-                Some(constants.expand::<N, true>(laws, track.state, rates, (origin_m, a)))
-            };
-            self.go_on(expand, walk.track, how).ended()
+            arch.dispatch(Alone::<N, true, K, D> { contact: self, laws, walk })
         } else {
-            let expand = |track: &Track, (origin_m, a)| {
-                let rates = track.clock.rates();
-                Some(constants.expand::<N, false>(laws, track.state, rates, (origin_m, a)))
-            };
-            self.go_on(expand, walk.track, how).ended()
+            arch.dispatch(Alone::<N, false, K, D> { contact: self, laws, walk })
         }
+    }
+
+    #[inline(always)]
+    fn steps<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>>(
+        &self,
+        laws: (K, D),
+        walk: &Walk,
+    ) -> Option<ContactEnd> {
+        let Walk { mut track, tolerance, reach_m, .. } = *walk;
+        while track.steps < STEPS_MAX {
+            let area = self.area_law(track.piece)?;
+            track.steps += 1;
+            let rates = track.clock.rates();
+            let series = self.constants.expand::<N, GRADED>(laws, track.state, rates, area);
+            let minded_m = minded_m(track.state[2], reach_m);
+            let last_terms = self.constants.last_terms(&series, minded_m);
+            let seen = Seen::of(&series, trusted::<N>(last_terms, tolerance));
+            let sides = (K::TWO_SIDED, D::TWO_SIDED);
+            if let Some(way) = self.stride(&mut track, sides, &seen, || &series) {
+                return way.ended();
+            }
+        }
+        None
+    }
+}
+
+/// A contact by itself, compiled for the instructions of the machine.
+struct Alone<'c, const N: usize, const GRADED: bool, K, D> {
+    contact: &'c Contact,
+    laws: (K, D),
+    walk: &'c Walk,
+}
+
+impl<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>> WithSimd
+    for Alone<'_, N, GRADED, K, D>
+{
+    type Output = Option<ContactEnd>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _simd: S) -> Option<ContactEnd> {
+        self.contact.steps::<N, GRADED, K, D>(self.laws, self.walk)
     }
 }

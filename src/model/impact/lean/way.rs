@@ -11,8 +11,6 @@ use crate::model::impact::lean::{Contact, ContactEnd};
 use crate::numerics::larger;
 use crate::numerics::series::evaluate;
 
-/// Local tolerance per global tolerance.
-pub(super) const LOCAL: f64 = 0.5;
 /// Steps after which the full track is the better way.
 pub(super) const STEPS_MAX: usize = 1500;
 /// Part of its unit below which a step is tried again with a shorter one.
@@ -93,7 +91,8 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    fn of<const N: usize>(series: &Series<N>, trusted: f64) -> Self {
+    #[inline(always)]
+    pub(super) fn of<const N: usize>(series: &Series<N>, trusted: f64) -> Self {
         Self {
             trusted,
             state: series.state(trusted),
@@ -146,7 +145,7 @@ impl Contact {
             };
             joint = None;
             let last_terms = self.constants.last_terms(&series, minded_m(series.plate[0], reach_m));
-            let seen = Seen::of(&series, leash * trusted::<N>(last_terms, tolerance * LOCAL));
+            let seen = Seen::of(&series, leash * trusted::<N>(last_terms, tolerance));
             let here = track;
             if let Some(way) = self.stride(&mut track, sides, &seen, || &series) {
                 return way;
