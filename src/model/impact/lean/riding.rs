@@ -115,6 +115,10 @@ impl Riding {
             let moved = (series.plate[0] - plate_m).abs() / series.plate[0];
             let faster = (series.speed[0] - speed[0]).abs() * unit_s / series.plate[0];
             plate_m = series.plate[0];
+            // With another speed another slip: the projectile's own velocity is what the force left of it.
+            for (slip, (old, new)) in series.slip.iter_mut().zip(series.speed.iter().zip(&speed)) {
+                *slip += constants.cos * (old - new);
+            }
             series.speed = speed;
             let change = larger(moved, faster);
             if change <= AGREE * tolerance {
