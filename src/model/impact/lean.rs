@@ -349,7 +349,7 @@ mod tests {
     }
 
     /// A plate that rides on its spring all the way, one that is set swinging where nose meets cylinder, one that stops riding
-    /// on the way, one with a damper, one that is perforated.
+    /// on the way, one with a damper, one that is perforated, one that hardly moves.
     #[test]
     fn a_plate_that_rides_on_its_spring_comes_as_far_as_by_the_full_track() {
         for pairs in [
@@ -358,6 +358,8 @@ mod tests {
             "k=1e5 n=0.187 gamma=3",
             "k=1e5 n=0.15 b=500",
             "k=1e5 n=0.2 h=0.004 v_i=300",
+            // It hardly moves: nothing may be lost between its velocity and the projectile's.
+            "k=1e6 n=0.24 v_i=60 gamma=0.8",
         ] {
             let mut scene = scene(pairs);
             scene.run.tolerance = 1e-12;

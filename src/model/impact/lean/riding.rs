@@ -121,7 +121,8 @@ impl Riding {
             }
             series.speed = speed;
             let change = larger(moved, faster);
-            if change <= AGREE * tolerance {
+            // The first has no inertia yet, and agrees with a step before that had none.
+            if pass > 0 && change <= AGREE * tolerance {
                 return self.keeps_to(&series, state, tolerance).then_some(series);
             }
             if pass >= SETTLED && change > GAIN * before {
