@@ -108,8 +108,8 @@ impl<const N: usize, R: Real> Law<N, R> for Power<N, R> {
         let per_order = 1.0 / J as f64;
         let more = self.exponent + z[0].alike(1.0);
         let older = if J > 2 {
-            let by_slope = product_inside::<N, J, R>(&self.slope, &self.force);
-            let by_value = product_inside::<N, J, R>(z, &self.force);
+            let by_slope = product_from::<N, J, 2, R>(&self.slope, &self.force);
+            let by_value = product_from::<N, J, 2, R>(z, &self.force);
             (more * per_order * by_slope - by_value) * self.inverse
         } else {
             z[0].alike(0.0)
@@ -152,31 +152,25 @@ pub(super) fn square_before<const N: usize, const J: usize, R: Real>(a: &[R; N])
 /// Coefficient J of a·b but for the parts of a\[J\] and b\[J\], likewise.
 #[inline(always)]
 pub(super) fn product_before<const N: usize, const J: usize, R: Real>(a: &[R; N], b: &[R; N]) -> R {
-    let zero = a[0].alike(0.0);
-    let (mut first, mut second) = (zero, zero);
-    let mut i = J.div_ceil(2);
-    while i > 1 {
-        i -= 1;
-        first = first + a[i] * b[J - i];
-        second = second + a[J - i] * b[i];
-    }
-    let sum = first + second;
-    if J >= 2 && J.is_multiple_of(2) { sum + a[J / 2] * b[J / 2] } else { sum }
+    product_from::<N, J, 1, R>(a, b)
 }
 
-/// The inner part of coefficient J of a·b: without the first two and the last two coefficients of either; the newest last.
+/// Coefficient J of a·b without the first and the last FROM coefficients of either, the newest last.
 #[inline(always)]
-fn product_inside<const N: usize, const J: usize, R: Real>(a: &[R; N], b: &[R; N]) -> R {
+fn product_from<const N: usize, const J: usize, const FROM: usize, R: Real>(
+    a: &[R; N],
+    b: &[R; N],
+) -> R {
     let zero = a[0].alike(0.0);
     let (mut first, mut second) = (zero, zero);
     let mut i = J.div_ceil(2);
-    while i > 2 {
+    while i > FROM {
         i -= 1;
         first = first + a[i] * b[J - i];
         second = second + a[J - i] * b[i];
     }
     let sum = first + second;
-    if J >= 4 && J.is_multiple_of(2) { sum + a[J / 2] * b[J / 2] } else { sum }
+    if J >= 2 * FROM && J.is_multiple_of(2) { sum + a[J / 2] * b[J / 2] } else { sum }
 }
 
 /// Coefficient J of a².
