@@ -10,7 +10,9 @@ use pulp::{Arch, Simd, WithSimd};
 use crate::model::impact::lean::expansion::{Clock, Constants, trusted};
 use crate::model::impact::lean::law::{Law, Linear, Power};
 use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
-use crate::model::impact::lean::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
+use crate::model::impact::lean::{
+    Contact, ContactEnd, SPRING_POWERS, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_singular,
+};
 use crate::model::mechanism::PowerKind;
 use crate::numerics::wide::Wide;
 
@@ -85,12 +87,12 @@ impl Contact {
         if !matches!(self.damper.kind(), PowerKind::Absent | PowerKind::Linear) {
             return None;
         }
-        let spring = match self.spring.kind() {
-            PowerKind::Absent | PowerKind::Linear => 0,
-            PowerKind::General | PowerKind::Whole(4..) => {
-                1 + usize::from(matches!(walk.track.clock, Clock::Graded { .. }))
-            }
-            PowerKind::Whole(_) => return None,
+        let spring = if is_singular(self.spring, SPRING_POWERS) {
+            1 + usize::from(matches!(walk.track.clock, Clock::Graded { .. }))
+        } else if matches!(self.spring.kind(), PowerKind::Whole(_)) {
+            return None;
+        } else {
+            0
         };
         let terms = match walk.terms {
             TERMS_LOOSE => 0,
