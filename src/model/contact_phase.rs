@@ -317,6 +317,9 @@ const SPEED_ZERO: usize = 4;
 const KNOT_BELOW: usize = 5;
 const KNOT_ABOVE: usize = 6;
 
+/// A boundary that is never met.
+const NEVER: Boundary<4> = Boundary { offset: 1.0, slope: [0.0; 4] };
+
 /// The equations on one stretch between boundaries.
 struct Stretch<'a> {
     phase: &'a Phase,
@@ -329,10 +332,9 @@ struct Stretch<'a> {
 
 impl<'a> Stretch<'a> {
     fn first(phase: &'a Phase, located: bool) -> Self {
-        let never = Boundary { offset: 1.0, slope: [0.0; 4] };
         let region = phase.spring.region(phase.start_x).filter(|_| located && !phase.rigid);
         let piece = located.then_some(0);
-        let mut stretch = Self { phase, piece, region, boundaries: [never; 7] };
+        let mut stretch = Self { phase, piece, region, boundaries: [NEVER; 7] };
         stretch.watch_knots();
         stretch.boundaries[ARREST] = plane(0.0, 1, 1.0);
         stretch.watch_joint();
@@ -354,9 +356,8 @@ impl<'a> Stretch<'a> {
     fn watch_knots(&mut self) {
         let Some(region) = self.region else { return };
         let (low, high) = self.phase.spring.ends(region);
-        let never = Boundary { offset: 1.0, slope: [0.0; 4] };
-        self.boundaries[KNOT_BELOW] = if low.is_finite() { plane(-low, 2, 1.0) } else { never };
-        self.boundaries[KNOT_ABOVE] = if high.is_finite() { plane(high, 2, -1.0) } else { never };
+        self.boundaries[KNOT_BELOW] = if low.is_finite() { plane(-low, 2, 1.0) } else { NEVER };
+        self.boundaries[KNOT_ABOVE] = if high.is_finite() { plane(high, 2, -1.0) } else { NEVER };
     }
 
     fn watch_joint(&mut self) {
