@@ -1,6 +1,6 @@
 //! The plain steps of a single contact: the kernel compiled for its kinds of spring and damper.
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Scalar, Simd, WithSimd};
 
 use crate::model::impact::lean::expansion::{Clock, trusted};
 use crate::model::impact::lean::law::{Law, Linear, Power, Whole};
@@ -23,44 +23,59 @@ impl Contact {
         let side = if self.start_m < 0.0 { -1.0 } else { 1.0 };
         match law.kind() {
             PowerKind::Absent | PowerKind::Linear => {
-                self.with_damper::<N>(Linear(law.coefficient), walk)
+                self.with_damper::<N, false>(Linear(law.coefficient), walk)
             }
-            PowerKind::Whole(2) => self.with_damper::<N>(Whole::<N, 2>::new(law, side), walk),
-            PowerKind::Whole(3) => self.with_damper::<N>(Whole::<N, 3>::new(law, side), walk),
+            PowerKind::Whole(2) => {
+                self.with_damper::<N, false>(Whole::<N, 2>::new(law, side), walk)
+            }
+            PowerKind::Whole(3) => {
+                self.with_damper::<N, false>(Whole::<N, 3>::new(law, side), walk)
+            }
             // The singular start serves them, too: a high power of a small displacement is next to nothing.
             PowerKind::Whole(_) | PowerKind::General => {
-                self.with_damper::<N>(Power::<N>::of(law), walk)
+                let spring = Power::<N>::of(law);
+                match walk.track.clock {
+                    Clock::Graded { .. } => self.with_damper::<N, true>(spring, walk),
+                    Clock::Even { .. } => self.with_damper::<N, false>(spring, walk),
+                }
             }
         }
     }
 
-    fn with_damper<const N: usize>(&self, spring: impl Law<N>, walk: &Walk) -> Option<ContactEnd> {
+    /// `GRADED` tells the clock, unless the damper does: a singular one always starts on a graded clock.
+    fn with_damper<const N: usize, const GRADED: bool>(
+        &self,
+        spring: impl Law<N>,
+        walk: &Walk,
+    ) -> Option<ContactEnd> {
         let law = self.damper;
         match law.kind() {
             PowerKind::Absent | PowerKind::Linear => {
-                self.with_laws(spring, Linear(law.coefficient), walk)
+                self.with_laws::<N, GRADED>((spring, Linear(law.coefficient)), walk)
             }
             // From rest the plate only goes forward.
-            PowerKind::Whole(2) => self.with_laws(spring, Whole::<N, 2>::new(law, 1.0), walk),
+            PowerKind::Whole(2) => {
+                self.with_laws::<N, GRADED>((spring, Whole::<N, 2>::new(law, 1.0)), walk)
+            }
             PowerKind::Whole(_) | PowerKind::General => {
-                self.with_laws(spring, Power::<N>::of(law), walk)
+                self.with_laws::<N, true>((spring, Power::<N>::of(law)), walk)
             }
         }
     }
 
-    fn with_laws<const N: usize, K: Law<N>, D: Law<N>>(
+    fn with_laws<const N: usize, const GRADED: bool>(
         &self,
-        spring: K,
-        damper: D,
+        laws: (impl Law<N>, impl Law<N>),
         walk: &Walk,
     ) -> Option<ContactEnd> {
-        let laws = (spring, damper);
-        let arch = Arch::new();
-        if matches!(walk.track.clock, Clock::Graded { .. }) {
-            arch.dispatch(Alone::<N, true, K, D> { contact: self, laws, walk })
-        } else {
-            arch.dispatch(Alone::<N, false, K, D> { contact: self, laws, walk })
+        debug_assert_eq!(GRADED, matches!(walk.track.clock, Clock::Graded { .. }));
+        let alone = Alone::<N, GRADED, _, _> { contact: self, laws, walk };
+        // Vectors wider than those of four pay only where contacts fill the lanes, and each width is compiled in full.
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = pulp::x86::V3::try_new() {
+            return Simd::vectorize(simd, alone);
         }
+        Simd::vectorize(Scalar::new(), alone)
     }
 
     #[inline(always)]
