@@ -22,10 +22,12 @@ use start::Start;
 use way::{Outset, Track, Walk};
 
 mod abreast;
+mod bench;
 mod expansion;
 mod free;
 mod law;
 mod plain;
+mod ride;
 mod riding;
 mod root;
 mod slaved;
@@ -134,10 +136,14 @@ impl Contact {
 
     /// Run it to the relative accuracy `tolerance`; `None` where the full track is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
-        match self.outset(tolerance) {
+        let mut outset = self.outset(tolerance);
+        if let Outset::Rides(ride) = outset {
+            outset = self.ridden(ride);
+        }
+        match outset {
             Outset::Ended(end) => Some(end),
             Outset::Steps(walk) => self.walk(&walk),
-            Outset::Left => None,
+            Outset::Rides(_) | Outset::Left => None,
         }
     }
 
@@ -176,25 +182,35 @@ impl Contact {
         if let Some(end) = self.closed(tolerance) {
             return Outset::Ended(end);
         }
-        let outset = if tolerance >= LOOSE {
-            self.outset_with::<TERMS_LOOSE>(tolerance)
+        let terms = if tolerance >= LOOSE {
+            TERMS_LOOSE
         } else if tolerance >= TIGHT {
-            self.outset_with::<TERMS>(tolerance)
+            TERMS
         } else {
-            self.outset_with::<TERMS_TIGHT>(tolerance)
+            TERMS_TIGHT
         };
-        outset.unwrap_or(Outset::Left)
-    }
-
-    fn outset_with<const N: usize>(&self, tolerance: f64) -> Option<Outset> {
         if let Some(slaved) = self.as_slaved(tolerance) {
-            return self.slaved::<N>(slaved, tolerance).map(Outset::Ended);
+            let end = match terms {
+                TERMS_LOOSE => self.slaved::<TERMS_LOOSE>(slaved, tolerance),
+                TERMS => self.slaved::<TERMS>(slaved, tolerance),
+                _ => self.slaved::<TERMS_TIGHT>(slaved, tolerance),
+            };
+            return end.map_or(Outset::Left, Outset::Ended);
         }
         if let Some(riding) = self.as_riding()
-            && let Some(outset) = self.ridden::<N>(riding, tolerance)
+            && let Some(ride) = self.mounted(riding, tolerance, terms)
         {
-            return Some(outset);
+            return Outset::Rides(ride);
         }
+        self.start(tolerance, terms)
+    }
+
+    /// Plain steps from first contact.
+    fn start(&self, tolerance: f64, terms: usize) -> Outset {
+        self.first_step(tolerance, terms).map_or(Outset::Left, Outset::Steps)
+    }
+
+    fn first_step(&self, tolerance: f64, terms: usize) -> Option<Walk> {
         let starts = self.start_m == 0.0;
         let singular = (
             starts && is_singular(self.spring, SPRING_POWERS),
@@ -211,7 +227,10 @@ impl Contact {
             let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
             self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s()? })
         };
-        Some(Outset::Steps(Walk { track, tolerance, reach_m: None, terms: N }))
+        Some(match self.as_riding() {
+            Some(riding) => riding.walk(track, (tolerance, terms)),
+            None => Walk { track, tolerance, reach_m: None, terms },
+        })
     }
 
     /// The state a moment after a singular start.
@@ -245,9 +264,9 @@ impl Contact {
         let state = [-constants.cos * ahead_m, constants.velocity_m_s, ahead_m, 0.0];
         let clock = Clock::Even { unit_s: 0.5 * self.scale_s()? };
         let expand = |track: &Track, piece| {
-            Some(slaved.expand::<N>(&constants, track.state, track.clock.rates()[0], piece))
+            slaved.expand::<N>(&constants, track.state, track.clock.rates()[0], piece)
         };
-        self.go_on(expand, self.begin(0.0, state, clock), ((true, true), tolerance, None)).ended()
+        self.go_on(expand, self.begin(0.0, state, clock), ((true, true), tolerance))
     }
 
     /// The damper and spring of a plate that follows the forces at once, if they are such.

@@ -7,8 +7,10 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::model::impact::lean::expansion::{Clock, Constants, trusted};
+use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX};
+use crate::model::impact::lean::expansion::{Clock, trusted};
 use crate::model::impact::lean::law::{Law, Linear, Power};
+use crate::model::impact::lean::ride::{Rider, ride_abreast};
 use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
 use crate::model::impact::lean::{
     Contact, ContactEnd, SPRING_POWERS, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_singular,
@@ -16,16 +18,12 @@ use crate::model::impact::lean::{
 use crate::model::mechanism::PowerKind;
 use crate::numerics::wide::Wide;
 
-/// Lanes of the widest vectors there are.
-const LANES_MAX: usize = 8;
-
-/// Rows of a [`Bench`], each a number per lane.
 const ROWS: usize = 24;
 const STATE: usize = 0;
 const RATES: usize = 4;
 const PIECE: usize = 7;
-const CONSTANTS: usize = 11;
-const SPRING: usize = 17;
+const FIXED: usize = 11;
+const SPRING: usize = FIXED + CONSTANTS;
 const DAMPER: usize = 19;
 const MINDED: usize = 20;
 /// What a step shows.
@@ -41,17 +39,27 @@ pub fn run_abreast(
 ) -> Vec<Option<ContactEnd>> {
     let mut ends = vec![None; contacts.len()];
     let mut queues: [Vec<Job<'_>>; CLASSES] = Default::default();
-    for (place, contact) in contacts.iter().enumerate() {
-        let tolerance = if minding_plate { contact.minding_plate(tolerance) } else { tolerance };
-        match contact.outset(tolerance) {
+    let mut riders = Vec::new();
+    let mut go_on = |place: usize, outset| {
+        let contact = &contacts[place];
+        match outset {
             Outset::Ended(end) => ends[place] = Some(end),
-            Outset::Left => {}
+            // Nothing rides again.
+            Outset::Rides(_) | Outset::Left => {}
             Outset::Steps(walk) => match contact.class(&walk) {
                 Some(class) => queues[class].push(Job { contact, walk, place }),
                 None => ends[place] = contact.walk(&walk),
             },
         }
+    };
+    for (place, contact) in contacts.iter().enumerate() {
+        let tolerance = if minding_plate { contact.minding_plate(tolerance) } else { tolerance };
+        match contact.outset(tolerance) {
+            Outset::Rides(ride) => riders.push(Rider { contact, ride, place }),
+            outset => go_on(place, outset),
+        }
     }
+    ride_abreast(&riders, &mut go_on);
     let arch = Arch::new();
     for (class, jobs) in queues.iter().enumerate().filter(|(_, jobs)| !jobs.is_empty()) {
         let ends = &mut ends[..];
@@ -121,54 +129,21 @@ impl<const N: usize, const POWER: bool, const GRADED: bool> WithSimd
                 self.ends[job.place] = job.contact.walk(&job.walk);
             }
         } else if POWER {
-            let power =
-                |rows: &Bench| Power::new(rows.wide(simd, SPRING), rows.wide(simd, SPRING + 1));
+            let power = |rows: &Bench<ROWS>| {
+                Power::new(rows.wide(simd, SPRING), rows.wide(simd, SPRING + 1))
+            };
             run::<S, N, GRADED, Power<N, Wide<S>>>(simd, power, self.jobs, self.ends);
         } else {
-            let linear = |rows: &Bench| Linear(rows.wide(simd, SPRING));
+            let linear = |rows: &Bench<ROWS>| Linear(rows.wide(simd, SPRING));
             run::<S, N, GRADED, Linear<Wide<S>>>(simd, linear, self.jobs, self.ends);
         }
     }
 }
 
-/// The numbers of the contacts under way, a row a quantity and a column a lane.
-#[repr(align(64))]
-struct Bench([[f64; LANES_MAX]; ROWS]);
-
-impl Bench {
-    #[inline(always)]
-    fn wide<S: Simd>(&self, simd: S, row: usize) -> Wide<S> {
-        Wide::load(simd, &self.0[row])
-    }
-
-    #[inline(always)]
-    fn wides<S: Simd, const K: usize>(&self, simd: S, row: usize) -> [Wide<S>; K] {
-        std::array::from_fn(|k| self.wide(simd, row + k))
-    }
-
-    #[inline(always)]
-    fn constants<S: Simd>(&self, simd: S) -> Constants<Wide<S>> {
-        let [strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s] =
-            self.wides(simd, CONSTANTS);
-        Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s }
-    }
-
-    fn put<const K: usize>(&mut self, lane: usize, row: usize, numbers: [f64; K]) {
-        for (row, number) in self.0[row..].iter_mut().zip(numbers) {
-            row[lane] = number;
-        }
-    }
-
-    fn of<const K: usize>(&self, lane: usize, row: usize) -> [f64; K] {
-        std::array::from_fn(|k| self.0[row + k][lane])
-    }
-
+impl Bench<ROWS> {
     /// What does not change along the way.
     fn seat(&mut self, lane: usize, contact: &Contact) {
-        let Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s } =
-            contact.constants;
-        let constants = [strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s];
-        self.put(lane, CONSTANTS, constants);
+        self.put_constants(lane, FIXED, &contact.constants);
         self.put(lane, SPRING, [contact.spring.coefficient, contact.spring.exponent]);
         self.put(lane, DAMPER, [contact.damper.coefficient]);
     }
@@ -189,11 +164,11 @@ impl Bench {
 #[inline(always)]
 fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
     simd: S,
-    spring: impl Fn(&Bench) -> K,
+    spring: impl Fn(&Bench<ROWS>) -> K,
     jobs: &[Job<'_>],
     ends: &mut [Option<ContactEnd>],
 ) {
-    let mut bench = Bench([[1.0; LANES_MAX]; ROWS]);
+    let mut bench = Bench::idle();
     let mut waiting = jobs.iter();
     let mut lanes: [Option<Job<'_>>; LANES_MAX] = [None; LANES_MAX];
     let lanes = &mut lanes[..S::F64_LANES];
@@ -204,20 +179,18 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
         let [origin_m, a0, a1, a2] = bench.wides(simd, PIECE);
         let laws = (spring(&bench), Linear(bench.wide(simd, DAMPER)));
         let state: [Wide<S>; 4] = bench.wides(simd, STATE);
-        let constants = bench.constants(simd);
+        let constants = bench.constants(simd, FIXED);
         let area = (origin_m, [a0, a1, a2]);
         let series = constants.expand::<N, GRADED>(laws, state, bench.wides(simd, RATES), area);
-        constants.last_terms(&series, bench.wide(simd, MINDED)).store(&mut bench.0[SIZE]);
+        bench.store(SIZE, [constants.last_terms(&series, bench.wide(simd, MINDED))]);
         for (lane, job) in lanes.iter().enumerate() {
             let tolerance = job.as_ref().map_or(1.0, |job| job.walk.tolerance);
             bench.0[TRUSTED][lane] = trusted::<N>(bench.0[SIZE][lane], tolerance);
         }
         let span = bench.wide(simd, TRUSTED);
-        series.slip_slope(span).store(&mut bench.0[SLOPE]);
+        bench.store(SLOPE, [series.slip_slope(span)]);
         let speeds = bench.0[STATE + 3];
-        for (row, value) in series.state(span).into_iter().enumerate() {
-            value.store(&mut bench.0[STATE + row]);
-        }
+        bench.store(STATE, series.state(span));
         for (lane, seat) in lanes.iter_mut().enumerate() {
             let Some(job) = seat else { continue };
             let seen = Seen {
@@ -243,7 +216,7 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
 /// Seat the next job on a lane.
 fn next<'c>(
     waiting: &mut std::slice::Iter<'_, Job<'c>>,
-    bench: &mut Bench,
+    bench: &mut Bench<ROWS>,
     lane: usize,
 ) -> Option<Job<'c>> {
     waiting.by_ref().find_map(|job| {

@@ -77,18 +77,18 @@ impl<const N: usize, R: Real> Power<N, R> {
             slope: [zero; N],
         }
     }
+
+    /// What coefficient J of the argument, taken as zero when it was asked for, adds to that of the force.
+    #[inline(always)]
+    pub(super) fn add<const J: usize>(&mut self, z: R) {
+        self.slope[J] = z * J as f64;
+        self.force[J] = self.force[J] + self.tangent * z;
+    }
 }
 
 impl<const N: usize> Power<N> {
     pub(super) fn of(law: PowerLaw) -> Self {
         Self::new(law.coefficient, law.exponent)
-    }
-
-    /// What coefficient J of the argument, taken as zero when it was asked for, adds to that of the force.
-    #[inline(always)]
-    pub(super) fn add<const J: usize>(&mut self, z: f64) {
-        self.slope[J] = J as f64 * z;
-        self.force[J] += self.tangent * z;
     }
 }
 

@@ -69,13 +69,7 @@ impl Contact {
         walk: &Walk,
     ) -> Option<ContactEnd> {
         debug_assert_eq!(GRADED, matches!(walk.track.clock, Clock::Graded { .. }));
-        let alone = Alone::<N, GRADED, _, _> { contact: self, laws, walk };
-        // Vectors wider than those of four pay only where contacts fill the lanes, and each width is compiled in full.
-        #[cfg(target_arch = "x86_64")]
-        if let Some(simd) = pulp::x86::V3::try_new() {
-            return Simd::vectorize(simd, alone);
-        }
-        Simd::vectorize(Scalar::new(), alone)
+        alone(Alone::<N, GRADED, _, _> { contact: self, laws, walk })
     }
 
     #[inline(always)]
@@ -100,6 +94,16 @@ impl Contact {
         }
         None
     }
+}
+
+/// Compile what is done for a single contact for the instructions of the machine.
+pub(super) fn alone<O: WithSimd>(one: O) -> O::Output {
+    // Vectors wider than those of four pay only where contacts fill the lanes, and each width is compiled in full.
+    #[cfg(target_arch = "x86_64")]
+    if let Some(simd) = pulp::x86::V3::try_new() {
+        return Simd::vectorize(simd, one);
+    }
+    Simd::vectorize(Scalar::new(), one)
 }
 
 /// A contact by itself, compiled for the instructions of the machine.

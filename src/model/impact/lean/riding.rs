@@ -9,26 +9,21 @@
 use crate::model::closed_form::Passage;
 use crate::model::impact::lean::expansion::{Clock, Constants, Series};
 use crate::model::impact::lean::law::{Law as _, Power, product_before, square_before};
-use crate::model::impact::lean::way::{Outset, Track, Walk, Way};
+use crate::model::impact::lean::ride::Ride;
+use crate::model::impact::lean::way::{Track, Walk};
 use crate::model::impact::lean::{Contact, free};
 use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::numerics::wide::Real;
 use crate::numerics::{larger, smaller};
 
-/// Passes at the most.
-const PASSES_MAX: usize = 8;
 /// Newton steps for the place of balance.
 const NEWTON_MAX: usize = 30;
 /// Its last step at the most, relative.
 const NEWTON_LAST: f64 = 1e-8;
-/// Part of the tolerance by which the last two passes may differ.
-const AGREE: f64 = 0.3;
 /// Radians by which a plate could have swung from first contact to its start, at least.
 const SWINGS_MIN: f64 = 60.0;
 /// See [`eased`].
 const EASED_MOST: f64 = 1e3;
-/// What a pass must at least gain, after the first few.
-const GAIN: f64 = 0.5;
-const SETTLED: usize = 3;
 /// Tolerances by which a step may miss the next one's start: a plate that swings by more no longer rides.
 const SWING: f64 = 1.0;
 /// Part of the tolerance of what the plate has moved at the start, against its way in the contact.
@@ -46,19 +41,47 @@ pub(super) struct Riding {
     /// How far the plate comes at least, m: what is small against it need not be known as well.
     pub(super) reach_m: f64,
 }
+
+/// Where the spring holds what pushes the plate.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Balance {
+    /// Plate displacement, m.
+    pub(super) plate_m: f64,
+    /// Spring force there, N.
+    force_n: f64,
+}
+
 /// What a coefficient adds to another of the same order.
-#[derive(Clone, Copy, Default)]
-struct Per {
+#[derive(Clone, Copy)]
+struct Per<R> {
     /// Pressure by the slip's.
-    slip_pressure: f64,
+    slip_pressure: R,
     /// Contact force by the slip's.
-    slip_force: f64,
+    slip_force: R,
     /// Area lost by the plate's.
-    plate_area: f64,
+    plate_area: R,
     /// Contact force lost by the plate's.
-    plate_force: f64,
+    plate_force: R,
     /// The plate's by a force on it.
-    force_plate: f64,
+    force_plate: R,
+}
+
+/// What the next pass takes from the one before, term by term.
+#[derive(Clone, Copy)]
+pub(super) struct Lag<const N: usize, R = f64> {
+    /// Inertia and damper, m w' + b w, N.
+    pub(super) force: [R; N],
+    /// Plate velocity w, m/s.
+    pub(super) speed: [R; N],
+}
+
+/// A spring that is ridden on, or several side by side.
+#[derive(Clone, Copy)]
+pub(super) struct Spring<R> {
+    pub(super) coefficient: R,
+    pub(super) exponent: R,
+    pub(super) damper_n_s_m: R,
+    pub(super) plate_kg: R,
 }
 
 /// Exponent below which a plate rides on its spring from the start.
@@ -89,168 +112,173 @@ impl Riding {
         (swings / SWINGS_MIN).powf(2.0 * n / (1.0 - 3.0 * n))
     }
 
-    /// Expand from `state` = (travel, slip, plate, speed); `None` where the plate no longer rides to within the tolerance,
-    /// relative to its way.
-    pub(super) fn expand<const N: usize>(
-        &self,
-        constants: &Constants,
-        state: [f64; 4],
-        unit_s: f64,
-        (piece, tolerance): ((f64, [f64; 3]), f64),
-    ) -> Option<Series<N>> {
-        let (mut lag, mut speed) = ([0.0; N], [0.0; N]);
-        speed[0] = state[3];
-        let mut plate_m = state[2];
-        let mut before = f64::INFINITY;
-        for pass in 0..PASSES_MAX {
-            let mut series =
-                self.pass(constants, state, (unit_s, piece), (plate_m, &lag, &speed))?;
-            for (j, (speed, next)) in speed.iter_mut().zip(&series.plate[1..]).enumerate() {
-                *speed = (j + 1) as f64 * next / unit_s;
-            }
-            for (j, (lag, pair)) in lag.iter_mut().zip(speed[..N - 1].windows(2)).enumerate() {
-                let inertia = self.plate_kg * (j + 1) as f64 * pair[1] / unit_s;
-                *lag = inertia + self.damper_n_s_m * pair[0];
-            }
-            let moved = (series.plate[0] - plate_m).abs() / series.plate[0];
-            let faster = (series.speed[0] - speed[0]).abs() * unit_s / series.plate[0];
-            plate_m = series.plate[0];
-            // With another speed another slip: the projectile's own velocity is what the force left of it.
-            for (slip, (old, new)) in series.slip.iter_mut().zip(series.speed.iter().zip(&speed)) {
-                *slip += constants.cos * (old - new);
-            }
-            series.speed = speed;
-            let change = larger(moved, faster);
-            // The first has no inertia yet, and agrees with a step before that had none.
-            if pass > 0 && change <= AGREE * tolerance {
-                return self.keeps_to(&series, state, tolerance).then_some(series);
-            }
-            if pass >= SETTLED && change > GAIN * before {
-                break;
-            }
-            before = change;
-        }
-        None
-    }
-
     /// Whether the plate comes in on the slow motion: not at all if it is yet to start.
-    fn keeps_to<const N: usize>(&self, s: &Series<N>, state: [f64; 4], tolerance: f64) -> bool {
-        let (x, dx, dw) = (s.plate[0], s.plate[0] - state[2], s.speed[0] - state[3]);
+    pub(super) fn keeps_to(&self, (x, w): (f64, f64), state: [f64; 4], tolerance: f64) -> bool {
+        let (dx, dw) = (x - state[2], w - state[3]);
         let tangent = self.spring.exponent * self.spring.force(x) / x;
         let swing = dx * dx + dw * dw * self.plate_kg / tangent;
         state[3] == 0.0 || swing.sqrt() <= SWING * tolerance * x
     }
 
-    /// One pass, with m w' + b w and w given.
-    fn pass<const N: usize>(
+    /// Plain steps from there, small enough to follow its swings.
+    pub(super) fn walk(&self, track: Track, (tolerance, terms): (f64, usize)) -> Walk {
+        Walk { track, tolerance: SWINGING * tolerance, reach_m: Some(self.reach_m), terms }
+    }
+
+    /// Where a contact is from which the first pass looks for the balance.
+    pub(super) fn at(&self, plate_m: f64) -> Balance {
+        Balance { plate_m, force_n: self.spring.force(plate_m) }
+    }
+
+    /// The balance from `guess` where the projectile is at `state` and plate inertia and damper hold `lag_n` at this plate velocity:
+    /// Newton's method on the logarithm of both sides, where powers are lines. `None` where nothing pushes.
+    pub(super) fn balance(
         &self,
         constants: &Constants,
         state: [f64; 4],
-        (unit_s, (origin_m, a)): (f64, (f64, [f64; 3])),
-        (plate_m, lag, speed): (f64, &[f64; N], &[f64; N]),
-    ) -> Option<Series<N>> {
+        (origin_m, a): (f64, [f64; 3]),
+        (guess, lag_n, speed_m_s): (Balance, f64, f64),
+    ) -> Option<Balance> {
+        let Constants { strength_pa, drag_kg_m3, cos, .. } = *constants;
+        let (own_m, own_m_s) = (state[0] + cos * state[2], state[1] + cos * state[3]);
+        let slip = own_m_s - cos * speed_m_s;
+        let pressure = strength_pa + drag_kg_m3 * slip * slip;
+        let n = self.spring.exponent;
+        let Balance { plate_m: mut x, force_n: mut force } = guess;
+        for _ in 0..NEWTON_MAX {
+            let q = own_m - cos * x - origin_m;
+            let pushes = cos * (a[0] + q * (a[1] + a[2] * q)) * pressure - lag_n;
+            let slope = -cos * cos * (a[1] + 2.0 * a[2] * q) * pressure;
+            if !(pushes > 0.0 && x > 0.0) {
+                return None;
+            }
+            let step = ln(force / pushes) / (n - x * slope / pushes);
+            x *= exp(-step);
+            force *= exp(-n * step);
+            // The method doubles the digits: a step this small leaves rounding alone.
+            if step.abs() <= NEWTON_LAST {
+                break;
+            }
+        }
+        Some(Balance { plate_m: x, force_n: force })
+    }
+}
+
+impl<R: Real> Spring<R> {
+    /// One pass about that place of balance: the series with the plate's velocity as it was before.
+    #[inline(always)]
+    pub(super) fn pass<const N: usize>(
+        &self,
+        constants: &Constants<R>,
+        state: [R; 4],
+        (unit_s, (origin_m, a)): (R, (R, [R; 3])),
+        (plate_m, lag): (R, &Lag<N, R>),
+    ) -> Series<N, R> {
         let Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, .. } =
             *constants;
         let slowing = slip_mobility - cos * cos * plate_mobility;
-        let zero = [0.0; N];
-        let mut s = Series { travel: zero, slip: zero, plate: zero, speed: *speed };
+        let none = unit_s.alike(0.0);
+        let zero = [none; N];
+        let mut s = Series { travel: zero, slip: zero, plate: zero, speed: lag.speed };
         let mut offset = zero;
-        let (area, pressure) = (&mut [0.0; N], &mut [0.0; N]);
+        let (area, pressure) = (&mut [none; N], &mut [none; N]);
         // The projectile's own travel and velocity, as far as they are known.
         let next = &mut [zero, zero];
         (next[0][0], next[1][0]) = (state[0] + cos * state[2], state[1] + cos * state[3]);
-        let mut spring = Power::<N>::of(self.spring);
-        let per = &mut Per::default();
+        let mut spring = Power::<N, R>::new(self.coefficient, self.exponent);
+        s.plate[0] = plate_m;
+        s.slip[0] = next[1][0] - cos * lag.speed[0];
+        offset[0] = next[0][0] - cos * plate_m - origin_m;
+        area[0] = a[0] + offset[0] * (a[1] + a[2] * offset[0]);
+        pressure[0] = strength_pa + drag_kg_m3 * s.slip[0] * s.slip[0];
+        let slope = a[1] + a[2] * offset[0] * 2.0;
+        let by_plate = spring.term::<0>(&s.plate) * self.exponent / plate_m;
+        let by_slip = drag_kg_m3 * s.slip[0] * 2.0;
+        let per = Per {
+            slip_pressure: by_slip,
+            slip_force: area[0] * by_slip,
+            plate_area: cos * slope,
+            plate_force: cos * slope * pressure[0],
+            force_plate: none.alike(1.0) / (by_plate + cos * cos * slope * pressure[0]),
+        };
         macro_rules! order {
             ($($j:literal)*) => { $( if $j < N {
                 const J: usize = $j;
-                s.slip[J] = next[1][J] - cos * speed[J];
                 let force;
                 if J == 0 {
-                    pressure[0] = strength_pa + drag_kg_m3 * s.slip[0] * s.slip[0];
-                    let area_at = |x: f64| {
-                        let q = next[0][0] - cos * x - origin_m;
-                        (a[0] + q * (a[1] + a[2] * q), a[1] + 2.0 * a[2] * q)
-                    };
-                    let pushes = |x: f64| cos * area_at(x).0 * pressure[0] - lag[0];
-                    let x = self.balance(plate_m, |x| {
-                        (pushes(x), -cos * cos * area_at(x).1 * pressure[0])
-                    })?;
-                    s.plate[0] = x;
-                    offset[0] = next[0][0] - cos * x - origin_m;
-                    let (there, slope) = area_at(x);
-                    area[0] = there;
                     force = area[0] * pressure[0];
-                    let by_plate = spring.term::<0>(&s.plate) * self.spring.exponent / x;
-                    let by_slip = 2.0 * drag_kg_m3 * s.slip[0];
-                    *per = Per {
-                        slip_pressure: by_slip,
-                        slip_force: area[0] * by_slip,
-                        plate_area: cos * slope,
-                        plate_force: cos * slope * pressure[0],
-                        force_plate: 1.0 / (by_plate + cos * cos * slope * pressure[0]),
-                    };
                 } else {
+                    s.slip[J] = next[1][J] - cos * lag.speed[J];
                     // All but the parts of the slip's and the plate's coefficients J: what does not wait for them, ...
                     let moved = next[0][J];
-                    let bent = square_before::<N, J, f64>(&offset) + 2.0 * offset[0] * moved;
+                    let bent = square_before::<N, J, R>(&offset) + offset[0] * moved * 2.0;
                     area[J] = a[1] * moved + a[2] * bent;
-                    let older = drag_kg_m3 * square_before::<N, J, f64>(&s.slip);
-                    let known = product_before::<N, J, f64>(area, pressure)
+                    let older = drag_kg_m3 * square_before::<N, J, R>(&s.slip);
+                    let known = product_before::<N, J, R>(area, pressure)
                         + (area[J] * pressure[0] + area[0] * older);
                     let held = spring.term::<J>(&s.plate);
-                    let pushed = (cos * known - lag[J] - held) * per.force_plate;
+                    let pushed = (cos * known - lag.force[J] - held) * per.force_plate;
                     // ... and those parts, linear in them.
                     let x = pushed + cos * per.slip_force * per.force_plate * s.slip[J];
                     force = (known + per.slip_force * s.slip[J]) - per.plate_force * x;
                     s.plate[J] = x;
                     spring.add::<J>(x);
                     offset[J] = moved - cos * x;
-                    area[J] -= per.plate_area * x;
+                    area[J] = area[J] - per.plate_area * x;
                     pressure[J] = older + per.slip_pressure * s.slip[J];
                 }
-                s.travel[J] = offset[J] + if J == 0 { origin_m } else { 0.0 };
+                s.travel[J] = if J == 0 { offset[J] + origin_m } else { offset[J] };
                 if J + 1 < N {
-                    let h = unit_s / (J + 1) as f64;
+                    let h = unit_s * (1.0 / (J + 1) as f64);
                     next[0][J + 1] = h * next[1][J];
-                    next[1][J + 1] = -h * slowing * force;
+                    next[1][J + 1] = -(h * slowing * force);
                 }
             } )* };
         }
         order!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
-        Some(s)
+        s
     }
 
-    /// Where the spring holds a force and slope that depend on the place: Newton's method on the logarithm of both.
-    fn balance(&self, guess_m: f64, force: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
-        let mut x = guess_m;
-        for _ in 0..NEWTON_MAX {
-            let (pushes, slope) = force(x);
-            if !(pushes > 0.0 && x > 0.0) {
-                return None;
-            }
-            let gap = (self.spring.force(x) / pushes).ln();
-            let step = gap / (self.spring.exponent - x * slope / pushes);
-            let next = x * (-step).exp();
-            // The method doubles the digits: a step this small leaves rounding alone.
-            if step.abs() <= NEWTON_LAST {
-                return Some(next);
-            }
-            x = next;
+    /// What follows from a pass for the plate's velocity and for the next pass; of the last terms nothing is known.
+    #[inline(always)]
+    pub(super) fn lag<const N: usize>(&self, series: &Series<N, R>, unit_s: R) -> Lag<N, R> {
+        let rate = unit_s.alike(1.0) / unit_s;
+        let zero = [unit_s.alike(0.0); N];
+        let mut lag = Lag { force: zero, speed: zero };
+        for j in 0..N - 1 {
+            lag.speed[j] = series.plate[j + 1] * (j + 1) as f64 * rate;
         }
-        Some(x)
+        for j in 0..N - 1 {
+            let inertia = self.plate_kg * lag.speed[j + 1] * (j + 1) as f64 * rate;
+            lag.force[j] = inertia + self.damper_n_s_m * lag.speed[j];
+        }
+        lag
     }
 }
 
+/// By how little an argument differs from the one of zero logarithm, or from zero, where a few terms give every digit.
+const NEAR: f64 = 1e-3;
+
+/// The natural logarithm, quick near one.
+fn ln(ratio: f64) -> f64 {
+    if (ratio - 1.0).abs() > NEAR {
+        return ratio.ln();
+    }
+    let z = (ratio - 1.0) / (ratio + 1.0);
+    2.0 * z * (1.0 + z * z * (1.0 / 3.0 + z * z / 5.0))
+}
+
+/// The exponential, quick near zero.
+fn exp(x: f64) -> f64 {
+    if x.abs() > NEAR {
+        return x.exp();
+    }
+    1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0))))
+}
+
 impl Contact {
-    /// A spring so stiff near its zero that the plate rides on it; where it no longer does, plain steps take over.
-    pub(super) fn ridden<const N: usize>(&self, riding: Riding, tolerance: f64) -> Option<Outset> {
-        let constants = self.constants;
-        let expand = |track: &Track, piece| {
-            let tolerance = tolerance * eased(track.state[2], riding.reach_m);
-            riding.expand::<N>(&constants, track.state, track.clock.rates()[0], (piece, tolerance))
-        };
-        let sides = (false, true);
+    /// A contact that starts on a spring so stiff near its zero that the plate rides on it; `None` where it does not.
+    pub(super) fn mounted(&self, riding: Riding, tolerance: f64, terms: usize) -> Option<Ride> {
         let part = riding.starts_at(tolerance);
         let mut start = self.at_balance(&riding, part, tolerance)?;
         let earlier = riding.earlier(start.t_s, start.state[2]);
@@ -260,15 +288,7 @@ impl Contact {
             }
             start = self.at_balance(&riding, part * earlier, tolerance)?;
         }
-        let reach_m = Some(riding.reach_m);
-        match self.go_on(expand, start, (sides, tolerance, reach_m)) {
-            Way::Ended(end) => Some(Outset::Ended(end)),
-            Way::Handed(track) if track.steps > 0 => {
-                let tolerance = SWINGING * tolerance;
-                Some(Outset::Steps(Walk { track, tolerance, reach_m, terms: N }))
-            }
-            Way::Handed(_) | Way::Left => None,
-        }
+        Some(Ride::from(riding, start, (tolerance, terms)))
     }
 
     /// Where a riding plate is so early that the projectile has not felt it move.

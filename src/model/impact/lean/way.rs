@@ -5,6 +5,7 @@ use std::borrow::Borrow;
 
 use crate::model::contact::AreaLaw;
 use crate::model::impact::lean::expansion::{Clock, Series, trusted};
+use crate::model::impact::lean::ride::Ride;
 use crate::model::impact::lean::riding::eased;
 use crate::model::impact::lean::root::{dips, fall, rise};
 use crate::model::impact::lean::{Contact, ContactEnd};
@@ -15,8 +16,6 @@ use crate::numerics::series::evaluate;
 pub(super) const STEPS_MAX: usize = 1500;
 /// Part of its unit below which a step is tried again with a shorter one.
 const SHORT: f64 = 0.02;
-/// Part of a step below which a plate that no longer rides is not asked again.
-const SHORTEST: f64 = 0.1;
 
 /// Where a contact is on its way.
 #[derive(Clone, Copy, Debug)]
@@ -54,6 +53,8 @@ pub(super) enum Outset {
     Ended(ContactEnd),
     /// To these.
     Steps(Walk),
+    /// The plate rides first.
+    Rides(Ride),
     /// To where the full track must take over.
     Left,
 }
@@ -116,48 +117,24 @@ impl Contact {
         Track { t_s, state, clock, piece: 0, farthest_m: self.start_m, steps: 0 }
     }
 
-    /// Go on by steps from `track` to the end, or to where `expand` gives none.
+    /// Go on by steps from `track` to the end; `None` where the full track must take over.
     pub(super) fn go_on<const N: usize>(
         &self,
-        mut expand: impl FnMut(&Track, (f64, [f64; 3])) -> Option<Series<N>>,
+        expand: impl Fn(&Track, (f64, [f64; 3])) -> Series<N>,
         mut track: Track,
-        (sides, tolerance, reach_m): ((bool, bool), f64, Option<f64>),
-    ) -> Way {
-        // From where to go on another way: a step earlier than where this one was seen to fail.
-        let mut before = track;
-        let mut joint = None;
-        let mut leash = 1.0;
+        (sides, tolerance): ((bool, bool), f64),
+    ) -> Option<ContactEnd> {
         while track.steps < STEPS_MAX {
-            let Some(piece) = self.area_law(track.piece) else { return Way::Left };
+            let piece = self.area_law(track.piece)?;
             track.steps += 1;
-            let Some(series) = expand(&track, piece) else {
-                // Fine up to the joint, where the next piece sets the plate swinging?
-                if joint.is_some_and(|law| expand(&track, law).is_some()) {
-                    return Way::Handed(track);
-                }
-                if track.piece != before.piece || leash < SHORTEST {
-                    return Way::Handed(before);
-                }
-                // The step there may have been too long, and so may be those to come.
-                leash *= 0.5;
-                track = Track { steps: track.steps, ..before };
-                continue;
-            };
-            joint = None;
-            let last_terms = self.constants.last_terms(&series, minded_m(series.plate[0], reach_m));
-            let seen = Seen::of(&series, leash * trusted::<N>(last_terms, tolerance));
-            let here = track;
+            let series = expand(&track, piece);
+            let last_terms = self.constants.last_terms(&series, minded_m(series.plate[0], None));
+            let seen = Seen::of(&series, trusted::<N>(last_terms, tolerance));
             if let Some(way) = self.stride(&mut track, sides, &seen, || &series) {
-                return way;
-            }
-            if track.t_s > here.t_s {
-                before = here;
-            }
-            if track.piece > here.piece {
-                joint = Some(piece);
+                return way.ended();
             }
         }
-        Way::Left
+        None
     }
 
     /// Origin and coefficients of the area on a piece; `None` where it is no polynomial.

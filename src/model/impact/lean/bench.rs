@@ -1,0 +1,63 @@
+//! The bench on which contacts are worked side by side: a row a quantity, a column a lane.
+
+use pulp::Simd;
+
+use crate::model::impact::lean::expansion::Constants;
+use crate::numerics::wide::Wide;
+
+/// Lanes of the widest vectors there are.
+pub(super) const LANES_MAX: usize = 8;
+/// Rows that [`Constants`] take.
+pub(super) const CONSTANTS: usize = 6;
+
+/// The numbers of the contacts under way.
+#[repr(align(64))]
+pub(super) struct Bench<const ROWS: usize>(pub(super) [[f64; LANES_MAX]; ROWS]);
+
+impl<const ROWS: usize> Bench<ROWS> {
+    /// Ones: a lane without a contact computes something, and nobody asks what.
+    pub(super) fn idle() -> Self {
+        Self([[1.0; LANES_MAX]; ROWS])
+    }
+
+    #[inline(always)]
+    pub(super) fn wide<S: Simd>(&self, simd: S, row: usize) -> Wide<S> {
+        Wide::load(simd, &self.0[row])
+    }
+
+    #[inline(always)]
+    pub(super) fn wides<S: Simd, const K: usize>(&self, simd: S, row: usize) -> [Wide<S>; K] {
+        std::array::from_fn(|k| self.wide(simd, row + k))
+    }
+
+    #[inline(always)]
+    pub(super) fn store<S: Simd, const K: usize>(&mut self, row: usize, numbers: [Wide<S>; K]) {
+        for (row, number) in self.0[row..].iter_mut().zip(numbers) {
+            number.store(row);
+        }
+    }
+
+    pub(super) fn put<const K: usize>(&mut self, lane: usize, row: usize, numbers: [f64; K]) {
+        for (row, number) in self.0[row..].iter_mut().zip(numbers) {
+            row[lane] = number;
+        }
+    }
+
+    pub(super) fn of<const K: usize>(&self, lane: usize, row: usize) -> [f64; K] {
+        std::array::from_fn(|k| self.0[row + k][lane])
+    }
+
+    pub(super) fn put_constants(&mut self, lane: usize, row: usize, constants: &Constants) {
+        let Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s } =
+            *constants;
+        let constants = [strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s];
+        self.put::<CONSTANTS>(lane, row, constants);
+    }
+
+    #[inline(always)]
+    pub(super) fn constants<S: Simd>(&self, simd: S, row: usize) -> Constants<Wide<S>> {
+        let [strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s] =
+            self.wides::<S, CONSTANTS>(simd, row);
+        Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, velocity_m_s }
+    }
+}
