@@ -78,6 +78,14 @@ impl<const N: usize, R: Real> Power<N, R> {
         }
     }
 
+    /// Start where argument and force are known.
+    #[inline(always)]
+    pub(super) fn start(&mut self, z: R, force: R) {
+        self.inverse = z.alike(1.0) / z;
+        self.force[0] = force;
+        self.tangent = self.exponent * force * self.inverse;
+    }
+
     /// What coefficient J of the argument, taken as zero when it was asked for, adds to that of the force.
     #[inline(always)]
     pub(super) fn add<const J: usize>(&mut self, z: R) {
@@ -98,10 +106,8 @@ impl<const N: usize, R: Real> Law<N, R> for Power<N, R> {
     #[inline(always)]
     fn term<const J: usize>(&mut self, z: &[R; N]) -> R {
         if J == 0 {
-            self.inverse = z[0].alike(1.0) / z[0];
             let power = z[0].each(self.exponent, |z, exponent| z.abs().powf(exponent) * sign(z));
-            self.force[0] = self.coefficient * power;
-            self.tangent = self.exponent * self.force[0] * self.inverse;
+            self.start(z[0], self.coefficient * power);
             return self.force[0];
         }
         self.slope[J] = z[J] * J as f64;

@@ -28,8 +28,8 @@ const UNIT: usize = 4;
 const PIECE: usize = 5;
 const SPRING: usize = 9;
 const BALANCE: usize = 13;
-const MINDED: usize = 14;
-const FIXED: usize = 15;
+const MINDED: usize = 15;
+const FIXED: usize = 16;
 /// What a pass shows.
 const SPEEDS: usize = FIXED + CONSTANTS;
 const TRUSTED: usize = SPEEDS + 2;
@@ -138,7 +138,7 @@ impl Ride {
         let change = larger(attempt.moved, (old_m_s - new_m_s).abs() * clock.rates()[0] / x);
         // The first has no inertia yet, and agrees with a step before that had none.
         if attempt.passes > 0 && change <= AGREE * tolerance {
-            let keeps = self.riding.keeps_to((x, new_m_s), state, tolerance);
+            let keeps = self.riding.keeps_to((attempt.balance, new_m_s), state, tolerance);
             return if keeps { Verdict::Settled } else { Verdict::Failed };
         }
         if attempt.passes >= SETTLED && change > GAIN * attempt.change {
@@ -310,9 +310,9 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
 
     /// A pass about the balance of the attempt.
     fn balance(&mut self, lane: usize, seat: &Seat<'_>) {
-        let x = seat.attempt.balance.plate_m;
-        let minded_m = minded_m(x, Some(seat.rider.ride.riding.reach_m));
-        self.bench.put(lane, BALANCE, [x, minded_m]);
+        let Balance { plate_m, force_n } = seat.attempt.balance;
+        let minded_m = minded_m(plate_m, Some(seat.rider.ride.riding.reach_m));
+        self.bench.put(lane, BALANCE, [plate_m, force_n, minded_m]);
     }
 
     /// Go on with the next attempt, or with the next rider.
@@ -361,7 +361,7 @@ fn run<S: Simd, const N: usize>(simd: S, riders: &[Rider<'_>], led: &mut dyn FnM
         let [origin_m, a0, a1, a2] = bench.wides(simd, PIECE);
         let scale = (unit_s, (origin_m, [a0, a1, a2]));
         let lag = Lag { force: all.force.wides(simd, 0), speed: all.speed.wides(simd, 0) };
-        let from = (bench.wide(simd, BALANCE), &lag);
+        let from = (bench.wides(simd, BALANCE), &lag);
         let mut series = spring.pass::<N>(&constants, bench.wides(simd, STATE), scale, from);
         let next = spring.lag(&series, unit_s);
         all.bench.store(SPEEDS, [lag.speed[0], next.speed[0]]);

@@ -48,7 +48,7 @@ pub(super) struct Balance {
     /// Plate displacement, m.
     pub(super) plate_m: f64,
     /// Spring force there, N.
-    force_n: f64,
+    pub(super) force_n: f64,
 }
 
 /// What a coefficient adds to another of the same order.
@@ -113,9 +113,15 @@ impl Riding {
     }
 
     /// Whether the plate comes in on the slow motion: not at all if it is yet to start.
-    pub(super) fn keeps_to(&self, (x, w): (f64, f64), state: [f64; 4], tolerance: f64) -> bool {
+    pub(super) fn keeps_to(
+        &self,
+        (at, w): (Balance, f64),
+        state: [f64; 4],
+        tolerance: f64,
+    ) -> bool {
+        let x = at.plate_m;
         let (dx, dw) = (x - state[2], w - state[3]);
-        let tangent = self.spring.exponent * self.spring.force(x) / x;
+        let tangent = self.spring.exponent * at.force_n / x;
         let swing = dx * dx + dw * dw * self.plate_kg / tangent;
         state[3] == 0.0 || swing.sqrt() <= SWING * tolerance * x
     }
@@ -172,7 +178,7 @@ impl<R: Real> Spring<R> {
         constants: &Constants<R>,
         state: [R; 4],
         (unit_s, (origin_m, a)): (R, (R, [R; 3])),
-        (plate_m, lag): (R, &Lag<N, R>),
+        ([plate_m, held_n], lag): ([R; 2], &Lag<N, R>),
     ) -> Series<N, R> {
         let Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, .. } =
             *constants;
@@ -186,13 +192,14 @@ impl<R: Real> Spring<R> {
         let next = &mut [zero, zero];
         (next[0][0], next[1][0]) = (state[0] + cos * state[2], state[1] + cos * state[3]);
         let mut spring = Power::<N, R>::new(self.coefficient, self.exponent);
+        spring.start(plate_m, held_n);
         s.plate[0] = plate_m;
         s.slip[0] = next[1][0] - cos * lag.speed[0];
         offset[0] = next[0][0] - cos * plate_m - origin_m;
         area[0] = a[0] + offset[0] * (a[1] + a[2] * offset[0]);
         pressure[0] = strength_pa + drag_kg_m3 * s.slip[0] * s.slip[0];
         let slope = a[1] + a[2] * offset[0] * 2.0;
-        let by_plate = spring.term::<0>(&s.plate) * self.exponent / plate_m;
+        let by_plate = held_n * self.exponent / plate_m;
         let by_slip = drag_kg_m3 * s.slip[0] * 2.0;
         let per = Per {
             slip_pressure: by_slip,
@@ -265,7 +272,7 @@ fn ln(ratio: f64) -> f64 {
         return ratio.ln();
     }
     let z = (ratio - 1.0) / (ratio + 1.0);
-    2.0 * z * (1.0 + z * z * (1.0 / 3.0 + z * z / 5.0))
+    2.0 * z * (1.0 + z * z * (1.0 / 3.0 + z * z * (1.0 / 5.0)))
 }
 
 /// The exponential, quick near zero.
@@ -273,7 +280,7 @@ fn exp(x: f64) -> f64 {
     if x.abs() > NEAR {
         return x.exp();
     }
-    1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0 * (1.0 + x / 5.0))))
+    1.0 + x * (1.0 + x * (1.0 / 2.0 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0)))))
 }
 
 impl Contact {
