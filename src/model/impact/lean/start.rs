@@ -2,17 +2,14 @@
 //!
 //! There the plate's velocity follows a power of time, w = W t^p, between two limits: p = 2 by inertia against a force that
 //! grows in proportion to time, and the law's own exponent where the law holds against the force. With p from the
-//! logarithmic derivative of the balance m w p/t + D(w) + K(w t/(p + 1)) = F the state is right to about a per cent, and what
+//! logarithmic derivative of the balance m w p/t + D(w) + K(w t/(p + 1)) = F the state is right to a few per cent, and what
 //! is wrong with it is forgotten like (start/contact)^p, so that the start may be placed early enough for any tolerance.
 
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::{larger, smaller};
 
-/// Rounds in which exponent and velocity are made to agree, and Newton steps in each.
-const ROUNDS: usize = 2;
-const NEWTON: usize = 1;
 /// Error of the state's velocity, relative: with the tolerance it says how early the start has to be.
-const LEFT: f64 = 0.01;
+const LEFT: f64 = 0.04;
 /// Part of the contact's duration at which it is placed at the latest.
 const LATEST: f64 = 0.02;
 
@@ -50,30 +47,25 @@ impl Start {
         let t_s = part * contact_s;
         let force = self.force_n + self.growth_n_s * t_s;
         let growth = self.growth_n_s * t_s / force;
-        let mut p = 1.0 + growth;
-        let mut w = force * t_s / (self.plate_kg * p);
-        for _ in 0..ROUNDS {
-            w = self.balance(w, p, t_s, force);
-            let inertia = self.plate_kg * w * p / t_s;
-            let (d, k) = (self.damper.force(w), self.spring.force(w * t_s / (p + 1.0)));
-            p = (inertia + growth * force - self.spring.exponent * k)
-                / (inertia + self.damper.exponent * d + self.spring.exponent * k);
-            p = larger(p, 0.1);
-        }
+        let by_inertia = 1.0 + growth;
+        let guess = force * t_s / (self.plate_kg * by_inertia);
+        let w = self.balance(guess, by_inertia, t_s, force);
+        let inertia = self.plate_kg * w * by_inertia / t_s;
+        let (d, k) = (self.damper.force(w), self.spring.force(w * t_s / (by_inertia + 1.0)));
+        let p = (inertia + growth * force - self.spring.exponent * k)
+            / (inertia + self.damper.exponent * d + self.spring.exponent * k);
+        let p = larger(p, 0.1);
         let w_m_s = self.balance(w, p, t_s, force);
         Moved { t_s, by_m: w_m_s * t_s / (p + 1.0), w_m_s }
     }
 
-    /// The velocity at which inertia, damper and spring hold the force: Newton's method on the logarithm, where powers are lines.
-    fn balance(&self, guess: f64, p: f64, t_s: f64, force: f64) -> f64 {
-        let mut w = guess;
-        for _ in 0..NEWTON {
-            let inertia = self.plate_kg * w * p / t_s;
-            let (d, k) = (self.damper.force(w), self.spring.force(w * t_s / (p + 1.0)));
-            let sum = inertia + d + k;
-            let slope = (inertia + self.damper.exponent * d + self.spring.exponent * k) / sum;
-            w *= (force / sum).powf(1.0 / slope);
-        }
-        w
+    /// The velocity at which inertia, damper and spring hold the force: a step of Newton's method on the logarithm, where powers
+    /// are lines.
+    fn balance(&self, w: f64, p: f64, t_s: f64, force: f64) -> f64 {
+        let inertia = self.plate_kg * w * p / t_s;
+        let (d, k) = (self.damper.force(w), self.spring.force(w * t_s / (p + 1.0)));
+        let sum = inertia + d + k;
+        let slope = (inertia + self.damper.exponent * d + self.spring.exponent * k) / sum;
+        w * (force / sum).powf(1.0 / slope)
     }
 }
