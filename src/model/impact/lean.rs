@@ -57,6 +57,8 @@ pub struct Contact {
     damper: PowerLaw,
     constants: Constants,
     start_m: f64,
+    /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
+    scale_s: Option<f64>,
     /// A spring that is no power law, a stop, or another interaction model.
     left_to_others: bool,
 }
@@ -115,7 +117,7 @@ impl Contact {
         let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
         let moves = scene.plate.mount == Mount::Sprung && !still;
         let plate_mobility = if moves { 1.0 / moving_plate_kg(scene) } else { 0.0 };
-        Self {
+        let mut contact = Self {
             geometry,
             spring: mechanism.spring.power().unwrap_or(none),
             damper: mechanism.damper,
@@ -128,10 +130,13 @@ impl Contact {
                 velocity_m_s: scene.projectile.velocity_m_s,
             },
             start_m: if moves { start_m } else { 0.0 },
+            scale_s: None,
             left_to_others: mechanism.spring.curve().is_some()
                 || mechanism.stop.is_some()
                 || scene.contact.model != ContactModel::Hydrodynamic,
-        }
+        };
+        contact.scale_s = contact.scale();
+        contact
     }
 
     /// Run it to the relative accuracy `tolerance`; `None` where the full track is needed.
@@ -164,13 +169,13 @@ impl Contact {
         if !moves || self.spring.coefficient == 0.0 || self.as_riding().is_some() {
             return None;
         }
-        let share = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s()?);
+        let share = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s?);
         Some(larger(smaller(share, 1.0), SHARE_LEAST))
     }
 
     /// How far the plate comes at least: where the spring holds a part of the contact force that is reached for certain, m.
     fn reach_m(&self) -> Option<f64> {
-        let force_n = REACHED * self.growth_n_s()? * self.scale_s()? * self.constants.cos;
+        let force_n = REACHED * self.growth_n_s()? * self.scale_s? * self.constants.cos;
         Some(self.spring.at_force(force_n))
     }
 
@@ -225,7 +230,7 @@ impl Contact {
             self.begin(t_s, state, Clock::Graded { s, unit: GRADED_UNIT * s })
         } else {
             let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
-            self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s()? })
+            self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? })
         };
         Some(match self.as_riding() {
             Some(riding) => riding.walk(track, (tolerance, terms)),
@@ -248,7 +253,7 @@ impl Contact {
             growth_n_s: growth_n_s * cos,
             plate_kg: 1.0 / plate_mobility,
         };
-        let moved = start.place(self.scale_s()?, tolerance);
+        let moved = start.place(self.scale_s?, tolerance);
         let slowing = self.constants.slip_mobility - cos * cos * plate_mobility;
         let lost = 0.5 * growth_n_s * moved.t_s * moved.t_s * slowing;
         let slip = v - lost - cos * moved.w_m_s;
@@ -262,7 +267,7 @@ impl Contact {
         let constants = self.constants;
         let ahead_m = slaved.delay_m(&constants, self.growth_n_s()?);
         let state = [-constants.cos * ahead_m, constants.velocity_m_s, ahead_m, 0.0];
-        let clock = Clock::Even { unit_s: 0.5 * self.scale_s()? };
+        let clock = Clock::Even { unit_s: 0.5 * self.scale_s? };
         let expand = |track: &Track, piece| {
             slaved.expand::<N>(&constants, track.state, track.clock.rates()[0], piece)
         };
@@ -277,7 +282,7 @@ impl Contact {
             return None;
         }
         let slaved = Slaved { damper_n_s_m: damper.coefficient, spring_n_m: spring.coefficient };
-        let contact_s = self.scale_s()?;
+        let contact_s = self.scale_s?;
         let size = (contact_s, contact_s * self.constants.velocity_m_s);
         slaved.follows(&self.constants, size, (self.growth_n_s()?, tolerance)).then_some(slaved)
     }
@@ -292,8 +297,7 @@ impl Contact {
         Some(a[1] * v * (strength_pa + drag_kg_m3 * v * v))
     }
 
-    /// The time in which a force growing as at first contact, or the preload, would stop the slip, s.
-    fn scale_s(&self) -> Option<f64> {
+    fn scale(&self) -> Option<f64> {
         let Constants { slip_mobility, plate_mobility, velocity_m_s: v, .. } = self.constants;
         let preload = self.spring.force(self.start_m).abs() * plate_mobility;
         let by_contact = (2.0 * v / (self.growth_n_s()? * slip_mobility)).sqrt();

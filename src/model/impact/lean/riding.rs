@@ -27,7 +27,7 @@ const EASED_MOST: f64 = 1e3;
 /// Tolerances by which a step may miss the next one's start: a plate that swings by more no longer rides.
 const SWING: f64 = 1.0;
 /// Part of the tolerance of what the plate has moved at the start, against its way in the contact.
-const START: f64 = 0.01;
+const START: f64 = 0.3;
 
 /// The spring that is ridden on.
 #[derive(Clone, Copy, Debug)]
@@ -308,7 +308,7 @@ impl Contact {
             drag_kg_m3: c.drag_kg_m3,
             velocity_m_s: c.velocity_m_s,
         };
-        let travel_m = c.velocity_m_s * self.scale_s()? * part;
+        let travel_m = c.velocity_m_s * self.scale_s? * part;
         let travel_m = smaller(travel_m, self.geometry.pieces().first()?.to_m);
         let (t_s, slip) = free::at_travel(&passage, travel_m, tolerance)?;
         let pressure = c.strength_pa + c.drag_kg_m3 * slip * slip;
