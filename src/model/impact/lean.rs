@@ -142,7 +142,7 @@ impl Contact {
     /// Run it to the relative accuracy `tolerance`; `None` where the full track is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
         let mut outset = self.outset(tolerance);
-        if let Outset::Rides(ride) = outset {
+        if let Outset::Rides(ride) = &outset {
             outset = self.ridden(ride);
         }
         match outset {

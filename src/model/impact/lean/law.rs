@@ -1,6 +1,7 @@
 //! The force laws of the lean contact, one Taylor coefficient at a time, each compiled for itself. They know no step and no event.
 
-use crate::model::mechanism::{PowerLaw, sign};
+use crate::model::mechanism::PowerLaw;
+use crate::numerics::power::power;
 use crate::numerics::wide::Real;
 
 /// A force law along an expansion.
@@ -106,7 +107,8 @@ impl<const N: usize, R: Real> Law<N, R> for Power<N, R> {
     #[inline(always)]
     fn term<const J: usize>(&mut self, z: &[R; N]) -> R {
         if J == 0 {
-            let power = z[0].each(self.exponent, |z, exponent| z.abs().powf(exponent) * sign(z));
+            let power =
+                z[0].each(self.exponent, |z, exponent| power(z.abs(), exponent).copysign(z));
             self.start(z[0], self.coefficient * power);
             return self.force[0];
         }

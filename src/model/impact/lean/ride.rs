@@ -6,11 +6,12 @@
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX};
-use crate::model::impact::lean::expansion::{Series, trusted};
+use crate::model::impact::lean::expansion::{Constants, Series, trusted};
 use crate::model::impact::lean::plain::alone;
 use crate::model::impact::lean::riding::{Balance, Lag, Riding, Spring, eased};
 use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Track, Way, minded_m};
 use crate::model::impact::lean::{Contact, TERMS, TERMS_LOOSE, TERMS_TIGHT};
+use crate::numerics::wide::Wide;
 use crate::numerics::{larger, smaller};
 
 /// Passes at the most.
@@ -216,9 +217,9 @@ pub(super) fn ride_abreast(riders: &[Rider<'_>], led: &mut dyn FnMut(usize, Outs
 
 impl Contact {
     /// What comes after a single ride.
-    pub(super) fn ridden(&self, ride: Ride) -> Outset {
+    pub(super) fn ridden(&self, ride: &Ride) -> Outset {
         let mut outset = Outset::Left;
-        let riders = &[Rider { contact: self, ride, place: 0 }];
+        let riders = &[Rider { contact: self, ride: *ride, place: 0 }];
         let led = &mut |_: usize, led| outset = led;
         match ride.terms {
             TERMS_LOOSE => alone(Alone::<TERMS_LOOSE> { riders, led }),
@@ -340,6 +341,29 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
     }
 }
 
+impl<const N: usize> Lanes<'_, '_, N> {
+    /// How far each series is trusted, and where it leads.
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        simd: S,
+        constants: &Constants<Wide<S>>,
+        series: &Series<N, Wide<S>>,
+        seats: &[Option<Seat<'_>>],
+    ) {
+        let bench = &mut self.bench;
+        bench.store(SIZE, [constants.last_terms(series, bench.wide(simd, MINDED))]);
+        for (lane, seat) in seats.iter().enumerate() {
+            let Some(Seat { rider: Rider { ride, .. }, .. }) = seat else { continue };
+            let trusted = trusted::<N>(bench.0[SIZE][lane], ride.tolerance);
+            bench.0[TRUSTED][lane] = ride.leash * trusted;
+        }
+        let span = bench.wide(simd, TRUSTED);
+        bench.store(SLOPE, [series.slip_slope(span)]);
+        bench.store(END, series.state(span));
+    }
+}
+
 /// All lanes, pass by pass, until the rides are over.
 #[inline(always)]
 fn run<S: Simd, const N: usize>(simd: S, riders: &[Rider<'_>], led: &mut dyn FnMut(usize, Outset)) {
@@ -386,17 +410,7 @@ fn run<S: Simd, const N: usize>(simd: S, riders: &[Rider<'_>], led: &mut dyn FnM
                 series.slip[j] = series.slip[j] + constants.cos * (lag.speed[j] - next.speed[j]);
             }
             series.speed = next.speed;
-            let size = constants.last_terms(&series, all.bench.wide(simd, MINDED));
-            all.bench.store(SIZE, [size]);
-            for (lane, seat) in seats.iter().enumerate() {
-                let Some(Seat { rider: Rider { ride, .. }, .. }) = seat else { continue };
-                let tolerance = ride.tolerance;
-                all.bench.0[TRUSTED][lane] =
-                    ride.leash * trusted::<N>(all.bench.0[SIZE][lane], tolerance);
-            }
-            let span = all.bench.wide(simd, TRUSTED);
-            all.bench.store(SLOPE, [series.slip_slope(span)]);
-            all.bench.store(END, series.state(span));
+            all.look(simd, &constants, &series, seats);
         }
         for (lane, place) in seats.iter_mut().enumerate() {
             let verdict = verdicts[lane];

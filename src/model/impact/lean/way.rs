@@ -60,6 +60,7 @@ pub(super) enum Outset {
 }
 
 /// How far one way of expanding led.
+#[derive(Clone, Copy)]
 pub(super) enum Way {
     /// To the end.
     Ended(ContactEnd),
