@@ -351,3 +351,13 @@ fn other_designs_are_dots_and_the_cursor_walks_them() {
     keys(&mut bench, "<Tab>l");
     assert!(bench.screen().contains("sobol"), "{}", bench.screen());
 }
+
+/// Beyond the rigid plate's own limit there is no baseline to be a percentage of, though the plate still holds.
+#[test]
+fn the_letter_of_points_at_rest_without_a_value_is_explained() {
+    let mut bench = open("figure-9.2", 11, GlyphSet::Ascii, (100, 24));
+    bench.press("/v_i<Enter><Enter>300<Enter>2");
+    bench.answer();
+    answer(&mut bench);
+    assert!(bench.screen().contains(" n: no baseline (perforated)"), "{}", bench.screen());
+}
