@@ -114,7 +114,7 @@ fn standing(candidate: &Candidate, task: &Task) -> Line {
             (Severity::Warning, format!("breaks {}", task.constraints[*at].words()))
         }
         Standing::NoValue(Fate::Arrested | Fate::Separated) => {
-            (Severity::Warning, "a rigid stop is hit: no bound on its force".to_owned())
+            (Severity::Warning, "hits its stop: force unbounded".to_owned())
         }
         Standing::NoValue(fate) => (Severity::Warning, fate.word().to_owned()),
         Standing::Impossible => (Severity::Warning, "cannot be made of this scene".to_owned()),
