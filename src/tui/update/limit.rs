@@ -22,17 +22,19 @@ pub(super) fn enter(app: &mut App) -> Vec<Effect> {
 }
 
 /// Whether the tab has its own meaning for an action.
-pub(super) fn is_own(action: Action) -> bool {
-    matches!(
-        action,
-        Action::Run
-            | Action::Export
-            | Action::Scatter
-            | Action::CursorLeft
-            | Action::CursorRight
-            | Action::CursorLeftFar
-            | Action::CursorRightFar
-    )
+pub(super) fn is_own(app: &App, action: Action) -> bool {
+    let turns = matches!(action, Action::FocusNext | Action::FocusPrevious);
+    (turns && app.limit_is_crowded())
+        || matches!(
+            action,
+            Action::Run
+                | Action::Export
+                | Action::Scatter
+                | Action::CursorLeft
+                | Action::CursorRight
+                | Action::CursorLeftFar
+                | Action::CursorRightFar
+        )
 }
 
 /// An action the tab has its own meaning for.
@@ -43,6 +45,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
             app.limit.scattered = !app.limit.scattered;
             return find(app);
         }
+        Action::FocusNext | Action::FocusPrevious => app.limit.in_words = !app.limit.in_words,
         Action::CursorLeft => app.limit.move_cursor(-1),
         Action::CursorRight => app.limit.move_cursor(1),
         Action::CursorLeftFar => app.limit.move_cursor(-FAR),
