@@ -38,8 +38,8 @@ pub struct Ballistic {
     pub scattered: bool,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
-    /// Where curve and words have no room together, the words are shown.
-    pub in_words: bool,
+    /// Where curve and words have no room together: the page of words that is shown, 0 for the curve.
+    pub page: usize,
 }
 
 /// Something to be said of a report: what of, how it is meant, the words.
@@ -202,14 +202,24 @@ impl App {
         }
     }
 
-    /// Whether the curve and all that is to be said have no room together: then Tab turns from one to the other.
-    pub fn limit_is_crowded(&self) -> bool {
+    /// Where the curve and all that is to be said have no room together: the rows of a page of words, and how many pages
+    /// they take. Then Tab turns from the curve through them.
+    pub fn limit_pages(&self) -> Option<(usize, usize)> {
         // What the message row says depends on this: so this must not depend on the rows it takes.
-        let Body::Limit(area) = self.layout_with(self.size, 1).body else { return false };
-        let lines = self.limit_lines(area.width).len() + 2;
-        // The first row of the body is the limit itself.
+        let Body::Limit(area) = self.layout_with(self.size, 1).body else { return None };
+        let lines = self.limit_lines(area.width).len();
+        // The first row of the body is the limit itself; a frame takes two.
+        let room = usize::from(area.height).saturating_sub(3);
         let chart = if area.width >= BESIDE { 0 } else { usize::from(CHART_ROWS) };
-        lines + chart + 1 > usize::from(area.height) && lines > 2
+        let is_crowded = lines > 0 && room > 0 && lines + chart > room;
+        is_crowded.then(|| (room, lines.div_ceil(room)))
+    }
+
+    /// The page of words that is shown in place of the curve, from 1, and whether it is the last one.
+    pub fn limit_page(&self) -> Option<(usize, bool)> {
+        let (_, pages) = self.limit_pages()?;
+        let page = self.limit.page.min(pages);
+        (page > 0).then_some((page, page == pages))
     }
 
     /// Whether what was found belongs to another scene than the one on the screen.
@@ -242,9 +252,12 @@ impl App {
     pub fn limit_readout(&self) -> Option<(Severity, String)> {
         let report = self.limit.report.as_ref()?;
         let Some(shot) = self.limit.shot() else {
-            let hint =
-                if self.limit.in_words { "Tab: the curve" } else { "Tab: fitted laws and V50" };
-            return self.limit_is_crowded().then(|| (Severity::Note, hint.to_owned()));
+            let hint = match self.limit_page() {
+                None => "Tab: fitted laws and V50",
+                Some((_, false)) => "Tab: the rest",
+                Some((_, true)) => "Tab: the curve",
+            };
+            return self.limit_pages().map(|_| (Severity::Note, hint.to_owned()));
         };
         let v = shot.impact_m_s;
         let laws = [

@@ -32,12 +32,11 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layou
     if lines.is_empty() {
         return chart(app, body, buffer);
     }
-    if app.limit_is_crowded() {
-        if app.limit.in_words {
-            write(app, &lines, "Tab: curve", body, buffer);
-            return None;
-        }
-        return chart(app, body, buffer);
+    if let Some((rows, _)) = app.limit_pages() {
+        let Some((page, is_last)) = app.limit_page() else { return chart(app, body, buffer) };
+        let lines = lines.get((page - 1) * rows..).unwrap_or_default();
+        write(app, lines, if is_last { "Tab: curve" } else { "Tab: more" }, body, buffer);
+        return None;
     }
     if area.width >= BESIDE {
         let width = body.width - FACTS;

@@ -209,10 +209,13 @@ fn tab_turns_from_the_curve_to_the_words_where_both_have_no_room() {
     );
     bench.keys("<Tab>");
     let words = bench.screen();
-    for text in ["Recht-Ipson", "Lambert-Jonas", "V50", "goes through", "Tab: curve"] {
+    for text in ["Recht-Ipson", "Lambert-Jonas", "V50", "goes through", "Tab: more"] {
         assert!(words.contains(text), "{text}: {words}");
     }
     assert_snapshot!("limit_in_words_60x16", words);
+    bench.keys("<Tab>");
+    let rest = bench.screen();
+    assert!(rest.contains("samples, seed 1") && rest.contains("Tab: curve"), "{rest}");
     bench.keys("<Tab>");
     assert_eq!(bench.screen(), curve);
     // With room for both there is nothing to turn: Tab leads to the Run tab, as in other tabs with one pane.
