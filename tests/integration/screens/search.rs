@@ -226,3 +226,18 @@ fn on_a_small_screen_what_was_found_or_the_setup_has_the_room() {
     answer(&mut bench);
     assert!(bench.screen().contains("mass efficiency"), "{}", bench.screen());
 }
+
+/// Where everything perforates there is no percentage of a baseline, and each page says what to do instead.
+#[test]
+fn what_has_no_value_anywhere_says_so_and_what_to_do() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/v_i<Enter><Enter>2000<Enter>9");
+    answer(&mut bench);
+    let seek = bench.screen();
+    assert!(seek.contains("nothing reaches 60 %") && seek.contains("perforated"), "{seek}");
+    bench.keys("vv");
+    answer(&mut bench);
+    let matters = bench.screen();
+    assert!(matters.contains("nothing to compare"), "{matters}");
+    assert!(matters.contains("another one") && !matters.contains("Sobol"), "{matters}");
+}
