@@ -278,7 +278,10 @@ impl App {
         {
             parts.push(same(
                 Severity::Warning,
-                format!("{unsteady} timings unsteady: busy machine"),
+                format!(
+                    "{unsteady} timing{} unsteady: busy machine",
+                    if unsteady == 1 { "" } else { "s" }
+                ),
             ));
         }
         parts
