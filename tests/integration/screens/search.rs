@@ -241,3 +241,20 @@ fn what_has_no_value_anywhere_says_so_and_what_to_do() {
     assert!(matters.contains("nothing to compare"), "{matters}");
     assert!(matters.contains("another one") && !matters.contains("Sobol"), "{matters}");
 }
+
+/// The bounds a held variable proposes are taken when they are typed as they stand.
+#[test]
+fn the_proposed_bounds_of_a_held_variable_can_be_typed() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("v");
+    answer(&mut bench);
+    bench.keys("<Tab>jjjjjjjjjjj");
+    let row = bench.app.search_row();
+    let (label, value) = bench.app.search_shown(row);
+    assert_eq!((label.as_str(), value.as_str()), ("m_p", "held"));
+    let proposed = bench.app.search_text(row);
+    bench.keys("<Enter><Enter>");
+    assert_eq!(bench.app.search_shown(row).1, "held");
+    bench.keys(&format!("k<Enter><C-u>{proposed}<Enter>"));
+    assert_eq!(bench.app.search_shown(row).1, proposed);
+}
