@@ -85,6 +85,8 @@ pub enum Target {
     Row(usize),
     /// A shot of the Limit tab, by its place in the curve.
     Shot(usize),
+    /// A design of the front in the Search tab, by its place.
+    Design(usize),
     /// A row of the list in the dialog on top.
     DialogRow(usize),
     /// Beside the dialog on top.

@@ -62,7 +62,7 @@ fn draw(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
         Body::Log(area) => log::render(app, rect(*area), buffer),
         Body::Limit(area) => drop(limit::render(app, rect(*area), buffer)),
         Body::Search(setup, found) => {
-            search::render(app, (rect(*setup), rect(*found)), buffer, cursor);
+            drop(search::render(app, (rect(*setup), rect(*found)), buffer, cursor));
         }
         Body::Thesis(area) => thesis::render(app, rect(*area), buffer),
     }

@@ -179,6 +179,11 @@ impl Searching {
         self.cursor[self.page.place()]
     }
 
+    /// Select one of them.
+    pub fn select(&mut self, at: usize) {
+        self.cursor[self.page.place()] = at;
+    }
+
     /// The selected one of them.
     pub fn selected(&self) -> usize {
         self.cursor[self.page.place()].min(self.choices().saturating_sub(1))

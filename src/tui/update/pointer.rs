@@ -60,6 +60,14 @@ pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
         Target::Cell(row, column) => app.stability.cursor = Some((row, column)),
         Target::Row(row) => return pick(app, row),
         Target::Shot(shot) => app.limit.cursor = Some(shot),
+        Target::Design(design) => {
+            let again = !app.searching.on_setup && app.searching.selected() == design;
+            app.searching.on_setup = false;
+            if again {
+                return act::act(app, Action::OpenDesign);
+            }
+            app.searching.select(design);
+        }
         // Without a dialog there is nothing of the kind.
         Target::DialogRow(_) | Target::Beside => {}
     }
@@ -92,6 +100,7 @@ pub(super) fn wheel(app: &mut App, up: bool, target: Option<Target>) -> Vec<Effe
         Some(Target::Setup(_)) => app.sweeping.on_setup = true,
         Some(Target::SearchSetup(_)) => app.searching.on_setup = true,
         Some(Target::Pane(place)) => focus(app, place),
+        Some(Target::Design(_)) => app.searching.on_setup = false,
         Some(Target::Point(_)) => app.sweeping.on_setup = false,
         Some(Target::RunTime(run_time_s)) => {
             app.accuracy.place_cursor(run_time_s);

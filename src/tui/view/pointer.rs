@@ -6,7 +6,9 @@ use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
 
 use super::text::first_row;
-use super::{accuracy, charts, limit, popup, rect, rows, stability, surface, sweep, thesis};
+use super::{
+    accuracy, charts, limit, popup, rect, rows, search, stability, surface, sweep, thesis,
+};
 use crate::study::limit::Shot;
 use crate::tui::app::App;
 use crate::tui::app::editor::Row;
@@ -70,19 +72,27 @@ fn in_accuracy(
 
 /// The shot that is drawn nearest to a cell of the plot.
 fn nearest_shot(app: &App, layout: &Layout, at: (u16, u16)) -> Option<usize> {
+    let place = |shot: &Shot| Some((shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0)));
+    nearest(layout, at, app.limit.shots().iter().map(place))
+}
+
+/// Which of some points of a chart is drawn nearest to a cell of its plot.
+fn nearest(
+    layout: &Layout,
+    at: (u16, u16),
+    points: impl Iterator<Item = Option<(f64, f64)>>,
+) -> Option<usize> {
     let plot = layout.plot;
     if !plot.contains(at.into()) {
         return None;
     }
     let (across, up) = (f64::from(at.0 - plot.x), f64::from(plot.bottom() - 1 - at.1));
-    let away = |shot: &Shot| {
-        let x = layout.x.position(shot.impact_m_s)?;
-        let y = layout.y.position(shot.residual_m_s.unwrap_or(0.0))?;
+    let away = |(x, y): (f64, f64)| {
+        let (x, y) = layout.x.position(x).zip(layout.y.position(y))?;
         // A cell is twice as high as wide.
         Some((x - across).powi(2) + 4.0 * (y - up).powi(2))
     };
-    let shots = app.limit.shots().iter().enumerate();
-    let near = shots.filter_map(|(index, shot)| Some((index, away(shot)?)));
+    let near = points.enumerate().filter_map(|(index, point)| Some((index, away(point?)?)));
     near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
 }
 
@@ -174,9 +184,23 @@ fn in_sweep(app: &App, panes: &SweepPanes, at: (u16, u16)) -> Option<Target> {
     Some(Target::Point((x, y)))
 }
 
+/// The design of a front that is drawn nearest to a cell of its chart.
+fn nearest_design(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Option<usize> {
+    let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    let layout = search::render(app, (rect(setup), rect(found)), &mut unseen, &mut None)?;
+    let (_, task) = app.searching.front()?;
+    let (across, up) = app.searching.across(task);
+    let places = app.searching.designs().into_iter().map(|design| {
+        let value = |measure: usize| design.measures.get(measure).copied().flatten();
+        value(across).zip(value(up))
+    });
+    nearest(&layout, at, places)
+}
+
 fn in_search(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Option<Target> {
     if rect(found).contains(at.into()) {
-        return Some(Target::Pane(Place::Search));
+        let design = nearest_design(app, (setup, found), at);
+        return design.map(Target::Design).or(Some(Target::Pane(Place::Search)));
     }
     let rows = app.search_rows();
     let here = rows.iter().position(|row| *row == app.search_row()).unwrap_or(0);

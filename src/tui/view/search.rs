@@ -16,7 +16,7 @@ use crate::tui::app::search::setup::brief;
 use crate::tui::app::search::{Row, SearchField};
 use crate::tui::app::status::clip;
 use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, EventLine, Legend, Level, Mapping, Scale, Unit, ViewRange,
+    Axis, Chart, Curve, Emphasis, EventLine, Layout, Legend, Level, Mapping, Scale, Unit, ViewRange,
 };
 use crate::tui::theme::{Pane, Role};
 use crate::worker::searches::Answer;
@@ -27,31 +27,35 @@ const VALUE: u16 = 12;
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
 
-/// Draw setup and findings.
+/// Draw setup and findings; gives where the chart of a front lies, if it is drawn.
 pub(super) fn render(
     app: &App,
     (left, right): (Rect, Rect),
     buffer: &mut Buffer,
     cursor: &mut Cursor,
-) {
+) -> Option<Layout> {
     setup(app, left, buffer, cursor);
     let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
     let Some(found) = app.searching.shown() else {
-        return nothing(app, right, buffer);
+        nothing(app, right, buffer);
+        return None;
     };
     let below = app.searching.words_height(right.height, lines.len());
     if below == right.height {
-        return words(app, &lines, right, buffer);
+        words(app, &lines, right, buffer);
+        return None;
     }
+    let mut layout = None;
     let top = Rect { height: right.height - below, ..right };
     match &found.answer {
         Answer::Seek(report) => sought(app, report, top, buffer),
-        Answer::Front(_) => front(app, top, buffer),
+        Answer::Front(_) => layout = front(app, top, buffer),
         Answer::Scatter(_) => histogram(app, top, buffer),
         Answer::Sensitivity(_) | Answer::Worth(_) => {}
     }
     let rest = Rect { y: right.y + top.height, height: below, ..right };
     words(app, &lines, rest, buffer);
+    layout
 }
 
 fn setup(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
@@ -214,9 +218,9 @@ fn sought(app: &App, report: &seek::Report, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Designs as points, the scene and the thesis's designs as letters.
-fn front(app: &App, area: Rect, buffer: &mut Buffer) {
+fn front(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     let tab = &app.searching;
-    let Some((found, task)) = tab.front() else { return };
+    let (found, task) = tab.front()?;
     let (across, up) = tab.across(task);
     let measures = task.measures();
     let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
@@ -231,7 +235,8 @@ fn front(app: &App, area: Rect, buffer: &mut Buffer) {
     let y = measure_axis(measures[up], ys.into_iter(), tab.log.1, String::new());
     let Some((x, y)) = x.zip(y) else {
         let text = "no design keeps every constraint".to_owned();
-        return words(app, &[(Severity::Warning, text)], area, buffer);
+        words(app, &[(Severity::Warning, text)], area, buffer);
+        return None;
     };
     let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
     let title = if app.search_is_old() { format!("old: {title}") } else { title };
@@ -256,6 +261,7 @@ fn front(app: &App, area: Rect, buffer: &mut Buffer) {
         let design: &Design = design;
         mark(app, place(&design.measures), ("X", Role::Crosshair), plot, buffer);
     }
+    Some(layout)
 }
 
 fn mark(

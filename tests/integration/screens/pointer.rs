@@ -2,7 +2,7 @@
 
 use super::bench::Bench;
 use super::sweep::{answer, open};
-use super::{accuracy, limit, stability};
+use super::{accuracy, limit, search, stability};
 use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
 use cmra::study::principles::PRINCIPLES;
@@ -310,4 +310,28 @@ fn a_click_in_the_export_dialog_ticks_and_never_throws_a_path_away() {
     bench.press("e");
     click(&mut bench, (0, 0));
     assert!(matches!(&bench.app.dialog, Some(Dialog::ExportTable(..))));
+}
+
+#[test]
+fn a_click_on_a_design_of_a_front_selects_it_and_a_second_one_opens_it() {
+    let mut bench = Bench::ascii(160, 50);
+    bench.press("9");
+    search::answer(&mut bench);
+    bench.press("v");
+    search::answer(&mut bench);
+    let before = bench.app.scene.clone();
+    // The first design has the greatest stroke of all, at the upper left end of the front.
+    bench.keys("lllll");
+    assert_ne!(bench.app.searching.selected(), 0);
+    let screen = bench.screen();
+    let is_mark = |line: &str| line.chars().skip(34).position(|c| c == 'o').map(|at| at + 34);
+    let mut rows = screen.lines().enumerate().skip(2);
+    let (row, column) = rows.find_map(|(y, line)| Some((y, is_mark(line)?))).unwrap();
+    let at = (u16::try_from(column).unwrap(), u16::try_from(row).unwrap());
+    assert_eq!(target(&bench.app, at), Some(Target::Design(0)));
+    click(&mut bench, at);
+    assert_eq!((bench.app.searching.selected(), bench.app.tab), (0, Tab::Search));
+    click(&mut bench, at);
+    assert_eq!(bench.app.tab, Tab::Run);
+    assert_ne!(bench.app.scene, before);
 }

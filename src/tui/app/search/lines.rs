@@ -1,5 +1,6 @@
 //! What was found, as lines of text. No drawing.
 
+use super::setup::brief;
 use super::{Answer, App, Found, Page, Request};
 use crate::model::results::ResultColumn;
 use crate::model::units::{Engineering, significant};
@@ -110,9 +111,9 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
             .measures
             .iter()
             .zip(task.measures())
-            .map(|(value, column)| shown(column, *value))
+            .map(|(value, column)| format!("{} {}", brief(column), shown(column, *value)))
             .collect();
-        let values = found.join(" ");
+        let values = found.join(", ");
         let long = format!("{name} {words}; {values}");
         let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
         lines.push((severity, text));
