@@ -35,6 +35,10 @@ const BELOW: usize = 6;
 const ABOVE: usize = 24;
 const CURVE: (f64, f64) = (0.5, 2.5);
 
+/// How far oblique limits come out below the measured ones, by what `cmra validate` finds for a hard core on aluminium:
+/// obliquity in degrees, percent.
+pub const OBLIQUE_SHORTFALL: [(f64, f64); 3] = [(15.0, 4.0), (30.0, 9.0), (45.0, 16.0)];
+
 /// How the limit is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Basis {
@@ -139,6 +143,18 @@ impl Report {
     pub fn margin(&self) -> Option<f64> {
         let velocity = self.limit.velocity_m_s()?;
         Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
+    }
+
+    /// What measurements say against the limit: an oblique one comes out low. `None` along the plate's normal.
+    pub fn caveat(&self) -> Option<String> {
+        let is_oblique = self.scene.projectile.obliquity_deg > 0.0;
+        self.limit.velocity_m_s().filter(|_| is_oblique)?;
+        let known: Vec<String> = OBLIQUE_SHORTFALL
+            .iter()
+            .map(|(degrees, percent)| format!("{percent} % at {degrees} deg"))
+            .collect();
+        let known = known.join(", ");
+        Some(format!("oblique limits come out below measured ones: {known} (cmra validate)"))
     }
 }
 

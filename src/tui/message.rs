@@ -75,6 +75,22 @@ pub enum Target {
     Point((usize, usize)),
     /// A row of the setup of a search.
     SearchSetup(Row),
+    /// A run time in the chart of the Accuracy tab, s.
+    RunTime(f64),
+    /// A method of the Accuracy tab, by its place.
+    Method(usize),
+    /// A cell of the map of the Stability tab: row and column.
+    Cell(usize, usize),
+    /// A row of the list that the tab shows: battery, claims, principles, criteria.
+    Row(usize),
+    /// A shot of the Limit tab, by its place in the curve.
+    Shot(usize),
+    /// A design of the front in the Search tab, by its place.
+    Design(usize),
+    /// A row of the list in the dialog on top.
+    DialogRow(usize),
+    /// Beside the dialog on top.
+    Beside,
 }
 
 /// How an effect ended. The texts are for the message row.

@@ -57,12 +57,12 @@ fn draw(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
         Body::TooSmall => return too_small(app, area, buffer),
         Body::Run(panes) => run_tab(app, panes, buffer, cursor),
         Body::Sweep(panes) => sweep_tabs(app, panes, buffer, cursor),
-        Body::Accuracy(panes) => accuracy::render(app, panes, buffer),
+        Body::Accuracy(panes) => drop(accuracy::render(app, panes, buffer)),
         Body::Stability(area) => stability::render(app, rect(*area), buffer),
         Body::Log(area) => log::render(app, rect(*area), buffer),
-        Body::Limit(area) => limit::render(app, rect(*area), buffer),
+        Body::Limit(area) => drop(limit::render(app, rect(*area), buffer)),
         Body::Search(setup, found) => {
-            search::render(app, (rect(*setup), rect(*found)), buffer, cursor);
+            drop(search::render(app, (rect(*setup), rect(*found)), buffer, cursor));
         }
         Body::Thesis(area) => thesis::render(app, rect(*area), buffer),
     }
@@ -70,7 +70,7 @@ fn draw(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
     rows::message(app, rect(layout.message), buffer);
     rows::status(app, rect(layout.status), buffer);
     keys::render(app, rect(layout.keys), buffer);
-    popup::render(app, area, buffer, cursor);
+    let _ = popup::render(app, area, buffer, cursor);
 }
 
 fn run_tab(app: &App, panes: &Panes, buffer: &mut Buffer, cursor: &mut Cursor) {

@@ -54,6 +54,9 @@ fn head(page: &mut String, report: &Report) {
             velocity(own)
         );
     }
+    if let Some(caveat) = report.caveat() {
+        let _ = writeln!(page, "caution         {caveat}");
+    }
     page.push('\n');
 }
 

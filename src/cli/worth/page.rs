@@ -30,7 +30,7 @@ const LINES: [Line; 12] = [
 /// The page.
 pub(super) fn text(name: &str, scene: &Scene, report: &Report, spring_given: bool) -> String {
     let mut page = format!(
-        "{name}: is it worth it? the same shot, {} g at {} m/s, at\n\n",
+        "{name}: is it worth it? the same shot, {} g at {} m/s, against each:\n\n",
         fixed_significant(1e3 * scene.projectile.mass_kg, 4),
         fixed_significant(scene.projectile.velocity_m_s, 4)
     );

@@ -145,6 +145,13 @@ impl Accuracy {
         self.sight.times = Some(times.panned(self.sight.time_scale, share));
     }
 
+    /// Put the crosshair on a run time, s, or on the nearest there is.
+    pub fn place_cursor(&mut self, run_time_s: f64) {
+        if let Some((least, most)) = self.times_s() {
+            self.cursor_s = Some(run_time_s.clamp(least, most));
+        }
+    }
+
     /// Move the crosshair by a share of the span in view.
     pub fn move_cursor(&mut self, share: f64) {
         let (Some((least, most)), Some(view)) = (self.times_s(), self.times()) else {
@@ -271,7 +278,10 @@ impl App {
         {
             parts.push(same(
                 Severity::Warning,
-                format!("{unsteady} timings unsteady: busy machine"),
+                format!(
+                    "{unsteady} timing{} unsteady: busy machine",
+                    if unsteady == 1 { "" } else { "s" }
+                ),
             ));
         }
         parts

@@ -6,6 +6,10 @@ use crate::tui::message::Place;
 /// The smallest size that can be worked with: columns and rows.
 pub const SMALLEST: (u16, u16) = (60, 16);
 
+/// Below this width: the setup and what it is about get in each other's way.
+const NARROW: u16 = 72;
+/// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
+const SEARCH_SETUP: u16 = 30;
 /// From this width on: three stacked charts.
 const WIDE: u16 = 100;
 /// From this width on: names of runs in full beside their results.
@@ -199,6 +203,9 @@ pub fn layout(
             Tab::Limit => Body::Limit(body),
             Tab::Search => {
                 let width = match (full_pane, focus) {
+                    // Beside each other neither could be read: the one that has the keys gets the room.
+                    (false, Place::SearchSetup) if body.width < NARROW => SEARCH_SETUP,
+                    (false, _) if body.width < NARROW => 0,
                     (false, _) => setup_width(body.width),
                     (true, Place::SearchSetup) => body.width,
                     (true, _) => 0,
@@ -304,8 +311,8 @@ fn lines(body: Area, focus: Place, full_pane: bool) -> SweepPanes {
 
 fn setup_width(width: u16) -> u16 {
     match width {
-        0..72 => 24,
-        72..WIDE => 27,
+        0..NARROW => 24,
+        NARROW..WIDE => 27,
         WIDE.. => 34,
     }
 }

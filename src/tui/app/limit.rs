@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use super::App;
 use super::accuracy::Measuring;
+use super::layout::Body;
 use super::notice::Severity;
+use super::status::wrap;
 use crate::model::run::Outcome;
 use crate::model::units::{fixed_significant, significant};
 use crate::study::limit::scatter::{Scatter, Scattering};
@@ -15,6 +17,15 @@ use crate::study::limit::{Effort, Limit, Report, Shot};
 pub const SCATTERING: Scattering = Scattering { deviation: 0.02, samples: 200, seed: 1 };
 /// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
 const CARRIED: f64 = 0.2;
+
+/// From this width on the facts stand beside the chart.
+pub const BESIDE: u16 = 100;
+/// Columns of the facts beside the chart, frame included.
+pub const FACTS: u16 = 40;
+/// Columns of a fact's label where it stands before the words.
+pub const LABEL: u16 = 15;
+/// Least rows of a chart that can be read.
+pub const CHART_ROWS: u16 = 9;
 
 /// The state of the tab.
 #[derive(Clone, Debug, Default)]
@@ -27,6 +38,8 @@ pub struct Ballistic {
     pub scattered: bool,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
+    /// Where curve and words have no room together: the page of words that is shown, 0 for the curve.
+    pub page: usize,
 }
 
 /// Something to be said of a report: what of, how it is meant, the words.
@@ -64,7 +77,7 @@ impl Ballistic {
         let mut add = |label, text: String| facts.push((label, Severity::Note, text));
         if let Some(law) = report.recht_ipson {
             let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
-            add("Recht-Ipson", format!("a {a}; misses by {misfit} m/s (rms)"));
+            add("Recht-Ipson", format!("a {a}, p 2, this v_bl; misses by {misfit} m/s (rms)"));
         }
         if let Some(law) = report.lambert_jonas {
             let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
@@ -83,6 +96,7 @@ impl Ballistic {
             }
             None => {}
         }
+        facts.extend(report.caveat().map(|text| ("caution", Severity::Warning, text)));
         facts.extend(carried(report).map(|text| ("note", Severity::Note, text)));
         if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
             let again = velocity(again);
@@ -91,6 +105,28 @@ impl Ballistic {
         }
         facts
     }
+}
+
+/// The facts as lines of so many columns; labels stand before their words, or above them. Above, there is room to say what
+/// the laws are.
+pub fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
+    let room = if labels_before { width.saturating_sub(LABEL) } else { width };
+    let mut lines: Vec<Fact> = Vec::new();
+    for (label, severity, text) in facts {
+        let wrapped = wrap(text, usize::from(room).max(10));
+        if !labels_before {
+            if !lines.is_empty() {
+                lines.push(("", *severity, String::new()));
+            }
+            lines.push((label, *severity, String::new()));
+            lines.extend(wrapped.into_iter().map(|line| ("", *severity, line)));
+            continue;
+        }
+        for (index, line) in wrapped.into_iter().enumerate() {
+            lines.push((if index == 0 { label } else { "" }, *severity, line));
+        }
+    }
+    lines
 }
 
 /// The plate carries the projectile along: what neither law knows.
@@ -152,6 +188,40 @@ fn ends(shot: &Shot) -> String {
 }
 
 impl App {
+    /// The lines of the facts for a body of this width.
+    pub fn limit_lines(&self, width: u16) -> Vec<Fact> {
+        let mut facts = self.limit.facts();
+        if width >= BESIDE {
+            if facts.iter().any(|fact| fact.0 == "Lambert-Jonas") {
+                let law = "left of v: v_r = a (v^p - v_bl^p)^(1/p)".to_owned();
+                facts.insert(0, ("laws", Severity::Note, law));
+            }
+            lines(&facts, FACTS - 2, false)
+        } else {
+            lines(&facts, width.saturating_sub(2), true)
+        }
+    }
+
+    /// Where the curve and all that is to be said have no room together: the rows of a page of words, and how many pages
+    /// they take. Then Tab turns from the curve through them.
+    pub fn limit_pages(&self) -> Option<(usize, usize)> {
+        // What the message row says depends on this: so this must not depend on the rows it takes.
+        let Body::Limit(area) = self.layout_with(self.size, 1).body else { return None };
+        let lines = self.limit_lines(area.width).len();
+        // The first row of the body is the limit itself; a frame takes two.
+        let room = usize::from(area.height).saturating_sub(3);
+        let chart = if area.width >= BESIDE { 0 } else { usize::from(CHART_ROWS) };
+        let is_crowded = lines > 0 && room > 0 && lines + chart > room;
+        is_crowded.then(|| (room, lines.div_ceil(room)))
+    }
+
+    /// The page of words that is shown in place of the curve, from 1, and whether it is the last one.
+    pub fn limit_page(&self) -> Option<(usize, bool)> {
+        let (_, pages) = self.limit_pages()?;
+        let page = self.limit.page.min(pages);
+        (page > 0).then_some((page, page == pages))
+    }
+
     /// Whether what was found belongs to another scene than the one on the screen.
     pub fn limit_is_old(&self) -> bool {
         self.limit.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
@@ -180,7 +250,15 @@ impl App {
 
     /// The shot at the crosshair in words, with what the laws say there.
     pub fn limit_readout(&self) -> Option<(Severity, String)> {
-        let (shot, report) = (self.limit.shot()?, self.limit.report.as_ref()?);
+        let report = self.limit.report.as_ref()?;
+        let Some(shot) = self.limit.shot() else {
+            let hint = match self.limit_page() {
+                None => "Tab: fitted laws and V50",
+                Some((_, false)) => "Tab: the rest",
+                Some((_, true)) => "Tab: the curve",
+            };
+            return self.limit_pages().map(|_| (Severity::Note, hint.to_owned()));
+        };
         let v = shot.impact_m_s;
         let laws = [
             ("Recht-Ipson", report.recht_ipson.map(|law| law.residual_m_s(v))),

@@ -35,6 +35,8 @@ pub enum Page {
 
 /// Least rows of a chart that can be read.
 const CHART_ROWS: u16 = 9;
+/// Rows of words that a chart must leave, frame included.
+const LEAST_WORDS: u16 = 6;
 
 impl Page {
     /// All pages, in order.
@@ -159,10 +161,11 @@ impl Searching {
             self.shown().map(|found| &found.answer),
             Some(Answer::Seek(_) | Answer::Front(_) | Answer::Scatter(_))
         );
-        if !draws || height < CHART_ROWS + 3 {
+        let wanted = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
+        // Words first: a chart is drawn where four lines are left below it, or all there are.
+        if !draws || height < CHART_ROWS + wanted.min(LEAST_WORDS) {
             return height;
         }
-        let wanted = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
         wanted.min(height - CHART_ROWS).max(3)
     }
 
@@ -174,6 +177,11 @@ impl Searching {
     /// The first line shown of a page without designs to choose from.
     pub fn scrolled(&self) -> usize {
         self.cursor[self.page.place()]
+    }
+
+    /// Select one of them.
+    pub fn select(&mut self, at: usize) {
+        self.cursor[self.page.place()] = at;
     }
 
     /// The selected one of them.
@@ -244,14 +252,16 @@ impl App {
                     .measures
                     .iter()
                     .zip(task.measures())
-                    .filter_map(|(value, column)| Some(column.show((*value)?, 3)))
+                    .filter_map(|(value, column)| {
+                        Some(format!("{} {}", setup::brief(column), column.show((*value)?, 3)))
+                    })
                     .collect();
                 Some(format!(
                     "#{}/{} {}: {}",
                     tab.selected() + 1,
                     tab.choices(),
                     values.join(" "),
-                    results.join(" ")
+                    results.join(", ")
                 ))
             }
             (
@@ -303,7 +313,8 @@ impl App {
         }
         let law = crate::model::variables::find("interface.law");
         let law = law.map_or_else(|_| String::new(), |found| found.show(&self.scene));
-        parts.push(same(Severity::Note, format!("interface {law}")));
+        let law = format!("interface {law}");
+        parts.push((Severity::Note, format!("{law} (i switches)"), law));
         parts
     }
 

@@ -171,6 +171,12 @@ impl App {
         match row {
             SetupRow::From(at) => units::shortest(sweep.axes[at].from),
             SetupRow::To(at) => units::shortest(sweep.axes[at].to),
+            // What is shown: a stand-in that nobody chose would be taken for chosen.
+            SetupRow::Name(1)
+                if self.picture() == Some(Picture::Line) && !has_family(&self.scene) =>
+            {
+                "none".to_owned()
+            }
             SetupRow::Name(at) => sweep.axes[at].name.clone(),
             SetupRow::Points(at) => sweep.axes[at].count.to_string(),
             SetupRow::Curves => self.sweeping.curves.to_string(),

@@ -339,11 +339,20 @@ fn plural(word: &str, count: usize) -> String {
     format!("{word}{}", if count == 1 { "" } else { "s" })
 }
 
+/// How many times too much, to three digits.
+fn times(ratio: f64) -> String {
+    crate::model::units::fixed_significant(ratio, 3)
+}
+
 /// The interface demand where it is more than can be carried.
 fn demand(run: &Run) -> Option<String> {
     run.warnings.iter().find_map(|warning| match warning {
-        Warning::InterfacePush { ratio, .. } => Some(format!("! interface {ratio:.2} x A S_y")),
-        Warning::InterfacePull { ratio, .. } => Some(format!("! interface {ratio:.2} x g A S_y")),
+        Warning::InterfacePush { ratio, .. } => {
+            Some(format!("! interface {} x A S_y", times(*ratio)))
+        }
+        Warning::InterfacePull { ratio, .. } => {
+            Some(format!("! interface {} x g A S_y", times(*ratio)))
+        }
         Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
         Warning::EnergyDrift { residual } => Some(format!("! energy off by {residual:.0e}")),
         Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),

@@ -426,6 +426,8 @@ impl App {
                     parts.push(same(severity, format!("{count} {word}")));
                 }
             }
+            let output = self.shown_output(&found.grid).0;
+            parts.extend(gaps::at_rest(&found.grid, output).map(|text| same(Severity::Note, text)));
         }
         if let Some(found) =
             found.filter(|_| picture == Picture::Surface && self.sweeping.residuals)
@@ -438,7 +440,7 @@ impl App {
             parts.push(same(Severity::Note, text));
         }
         let law = format!("interface {}", self.scene_word("interface.law"));
-        parts.push(same(Severity::Note, law));
+        parts.push((Severity::Note, format!("{law} (i switches)"), law));
         parts
     }
 

@@ -7,7 +7,7 @@ use super::accuracy::Measuring;
 use super::notice::Severity;
 use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
-use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
+use crate::study::screening::{CRITERIA, WEIGHTS_PERCENT};
 use crate::study::thesis::{Opens, Row, Verdict, tally};
 
 /// A page of the tab.
@@ -103,6 +103,15 @@ impl Thesis {
         *selected = selected.saturating_add_signed(rows).min(last);
     }
 
+    /// Select a row of the page shown; whether it was selected already.
+    pub fn pick(&mut self, row: usize) -> bool {
+        let before = (self.selected, self.principle, self.criterion);
+        let far = isize::MAX / 2;
+        self.move_by(-far);
+        self.move_by(isize::try_from(row).unwrap_or(far));
+        before == (self.selected, self.principle, self.criterion)
+    }
+
     /// The next verdict to filter by; after the last one, all rows.
     pub fn next_filter(&mut self) {
         let at = self.filter.and_then(|it| Verdict::ALL.iter().position(|other| *other == it));
@@ -135,17 +144,17 @@ impl App {
                     || "no preset shows it".to_owned(),
                     |name| format!("Enter opens {name}"),
                 );
-                Some(format!("{}: {opens}", principle.name))
+                // Its name is selected in the list and heads the detail.
+                Some(opens)
             }
             Page::Screening => {
                 let weight = tab.weights[tab.criterion];
-                let first = ranking(&tab.weights)[0];
+                // In one row of the narrowest screen: a second one would hide the ranks.
                 Some(format!(
-                    "{}: {} % (printed {} %); first: {}",
+                    "{}: {} %, printed {} %",
                     CRITERIA[tab.criterion],
                     significant(weight, 4),
                     significant(WEIGHTS_PERCENT[tab.criterion], 4),
-                    CONCEPTS[first.concept].name
                 ))
             }
         }

@@ -35,7 +35,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     if app.tab == Tab::Thesis && thesis::is_own(action) {
         return thesis::act(app, action);
     }
-    if app.tab == Tab::Limit && limit::is_own(action) {
+    if app.tab == Tab::Limit && limit::is_own(app, action) {
         return limit::act(app, action);
     }
     if app.tab == Tab::Search && search::is_own(app, action) {
@@ -161,6 +161,11 @@ fn tabs(app: &mut App, action: Action) -> Vec<Effect> {
         _ => Tab::ALL[(at + 1) % count],
     };
     app.log_scroll = 0;
+    entered(app)
+}
+
+/// The tab is shown: it computes what it has not, for the scene there is.
+pub(super) fn entered(app: &mut App) -> Vec<Effect> {
     match app.tab {
         Tab::Sweep | Tab::Surface => sweep::enter(app),
         Tab::Accuracy => accuracy::enter(app),

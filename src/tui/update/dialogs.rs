@@ -7,9 +7,9 @@ use crate::model::variables::Value;
 use crate::tui::app::dialog::{self, Dialog, Picker, Save};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
-use crate::tui::message::{Binding, Effect, Place, PresetEntry};
+use crate::tui::message::{Binding, Effect, Place, PresetEntry, Target};
 
-use super::{accuracy, act, curve, edit, export, input, limit, runs, sweep, table};
+use super::{accuracy, act, curve, edit, export, input, runs, sweep, table};
 
 /// A key while a dialog is open.
 pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
@@ -26,6 +26,40 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
         Some(Dialog::History(picker)) => in_list(app, picker, key, Kind::History),
         Some(Dialog::Words(picker)) => in_list(app, picker, key, Kind::Words),
         None => Vec::new(),
+    }
+}
+
+/// A click while a dialog is open: it selects a row, does what the row is for where it was selected, or closes a list.
+pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
+    let key = |code| KeyEvent::new(code, KeyModifiers::NONE);
+    let selected = match &mut app.dialog {
+        Some(
+            Dialog::Help(picker)
+            | Dialog::Palette(picker)
+            | Dialog::Presets(picker)
+            | Dialog::History(picker)
+            | Dialog::Words(picker),
+        ) => &mut picker.selected,
+        Some(Dialog::Export(_)) => {
+            if let Target::DialogRow(row) = target {
+                return export::click(app, row);
+            }
+            return Vec::new();
+        }
+        // What has been typed is not thrown away by a click.
+        Some(_) | None => return Vec::new(),
+    };
+    match target {
+        Target::DialogRow(row) if *selected == row => press(app, key(KeyCode::Enter)),
+        Target::DialogRow(row) => {
+            *selected = row;
+            Vec::new()
+        }
+        Target::Beside => {
+            app.dialog = None;
+            Vec::new()
+        }
+        _ => Vec::new(),
     }
 }
 
@@ -182,30 +216,33 @@ fn take_word(app: &mut App, picker: &Picker) -> Vec<Effect> {
     }
 }
 
-/// Do what a row of the key table says, in the pane it belongs to.
+/// Do what a row of the key table says, in the tab and pane it belongs to.
 fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
+    use crate::tui::app::Tab;
+    use crate::tui::app::thesis::Page;
+    let before = app.tab;
     match row.place {
         Place::Anywhere => {}
-        Place::Accuracy => app.tab = crate::tui::app::Tab::Accuracy,
+        Place::Accuracy => app.tab = Tab::Accuracy,
         Place::Map | Place::Battery => {
-            app.tab = crate::tui::app::Tab::Stability;
+            app.tab = Tab::Stability;
             app.stability.battery_shown = row.place == Place::Battery;
         }
-        Place::Setup | Place::Lines | Place::Surface => return in_sweep(app, row),
-        Place::Limit => {
-            app.tab = crate::tui::app::Tab::Limit;
-            let mut effects = limit::enter(app);
-            effects.extend(act::act(app, row.action));
-            return effects;
+        Place::Setup | Place::Lines | Place::Surface => {
+            app.tab = match (row.place, app.tab) {
+                (Place::Surface, _) | (Place::Setup, Tab::Surface) => Tab::Surface,
+                (_, _) => Tab::Sweep,
+            };
+            app.sweeping.on_setup = row.place == Place::Setup;
         }
+        Place::Limit => app.tab = Tab::Limit,
         Place::SearchSetup | Place::Search => {
-            app.tab = crate::tui::app::Tab::Search;
+            app.tab = Tab::Search;
             app.searching.on_setup = row.place == Place::SearchSetup;
         }
-        Place::Log => app.tab = crate::tui::app::Tab::Log,
+        Place::Log => app.tab = Tab::Log,
         Place::Claims | Place::Principles | Place::Screening => {
-            use crate::tui::app::thesis::Page;
-            app.tab = crate::tui::app::Tab::Thesis;
+            app.tab = Tab::Thesis;
             app.thesis.page = match row.place {
                 Place::Principles => Page::Principles,
                 Place::Screening => Page::Screening,
@@ -213,22 +250,13 @@ fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
             };
         }
         Place::Variables | Place::Charts | Place::Runs => {
-            app.tab = crate::tui::app::Tab::Run;
+            app.tab = Tab::Run;
             app.focus = row.place;
         }
     }
-    act::act(app, row.action)
-}
-
-/// The same in the tabs Sweep and Surface, which compute when they are entered.
-fn in_sweep(app: &mut App, row: &Binding) -> Vec<Effect> {
-    use crate::tui::app::Tab;
-    app.tab = match (row.place, app.tab) {
-        (Place::Surface, _) | (Place::Setup, Tab::Surface) => Tab::Surface,
-        (_, _) => Tab::Sweep,
-    };
-    app.sweeping.on_setup = row.place == Place::Setup;
-    let mut effects = sweep::enter(app);
+    // What a tab computes when it is entered by its key, it computes when an action leads there.
+    let page = matches!(row.place, Place::Map | Place::Battery);
+    let mut effects = if before != app.tab || page { act::entered(app) } else { Vec::new() };
     effects.extend(act::act(app, row.action));
     effects
 }

@@ -81,6 +81,20 @@ pub(super) fn press(app: &mut App, mut state: Export, key: KeyEvent) -> Vec<Effe
     effects
 }
 
+/// A click on a row: it selects, and ticks or changes what was selected.
+pub(super) fn click(app: &mut App, row: usize) -> Vec<Effect> {
+    let Some(Dialog::Export(state)) = &mut app.dialog else { return Vec::new() };
+    let Some(row) = state.rows().get(row).copied() else { return Vec::new() };
+    let again = state.row == row;
+    state.row = row;
+    match row {
+        ExportRow::What if again => state.what = state.what.other(1),
+        ExportRow::Run(_) | ExportRow::Column(_) if again => toggle(state),
+        _ => {}
+    }
+    Vec::new()
+}
+
 fn typed(state: &mut Export, key: KeyEvent) {
     let field = match state.row {
         ExportRow::Path => &mut state.path,

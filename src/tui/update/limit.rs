@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{jobs, table};
 use crate::tui::app::App;
 use crate::tui::app::accuracy::Measuring;
-use crate::tui::app::dialog::Table;
+use crate::tui::app::dialog::{Table, wrap};
 use crate::tui::app::notice::Severity;
 use crate::tui::message::{Action, Effect, Message};
 use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
@@ -22,17 +22,19 @@ pub(super) fn enter(app: &mut App) -> Vec<Effect> {
 }
 
 /// Whether the tab has its own meaning for an action.
-pub(super) fn is_own(action: Action) -> bool {
-    matches!(
-        action,
-        Action::Run
-            | Action::Export
-            | Action::Scatter
-            | Action::CursorLeft
-            | Action::CursorRight
-            | Action::CursorLeftFar
-            | Action::CursorRightFar
-    )
+pub(super) fn is_own(app: &App, action: Action) -> bool {
+    let turns = matches!(action, Action::FocusNext | Action::FocusPrevious);
+    (turns && app.limit_pages().is_some())
+        || matches!(
+            action,
+            Action::Run
+                | Action::Export
+                | Action::Scatter
+                | Action::CursorLeft
+                | Action::CursorRight
+                | Action::CursorLeftFar
+                | Action::CursorRightFar
+        )
 }
 
 /// An action the tab has its own meaning for.
@@ -43,6 +45,8 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
             app.limit.scattered = !app.limit.scattered;
             return find(app);
         }
+        Action::FocusNext => turn(app, 1),
+        Action::FocusPrevious => turn(app, -1),
         Action::CursorLeft => app.limit.move_cursor(-1),
         Action::CursorRight => app.limit.move_cursor(1),
         Action::CursorLeftFar => app.limit.move_cursor(-FAR),
@@ -50,6 +54,12 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         _ => table::open(app, Table::Limit),
     }
     Vec::new()
+}
+
+/// Turn from the curve through the pages of words, in a circle.
+fn turn(app: &mut App, by: isize) {
+    let pages = app.limit_pages().map_or(0, |(_, pages)| pages);
+    app.limit.page = wrap(app.limit.page.min(pages), by, pages + 1);
 }
 
 fn find(app: &mut App) -> Vec<Effect> {

@@ -1,7 +1,7 @@
 //! The mouse, where the person has let the program have it: a click selects what it hits, a click on what is selected does
 //! what Enter does there, and the wheel moves what it is over.
 
-use super::{act, sweep};
+use super::{act, dialogs, sweep};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Tab};
 use crate::tui::message::{Action, Effect, Place, Target};
@@ -9,6 +9,9 @@ use crate::tui::message::{Action, Effect, Place, Target};
 /// A click.
 pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
     app.notice = None;
+    if app.dialog.is_some() {
+        return dialogs::click(app, target);
+    }
     if is_typing(app) {
         app.say(Severity::Note, "a field is open: Enter takes it, Esc leaves it as it was");
         return Vec::new();
@@ -47,6 +50,36 @@ pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
             app.sweeping.on_setup = false;
             return sweep::jump(app, point);
         }
+        Target::RunTime(run_time_s) => app.accuracy.place_cursor(run_time_s),
+        Target::Method(method) => {
+            if app.accuracy.selected == method {
+                return act::act(app, Action::ShowHide);
+            }
+            app.accuracy.selected = method;
+        }
+        Target::Cell(row, column) => app.stability.cursor = Some((row, column)),
+        Target::Row(row) => return pick(app, row),
+        Target::Shot(shot) => app.limit.cursor = Some(shot),
+        Target::Design(design) => {
+            let again = !app.searching.on_setup && app.searching.selected() == design;
+            app.searching.on_setup = false;
+            if again {
+                return act::act(app, Action::OpenDesign);
+            }
+            app.searching.select(design);
+        }
+        // Without a dialog there is nothing of the kind.
+        Target::DialogRow(_) | Target::Beside => {}
+    }
+    Vec::new()
+}
+
+/// A row of the list that the tab shows: selected, and opened where it was selected already.
+fn pick(app: &mut App, row: usize) -> Vec<Effect> {
+    if app.tab == Tab::Stability {
+        app.stability.selected = row;
+    } else if app.thesis.pick(row) {
+        return act::act(app, Action::OpenDesign);
     }
     Vec::new()
 }
@@ -67,12 +100,17 @@ pub(super) fn wheel(app: &mut App, up: bool, target: Option<Target>) -> Vec<Effe
         Some(Target::Setup(_)) => app.sweeping.on_setup = true,
         Some(Target::SearchSetup(_)) => app.searching.on_setup = true,
         Some(Target::Pane(place)) => focus(app, place),
+        Some(Target::Design(_)) => app.searching.on_setup = false,
         Some(Target::Point(_)) => app.sweeping.on_setup = false,
-        Some(Target::Tab(_)) | None => {}
+        Some(Target::RunTime(run_time_s)) => {
+            app.accuracy.place_cursor(run_time_s);
+            return act::act(app, if up { Action::ZoomIn } else { Action::ZoomOut });
+        }
+        Some(_) | None => {}
     }
     let action = match (app.place(), up) {
-        (Place::Search, true) => Action::CursorLeft,
-        (Place::Search, false) => Action::CursorRight,
+        (Place::Search | Place::Limit, true) => Action::CursorLeft,
+        (Place::Search | Place::Limit, false) => Action::CursorRight,
         (_, true) => Action::Up,
         (_, false) => Action::Down,
     };

@@ -264,7 +264,9 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
 fn commit(app: &mut App, then: isize) {
     let Some(field) = app.searching.field.take() else { return };
     let text = field.input.value().trim().to_owned();
-    let untouched = field.fresh || text == app.search_text(field.row);
+    // The bounds of a held variable are a proposal: typed again they are taken.
+    let same = text == app.search_text(field.row) && !matches!(field.row, Row::Bound(_));
+    let untouched = field.fresh || same;
     let taken = if untouched { Ok(()) } else { take(app, field.row, &text) };
     match taken {
         Ok(()) => app.move_in_search(then),

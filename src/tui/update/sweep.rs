@@ -63,7 +63,7 @@ pub(super) fn compute(app: &mut App) -> Vec<Effect> {
     match app.sweep_plan(picture) {
         Err(error) => {
             app.sweeping.computing = None;
-            app.sweeping.problem = Some("these axes cannot be swept".to_owned());
+            app.sweeping.problem = Some("these axes cannot be swept: r says why".to_owned());
             app.say(Severity::Error, error.to_string());
             vec![Effect::CancelSweep]
         }
@@ -259,7 +259,7 @@ pub(super) fn report(app: &mut App, report: SweepReport) {
         }
         SweepBody::Failed(text) => {
             app.sweeping.computing = None;
-            app.sweeping.problem = Some("this cannot be swept".to_owned());
+            app.sweeping.problem = Some("this cannot be swept: r says why".to_owned());
             app.say(Severity::Error, text);
             return;
         }

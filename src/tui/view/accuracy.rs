@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::rect;
-use super::text::{NEEDS_SINGLE, columns, paint_row, put};
+use super::text::{NEEDS_SINGLE, Rows, columns, paint_row, put};
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
@@ -12,7 +12,9 @@ use crate::tui::app::accuracy::{TARGETS, seconds};
 use crate::tui::app::layout::AccuracyPanes;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{clip, wrap};
-use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend, Level, Scale, Unit, ViewRange};
+use crate::tui::chart::{
+    Axis, Chart, Curve, Emphasis, Layout, Legend, Level, Scale, Unit, ViewRange,
+};
 use crate::tui::theme::{Pane, Role};
 
 /// Columns of a method's letter and name in the table.
@@ -43,18 +45,26 @@ fn time(report: &MethodReport, target: f64) -> String {
     report.cheapest(target).map_or_else(|| "-".to_owned(), |found| seconds(found.min_s))
 }
 
-/// Draw the tab.
-pub(super) fn render(app: &App, panes: &AccuracyPanes, buffer: &mut Buffer) {
-    chart(app, rect(panes.chart), buffer);
-    methods(app, rect(panes.methods), buffer);
+/// Draw the tab; gives where the chart and the rows of methods lie.
+pub(super) fn render(
+    app: &App,
+    panes: &AccuracyPanes,
+    buffer: &mut Buffer,
+) -> (Option<Layout>, Rows) {
+    let chart = chart(app, rect(panes.chart), buffer);
+    let methods = methods(app, rect(panes.methods), buffer);
     let answers = rect(panes.answers);
     for (row, line) in (0..answers.height).zip(app.accuracy_answers()) {
-        let line = clip(&line, usize::from(answers.width.saturating_sub(2)));
+        let room = usize::from(answers.width.saturating_sub(2));
+        // The cost with nothing left out goes before it is cut in two.
+        let brief = line.split(';').next().filter(|_| line.chars().count() > room);
+        let line = clip(brief.unwrap_or(&line), room);
         put(buffer, answers, (1, row), &line, app.theme.style(Role::Title));
     }
+    (chart, methods)
 }
 
-fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
+fn chart(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     let tab = &app.accuracy;
     let curves = tab.curves();
     let title = "Relative error";
@@ -69,7 +79,7 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
         };
         let column = inner.width.saturating_sub(columns(text)) / 2;
         put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
-        return;
+        return None;
     };
     let old = app.accuracy_is_old();
     let emphasis = |method: Method| {
@@ -108,7 +118,7 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
         focused: app.dialog.is_none(),
         ..Chart::new(title, x, y, slopes.chain(spreads).chain(drawn).collect())
     };
-    chart.render(area, buffer, app.theme);
+    Some(chart.render(area, buffer, app.theme).layout)
 }
 
 fn colour(method: Method) -> usize {
@@ -141,8 +151,8 @@ fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
     [('1', 1), ('2', 2), ('4', 4), ('8', 8)].map(|(marker, order)| (marker, line(order))).into()
 }
 
-/// The table, and below it what is to be said of the selected method.
-fn methods(app: &App, area: Rect, buffer: &mut Buffer) {
+/// The table, and below it what is to be said of the selected method; gives where the rows of methods lie.
+fn methods(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let inner = Pane::new("Methods").right("V hides").render(area, buffer, app.theme);
     let mut shown = 0;
     let mut end = NAME;
@@ -186,4 +196,7 @@ fn methods(app: &App, area: Rect, buffer: &mut Buffer) {
             row += 1;
         }
     }
+    let count = Method::ALL.len();
+    let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
+    Rows { area: Rect { y: inner.y + 1, height, ..inner }, first: 0, count }
 }

@@ -6,7 +6,7 @@ use tui_input::Input;
 
 use super::Cursor;
 use super::popup::frame;
-use super::text::{first_row, put};
+use super::text::{Rows, first_row, put};
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Export, ExportRow, What};
 use crate::tui::app::status::{clip, wrap};
@@ -24,7 +24,7 @@ pub(super) fn render(
     screen: Rect,
     buffer: &mut Buffer,
     cursor: &mut Cursor,
-) {
+) -> Rows {
     let rows = state.rows();
     let wanted = u16::try_from(rows.len()).unwrap_or(u16::MAX).saturating_add(FOOT + 3);
     let inner = frame(app, screen, (100, wanted), ("Export to CSV", "Enter writes"), buffer);
@@ -49,6 +49,7 @@ pub(super) fn render(
     }
     let lower = Rect { y: list.bottom(), height: foot, ..inner };
     below(app, state, lower, buffer);
+    Rows { area: list, first, count: rows.len() }
 }
 
 fn one(

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::Cursor;
 use super::popup::{filter, frame};
-use super::text::{first_row, paint_row, put};
+use super::text::{Rows, first_row, paint_row, put};
 use crate::model::variables::Kind;
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Picker, help_rows, palette_rows};
@@ -20,7 +20,7 @@ pub(super) fn help(
     screen: Rect,
     buffer: &mut Buffer,
     cursor: &mut Cursor,
-) {
+) -> Rows {
     let inner = frame(app, screen, (92, 48), ("Help", "q closes"), buffer);
     let about = about(app, usize::from(inner.width));
     let mut top = 0;
@@ -35,7 +35,7 @@ pub(super) fn help(
     };
     filter(app, picker, rest, buffer, cursor);
     let rows = help_rows(app.place(), picker.filter.value());
-    list(app, &rows, picker.selected, below(rest), buffer);
+    list(app, &rows, picker.selected, below(rest), buffer)
 }
 
 /// Every action by name.
@@ -45,18 +45,18 @@ pub(super) fn palette(
     screen: Rect,
     buffer: &mut Buffer,
     cursor: &mut Cursor,
-) {
+) -> Rows {
     let inner = frame(app, screen, (76, 20), ("Find an action", "Esc closes"), buffer);
     filter(app, picker, inner, buffer, cursor);
     let rows = palette_rows(picker.filter.value());
-    list(app, &rows, picker.selected, below(inner), buffer);
+    list(app, &rows, picker.selected, below(inner), buffer)
 }
 
 fn below(area: Rect) -> Rect {
     Rect { y: area.y + area.height.min(1), height: area.height.saturating_sub(1), ..area }
 }
 
-fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut Buffer) {
+fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut Buffer) -> Rows {
     if rows.is_empty() {
         put(buffer, area, (0, 0), "nothing matches", app.theme.style(Role::Dim));
     }
@@ -76,6 +76,7 @@ fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut 
             paint_row(buffer, area, row, app.theme.style(Role::Selection));
         }
     }
+    Rows { area, first, count: rows.len() }
 }
 
 fn place(place: Place) -> &'static str {

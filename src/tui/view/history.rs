@@ -4,14 +4,14 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::popup::frame;
-use super::text::{first_row, paint_row, put};
+use super::text::{Rows, first_row, paint_row, put};
 use crate::tui::app::App;
 use crate::tui::app::dialog::Picker;
 use crate::tui::app::status::clip;
 use crate::tui::theme::Role;
 
 /// Draw it.
-pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buffer) {
+pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buffer) -> Rows {
     let edits = &app.history.edits;
     let height = u16::try_from(edits.len() + 3).unwrap_or(u16::MAX);
     let inner = frame(
@@ -40,4 +40,5 @@ pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buff
             paint_row(buffer, inner, row, app.theme.style(Role::Selection));
         }
     }
+    Rows { area: inner, first, count: edits.len() + 1 }
 }

@@ -7,6 +7,7 @@ use ratatui::text::{Line, Span};
 use super::text::{columns, put_line};
 use crate::tui::app::App;
 use crate::tui::app::dialog::Dialog;
+use crate::tui::app::sweep::SetupRow;
 use crate::tui::message::{Action, BINDINGS, Binding, Place};
 use crate::tui::theme::Role;
 
@@ -34,25 +35,28 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     put_line(buffer, area, 0, &Line::from(spans));
 }
 
+/// While a quantity is typed.
+const QUANTITY: Keys = &[
+    ("Enter", "ok"),
+    ("Esc", "old value"),
+    ("Up/Down", "ok and move"),
+    ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
+];
+/// While a name or a count is typed.
+const WORD: Keys = &[("Enter", "ok"), ("Esc", "old value"), ("Up/Down", "ok and move")];
+
 /// While something is open that takes characters, or a dialog.
 fn special(app: &App) -> Option<Keys> {
     match &app.dialog {
         Some(dialog) => Some(in_dialog(dialog)),
-        None if app.editor.field.is_some() => Some(&[
-            ("Enter", "ok"),
-            ("Esc", "old value"),
-            ("Up/Down", "ok and move"),
-            ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
-        ]),
-        None if app.sweeping.field.is_some() && app.picture().is_some() => Some(&[
-            ("Enter", "ok"),
-            ("Esc", "old value"),
-            ("Up/Down", "ok and move"),
-            ("also", "25.4mm 7.5MN/m 1/3 *2 +5%"),
-        ]),
-        None if app.searching.field.is_some() => {
-            Some(&[("Enter", "ok"), ("Esc", "old value"), ("Up/Down", "ok and move")])
+        None if app.editor.field.is_some() => Some(QUANTITY),
+        None if app.sweeping.field.is_some() && app.picture().is_some() => {
+            let row = app.sweeping.field.as_ref().map(|field| field.row);
+            let has_unit =
+                matches!(row, Some(SetupRow::From(_) | SetupRow::To(_) | SetupRow::Held(_)));
+            Some(if has_unit { QUANTITY } else { WORD })
         }
+        None if app.searching.field.is_some() => Some(WORD),
         None if app.editor.filter_field.is_some() => {
             Some(&[("Enter", "keep"), ("Esc", "all rows again"), ("Up/Down", "move")])
         }

@@ -7,84 +7,56 @@ use super::text::{NEEDS_SINGLE, columns, put};
 use crate::model::run::Outcome;
 use crate::study::limit::{Limit, Report, Shot};
 use crate::tui::app::App;
+use crate::tui::app::limit::{BESIDE, FACTS, Fact, LABEL};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::status::clip;
 use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, EventLine, Legend, Mapping, Scale, Unit, ViewRange,
+    Axis, Chart, Curve, Emphasis, EventLine, Layout, Legend, Mapping, Scale, Unit, ViewRange,
 };
 use crate::tui::theme::{Pane, Role};
 
-/// From this width on the facts stand beside the chart.
-const BESIDE: u16 = 100;
-/// Columns of the facts beside the chart.
-const FACTS: u16 = 40;
-/// Columns of a fact's label.
-const LABEL: u16 = 15;
-/// Least rows of a chart that can be read.
-const CHART_ROWS: u16 = 9;
 /// Points of a drawn law.
 const LAW_POINTS: usize = 400;
 /// The scene's velocity is in view up to so many limits.
 const OWN_IN_VIEW: f64 = 4.0;
 
-/// Draw the tab.
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+/// Draw the tab; gives where the chart lies, if there is one.
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     let head = app.limit_headline().unwrap_or_default();
     let head = if app.limit_is_old() { format!("old: {head}") } else { head };
     let head = clip(&head, usize::from(area.width.saturating_sub(2)));
     let role = if app.limit_is_old() { Role::Warning } else { Role::Title };
     put(buffer, area, (1, 0), &head, app.theme.style(role));
     let body = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
-    let facts = app.limit.facts();
-    if facts.is_empty() {
+    let lines = app.limit_lines(area.width);
+    if lines.is_empty() {
         return chart(app, body, buffer);
+    }
+    if let Some((rows, _)) = app.limit_pages() {
+        let Some((page, is_last)) = app.limit_page() else { return chart(app, body, buffer) };
+        let lines = lines.get((page - 1) * rows..).unwrap_or_default();
+        write(app, lines, if is_last { "Tab: curve" } else { "Tab: more" }, body, buffer);
+        return None;
     }
     if area.width >= BESIDE {
         let width = body.width - FACTS;
-        chart(app, Rect { width, ..body }, buffer);
+        let layout = chart(app, Rect { width, ..body }, buffer);
         let side = Rect { x: body.x + width, width: FACTS, ..body };
-        let lines = lines(&facts, side.width.saturating_sub(2), false);
-        return write(app, &lines, side, buffer);
+        write(app, &lines, "", side, buffer);
+        return layout;
     }
-    let lines = lines(&facts, area.width.saturating_sub(2), true);
-    let wanted = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
-    let height = wanted.min(body.height.saturating_sub(CHART_ROWS));
-    // A frame around nothing helps nobody.
-    let height = if height < 3 { 0 } else { height };
-    chart(app, Rect { height: body.height - height, ..body }, buffer);
-    if height > 0 {
-        let below = Rect { y: body.y + body.height - height, height, ..body };
-        write(app, &lines, below, buffer);
-    }
+    let height = u16::try_from(lines.len()).unwrap_or(u16::MAX).saturating_add(2);
+    let height = height.min(body.height);
+    let layout = chart(app, Rect { height: body.height - height, ..body }, buffer);
+    let below = Rect { y: body.y + body.height - height, height, ..body };
+    write(app, &lines, "", below, buffer);
+    layout
 }
 
-/// A line of the facts: its label, how it is meant, its words.
-type FactLine = (&'static str, Severity, String);
-
-/// The facts, wrapped; labels stand before their words, or above them.
-fn lines(facts: &[FactLine], width: u16, labels_before: bool) -> Vec<FactLine> {
-    let room = if labels_before { width.saturating_sub(LABEL) } else { width };
-    let mut lines: Vec<FactLine> = Vec::new();
-    for (label, severity, text) in facts {
-        let wrapped = wrap(text, usize::from(room).max(10));
-        if !labels_before {
-            if !lines.is_empty() {
-                lines.push(("", *severity, String::new()));
-            }
-            lines.push((label, *severity, String::new()));
-            lines.extend(wrapped.into_iter().map(|line| ("", *severity, line)));
-            continue;
-        }
-        for (index, line) in wrapped.into_iter().enumerate() {
-            lines.push((if index == 0 { label } else { "" }, *severity, line));
-        }
-    }
-    lines
-}
-
-fn write(app: &App, lines: &[FactLine], area: Rect, buffer: &mut Buffer) {
-    let inner = Pane::new("Fitted laws and scatter").render(area, buffer, app.theme);
-    let column = if area.width == FACTS { 0 } else { LABEL };
+fn write(app: &App, lines: &[Fact], hint: &'static str, area: Rect, buffer: &mut Buffer) {
+    let title = "Fitted laws and scatter";
+    let inner = Pane::new(title).right(hint).render(area, buffer, app.theme);
+    let column = if app.size.0 >= BESIDE { 0 } else { LABEL };
     for (row, (label, severity, text)) in (0..inner.height).zip(lines) {
         let role = match severity {
             Severity::Note => Role::Text,
@@ -143,10 +115,11 @@ fn law(view: ViewRange, limit_m_s: f64, residual: impl Fn(f64) -> f64) -> Vec<(f
     std::iter::once(limit_m_s).chain(beyond).map(|v| (v, residual(v))).collect()
 }
 
-fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
+fn chart(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     let tab = &app.limit;
     let Some((report, (x, y))) = tab.report.as_ref().and_then(|it| Some((it, axes(it)?))) else {
-        return nothing(app, area, buffer);
+        nothing(app, area, buffer);
+        return None;
     };
     let old = app.limit_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
@@ -190,6 +163,7 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) {
     };
     let layout = chart.render(area, buffer, app.theme).layout;
     marks(app, report, (layout.plot, layout.x, layout.y), buffer);
+    Some(layout)
 }
 
 /// A letter for each shot, whatever the characters of curves: what became of it.

@@ -2,25 +2,30 @@
 //!
 //! The geometry is that of the drawing itself: charts are drawn into a buffer that nobody sees, and say where everything lies.
 
-use ratatui::buffer::Buffer;
+use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
 
 use super::text::first_row;
-use super::{charts, rect, rows, surface, sweep};
+use super::{
+    accuracy, charts, limit, popup, rect, rows, search, stability, surface, sweep, thesis,
+};
+use crate::study::limit::Shot;
 use crate::tui::app::App;
 use crate::tui::app::editor::Row;
-use crate::tui::app::layout::{Area, Body, Panes, SweepPanes};
+use crate::tui::app::layout::{AccuracyPanes, Area, Body, Panes, SweepPanes};
 use crate::tui::app::search::Row as SearchRow;
 use crate::tui::app::sweep::{Picture, SetupRow};
 use crate::tui::chart::Layout;
 use crate::tui::message::{Place, Target};
 
-/// What is at a column and a row of the screen; `None` where a click means nothing, and while a dialog is open.
+/// What is at a column and a row of the screen; `None` where a click means nothing.
 pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
-    if app.dialog.is_some() {
-        return None;
-    }
+    let screen = Rect::new(0, 0, app.size.0, app.size.1);
+    let unseen = || Buffer::empty(screen);
     let layout = app.layout();
+    if app.dialog.is_some() {
+        return in_dialog(app, screen, at);
+    }
     if at.1 == layout.title.y {
         return rows::tab_at(app, layout.title.width, at.0).map(Target::Tab);
     }
@@ -28,13 +33,67 @@ pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
         Body::Run(panes) => in_run(app, panes, at),
         Body::Sweep(panes) => in_sweep(app, panes, at),
         Body::Search(setup, found) => in_search(app, (*setup, *found), at),
-        Body::TooSmall
-        | Body::Accuracy(_)
-        | Body::Stability(_)
-        | Body::Log(_)
-        | Body::Thesis(_)
-        | Body::Limit(_) => None,
+        Body::Accuracy(panes) => in_accuracy(app, panes, at, &mut unseen()),
+        Body::Stability(area) => stability::target(app, rect(*area), at, &mut unseen()),
+        Body::Thesis(area) => thesis::row_at(app, rect(*area), at, &mut unseen()).map(Target::Row),
+        Body::Limit(area) => {
+            let layout = limit::render(app, rect(*area), &mut unseen())?;
+            nearest_shot(app, &layout, at).map(Target::Shot)
+        }
+        // The log has nothing to select: the wheel scrolls it wherever it is.
+        Body::TooSmall | Body::Log(_) => None,
     }
+}
+
+/// A row of the list in the dialog on top, or beside the dialog.
+fn in_dialog(app: &App, screen: Rect, at: (u16, u16)) -> Option<Target> {
+    // Whatever the dialog covers is not this any more.
+    let beside = Cell::new("\u{1}");
+    let mut unseen = Buffer::filled(screen, beside.clone());
+    let rows = popup::render(app, screen, &mut unseen, &mut None);
+    if unseen.cell(at).is_none_or(|cell| *cell == beside) {
+        return Some(Target::Beside);
+    }
+    rows?.at(at).map(Target::DialogRow)
+}
+
+fn in_accuracy(
+    app: &App,
+    panes: &AccuracyPanes,
+    at: (u16, u16),
+    unseen: &mut Buffer,
+) -> Option<Target> {
+    let (chart, methods) = accuracy::render(app, panes, unseen);
+    methods
+        .at(at)
+        .map(Target::Method)
+        .or_else(|| chart.and_then(|layout| along(&layout, at)).map(Target::RunTime))
+}
+
+/// The shot that is drawn nearest to a cell of the plot.
+fn nearest_shot(app: &App, layout: &Layout, at: (u16, u16)) -> Option<usize> {
+    let place = |shot: &Shot| Some((shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0)));
+    nearest(layout, at, app.limit.shots().iter().map(place))
+}
+
+/// Which of some points of a chart is drawn nearest to a cell of its plot.
+fn nearest(
+    layout: &Layout,
+    at: (u16, u16),
+    points: impl Iterator<Item = Option<(f64, f64)>>,
+) -> Option<usize> {
+    let plot = layout.plot;
+    if !plot.contains(at.into()) {
+        return None;
+    }
+    let (across, up) = (f64::from(at.0 - plot.x), f64::from(plot.bottom() - 1 - at.1));
+    let away = |(x, y): (f64, f64)| {
+        let (x, y) = layout.x.position(x).zip(layout.y.position(y))?;
+        // A cell is twice as high as wide.
+        Some((x - across).powi(2) + 4.0 * (y - up).powi(2))
+    };
+    let near = points.enumerate().filter_map(|(index, point)| Some((index, away(point?)?)));
+    near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
 }
 
 /// The row of a framed list that a cell lies in, counted from its first one shown.
@@ -125,9 +184,23 @@ fn in_sweep(app: &App, panes: &SweepPanes, at: (u16, u16)) -> Option<Target> {
     Some(Target::Point((x, y)))
 }
 
+/// The design of a front that is drawn nearest to a cell of its chart.
+fn nearest_design(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Option<usize> {
+    let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    let layout = search::render(app, (rect(setup), rect(found)), &mut unseen, &mut None)?;
+    let (_, task) = app.searching.front()?;
+    let (across, up) = app.searching.across(task);
+    let places = app.searching.designs().into_iter().map(|design| {
+        let value = |measure: usize| design.measures.get(measure).copied().flatten();
+        value(across).zip(value(up))
+    });
+    nearest(&layout, at, places)
+}
+
 fn in_search(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Option<Target> {
     if rect(found).contains(at.into()) {
-        return Some(Target::Pane(Place::Search));
+        let design = nearest_design(app, (setup, found), at);
+        return design.map(Target::Design).or(Some(Target::Pane(Place::Search)));
     }
     let rows = app.search_rows();
     let here = rows.iter().position(|row| *row == app.search_row()).unwrap_or(0);

@@ -4,20 +4,34 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Clear, Widget};
 
-use super::text::put;
+use super::text::{Rows, put};
 use super::{Cursor, export, help, history, presets, save, words};
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Picker};
 use crate::tui::theme::{Pane, Role};
 
-/// Draw the dialog, if one is open.
-pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
+/// Draw the dialog, if one is open; gives where the rows of its list lie, if it has one.
+pub(super) fn render(
+    app: &App,
+    screen: Rect,
+    buffer: &mut Buffer,
+    cursor: &mut Cursor,
+) -> Option<Rows> {
     match &app.dialog {
-        Some(Dialog::Help(picker)) => help::help(app, picker, screen, buffer, cursor),
-        Some(Dialog::Palette(picker)) => help::palette(app, picker, screen, buffer, cursor),
-        Some(Dialog::Presets(picker)) => presets::render(app, picker, screen, buffer, cursor),
-        Some(Dialog::History(picker)) => history::render(app, picker, screen, buffer),
-        Some(Dialog::Words(picker)) => words::render(app, picker, screen, buffer),
+        Some(Dialog::Help(picker)) => return Some(help::help(app, picker, screen, buffer, cursor)),
+        Some(Dialog::Palette(picker)) => {
+            return Some(help::palette(app, picker, screen, buffer, cursor));
+        }
+        Some(Dialog::Presets(picker)) => {
+            return Some(presets::render(app, picker, screen, buffer, cursor));
+        }
+        Some(Dialog::History(picker)) => {
+            return Some(history::render(app, picker, screen, buffer));
+        }
+        Some(Dialog::Words(picker)) => return Some(words::render(app, picker, screen, buffer)),
+        Some(Dialog::Export(state)) => {
+            return Some(export::render(app, state, screen, buffer, cursor));
+        }
         Some(Dialog::Save(state)) => save::render(app, state, screen, buffer, cursor),
         Some(Dialog::ExportAccuracy(state)) => {
             let titles = ("Export what was measured to CSV", "Enter writes");
@@ -34,9 +48,9 @@ pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer, cursor: &mut 
         Some(Dialog::Curve(second, state)) => {
             save::curve(app, (*second, state), screen, buffer, cursor);
         }
-        Some(Dialog::Export(state)) => export::render(app, state, screen, buffer, cursor),
         None => {}
     }
+    None
 }
 
 /// Clear the middle of the body and draw a frame there, at most this large; gives what is inside, a column of air at each side.

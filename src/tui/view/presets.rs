@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::Cursor;
 use super::popup::{filter, frame};
-use super::text::{first_row, paint_row, put};
+use super::text::{Rows, first_row, paint_row, put};
 use crate::model::variables::VARIABLES;
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Picker, preset_rows};
@@ -23,7 +23,7 @@ pub(super) fn render(
     screen: Rect,
     buffer: &mut Buffer,
     cursor: &mut Cursor,
-) {
+) -> Rows {
     let inner = frame(app, screen, (110, 40), ("Presets", "Enter loads, Space pins only"), buffer);
     filter(app, picker, inner, buffer, cursor);
     let body =
@@ -52,6 +52,7 @@ pub(super) fn render(
     if let Some(entry) = rows.get(picker.selected) {
         about(app, entry, right, buffer);
     }
+    Rows { area: left, first, count: rows.len() }
 }
 
 /// Title, changes, then comment and notes as far as there is room.

@@ -6,17 +6,17 @@ use ratatui::layout::Rect;
 use super::Cursor;
 use super::text::{columns, first_row, paint_row, put};
 use crate::model::results::ResultColumn;
-use crate::study::search::front::{Candidate, Design, USUAL};
+use crate::study::search::front::{Candidate, Design};
 use crate::study::search::seek;
 use crate::study::sweep::Fate;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::search::lines::LETTERS;
-use crate::tui::app::search::setup::OBJECTIVES;
+use crate::tui::app::search::setup::brief;
 use crate::tui::app::search::{Row, SearchField};
 use crate::tui::app::status::clip;
 use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, EventLine, Legend, Level, Mapping, Scale, Unit, ViewRange,
+    Axis, Chart, Curve, Emphasis, EventLine, Layout, Legend, Level, Mapping, Scale, Unit, ViewRange,
 };
 use crate::tui::theme::{Pane, Role};
 use crate::worker::searches::Answer;
@@ -27,31 +27,35 @@ const VALUE: u16 = 12;
 /// Columns of the histogram's bins.
 const BINS: usize = 40;
 
-/// Draw setup and findings.
+/// Draw setup and findings; gives where the chart of a front lies, if it is drawn.
 pub(super) fn render(
     app: &App,
     (left, right): (Rect, Rect),
     buffer: &mut Buffer,
     cursor: &mut Cursor,
-) {
+) -> Option<Layout> {
     setup(app, left, buffer, cursor);
     let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
     let Some(found) = app.searching.shown() else {
-        return nothing(app, right, buffer);
+        nothing(app, right, buffer);
+        return None;
     };
     let below = app.searching.words_height(right.height, lines.len());
     if below == right.height {
-        return words(app, &lines, right, buffer);
+        words(app, &lines, right, buffer);
+        return None;
     }
+    let mut layout = None;
     let top = Rect { height: right.height - below, ..right };
     match &found.answer {
         Answer::Seek(report) => sought(app, report, top, buffer),
-        Answer::Front(_) => front(app, top, buffer),
+        Answer::Front(_) => layout = front(app, top, buffer),
         Answer::Scatter(_) => histogram(app, top, buffer),
         Answer::Sensitivity(_) | Answer::Worth(_) => {}
     }
     let rest = Rect { y: right.y + top.height, height: below, ..right };
     words(app, &lines, rest, buffer);
+    layout
 }
 
 fn setup(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
@@ -118,7 +122,9 @@ fn open(
 /// What stands where nothing has been found yet.
 fn nothing(app: &App, area: Rect, buffer: &mut Buffer) {
     let title = app.searching.page.title();
-    let inner = Pane::new(title).render(area, buffer, app.theme);
+    let alone = area.width == app.size.0 && !app.full_pane;
+    let hint = if alone { "Tab: setup" } else { "" };
+    let inner = Pane::new(title).right(hint).render(area, buffer, app.theme);
     let text = match (&app.searching.running, &app.searching.problem) {
         (Some(_), _) => "searching",
         (None, Some(_)) => "see the message below",
@@ -135,6 +141,9 @@ fn words(app: &App, lines: &[(Severity, String)], area: Rect, buffer: &mut Buffe
     let height = usize::from(area.height.saturating_sub(2));
     let (has_choices, more) = (app.searching.choices() > 0, lines.len() > height);
     let hint = if more && !has_choices { "j/k: more" } else { "v: next" };
+    // Where the setup has no room beside, nothing else tells of it.
+    let alone = area.width == app.size.0 && !app.full_pane;
+    let hint = if alone { format!("Tab: setup  {hint}") } else { hint.to_owned() };
     let inner = Pane::new(title).right(hint).focused(focused).render(area, buffer, app.theme);
     // The names of columns stay in sight.
     let frozen = usize::from(app.searching.has_heads(lines));
@@ -209,9 +218,9 @@ fn sought(app: &App, report: &seek::Report, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Designs as points, the scene and the thesis's designs as letters.
-fn front(app: &App, area: Rect, buffer: &mut Buffer) {
+fn front(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     let tab = &app.searching;
-    let Some((found, task)) = tab.front() else { return };
+    let (found, task) = tab.front()?;
     let (across, up) = tab.across(task);
     let measures = task.measures();
     let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
@@ -221,14 +230,15 @@ fn front(app: &App, area: Rect, buffer: &mut Buffer) {
         own.collect::<Vec<f64>>()
     };
     let (xs, ys) = (all(across), all(up));
-    let label = short(measures[across]);
+    let label = brief(measures[across]);
     let x = measure_axis(measures[across], xs.into_iter(), tab.log.0, label);
     let y = measure_axis(measures[up], ys.into_iter(), tab.log.1, String::new());
     let Some((x, y)) = x.zip(y) else {
         let text = "no design keeps every constraint".to_owned();
-        return words(app, &[(Severity::Warning, text)], area, buffer);
+        words(app, &[(Severity::Warning, text)], area, buffer);
+        return None;
     };
-    let title = format!("{} designs: {}", found.designs.len(), short(measures[up]));
+    let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
     let title = if app.search_is_old() { format!("old: {title}") } else { title };
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
     let chart = Chart {
@@ -251,12 +261,7 @@ fn front(app: &App, area: Rect, buffer: &mut Buffer) {
         let design: &Design = design;
         mark(app, place(&design.measures), ("X", Role::Crosshair), plot, buffer);
     }
-}
-
-/// A measure in a word or two.
-fn short(column: &ResultColumn) -> String {
-    let at = USUAL.iter().position(|name| *name == column.name);
-    at.map_or_else(|| column.title(), |at| OBJECTIVES[at].to_owned())
+    Some(layout)
 }
 
 fn mark(

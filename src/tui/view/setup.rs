@@ -74,7 +74,8 @@ fn line(app: &App, picture: Picture, row: SetupRow, (area, at): (Rect, u16), buf
     let start = (VALUE + VALUE_WIDTH).saturating_sub(columns(&shown.value)).max(VALUE);
     let start = start.max(label + 1);
     let end = put(buffer, area, (start, at), &shown.value, style(role));
-    if end < UNIT {
+    // Half a unit would be another one.
+    if end < UNIT && UNIT + columns(shown.unit) <= area.width {
         put(buffer, area, (UNIT, at), shown.unit, style(Role::Dim));
     }
 }

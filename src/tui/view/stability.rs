@@ -3,13 +3,14 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{NEEDS_SINGLE, columns, first_row, paint_row, put};
+use super::text::{NEEDS_SINGLE, Rows, columns, first_row, paint_row, put};
 use crate::model::run::Outcome;
 use crate::model::units::significant;
 use crate::study::stability::Row;
 use crate::study::stability::map::{Cell, Map};
 use crate::tui::app::App;
 use crate::tui::app::accuracy::seconds;
+use crate::tui::message::Target;
 use crate::tui::theme::{Pane, Role};
 
 /// Columns left of the map, for the values of its rows.
@@ -20,10 +21,22 @@ const FOOT: u16 = 3;
 /// Draw the tab.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     if app.stability.battery_shown {
-        battery(app, area, buffer);
+        let _ = battery(app, area, buffer);
     } else {
-        map(app, area, buffer);
+        let _ = map(app, area, buffer);
     }
+}
+
+/// What is at a cell of the screen; the drawing goes into a buffer that nobody sees.
+pub(super) fn target(app: &App, area: Rect, at: (u16, u16), unseen: &mut Buffer) -> Option<Target> {
+    if app.stability.battery_shown {
+        return battery(app, area, unseen).at(at).map(Target::Row);
+    }
+    let plot = map(app, area, unseen).filter(|plot| plot.contains(at.into()))?;
+    let (_, map) = app.stability.map.as_ref()?;
+    let (rows, steps) = (map.values.len(), map.dt_s.len());
+    let row = rows.checked_sub(1 + spread(at.1 - plot.y, plot.height, rows))?;
+    Some(Target::Cell(row, spread(at.0 - plot.x, plot.width, steps)))
 }
 
 fn role(cell: Cell) -> Role {
@@ -36,7 +49,8 @@ fn role(cell: Cell) -> Role {
     }
 }
 
-fn map(app: &App, area: Rect, buffer: &mut Buffer) {
+/// Draw the map; gives where its cells lie.
+fn map(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Rect> {
     let tab = &app.stability;
     let old = if app.map_is_old() { ", old" } else { "" };
     let title = match &tab.map {
@@ -55,7 +69,7 @@ fn map(app: &App, area: Rect, buffer: &mut Buffer) {
         };
         let column = inner.width.saturating_sub(columns(text)) / 2;
         put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
-        return;
+        return None;
     };
     let plot = Rect {
         x: inner.x + GUTTER.min(inner.width),
@@ -64,7 +78,7 @@ fn map(app: &App, area: Rect, buffer: &mut Buffer) {
         ..inner
     };
     if plot.width < 10 || plot.height < 4 {
-        return;
+        return None;
     }
     cells(app, map, plot, buffer);
     values(app, map, (inner, plot), buffer);
@@ -76,8 +90,11 @@ fn map(app: &App, area: Rect, buffer: &mut Buffer) {
         let style = app.theme.style(Role::Text);
         column = put(buffer, inner, (column + 2, inner.height - 1), text, style) + 2;
     }
-    let text = "| limit  + 1e-6 s";
+    let long = "| analytic limit  + this scene at the thesis's 1e-6 s";
+    let fits = column + columns(long) < inner.width;
+    let text = if fits { long } else { "| limit  + 1e-6 s" };
     put(buffer, inner, (column, inner.height - 1), text, app.theme.style(Role::Text));
+    Some(plot)
 }
 
 /// The index of what a cell of the screen shows, of `count` spread over `cells`.
@@ -194,7 +211,8 @@ fn brief(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
-fn battery(app: &App, area: Rect, buffer: &mut Buffer) {
+/// Draw the battery; gives where its rows lie.
+fn battery(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.stability;
     let title = "Battery of stiff and extreme scenes";
     let pane = Pane::new(title).right("Tab: map").focused(app.dialog.is_none());
@@ -236,4 +254,6 @@ fn battery(app: &App, area: Rect, buffer: &mut Buffer) {
             paint_row(buffer, inner, y, app.theme.style(Role::Selection));
         }
     }
+    let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
+    Rows { area, first, count: rows.len() }
 }

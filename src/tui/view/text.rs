@@ -8,6 +8,25 @@ use ratatui::text::{Line, Span};
 /// What stands in a tab that studies one plate while the scene is a stack.
 pub(super) const NEEDS_SINGLE: &str = "this tab needs a single plate";
 
+/// The rows of a list as they are drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Rows {
+    /// Where they stand.
+    pub area: Rect,
+    /// The index of the first one shown.
+    pub first: usize,
+    /// How many there are in all.
+    pub count: usize,
+}
+
+impl Rows {
+    /// The index of the row at a cell of the screen.
+    pub(super) fn at(self, at: (u16, u16)) -> Option<usize> {
+        let index = self.first + usize::from(at.1.saturating_sub(self.area.y));
+        (self.area.contains(at.into()) && index < self.count).then_some(index)
+    }
+}
+
 /// The columns a text takes.
 pub(super) fn columns(text: &str) -> u16 {
     u16::try_from(Span::raw(text).width()).unwrap_or(u16::MAX)

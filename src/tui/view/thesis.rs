@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{columns, first_row, paint_row, put};
+use super::text::{Rows, columns, first_row, paint_row, put};
 use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
@@ -22,10 +22,21 @@ const LABEL: u16 = 12;
 
 /// Draw the tab.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let _ = row_at(app, area, (0, 0), buffer);
+}
+
+/// Draw the tab; gives the index of the row of its list at a cell of the screen.
+pub(super) fn row_at(app: &App, area: Rect, at: (u16, u16), buffer: &mut Buffer) -> Option<usize> {
     match app.thesis.page {
-        Page::Claims => claims(app, area, buffer),
-        Page::Principles => principles(app, area, buffer),
-        Page::Screening => screening(app, area, buffer),
+        Page::Claims => claims(app, area, buffer).at(at),
+        Page::Screening => screening(app, area, buffer).at(at),
+        Page::Principles => {
+            let row = principles(app, area, buffer).at(at)?;
+            match listed().get(row)? {
+                Line::Family(_) => None,
+                Line::Principle(index) => Some(*index),
+            }
+        }
     }
 }
 
@@ -50,7 +61,8 @@ fn role(verdict: Verdict) -> Role {
     }
 }
 
-fn claims(app: &App, area: Rect, buffer: &mut Buffer) {
+/// Draw the claims; gives where their rows lie.
+fn claims(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.thesis;
     let (list, detail) = split(area, 11);
     let shown = tab.shown();
@@ -70,6 +82,7 @@ fn claims(app: &App, area: Rect, buffer: &mut Buffer) {
         put(buffer, inner, (1, 1), text, app.theme.style(Role::Dim));
     }
     let first = first_row(tab.selected, usize::from(inner.height), shown.len());
+    let rows = Rows { area: inner, first, count: shown.len() };
     let says = PLACE.min(inner.width / 3);
     for (y, (index, row)) in (0..inner.height).zip(shown.iter().enumerate().skip(first)) {
         let style = app.theme.style(role(row.found.verdict));
@@ -101,6 +114,7 @@ fn claims(app: &App, area: Rect, buffer: &mut Buffer) {
             }
         }
     }
+    rows
 }
 
 /// A label and a text over as many rows as it needs; gives the row after it.
@@ -139,27 +153,49 @@ fn lines(text: &str, room: usize) -> Vec<String> {
     lines
 }
 
-fn principles(app: &App, area: Rect, buffer: &mut Buffer) {
-    let tab = &app.thesis;
-    let (list, detail) = split(area, 8);
-    let pane = Pane::new("Families and principles (Table 4.1)").focused(app.dialog.is_none());
-    let inner = pane.render(list, buffer, app.theme);
-    let mut y = 0;
+/// A row of the list of principles.
+enum Line {
+    Family(&'static str),
+    /// By its place.
+    Principle(usize),
+}
+
+/// Every family with its principles below it.
+fn listed() -> Vec<Line> {
+    let mut lines = Vec::new();
     let mut family = "";
     for (index, principle) in PRINCIPLES.iter().enumerate() {
         if principle.family != family {
             family = principle.family;
-            put(buffer, inner, (0, y), family, app.theme.style(Role::Title));
-            y += 1;
+            lines.push(Line::Family(family));
         }
-        if y >= inner.height {
-            break;
-        }
-        put(buffer, inner, (2, y), principle.name, app.theme.style(Role::Text));
-        if index == tab.principle && app.dialog.is_none() {
+        lines.push(Line::Principle(index));
+    }
+    lines
+}
+
+/// Draw the principles; gives where the rows of their list lie, families among them.
+fn principles(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
+    let tab = &app.thesis;
+    let (list, detail) = split(area, 8);
+    let pane = Pane::new("Families and principles (Table 4.1)").focused(app.dialog.is_none());
+    let inner = pane.render(list, buffer, app.theme);
+    let lines = listed();
+    let here = |line: &Line| matches!(line, Line::Principle(index) if *index == tab.principle);
+    let selected = lines.iter().position(here).unwrap_or(0);
+    let first = first_row(selected, usize::from(inner.height), lines.len());
+    let rows = Rows { area: inner, first, count: lines.len() };
+    for (y, (at, line)) in (0..inner.height).zip(lines.iter().enumerate().skip(first)) {
+        match line {
+            Line::Family(name) => put(buffer, inner, (0, y), name, app.theme.style(Role::Title)),
+            Line::Principle(index) => {
+                let name = PRINCIPLES[*index].name;
+                put(buffer, inner, (2, y), name, app.theme.style(Role::Text))
+            }
+        };
+        if at == selected && app.dialog.is_none() {
             paint_row(buffer, inner, y, app.theme.style(Role::Selection));
         }
-        y += 1;
     }
     let principle = &PRINCIPLES[tab.principle];
     let title = format!("{}, section {}", principle.name, principle.section);
@@ -182,9 +218,11 @@ fn principles(app: &App, area: Rect, buffer: &mut Buffer) {
     ] {
         y = labelled(app, inner, y, (label, text), buffer);
     }
+    rows
 }
 
-fn screening(app: &App, area: Rect, buffer: &mut Buffer) {
+/// Draw the matrix; gives where the rows of its criteria lie.
+fn screening(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.thesis;
     let pane = Pane::new("Screening matrix (Table 7.1), weights h/l")
         .right("Tab: claims")
@@ -192,17 +230,16 @@ fn screening(app: &App, area: Rect, buffer: &mut Buffer) {
     let inner = pane.render(area, buffer, app.theme);
     let (dim, text) = (app.theme.style(Role::Dim), app.theme.style(Role::Text));
     let places = rank(&tab.weights);
-    let name = 22;
-    let cell = 6;
+    // On a narrow screen every concept counts for more than the end of a criterion's name, which is in the message row.
+    let (name, start, cell) = if inner.width < 78 { (11, 18, 5) } else { (22, 30, 6) };
     put(buffer, inner, (0, 0), "criterion", dim);
     put(buffer, inner, (name, 0), "weight", dim);
-    let start = name + 8;
     for (index, concept) in CONCEPTS.iter().enumerate() {
         let column = start + cell * u16::try_from(index).unwrap_or(0);
         put(buffer, inner, (column + 1, 0), &initials(concept.name), dim);
     }
     for (y, (index, criterion)) in (1..inner.height).zip(CRITERIA.iter().enumerate()) {
-        put(buffer, inner, (1, y), criterion, text);
+        put(buffer, inner, (1, y), &clip(criterion, usize::from(name) - 1), text);
         let weight = format!("{} %", significant(tab.weights[index], 3));
         put(buffer, inner, (name + 6 - columns(&weight).min(6), y), &weight, text);
         for (at, concept) in CONCEPTS.iter().enumerate() {
@@ -220,7 +257,11 @@ fn screening(app: &App, area: Rect, buffer: &mut Buffer) {
         let column = start + cell * u16::try_from(place.concept).unwrap_or(0);
         put(buffer, inner, (column, 8), &format!("{:.2}", place.total), text);
         let concept = &CONCEPTS[place.concept];
-        let printed = format!("{} ({})", place.rank, concept.rank);
+        let printed = if cell > 5 {
+            format!("{} ({})", place.rank, concept.rank)
+        } else {
+            format!("{}({})", place.rank, concept.rank)
+        };
         let moved = place.rank != concept.rank;
         let style = app.theme.style(if moved { Role::Warning } else { Role::Text });
         put(buffer, inner, (column, 9), &printed, style);
@@ -237,6 +278,9 @@ fn screening(app: &App, area: Rect, buffer: &mut Buffer) {
         );
         put(buffer, inner, (1, y), &line, text);
     }
+    let count = CRITERIA.len();
+    let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
+    Rows { area: Rect { y: inner.y + 1, height, ..inner }, first: 0, count }
 }
 
 /// Two letters of the first word and one of the second: `EmF` for `Emergent four-bar`.

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::popup::frame;
-use super::text::{first_row, paint_row, put};
+use super::text::{Rows, first_row, paint_row, put};
 use crate::model::variables::{self, Value};
 use crate::tui::app::App;
 use crate::tui::app::dialog::Picker;
@@ -17,7 +17,7 @@ const WIDTH: u16 = 58;
 const SAID: u16 = 3;
 
 /// Draw it.
-pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buffer) {
+pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buffer) -> Rows {
     let variable = app.editor.variable();
     let words = variable.words();
     let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
@@ -52,6 +52,7 @@ pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buff
     for (row, line) in (0..below.height).zip(wrap(&text, usize::from(below.width))) {
         put(buffer, below, (0, row), &line, app.theme.style(role));
     }
+    Rows { area: list, first, count: words.len() }
 }
 
 /// Why the scene makes no sense with this word; `None` where it does.

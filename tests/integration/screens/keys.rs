@@ -563,6 +563,23 @@ fn the_palette_and_help_execute() {
     assert_eq!(bench.app.tab, Tab::Log);
 }
 
+/// An action of another tab leads there, and there it computes as if its key had led there.
+#[test]
+fn an_action_of_another_tab_enters_it() {
+    for (typed, tab) in [
+        ("spread of the timings", Tab::Accuracy),
+        ("the other variable of the map", Tab::Stability),
+        ("rows with the next verdict", Tab::Thesis),
+        ("the next search", Tab::Search),
+    ] {
+        let mut bench = bench();
+        bench.press(&format!("?/{typed}<Enter>"));
+        assert_eq!(bench.app.tab, tab, "{typed}");
+        let asked = bench.effects.iter().any(|effect| matches!(effect, Effect::Study(_)));
+        assert!(asked, "{typed}: nothing is computed");
+    }
+}
+
 #[test]
 fn the_filter_follows_every_character() {
     let mut bench = bench();

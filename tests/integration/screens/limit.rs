@@ -65,7 +65,7 @@ pub(super) fn answer(bench: &mut Bench) {
 }
 
 /// The tab with its limit.
-fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
     bench.keys("8");
     answer(&mut bench);
@@ -195,4 +195,43 @@ fn shots_are_exported_and_a_file_is_not_replaced_unasked() {
     assert!(sent(&mut bench).expect("asked again").1);
     bench.send(done(ExportOutcome::Written(vec![path])));
     assert!(bench.app.dialog.is_none());
+}
+
+#[test]
+fn tab_turns_from_the_curve_to_the_words_where_both_have_no_room() {
+    let mut bench = open(GlyphSet::Ascii, (60, 16));
+    bench.keys("v");
+    answer(&mut bench);
+    let curve = bench.screen();
+    assert!(
+        curve.contains("Residual velocity") && curve.contains("Tab: fitted laws and V50"),
+        "{curve}"
+    );
+    bench.keys("<Tab>");
+    let words = bench.screen();
+    for text in ["Recht-Ipson", "Lambert-Jonas", "V50", "goes through", "Tab: more"] {
+        assert!(words.contains(text), "{text}: {words}");
+    }
+    assert_snapshot!("limit_in_words_60x16", words);
+    bench.keys("<Tab>");
+    let rest = bench.screen();
+    assert!(rest.contains("samples, seed 1") && rest.contains("Tab: curve"), "{rest}");
+    bench.keys("<Tab>");
+    assert_eq!(bench.screen(), curve);
+    // With room for both there is nothing to turn: Tab leads to the Run tab, as in other tabs with one pane.
+    let mut bench = open(GlyphSet::Ascii, (120, 36));
+    bench.keys("<Tab>");
+    assert_eq!(bench.app.tab, cmra::tui::app::Tab::Run);
+}
+
+#[test]
+fn an_oblique_limit_comes_with_what_measurements_say() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/theta<Enter><Enter>30<Enter>8");
+    answer(&mut bench);
+    let screen = bench.screen();
+    assert!(screen.contains("oblique limits come out below measured ones"), "{screen}");
+    bench.keys("1/theta<Enter><Enter>0<Enter>8");
+    answer(&mut bench);
+    assert!(!bench.screen().contains("oblique limits"));
 }

@@ -2,7 +2,10 @@
 
 use super::bench::Bench;
 use super::sweep::{answer, open};
+use super::{accuracy, limit, search, stability};
 use cmra::model::variables::VARIABLES;
+use cmra::study::accuracy::method::Method;
+use cmra::study::principles::PRINCIPLES;
 use cmra::tui::app::Tab;
 use cmra::tui::app::dialog::Dialog;
 use cmra::tui::message::{Message, Place, Target};
@@ -107,12 +110,11 @@ fn a_click_on_the_setup_selects_its_row() {
 }
 
 #[test]
-fn a_click_beside_everything_or_under_a_dialog_does_nothing() {
+fn a_click_beside_everything_does_nothing() {
     let mut bench = Bench::ascii(80, 24);
     assert_eq!(target(&bench.app, (79, 23)), None);
     assert_eq!(target(&bench.app, (500, 500)), None);
     bench.press("?");
-    assert_eq!(target(&bench.app, (5, 5)), None);
     // The wheel walks through the dialog's list.
     bench.send(Message::Wheel(false, None));
     assert!(matches!(&bench.app.dialog, Some(Dialog::Help(picker)) if picker.selected == 1));
@@ -176,4 +178,160 @@ fn a_map_without_values_says_why_and_what_to_do() {
     insta::assert_snapshot!("surface_all_perforated", bench.screen());
     assert!(bench.screen().contains("every point perforates"));
     assert!(bench.screen().contains("residual_velocity_m_s"));
+}
+
+/// The selected cell of the map is the one a click hits, wherever in the plot that is.
+#[test]
+fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
+    // More rows and columns of cells than of the map.
+    let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
+    let (_, map) = bench.app.stability.map.clone().unwrap();
+    let (rows, steps) = (map.values.len(), map.dt_s.len());
+    // The plot stands right of the values of its rows and above axis, steps and legend.
+    let corners = [((10, 2), (rows - 1, 0)), ((117, 2), (rows - 1, steps - 1)), ((10, 52), (0, 0))];
+    for (at, cell) in corners {
+        assert_eq!(target(&bench.app, at), Some(Target::Cell(cell.0, cell.1)), "{at:?}");
+        click(&mut bench, at);
+        assert_eq!(bench.app.stability.cursor, Some(cell));
+    }
+    let below = bench.app.stability.cursor;
+    bench.send(Message::Wheel(true, target(&bench.app, (10, 52))));
+    assert_eq!(bench.app.stability.cursor, below.map(|(row, step)| (row + 1, step)));
+    bench.keys("<Tab>");
+    stability::answer(&mut bench);
+    let name = bench.app.stability.rows()[1].case.name;
+    let at = find(&bench, name);
+    click(&mut bench, at);
+    assert_eq!(bench.app.stability.selected, 1);
+}
+
+#[test]
+fn a_click_in_accuracy_sets_the_crosshair_or_selects_and_hides_a_method() {
+    let mut bench = accuracy::open(GlyphSet::Ascii, (120, 40));
+    let at = find(&bench, "RK4 + events");
+    click(&mut bench, at);
+    assert_eq!(bench.app.accuracy.method(), Method::Rk4Events);
+    assert!(bench.app.accuracy.hidden.is_empty());
+    click(&mut bench, at);
+    assert_eq!(bench.app.accuracy.hidden, [Method::Rk4Events]);
+    // The middle of the label of 100 us stands under its tick.
+    let (column, _) = find(&bench, " 100 ");
+    click(&mut bench, (column + 2, 20));
+    let run_time_s = bench.app.accuracy.cursor_s.unwrap();
+    assert!((run_time_s.log10() + 4.0).abs() < 0.1, "{run_time_s}");
+    let before = bench.app.accuracy.times().unwrap().span();
+    bench.send(Message::Wheel(true, target(&bench.app, (column + 2, 20))));
+    assert!(bench.app.accuracy.times().unwrap().span() < before);
+}
+
+#[test]
+fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
+    let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
+    let far = bench.app.limit.shots().len() - 1;
+    let screen = bench.screen();
+    // The greatest residual velocity is the highest `o` of the plot, below the row of the legend.
+    let mark = |line: &str| line.chars().take(78).collect::<String>().rfind('o');
+    let found = screen.lines().enumerate().skip(4).find_map(|(row, line)| Some((mark(line)?, row)));
+    let (column, row) = found.unwrap();
+    click(&mut bench, (u16::try_from(column).unwrap(), u16::try_from(row).unwrap()));
+    assert_eq!(bench.app.limit.cursor, Some(far));
+    bench.send(Message::Wheel(true, None));
+    assert_eq!(bench.app.limit.cursor, Some(far - 1));
+    bench.send(Message::Wheel(false, None));
+    assert_eq!(bench.app.limit.cursor, Some(far));
+}
+
+#[test]
+fn a_click_on_a_row_of_the_thesis_selects_it_and_a_second_one_opens_it() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("7<Tab>");
+    let at = find(&bench, "Obliquity");
+    click(&mut bench, at);
+    assert_eq!(PRINCIPLES[bench.app.thesis.principle].name, "Obliquity");
+    // A family is a heading.
+    let heading = find(&bench, "Energy minimization");
+    assert_eq!(target(&bench.app, heading), None);
+    bench.keys("<Tab>");
+    let at = find(&bench, "mass efficiency");
+    click(&mut bench, at);
+    assert_eq!(bench.app.thesis.criterion, 4);
+    bench.keys("<Tab><Tab>");
+    let at = find(&bench, "Ricochet induction");
+    click(&mut bench, at);
+    click(&mut bench, at);
+    assert!(bench.message().contains("no scene shows this"), "{}", bench.message());
+}
+
+#[test]
+fn the_wheel_scrolls_the_log() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("6");
+    bench.send(Message::Wheel(false, target(&bench.app, (10, 10))));
+    assert_eq!(bench.app.log_scroll, 1);
+    bench.send(Message::Wheel(true, target(&bench.app, (10, 10))));
+    assert_eq!(bench.app.log_scroll, 0);
+}
+
+#[test]
+fn a_click_in_a_dialog_selects_a_second_one_takes_it_and_one_beside_closes_it() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("p");
+    let at = find(&bench, "heavy-plate");
+    click(&mut bench, at);
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Presets(picker)) if picker.selected == 3));
+    click(&mut bench, at);
+    assert!(bench.app.dialog.is_none());
+    assert!((bench.app.scene.plate.mass_ratio - 5.0).abs() < 1e-12);
+    bench.press("U");
+    let at = find(&bench, "the start");
+    click(&mut bench, at);
+    click(&mut bench, at);
+    assert!((bench.app.scene.plate.mass_ratio - 1.0).abs() < 1e-12);
+    bench.press(":");
+    assert_eq!(target(&bench.app, (0, 0)), Some(Target::Beside));
+    click(&mut bench, (0, 0));
+    assert!(bench.app.dialog.is_none());
+}
+
+#[test]
+fn a_click_in_the_export_dialog_ticks_and_never_throws_a_path_away() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("e");
+    let at = find(&bench, "[x] now");
+    click(&mut bench, at);
+    assert!(bench.screen().contains("[x] now"));
+    click(&mut bench, at);
+    assert!(bench.screen().contains("[ ] now"), "{}", bench.screen());
+    click(&mut bench, (0, 0));
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Export(_))));
+    // A path that is being typed stays, too.
+    bench.press("<Esc>8");
+    limit::answer(&mut bench);
+    bench.press("e");
+    click(&mut bench, (0, 0));
+    assert!(matches!(&bench.app.dialog, Some(Dialog::ExportTable(..))));
+}
+
+#[test]
+fn a_click_on_a_design_of_a_front_selects_it_and_a_second_one_opens_it() {
+    let mut bench = Bench::ascii(160, 50);
+    bench.press("9");
+    search::answer(&mut bench);
+    bench.press("v");
+    search::answer(&mut bench);
+    let before = bench.app.scene.clone();
+    // The first design has the greatest stroke of all, at the upper left end of the front.
+    bench.keys("lllll");
+    assert_ne!(bench.app.searching.selected(), 0);
+    let screen = bench.screen();
+    let is_mark = |line: &str| line.chars().skip(34).position(|c| c == 'o').map(|at| at + 34);
+    let mut rows = screen.lines().enumerate().skip(2);
+    let (row, column) = rows.find_map(|(y, line)| Some((y, is_mark(line)?))).unwrap();
+    let at = (u16::try_from(column).unwrap(), u16::try_from(row).unwrap());
+    assert_eq!(target(&bench.app, at), Some(Target::Design(0)));
+    click(&mut bench, at);
+    assert_eq!((bench.app.searching.selected(), bench.app.tab), (0, Tab::Search));
+    click(&mut bench, at);
+    assert_eq!(bench.app.tab, Tab::Run);
+    assert_ne!(bench.app.scene, before);
 }

@@ -194,28 +194,67 @@ fn what_was_found_is_exported() {
 }
 
 #[test]
-fn on_a_small_screen_the_comparison_is_folded_or_alone_and_scrolled_to_its_end_and_back() {
+fn on_a_small_screen_what_was_found_or_the_setup_has_the_room() {
     let mut bench = open(GlyphSet::Ascii, (60, 16));
     for _ in 0..4 {
         bench.keys("v");
         answer(&mut bench);
+        // Nothing is cut where it has the whole width.
+        assert!(!bench.screen().contains(".. |"), "{}", bench.screen());
     }
     assert_eq!(bench.app.searching.page, Page::Worth);
     let top = bench.screen();
-    assert!(top.contains("mass efficiency") && !top.contains("solid"), "{top}");
-    bench.keys(&"j".repeat(100));
-    let bottom = bench.screen();
-    assert!(bottom.contains("9.35 mm") && bottom.contains("preload"), "{bottom}");
-    bench.keys("k");
-    assert_ne!(bench.screen(), bottom);
-    bench.keys("K<Up>");
-    bench.keys(&"k".repeat(100));
-    assert_eq!(bench.screen(), top);
-    // Alone, the names of all four stay in sight.
-    bench.keys("z");
     let is_whole =
         |screen: &str| ["scene", "rigid", "free", "solid"].iter().all(|it| screen.contains(it));
-    assert!(is_whole(&bench.screen()), "{}", bench.screen());
+    assert!(is_whole(&top) && top.contains("Tab: setup"), "{top}");
     bench.keys(&"j".repeat(100));
-    assert!(is_whole(&bench.screen()) && bench.screen().contains("mass efficiency"));
+    // The names of the columns stay in sight.
+    let bottom = bench.screen();
+    assert!(is_whole(&bottom) && bottom.contains("mass efficiency"), "{bottom}");
+    bench.keys("k");
+    assert_ne!(bench.screen(), bottom);
+    bench.keys(&"k".repeat(100));
+    assert_eq!(bench.screen(), top);
+    bench.keys("<Tab>vv");
+    answer(&mut bench);
+    let setup = bench.screen();
+    assert!(
+        setup.contains("|> search    best designs") && setup.contains("stroke at most 1.000 m")
+    );
+    // Beside the setup the candidates stand below each other.
+    bench.keys("vvv");
+    answer(&mut bench);
+    assert!(bench.screen().contains("mass efficiency"), "{}", bench.screen());
+}
+
+/// Where everything perforates there is no percentage of a baseline, and each page says what to do instead.
+#[test]
+fn what_has_no_value_anywhere_says_so_and_what_to_do() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/v_i<Enter><Enter>2000<Enter>9");
+    answer(&mut bench);
+    let seek = bench.screen();
+    assert!(seek.contains("nothing reaches 60 %") && seek.contains("perforated"), "{seek}");
+    bench.keys("vv");
+    answer(&mut bench);
+    let matters = bench.screen();
+    assert!(matters.contains("nothing to compare"), "{matters}");
+    assert!(matters.contains("another one") && !matters.contains("Sobol"), "{matters}");
+}
+
+/// The bounds a held variable proposes are taken when they are typed as they stand.
+#[test]
+fn the_proposed_bounds_of_a_held_variable_can_be_typed() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("v");
+    answer(&mut bench);
+    bench.keys("<Tab>jjjjjjjjjjj");
+    let row = bench.app.search_row();
+    let (label, value) = bench.app.search_shown(row);
+    assert_eq!((label.as_str(), value.as_str()), ("m_p", "held"));
+    let proposed = bench.app.search_text(row);
+    bench.keys("<Enter><Enter>");
+    assert_eq!(bench.app.search_shown(row).1, "held");
+    bench.keys(&format!("k<Enter><C-u>{proposed}<Enter>"));
+    assert_eq!(bench.app.search_shown(row).1, proposed);
 }

@@ -351,3 +351,29 @@ fn other_designs_are_dots_and_the_cursor_walks_them() {
     keys(&mut bench, "<Tab>l");
     assert!(bench.screen().contains("sobol"), "{}", bench.screen());
 }
+
+/// Beyond the rigid plate's own limit there is no baseline to be a percentage of, though the plate still holds.
+#[test]
+fn the_letter_of_points_at_rest_without_a_value_is_explained() {
+    let mut bench = open("figure-9.2", 11, GlyphSet::Ascii, (100, 24));
+    bench.press("/v_i<Enter><Enter>300<Enter>2");
+    bench.answer();
+    answer(&mut bench);
+    assert!(bench.screen().contains(" n: no baseline (perforated)"), "{}", bench.screen());
+}
+
+/// The row says `none`: the variable that would be the usual one is chosen by its name like any other.
+#[test]
+fn curves_are_repeated_for_any_variable_that_is_typed() {
+    for name in ["k", "n"] {
+        let mut bench = Bench::ascii(80, 24);
+        keys(&mut bench, "2<Tab>jjjjjj<Enter>");
+        assert!(bench.screen().contains("[none"), "{}", bench.screen());
+        assert!(!bench.screen().contains("7.5MN/m"), "no unit belongs to a name");
+        bench.keys(&format!("{name}<Enter>"));
+        answer(&mut bench);
+        let axes = &bench.app.scene.sweep.as_ref().expect("a sweep").axes;
+        assert_eq!(axes.iter().map(|axis| axis.name.as_str()).collect::<Vec<_>>(), ["gamma", name]);
+        assert!(bench.screen().contains("curves"), "{}", bench.screen());
+    }
+}

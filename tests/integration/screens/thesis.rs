@@ -161,3 +161,21 @@ fn weights_change_the_ranking_and_come_back() {
     bench.keys("D");
     assert!((bench.app.thesis.weights[6] - 35.0).abs() < 1e-12);
 }
+
+#[test]
+fn on_a_small_screen_the_selected_principle_and_every_concept_are_in_sight() {
+    for size in [(60, 16), (80, 24)] {
+        let mut bench = bench(size.0, size.1);
+        bench.keys("<Tab>G");
+        let screen = bench.screen();
+        // In the list and above the detail.
+        let name = "Rotational or lateral kinetic energy transfer";
+        assert_eq!(screen.matches(name).count(), 2, "{screen}");
+        bench.keys("<Tab>");
+        let screen = bench.screen();
+        for text in ["EmF", "HeR", "rank (printed)", "2.07"] {
+            assert!(screen.contains(text), "{text}: {screen}");
+        }
+        assert_snapshot!(format!("thesis_screening_small_{}x{}", size.0, size.1), screen);
+    }
+}

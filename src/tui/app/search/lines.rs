@@ -1,5 +1,6 @@
 //! What was found, as lines of text. No drawing.
 
+use super::setup::brief;
 use super::{Answer, App, Found, Page, Request};
 use crate::model::results::ResultColumn;
 use crate::model::units::{Engineering, significant};
@@ -9,7 +10,7 @@ use crate::study::sensitivity::{self, indices::Index};
 use crate::study::sweep::Fate;
 use crate::study::worth;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::clip;
+use crate::tui::app::status::{clip, wrap};
 
 /// A line, and how it is meant.
 pub type Line = (Severity, String);
@@ -26,9 +27,14 @@ impl App {
     pub fn search_lines(&self, width: usize) -> Vec<Line> {
         let Some(found) = self.searching.shown() else { return Vec::new() };
         match (&found.answer, &*found.request) {
-            (Answer::Seek(report), _) => sought(report, self.searching.selected()),
-            (Answer::Front(front), Request::Front(task)) => candidates(front, task, width),
+            (Answer::Seek(report), _) => wrapped(sought(report, self.searching.selected()), width),
+            (Answer::Front(front), Request::Front(task)) => {
+                wrapped(candidates(front, task, width), width)
+            }
             (Answer::Front(_), _) => Vec::new(),
+            (Answer::Sensitivity(report), _) if is_empty(report) => {
+                wrapped(matters(report, width), width)
+            }
             (Answer::Sensitivity(report), _) => matters(report, width),
             (Answer::Scatter(report), _) => scattered(report, self.searching.setup.output, width),
             (Answer::Worth(report), _) => worthy(report, width),
@@ -46,6 +52,15 @@ impl App {
         let summary = report.summaries.iter().find(|summary| summary.measure.name == name)?;
         Some((report, summary))
     }
+}
+
+/// Sentences over as many lines as they need.
+fn wrapped(lines: Vec<Line>, width: usize) -> Vec<Line> {
+    let split = |(severity, text): Line| {
+        let lines = if text.chars().count() <= width { vec![text] } else { wrap(&text, width) };
+        lines.into_iter().map(move |line| (severity, line))
+    };
+    lines.into_iter().flat_map(split).collect()
 }
 
 fn sought(report: &seek::Report, selected: usize) -> Vec<Line> {
@@ -96,9 +111,9 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
             .measures
             .iter()
             .zip(task.measures())
-            .map(|(value, column)| shown(column, *value))
+            .map(|(value, column)| format!("{} {}", brief(column), shown(column, *value)))
             .collect();
-        let values = found.join(" ");
+        let values = found.join(", ");
         let long = format!("{name} {words}; {values}");
         let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
         lines.push((severity, text));
@@ -114,7 +129,7 @@ fn standing(candidate: &Candidate, task: &Task) -> Line {
             (Severity::Warning, format!("breaks {}", task.constraints[*at].words()))
         }
         Standing::NoValue(Fate::Arrested | Fate::Separated) => {
-            (Severity::Warning, "a rigid stop is hit: no bound on its force".to_owned())
+            (Severity::Warning, "hits its stop: force unbounded".to_owned())
         }
         Standing::NoValue(fate) => (Severity::Warning, fate.word().to_owned()),
         Standing::Impossible => (Severity::Warning, "cannot be made of this scene".to_owned()),
@@ -125,12 +140,21 @@ fn shown(column: &ResultColumn, value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| column.show(value, 3))
 }
 
+/// Whether neither the scene nor any end of a variable has the result.
+fn is_empty(report: &sensitivity::Report) -> bool {
+    report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
+}
+
 fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
     let output = report.output;
     let own = shown(output, report.own);
     let mut lines =
         vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
     lines.push(note("one at a time, low to high end".to_owned()));
+    if is_empty(report) {
+        let text = "nothing to compare: no run of these has this result; Tab, then Of: another one";
+        return vec![lines.remove(0), (Severity::Warning, text.to_owned())];
+    }
     let widest = report.bars.iter().filter_map(|bar| bar.swing()).fold(0.0, f64::max);
     let room = width.saturating_sub(34).clamp(4, 40);
     let mut order: Vec<usize> = (0..report.axes.len()).collect();
@@ -242,7 +266,7 @@ fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
     let mut lines = Vec::new();
     let folded = beside < report.entries.len();
     if folded {
-        lines.extend(verdict(report));
+        lines.extend(wrapped(verdict(report), width));
     }
     for entries in report.entries.chunks(beside) {
         if folded {
@@ -252,7 +276,7 @@ fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
     }
     if !folded {
         lines.push(note(String::new()));
-        lines.extend(verdict(report));
+        lines.extend(wrapped(verdict(report), width));
     }
     lines
 }
@@ -313,6 +337,28 @@ fn verdict(report: &worth::Report) -> Vec<Line> {
         },
     );
     lines.push(note(verdict));
+    let percent = |ratio: f64| format!("{:+.1} %", 100.0 * (ratio - 1.0));
+    if let Some(ratio) = report.depth_over_solid() {
+        let depth = |of| report.of(of).and_then(|entry: &worth::Entry| entry.depth_m);
+        // A thick plate dishes less and is then penetrated deeper, which says nothing of its worth.
+        let dishes = depth(worth::Candidate::Rigid) < depth(worth::Candidate::Solid);
+        let judge = if dishes { " (which dishes less: its limit judges better)" } else { "" };
+        let ratio = percent(ratio);
+        lines.push(note(format!("depth against the solid plate of equal mass {ratio}{judge}")));
+    }
+    let against = |of| Some(scene?.depth_m? / report.of(of)?.depth_m?);
+    if let (Some(rigid), Some(free)) =
+        (against(worth::Candidate::Rigid), against(worth::Candidate::Free))
+    {
+        let (rigid, free) = (percent(rigid), percent(free));
+        let text = format!("depth against the rigid mount {rigid}, the merely free plate {free}");
+        lines.push(note(text));
+    }
+    for entry in &report.entries {
+        if let Some(absence) = entry.limit.absence() {
+            lines.push(note(format!("{}: {absence}", entry.candidate.word())));
+        }
+    }
     if let Some(kg) = report.spring_kg {
         let kg = significant(1e3 * kg, 4);
         lines.push(note(format!("areal mass in kg/m2; least steel spring {kg} g")));

@@ -136,6 +136,12 @@ pub struct SearchField {
 /// Short names of the usual objectives.
 pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount force"];
 
+/// A measure in a word or two.
+pub fn brief(column: &ResultColumn) -> String {
+    let at = USUAL.iter().position(|name| *name == column.name);
+    at.map_or_else(|| column.title(), |at| OBJECTIVES[at].to_owned())
+}
+
 /// The bounds a variable gets when it is chosen: Table 9.2's, or half to double of what the scene has.
 ///
 /// # Errors

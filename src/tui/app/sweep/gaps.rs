@@ -44,6 +44,20 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     said(&format!("no point has a {name}"), &[&counts.join(", "), other])
 }
 
+/// How many points came to rest and still have no value of an output, with the letter of these gaps and what it means.
+pub(super) fn at_rest(grid: &Grid, output: usize) -> Option<String> {
+    let (along, up) = grid.counts();
+    let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+    let rested = |(x, y): (usize, usize)| match grid.fate(x, y)? {
+        fate @ (Fate::Arrested | Fate::Separated) => Some((fate, grid.value(x, y, output))),
+        Fate::Perforated | Fate::Moving | Fate::Failed(_) => None,
+    };
+    let mut without = points.filter_map(rested).filter(|point| point.1.is_none());
+    let (fate, _) = without.next()?;
+    let why = fate.without_value(grid.plan().outputs()[output]);
+    Some(format!("{} {}: {why}", 1 + without.count(), fate.letter()))
+}
+
 fn said(what: &str, cures: &[&str]) -> Vec<String> {
     std::iter::once(what).chain(cures.iter().copied()).map(str::to_owned).collect()
 }
