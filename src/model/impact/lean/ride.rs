@@ -11,15 +11,13 @@ use crate::model::impact::lean::plain::alone;
 use crate::model::impact::lean::riding::{Balance, Lag, Riding, Spring, eased};
 use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Track, Way, minded_m};
 use crate::model::impact::lean::{Contact, TERMS, TERMS_LOOSE, TERMS_TIGHT};
+use crate::numerics::larger;
 use crate::numerics::wide::Wide;
-use crate::numerics::{larger, smaller};
 
 /// Passes at the most.
 const PASSES_MAX: usize = 8;
-/// Part of the tolerance by which the last two passes, or the last and one more, may differ.
+/// Part of the tolerance by which the last two passes may differ.
 const AGREE: f64 = 0.3;
-/// Passes change less and less, the next by no more than this times the square of the last.
-const CAUTION: f64 = 100.0;
 /// What a pass must at least gain, after the first few.
 const GAIN: f64 = 0.5;
 const SETTLED: usize = 3;
@@ -140,8 +138,7 @@ impl Ride {
         let x = attempt.balance.plate_m;
         let change = larger(attempt.moved, (old_m_s - new_m_s).abs() * clock.rates()[0] / x);
         // The first has no inertia yet, and agrees with a step before that had none.
-        let to_come = smaller(change, CAUTION * change * change);
-        if attempt.passes > 0 && to_come <= AGREE * tolerance {
+        if attempt.passes > 0 && change <= AGREE * tolerance {
             let keeps = self.riding.keeps_to((attempt.balance, new_m_s), state, tolerance);
             return if keeps { Verdict::Settled } else { Verdict::Failed };
         }

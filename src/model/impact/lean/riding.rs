@@ -27,7 +27,7 @@ const EASED_MOST: f64 = 1e3;
 /// Tolerances by which a step may miss the next one's start: a plate that swings by more no longer rides.
 const SWING: f64 = 1.0;
 /// Part of the tolerance of what the plate has moved at the start, against its way in the contact.
-const START: f64 = 0.3;
+const START: f64 = 0.1;
 
 /// The spring that is ridden on.
 #[derive(Clone, Copy, Debug)]
