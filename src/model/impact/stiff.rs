@@ -24,6 +24,8 @@ const POINTS_PER_STEP: usize = 3;
 const LANDED: f64 = 1e-9;
 /// The shortest step, relative to the time reached: the clock has no finer ticks.
 const TICK: f64 = 2.0 * f64::EPSILON;
+/// The step, relative to the time reached, at whose end an event is taken wherever in it it falls.
+const CLOSEST: f64 = 4.0 * TICK;
 /// Implicit steps after which a run ends early.
 const STIFF_STEPS_MAX: usize = 30_000;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
@@ -363,13 +365,17 @@ impl Track<'_> {
                 let at = system.state(&landed.stages[2]);
                 form.at(motion, &at).abs() <= LANDED * variation + form.rounding(motion, &at)
             });
-            let Some(landed) = landed else {
+            if let Some(landed) = landed {
+                (h, solved, fired) = (part * h, landed, Some(*trigger));
+            } else if h <= CLOSEST * self.t_s {
+                // No coming closer: the clock has no finer ticks.
+                fired = Some(*trigger);
+            } else {
                 // Newton's method went astray on the way to the event: come closer first.
                 self.unit_s = 0.25 * h;
                 self.rejected += 1;
                 return ControlFlow::Continue(None);
-            };
-            (h, solved, fired) = (part * h, landed, Some(*trigger));
+            }
         }
         let state = system.state(&solved.stages[2]);
         if !is_finite(&state) {

@@ -27,6 +27,8 @@ const EVENTS_MAX: usize = 400_000;
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
 
+/// Part of the spring's force up to which its damper, times its exponent, lets a plate that came through zero swing: Taylor steps
+/// then follow the swings, with fewer steps than the implicit method.
 const SWINGS_TO: f64 = 3.0;
 
 /// A run in progress.
@@ -333,7 +335,9 @@ impl<'a> Track<'a> {
                 return;
             }
             let (spring, damper) = (self.spring(), self.problem.mechanism.damper);
-            if damper.exponent * damper.force(w).abs() <= SWINGS_TO * spring.force(x).abs() {
+            if !self.is_unfelt()
+                && damper.exponent * damper.force(w).abs() <= SWINGS_TO * spring.force(x).abs()
+            {
                 self.stiff = false;
                 self.stretch_steps = 0;
                 self.side_x = sign(x);
