@@ -358,6 +358,10 @@ pub struct Cost {
     pub steps: usize,
     /// Rejected steps.
     pub rejected: usize,
+    /// Times the force on the plate changed its sign, twice a swing: steps are due for each. Counted by the hydrodynamic model.
+    pub turns: usize,
+    /// Events that changed what the bodies do: contact, interface and stop.
+    pub events: usize,
     /// Evaluations of the right-hand side (of a Taylor method: of one set of coefficients).
     pub rhs_evaluations: usize,
     /// The method that did it, or the methods in the order used.

@@ -15,6 +15,11 @@ const REBOUND_MIN: f64 = 1e-9;
 /// So does one whose height is below this part of the displacement: its digits end there.
 const UNSEEN: f64 = 4.0 * f64::EPSILON;
 
+/// Part of the impact velocity, per tolerance, below which the plate's own is lost among the errors of Taylor steps (their local
+/// tolerance of the scale that matters to the depth), and the first step of the implicit method then, relative to the time.
+const UNFELT: f64 = 1e-7;
+const UNFELT_STEP: f64 = 1e-3;
+
 impl Track<'_> {
     /// Put the state exactly on the event that ended the step.
     pub(super) fn snap(&mut self, trigger: Trigger, before: &State) {
@@ -233,9 +238,19 @@ impl Track<'_> {
         self.record.event(self.t_s, EventKind::PullOut);
     }
 
+    /// Whether the plate moves so slowly during the contact that nothing else feels it.
+    pub(super) fn is_unfelt(&self) -> bool {
+        let contact = matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing);
+        contact && self.state.plate_m_s.abs() <= UNFELT * self.tolerance * self.problem.velocity_m_s
+    }
+
     fn plate_zero(&mut self) {
         if self.spring_is_whole() {
             self.side_x = -self.side_x;
+        } else if self.is_unfelt() {
+            // Below what Taylor steps resolve: the implicit method follows the spring's force instead.
+            (self.stiff, self.creeps) = (true, true);
+            self.unit_s = UNFELT_STEP * self.t_s;
         } else {
             self.omit_spring();
         }

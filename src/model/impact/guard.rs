@@ -129,6 +129,22 @@ impl Form {
         (sum, if has_force { 8.0 * f64::EPSILON * size } else { 0.0 })
     }
 
+    /// What rounding may leave of the form at a state where it is zero.
+    pub(super) fn rounding(&self, motion: &Motion<'_>, state: &State) -> f64 {
+        let mut size = self.offset.abs()
+            + (self.travel * state.travel_m).abs()
+            + (self.slip * state.slip_m_s).abs()
+            + (self.plate * state.plate_m).abs()
+            + (self.plate_speed * state.plate_m_s).abs();
+        if self.contact != 0.0 {
+            size += (self.contact * motion.contact_force(state)).abs();
+        }
+        if self.mechanism != 0.0 {
+            size += (self.mechanism * motion.mechanism_force(state)).abs();
+        }
+        8.0 * f64::EPSILON * size
+    }
+
     /// The form at a state.
     pub(super) fn at(&self, motion: &Motion<'_>, state: &State) -> f64 {
         let mut sum = self.offset

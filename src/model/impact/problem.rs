@@ -35,6 +35,8 @@ pub(super) struct Problem {
     pub(super) grip: f64,
     /// `v_i`, m/s.
     pub(super) velocity_m_s: f64,
+    /// Of projectile and spring at first contact, J.
+    pub(super) energy_j: f64,
     /// The plate cannot move.
     pub(super) rigid: bool,
     /// The plastic interface law.
@@ -61,6 +63,10 @@ impl Problem {
         let projectile_kg = scene.projectile.mass_kg;
         let plate_kg = scene.plate_mass_kg() + inertia.added_kg();
         let joined_kg = plate_kg + projectile_kg * cos * cos;
+        let velocity_m_s = scene.projectile.velocity_m_s;
+        let start_m = if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m };
+        let energy_j =
+            0.5 * projectile_kg * velocity_m_s * velocity_m_s + mechanism.spring.energy(start_m);
         let mut problem = Self {
             scene: Arc::clone(scene),
             geometry,
@@ -74,10 +80,11 @@ impl Problem {
             strength_pa: scene.flow_strength_pa(),
             drag_kg_m3: scene.drag_kg_m3(),
             grip: scene.interface.grip,
-            velocity_m_s: scene.projectile.velocity_m_s,
+            velocity_m_s,
+            energy_j,
             rigid,
             plastic: scene.interface.law == InterfaceLaw::Plastic,
-            start_m: if rigid { 0.0 } else { 0.0 - scene.plate.cocking_m },
+            start_m,
             horizon_s: 0.0,
             answer: Answer::Mechanism,
             baseline_m: None,
@@ -122,8 +129,7 @@ impl Problem {
             return contact;
         }
         let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
-        let energy = 0.5 * self.projectile_kg * self.velocity_m_s * self.velocity_m_s
-            + spring.energy(self.start_m);
+        let energy = self.energy_j;
         let speed = (2.0 * energy / self.plate_kg).sqrt();
         let far = match spring {
             Spring::Power(law) => law.at_integral(energy),

@@ -154,6 +154,8 @@ fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
     Cost {
         steps: track.steps,
         rejected: track.rejected,
+        turns: track.turns,
+        events: track.event_count,
         rhs_evaluations: track.evaluations,
         method,
         reason,

@@ -24,11 +24,25 @@ const POINTS_PER_STEP: usize = 3;
 const LANDED: f64 = 1e-9;
 /// The shortest step, relative to the time reached: the clock has no finer ticks.
 const TICK: f64 = 2.0 * f64::EPSILON;
+/// The step, relative to the time reached, at whose end an event is taken wherever in it it falls.
+const CLOSEST: f64 = 4.0 * TICK;
 /// Implicit steps after which a run ends early.
 const STIFF_STEPS_MAX: usize = 30_000;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
 const LOCAL: f64 = 1e-3;
+
+/// Energy a step may be off by, relative to all there is, per tolerance, and how often it is halved for that.
+const UNBALANCED: f64 = 1e-2;
+const HALVINGS_MAX: usize = 8;
+
+/// Radians within a step, and part of the forces on the plate that is left for inertia, from which on a plate that crept swings
+/// again, and for how many steps it must.
+const SWINGING_STEP: f64 = 0.5;
+const SWINGING: f64 = 0.2;
+const SWINGING_STEPS: usize = 20;
+/// The least scale of the slip relative to its own value.
+const SLIP_ROUNDED: f64 = 1e-2;
 
 /// The present motion in the implicit method's unknowns.
 struct Unknowns<'a> {
@@ -124,6 +138,20 @@ impl Unknowns<'_> {
         })
     }
 
+    /// Stages of a plate that rides on its spring through the whole step, at the stage's contact force: where Newton's method has
+    /// to change the side of zero, its own slopes, flat at zero, do not lead it there.
+    fn riding(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+        NODES.map(|node| {
+            let mut stage = *y;
+            stage[0] += y[1] * node * h;
+            let state = State { travel_m: stage[0], plate_m: 0.0, plate_m_s: 0.0, ..self.state(y) };
+            let motion = self.motion;
+            stage[2] = motion.contact_force(&state) * motion.coupling - motion.stop.force(&state);
+            stage[3] = 0.0;
+            stage
+        })
+    }
+
     /// dA/dq, by a central difference within the piece.
     fn area_slope(&self, q: f64) -> f64 {
         match self.motion.area {
@@ -207,13 +235,18 @@ impl Track<'_> {
         let y = system.fold(&self.state);
         let mut h = self.unit_s;
         let left = self.until_s() - self.t_s;
+        let mut halvings = 0;
         for _ in 0..200 {
             h = if left < h { left } else { h };
             let tick = TICK * self.t_s;
             let at_tick = h <= tick;
             h = larger(h, tick);
             let solved = step::<4, 12>(&system, &y, h, system.guess(&y, h))
-                .or_else(|| step::<4, 12>(&system, &y, h, [y; 3]));
+                .or_else(|| step::<4, 12>(&system, &y, h, [y; 3]))
+                .or_else(|| {
+                    let rides = matches!(system.spring, Carrier::Force(_));
+                    rides.then(|| step::<4, 12>(&system, &y, h, system.riding(&y, h))).flatten()
+                });
             self.evaluations += solved.as_ref().map_or(25, |step| step.iterations) * 3;
             let Some(solved) = solved else {
                 if at_tick {
@@ -231,9 +264,60 @@ impl Track<'_> {
                 self.rejected += 1;
                 continue;
             }
+            if self.creeps
+                && !at_tick
+                && halvings < HALVINGS_MAX
+                && self.imbalance_j(&system, &solved, h).abs()
+                    > UNBALANCED * self.tolerance * self.problem.energy_j
+            {
+                halvings += 1;
+                h *= 0.5;
+                self.rejected += 1;
+                continue;
+            }
             return self.accept(&system, &y, (h, factor), solved);
         }
         ControlFlow::Break(EndReason::StepUnderflow)
+    }
+
+    /// A plate that no longer creeps swings, and Taylor steps follow a swing with far fewer.
+    fn notice_swings(&mut self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) {
+        if !self.creeps {
+            return;
+        }
+        let (motion, state) = (system.motion, &self.state);
+        let stiffness = motion.stop.stiffness_n_m + motion.spring.tangent(state.plate_m).abs();
+        let radians = (stiffness * motion.plate_mobility).sqrt() * h;
+        let held_n =
+            motion.damper.force(state.plate_m_s).abs() + motion.spring.force(state.plate_m).abs();
+        let net_n = (system.rate(y)[3] / motion.plate_mobility).abs();
+        let swings = radians < SWINGING_STEP && net_n > SWINGING * held_n;
+        self.creeping_steps = if swings { self.creeping_steps + 1 } else { 0 };
+        if self.creeping_steps > SWINGING_STEPS {
+            self.creeping_steps = 0;
+            self.stretch_steps = 0;
+            (self.stiff, self.creeps) = (false, false);
+        }
+    }
+
+    /// What the plate's energy is off by over a step, J: a plate that creeps has all of it in its spring, where errors of the
+    /// displacement that do not matter to anything else show.
+    fn imbalance_j(&self, system: &Unknowns<'_>, solved: &Step<4>, h: f64) -> f64 {
+        let motion = system.motion;
+        let spring = &self.problem.mechanism.spring;
+        let energy = |state: &State| {
+            0.5 * state.plate_m_s * state.plate_m_s / motion.plate_mobility
+                + spring.energy(state.plate_m)
+        };
+        let mut gained = energy(&system.state(&solved.stages[2])) - energy(&self.state);
+        for (stage, weight) in solved.stages.iter().zip(WEIGHTS) {
+            let state = system.state(stage);
+            let push_n = motion.coupling * motion.contact_force(&state)
+                - motion.damper.force(state.plate_m_s)
+                - motion.stop.force(&state);
+            gained -= h * weight * push_n * state.plate_m_s;
+        }
+        gained
     }
 
     fn stiff_scale(&self) -> [f64; 4] {
@@ -245,7 +329,8 @@ impl Track<'_> {
         let own_w = larger(self.speed_scale_m_s, f64::MIN_POSITIVE);
         [
             travel,
-            speed,
+            // A slip far above the impact's, of a plate thrown by its spring, is known to its own rounding only.
+            larger(speed, SLIP_ROUNDED * self.state.slip_m_s.abs()),
             if joined { own_x } else { travel + self.state.plate_m.abs() },
             if joined { own_w } else { speed + self.state.plate_m_s.abs() },
         ]
@@ -277,15 +362,20 @@ impl Track<'_> {
             let landed = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
             let variation = form.at(motion, &self.state) - form.at(motion, &end);
             let landed = landed.filter(|landed| {
-                form.at(motion, &system.state(&landed.stages[2])).abs() <= LANDED * variation
+                let at = system.state(&landed.stages[2]);
+                form.at(motion, &at).abs() <= LANDED * variation + form.rounding(motion, &at)
             });
-            let Some(landed) = landed else {
+            if let Some(landed) = landed {
+                (h, solved, fired) = (part * h, landed, Some(*trigger));
+            } else if h <= CLOSEST * self.t_s {
+                // No coming closer: the clock has no finer ticks.
+                fired = Some(*trigger);
+            } else {
                 // Newton's method went astray on the way to the event: come closer first.
                 self.unit_s = 0.25 * h;
                 self.rejected += 1;
                 return ControlFlow::Continue(None);
-            };
-            (h, solved, fired) = (part * h, landed, Some(*trigger));
+            }
         }
         let state = system.state(&solved.stages[2]);
         if !is_finite(&state) {
@@ -295,6 +385,8 @@ impl Track<'_> {
         self.steps += 1;
         self.stiff_steps += 1;
         self.stretch_steps += 1;
+        self.count_turns(system.rate(y)[3]);
+        self.notice_swings(system, y, h);
         if self.stiff_steps > STIFF_STEPS_MAX {
             return ControlFlow::Break(EndReason::StepBudget);
         }

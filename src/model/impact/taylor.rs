@@ -16,6 +16,8 @@ const LOCAL: f64 = 1e-4;
 /// Defect at the end of a step, per local tolerance, above which the step is shortened, and what rounding alone may cause.
 const DEFECT: f64 = 100.0;
 const DEFECT_ROUNDING: f64 = 1e-12;
+/// Roundings in the sum of the forces on the plate, with some reserve.
+const ROUNDED: f64 = 4.0;
 /// Part of the interface's strength below which errors of the force it carries do not matter, per tolerance.
 const FORCE: f64 = 1e-2;
 /// Rounds in which the sizes are taken anew, and the part of the last result from which on they fit.
@@ -24,6 +26,15 @@ const SIZED: f64 = 0.7;
 /// An expansion of which less than this part of its time unit can be used is made anew with a shorter unit.
 const UNIT_FITS: f64 = 0.02;
 
+/// Decays of the damper within a step, and part of the damper's force that is left for inertia, from which on the plate creeps.
+const CREEPING_STEP: f64 = 0.5;
+const CREEPING: f64 = 0.02;
+/// Radians of the spring within a step, and part of its force that is left for inertia, from which on the plate rides: a swing
+/// that small has 1e-12 of the energy in the spring.
+const RIDING_STEP: f64 = 0.5;
+const RIDING: f64 = 1e-6;
+/// Such steps in a row after which the implicit method takes over.
+const CREEPING_STEPS: usize = 50;
 /// First step, relative to the time reached, of the implicit method when it takes over.
 const RESUME: f64 = 1e-9;
 
@@ -73,8 +84,42 @@ impl Track<'_> {
         self.unit_s = h * if fired.is_some() { trusted } else { span };
         self.steps += 1;
         self.stretch_steps += 1;
+        self.notice_stiffness(&motion, &e, span * h);
+        self.count_turns(e.plate_speed[1]);
         self.arrive(t_s, state, &motion, fired);
         ControlFlow::Continue(fired)
+    }
+
+    /// A plate that creeps against its damper, or rides on its spring without swinging: the steps follow the decay rate, or the
+    /// swing's frequency, although nothing decays or swings any more. After some such steps in a row the implicit method takes
+    /// over, which follows only what changes.
+    fn notice_stiffness<const N: usize>(
+        &mut self,
+        motion: &Motion<'_>,
+        e: &Expansion<N>,
+        step_s: f64,
+    ) {
+        let (mobility, stop) = (motion.plate_mobility, motion.stop);
+        if mobility == 0.0 {
+            return;
+        }
+        let noise_n = ROUNDED * plate_noise(motion, e) / mobility;
+        let net_n = larger((motion.coupling * e.contact[0] - e.mechanism[0]).abs() - noise_n, 0.0);
+        let damping_n = e.damper[0] + stop.damping_n_s_m * e.plate_speed[0];
+        let spring_n = e.mechanism[0] - damping_n;
+        let creeps = net_n <= CREEPING * damping_n.abs() && {
+            let damper = motion.damper.tangent(e.plate_speed[0]) + stop.damping_n_s_m;
+            damper * mobility * step_s >= CREEPING_STEP
+        };
+        let rides = net_n <= RIDING * spring_n.abs() && {
+            let stiffness = motion.spring.tangent(e.plate[0]) + stop.stiffness_n_m;
+            stiffness * mobility * step_s * step_s >= RIDING_STEP * RIDING_STEP
+        };
+        self.creeping_steps = if creeps || rides { self.creeping_steps + 1 } else { 0 };
+        if self.creeping_steps > CREEPING_STEPS {
+            self.creeping_steps = 0;
+            (self.stiff, self.creeps) = (true, true);
+        }
     }
 
     /// How far the expansion is trusted, in time units: sizes are taken where it ends, so that a far too long unit does not
@@ -105,14 +150,20 @@ impl Track<'_> {
     fn checked<const N: usize>(&mut self, motion: &Motion<'_>, e: &Expansion<N>, span: f64) -> f64 {
         let allowed = larger(DEFECT * self.tolerance * LOCAL, DEFECT_ROUNDING);
         let [_, (_, speed), _, (_, plate_speed)] = self.scales(e, smaller(span, 1.0));
+        // Forces that hold each other are known to their own rounding only: no shorter step makes their difference better.
+        let noise = ROUNDED * plate_noise(motion, e);
         let mut span = span;
         for _ in 0..60 {
             let (slip, plate) = motion.accelerations(&e.state(span));
             let time = span * self.unit_s;
+            let slip_noise = motion.coupling * noise * time / speed;
+            let plate_noise = noise * time / plate_speed;
             let slip_defect = (slip * time - evaluate_slope(&e.slip, span) * span) / speed;
             let plate_defect =
                 (plate * time - evaluate_slope(&e.plate_speed, span) * span) / plate_speed;
-            if slip_defect.abs() <= allowed && plate_defect.abs() <= allowed {
+            if slip_defect.abs() <= allowed + slip_noise
+                && plate_defect.abs() <= allowed + plate_noise
+            {
                 break;
             }
             span *= 0.5;
@@ -135,6 +186,17 @@ impl Track<'_> {
             (&e.plate_speed, own(&e.plate_speed, s) + part * speed + f64::MIN_POSITIVE),
         ]
     }
+}
+
+/// What one rounding of the forces on the plate is worth at the start of an expansion, m/s².
+fn plate_noise<const N: usize>(motion: &Motion<'_>, e: &Expansion<N>) -> f64 {
+    let (x, stop) = (e.plate[0], motion.stop);
+    let stop_n = stop.stiffness_n_m * (x.abs() + stop.position_m.abs());
+    // The spring's force is the rest of the mechanism's.
+    let rest_n =
+        e.mechanism[0].abs() + e.damper[0].abs() + stop.damping_n_s_m * e.plate_speed[0].abs();
+    let contact_n = motion.coupling * e.contact[0].abs();
+    f64::EPSILON * motion.plate_mobility * (2.0 * stop_n + rest_n + contact_n)
 }
 
 /// The size of a series over the first `s` of its unit, by its first terms.

@@ -24,6 +24,13 @@ pub(super) const STEPS_MAX: usize = 3_000_000;
 /// Events after which a run ends early.
 const EVENTS_MAX: usize = 400_000;
 
+/// A passage through zero within this many ticks of the clock takes no time.
+const PASSED_TICKS: f64 = 16.0;
+
+/// Part of the spring's force up to which its damper, times its exponent, lets a plate that came through zero swing: Taylor steps
+/// then follow the swings, with fewer steps than the implicit method.
+const SWINGS_TO: f64 = 3.0;
+
 /// A run in progress.
 #[expect(clippy::struct_excessive_bools, reason = "facts that hold or do not, each by itself")]
 pub(super) struct Track<'a> {
@@ -59,6 +66,14 @@ pub(super) struct Track<'a> {
     /// The implicit method has this stretch.
     pub(super) stiff: bool,
     pub(super) stretch_steps: usize,
+    /// Taylor steps in a row in which the plate crept against its damper.
+    pub(super) creeping_steps: usize,
+    /// The implicit method has this stretch because the plate creeps.
+    pub(super) creeps: bool,
+    /// Times the force on the plate changed its sign: twice a swing, about whatever it swings.
+    pub(super) turns: usize,
+    /// The sign of the force on the plate at the last step.
+    pub(super) pushed: f64,
     pub(super) steps: usize,
     pub(super) stiff_steps: usize,
     pub(super) rejected: usize,
@@ -112,6 +127,10 @@ impl<'a> Track<'a> {
             tolerance,
             stiff: false,
             stretch_steps: 0,
+            creeping_steps: 0,
+            creeps: false,
+            turns: 0,
+            pushed: 0.0,
             steps: 0,
             stiff_steps: 0,
             rejected: 0,
@@ -146,6 +165,7 @@ impl<'a> Track<'a> {
             }
             self.take_back();
             self.keep_off_singularities();
+            self.pass_zero_under_implicit_steps();
             if self.stretch_steps > TAYLOR_STEPS_PER_STRETCH {
                 self.stiff = true;
             }
@@ -171,11 +191,19 @@ impl<'a> Track<'a> {
         self.handle(trigger);
         if self.mode != before {
             self.stiff = false;
+            self.creeps = false;
         }
         // A plate that swings through zero again and again takes many steps without being stiff.
         if self.mode != before || trigger == Trigger::PlateZero {
             self.stretch_steps = 0;
         }
+    }
+
+    /// Count how often the force on the plate changes its sign, by its acceleration at every step.
+    pub(super) fn count_turns(&mut self, acceleration: f64) {
+        let pushed = sign(acceleration);
+        self.turns += usize::from(pushed * self.pushed < 0.0);
+        self.pushed = if pushed == 0.0 { self.pushed } else { pushed };
     }
 
     /// A run whose outcome is known is complete even when its tail is cut short.
@@ -284,6 +312,41 @@ impl<'a> Track<'a> {
         }
         if mechanism.damper.kind() == PowerKind::General && self.state.plate_m_s == 0.0 {
             self.omit_damper();
+        }
+    }
+
+    /// The implicit method rides along a spring that is infinitely steep at zero, but cannot follow a plate that comes
+    /// through zero with speed to spare: its unknown, the spring's force, changes sign there at once.
+    fn pass_zero_under_implicit_steps(&mut self) {
+        let (x, w) = (self.state.plate_m, self.state.plate_m_s);
+        let steep = self
+            .problem
+            .mechanism
+            .spring
+            .power()
+            .is_some_and(|law| law.coefficient > 0.0 && law.exponent < 1.0);
+        if !(self.stiff && steep) || self.is_still() || self.spring_omitted {
+            return;
+        }
+        if x * w < 0.0 && x.abs() <= self.near_zero_m() {
+            if x.abs() <= PASSED_TICKS * f64::EPSILON * self.t_s * w.abs() {
+                // The clock does not see it.
+                self.state.plate_m = -x;
+                return;
+            }
+            let (spring, damper) = (self.spring(), self.problem.mechanism.damper);
+            if !self.is_unfelt()
+                && damper.exponent * damper.force(w).abs() <= SWINGS_TO * spring.force(x).abs()
+            {
+                self.stiff = false;
+                self.stretch_steps = 0;
+                self.side_x = sign(x);
+                self.side_w = sign(w);
+            }
+            // As far on the other side as on this one: what the spring takes it also gives.
+            self.clear_m = x.abs();
+            self.spring_omitted = true;
+            self.shorten_unit(self.clear_m / w.abs());
         }
     }
 

@@ -207,7 +207,7 @@ impl Track<'_> {
     }
 
     /// How close to zero displacement the singular spring is left out: so close that it holds little of the plate's energy.
-    fn near_zero_m(&self) -> f64 {
+    pub(super) fn near_zero_m(&self) -> f64 {
         let (spring, w) = (self.spring(), self.state.plate_m_s);
         let energy = 0.5 * self.problem.plate_kg * w * w;
         // Tighter computations come closer, so that two of them do not share what is left out.

@@ -428,6 +428,7 @@ impl<'a> Course<'a> {
             rhs_evaluations: self.count.evaluations,
             method: "DOP853",
             reason: "another interaction model than the engine's",
+            ..Cost::default()
         };
         if !end.is_complete() {
             run.warnings.push(Warning::EndedEarly(end));

@@ -336,6 +336,7 @@ fn cost(rigid: bool) -> Cost {
             rhs_evaluations: 10,
             method: "Taylor 16",
             reason: "smooth and not stiff",
+            ..Cost::default()
         }
     }
 }
