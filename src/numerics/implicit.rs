@@ -22,14 +22,6 @@ pub trait ImplicitSystem<const N: usize> {
     fn jacobian(&self, y: &[f64; N]) -> [[f64; N]; N];
     /// Scale of each component of g against which Newton's corrections are measured, > 0.
     fn scale(&self) -> [f64; N];
-    /// The size of an error in g, relative to what matters; by default the greatest component over its scale.
-    fn size(&self, error: &[f64; N]) -> f64 {
-        let mut size = 0.0;
-        for (error, scale) in error.iter().zip(self.scale()) {
-            size = crate::numerics::larger((error / scale).abs(), size);
-        }
-        size
-    }
 }
 
 /// A step that Newton's method has solved.

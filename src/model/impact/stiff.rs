@@ -211,15 +211,6 @@ impl ImplicitSystem<4> for Unknowns<'_> {
     fn scale(&self) -> [f64; 4] {
         self.scale
     }
-
-    /// A stiff plate's velocity swings fast and stays small: its error counts through the displacement, and the slip's
-    /// through the projectile's velocity.
-    fn size(&self, error: &[f64; 4]) -> f64 {
-        let projectile = error[1] + self.motion.coupling * error[3];
-        let parts =
-            [error[0] / self.scale[0], projectile / self.scale[1], error[2] / self.scale[2]];
-        parts.into_iter().fold(0.0, |size, part| larger(part.abs(), size))
-    }
 }
 
 impl Track<'_> {
