@@ -5,8 +5,9 @@
 //! the Taylor recurrence of `motion.rs` is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`)
 //! and followed step by step (`way.rs`), with a graded clock where one of them is singular at the start (`start.rs`), with the plate
 //! slaved to its damper where that is very strong (`slaved.rs`), and riding on its spring where that is very stiff near its zero
-//! (`riding.rs`). What a scene has not is not computed. Scenes it is not made for (a stop, an oblique section across the
-//! cylinder, a plate that comes back through a singular point) are left to the full track: [`Contact::run`] returns `None`.
+//! (`riding.rs`, pass by pass in `ride.rs`). What a scene has not is not computed. Many contacts go side by side in the lanes of a
+//! vector (`abreast.rs`, `bench.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes
+//! back through a singular point) are left to the full track: [`Contact::run`] returns `None`.
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::{AreaLaw, Geometry, Piece};

@@ -336,9 +336,7 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
             }
         }
     }
-}
 
-impl<const N: usize> Lanes<'_, '_, N> {
     /// How far each series is trusted, and where it leads.
     #[inline(always)]
     fn look<S: Simd>(
