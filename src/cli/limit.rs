@@ -27,8 +27,8 @@ const SAMPLES_MAX: usize = 1_000_000;
 pub(super) struct LimitArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Relative standard deviation of the inputs, for V50 and its spread; 0 leaves that out
-    #[arg(long, value_name = "PART", default_value_t = 0.02)]
+    /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 leaves that out
+    #[arg(long, value_name = "PART", default_value = "0.02", value_parser = part)]
     scatter: f64,
     /// Samples of scattered inputs
     #[arg(long, value_name = "COUNT", default_value_t = 200)]
@@ -54,6 +54,18 @@ impl LimitArguments {
         }
         let (samples, seed) = (self.samples, self.seed);
         Ok((deviation > 0.0).then_some(Scattering { deviation, samples, seed }))
+    }
+}
+
+/// A part of a whole, as a number or in per cent.
+fn part(text: &str) -> Result<f64, String> {
+    let (number, whole) = match text.trim().strip_suffix('%') {
+        Some(percent) => (percent.trim(), 100.0),
+        None => (text.trim(), 1.0),
+    };
+    match number.parse::<f64>() {
+        Ok(number) => Ok(number / whole),
+        Err(_) => Err("a part is a number like 0.02, or 2%".to_owned()),
     }
 }
 

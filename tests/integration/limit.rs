@@ -61,9 +61,13 @@ fn the_same_seed_gives_the_same_page_and_bad_options_are_refused() {
     let seeded = |seed: &str| output(&["--seed", seed, "--samples", "20"]);
     assert_eq!(seeded("3"), seeded("3"));
     assert_ne!(seeded("3"), seeded("4"));
-    for (option, value, told) in
-        [("--scatter", "2", "outside 0..0.5"), ("--samples", "1", "outside 2..")]
-    {
+    let scattered = |part: &str| output(&["--scatter", part, "--samples", "20"]);
+    assert_eq!(scattered("3%"), scattered("0.03"));
+    for (option, value, told) in [
+        ("--scatter", "2", "outside 0..0.5"),
+        ("--scatter", "wide", "a number like 0.02, or 2%"),
+        ("--samples", "1", "outside 2.."),
+    ] {
         let refused = cmra("limit", &[option, value]).assert().code(2);
         let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
         assert!(text.contains(told), "{text}");
