@@ -399,6 +399,8 @@ mod tests {
             "k=1e5 n=0.2 h=0.004 v_i=300",
             // It hardly moves: nothing may be lost between its velocity and the projectile's.
             "k=1e6 n=0.24 v_i=60 gamma=0.8",
+            // It could ride only so late that it never does: its way is known relative to itself all the same.
+            "k=2.25e6 n=0.332",
         ] {
             let mut scene = scene(pairs);
             scene.run.tolerance = 1e-12;
