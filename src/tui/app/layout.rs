@@ -6,6 +6,8 @@ use crate::tui::message::Place;
 /// The smallest size that can be worked with: columns and rows.
 pub const SMALLEST: (u16, u16) = (60, 16);
 
+/// Least rows of a chart that can be read.
+pub const CHART_ROWS: u16 = 9;
 /// Below this width: the setup and what it is about get in each other's way.
 const NARROW: u16 = 72;
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.

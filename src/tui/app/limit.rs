@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::App;
 use super::accuracy::Measuring;
-use super::layout::Body;
+use super::layout::{Body, CHART_ROWS};
 use super::notice::Severity;
 use super::status::wrap;
 use crate::model::run::Outcome;
@@ -24,8 +24,6 @@ pub const BESIDE: u16 = 100;
 pub const FACTS: u16 = 40;
 /// Columns of a fact's label where it stands before the words.
 pub const LABEL: u16 = 15;
-/// Least rows of a chart that can be read.
-pub const CHART_ROWS: u16 = 9;
 
 /// The state of the tab.
 #[derive(Clone, Debug, Default)]
@@ -109,7 +107,7 @@ impl Ballistic {
 
 /// The facts as lines of so many columns; labels stand before their words, or above them. Above, there is room to say what
 /// the laws are.
-pub fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
+fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
     let room = if labels_before { width.saturating_sub(LABEL) } else { width };
     let mut lines: Vec<Fact> = Vec::new();
     for (label, severity, text) in facts {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::App;
 use super::accuracy::Measuring;
+use super::layout::CHART_ROWS;
 use super::notice::Severity;
 use crate::files::error::FileError;
 use crate::files::{front as front_file, scatter as scatter_file, seek as seek_file};
@@ -33,8 +34,6 @@ pub enum Page {
     Worth,
 }
 
-/// Least rows of a chart that can be read.
-const CHART_ROWS: u16 = 9;
 /// Rows of words that a chart must leave, frame included.
 const LEAST_WORDS: u16 = 6;
 
