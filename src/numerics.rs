@@ -3,12 +3,13 @@
 //! Map of the folder, in reading order: [`series`] is arithmetic on truncated power series, from which a model builds the
 //! Taylor expansion of its solution; [`taylor`] chooses the step such an expansion is good for; [`implicit`] is an
 //! L-stable collocation method for what is too stiff for that; [`explicit`] are the Runge-Kutta methods everything is compared
-//! with; [`root`] locates events; [`quadrature`] integrates; [`wide`] is several numbers at once, and [`power`]
+//! with; [`graded`] starts where broken powers are singular; [`root`] locates events; [`quadrature`] integrates; [`wide`] is several numbers at once, and [`power`]
 //! what their vectors need that the standard library has for single ones alone.
 //! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
 
 pub mod double_double;
 pub mod explicit;
+pub mod graded;
 pub mod implicit;
 pub mod linear;
 pub mod minimum;

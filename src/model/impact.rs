@@ -25,6 +25,7 @@ mod record;
 mod report;
 mod start;
 mod stiff;
+mod stride;
 mod taylor;
 mod track;
 mod verdict;

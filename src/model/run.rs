@@ -98,6 +98,8 @@ pub enum EndReason {
     Decided,
     /// The horizon was reached.
     Horizon,
+    /// No horizon was given, and nothing was decided within a thousand swings.
+    Swings,
     /// The step budget was used up.
     StepBudget,
     /// Steps became too small to move time forward.
@@ -113,9 +115,9 @@ pub enum EndReason {
 }
 
 impl EndReason {
-    /// Whether the run is complete: decided, or run to its horizon.
+    /// Whether the run is complete: decided, or run as far as it was to go.
     pub fn is_complete(self) -> bool {
-        matches!(self, Self::Decided | Self::Horizon)
+        matches!(self, Self::Decided | Self::Horizon | Self::Swings)
     }
 
     /// The reason in words.
@@ -123,6 +125,7 @@ impl EndReason {
         match self {
             Self::Decided => "outcome decided",
             Self::Horizon => "horizon reached",
+            Self::Swings => "undecided after a thousand swings: a horizon follows it further",
             Self::StepBudget => "ended early: the step budget was used up",
             Self::StepUnderflow => "ended early: steps became too small to move time forward",
             Self::NonFinite => "ended early: a value stopped being finite",

@@ -21,7 +21,7 @@ const RESIDUAL_MAX: f64 = 1e-8;
 /// Steps a run may take besides those that its swings and events ask for.
 const STEPS_MAX: usize = 2_500;
 /// Steps after which a run is not followed any further here, however many swings ask for them.
-const FOLLOWED: usize = 5_000;
+const FOLLOWED: usize = 100_000;
 /// The engine's Taylor steps: their order, their local tolerance per tolerance, and how close, relative to a swing, they come to
 /// the zero of a law that is singular there: displacement and velocity.
 const ORDER: f64 = 16.0;
@@ -129,7 +129,7 @@ fn measure(run: &Run) -> Option<f64> {
 fn class_of_end(course: &Course) -> Option<Class> {
     match course.run.end {
         _ if !is_bounded(course) => Some(Class::ManySteps),
-        EndReason::Decided | EndReason::Horizon => None,
+        EndReason::Decided | EndReason::Horizon | EndReason::Swings => None,
         EndReason::StepBudget => Some(Class::StepBudget),
         EndReason::StepUnderflow => Some(Class::StepUnderflow),
         EndReason::NonFinite => Some(Class::NonFiniteEnd),

@@ -257,13 +257,23 @@ impl Track<'_> {
     }
 
     fn plate_speed_zero(&mut self) {
-        if self.side_w > 0.0 && self.state.plate_m >= self.record.farthest_m {
-            self.record.event(self.t_s, EventKind::GreatestDisplacement);
-        }
         if self.damper_is_singular() && !self.stiff {
+            self.note_greatest_displacement();
             self.omit_damper();
         } else {
-            self.side_w = -self.side_w;
+            self.turned_round();
+        }
+    }
+
+    /// The plate's velocity has changed its sign.
+    pub(super) fn turned_round(&mut self) {
+        self.note_greatest_displacement();
+        self.side_w = -self.side_w;
+    }
+
+    fn note_greatest_displacement(&mut self) {
+        if self.side_w > 0.0 && self.state.plate_m >= self.record.farthest_m {
+            self.record.event(self.t_s, EventKind::GreatestDisplacement);
         }
     }
 

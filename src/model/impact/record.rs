@@ -132,11 +132,7 @@ impl Record {
             self.work.stop_j += integral(&force, &e.plate_speed, span) * h;
         }
         match setting.mode {
-            Mode::Penetrating => {
-                let peak = greatest(&e.contact, span);
-                self.peak_contact_n =
-                    if peak > self.peak_contact_n { peak } else { self.peak_contact_n };
-            }
+            Mode::Penetrating => self.pressed(greatest(&e.contact, span)),
             Mode::Fused => self.demand(setting, &e.mechanism, span),
             Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
         }
@@ -149,6 +145,22 @@ impl Record {
         }
     }
 
+    /// Add the work done in a time `dt_s` at a state: one term of a quadrature.
+    pub(super) fn worked(&mut self, setting: &Setting<'_>, state: &State, dt_s: f64) {
+        let motion = setting.motion;
+        let (work, w) = (&mut self.work, state.plate_m_s);
+        work.penetration_j += dt_s * motion.contact_force(state) * state.slip_m_s;
+        work.damper_j += dt_s * motion.damper.force(w) * w;
+        work.stop_j += dt_s * motion.stop.force(state) * w;
+    }
+
+    /// Note the greatest contact force of a stretch of penetration, N.
+    pub(super) fn pressed(&mut self, contact_n: f64) {
+        if contact_n > self.peak_contact_n {
+            self.peak_contact_n = contact_n;
+        }
+    }
+
     /// What the interface carries, or would have to carry, while fused.
     fn demand<const N: usize>(&mut self, setting: &Setting<'_>, force: &[f64; N], span: f64) {
         let mut pull = *force;
@@ -156,6 +168,12 @@ impl Record {
             *c = -*c;
         }
         self.carried(setting, greatest(force, span), greatest(&pull, span));
+    }
+
+    /// The greatest forces of the mechanism, forwards and backwards, noted so far, as far as the interface's strength says, N.
+    pub(super) fn known_loads_n(&self, setting: &Setting<'_>) -> [f64; 2] {
+        let force = setting.interface_n / setting.problem.share;
+        [self.push_ratio.unwrap_or(0.0) * force, self.pull_ratio * force]
     }
 
     /// Note the greatest forces of the mechanism, forwards and backwards, N, that the interface has to share while fused.

@@ -4,6 +4,7 @@
 //! that the plate rides on it: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
 //! the start is placed so early that the momentum in question is below the tolerance.
 
+use crate::model::impact::stride::Taken;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::motion::{Expansion, Motion};
@@ -53,6 +54,12 @@ impl Track<'_> {
         let spring_singular = mechanism.spring.is_singular() && self.state.plate_m == 0.0;
         let damper_singular = mechanism.damper.kind() == PowerKind::General;
         if self.held || problem.rigid || !(spring_singular || damper_singular) {
+            return;
+        }
+        if !spring_singular && let Some(Taken(fired)) = self.stride() {
+            if let Some(trigger) = fired {
+                self.take(trigger);
+            }
             return;
         }
         self.spring_omitted = spring_singular;

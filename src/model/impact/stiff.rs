@@ -392,13 +392,9 @@ impl Track<'_> {
         let setting = self.setting(motion);
         for (stage, weight) in solved.stages.iter().zip(WEIGHTS) {
             let state = system.state(stage);
-            let contact = motion.contact_force(&state);
-            record.work.penetration_j += h * weight * contact * state.slip_m_s;
-            record.work.damper_j +=
-                h * weight * motion.damper.force(state.plate_m_s) * state.plate_m_s;
-            record.work.stop_j += h * weight * motion.stop.force(&state) * state.plate_m_s;
+            record.worked(&setting, &state, h * weight);
             match self.mode {
-                Mode::Penetrating => record.peak_contact_n = larger(record.peak_contact_n, contact),
+                Mode::Penetrating => record.pressed(motion.contact_force(&state)),
                 Mode::Fused => {
                     let force = motion.mechanism_force(&state);
                     record.carried(&setting, force, -force);

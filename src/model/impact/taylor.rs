@@ -122,13 +122,18 @@ impl Track<'_> {
         }
     }
 
+    /// Error that a step may make, relative to the scales.
+    pub(super) fn local_tolerance(&self) -> f64 {
+        self.tolerance * LOCAL
+    }
+
     /// How far the expansion is trusted, in time units: sizes are taken where it ends, so that a far too long unit does not
     /// make them look greater than they are.
     pub(super) fn trusted<const N: usize>(&self, e: &Expansion<N>) -> f64 {
         let mut trusted = 1.0;
         for _ in 0..SIZINGS {
             let at = smaller(trusted, 1.0);
-            let tolerance = self.tolerance * LOCAL;
+            let tolerance = self.local_tolerance();
             let mut next = trusted_step(&self.scales(e, at), tolerance);
             if self.mode == Mode::Fused && self.problem.plastic {
                 // The interface gives way by the force it carries: that has to be right, too.
@@ -148,7 +153,7 @@ impl Track<'_> {
     ///
     /// The last coefficients alone can be deceived: the solution may be close to a polynomial and yet end in a singularity.
     fn checked<const N: usize>(&mut self, motion: &Motion<'_>, e: &Expansion<N>, span: f64) -> f64 {
-        let allowed = larger(DEFECT * self.tolerance * LOCAL, DEFECT_ROUNDING);
+        let allowed = larger(DEFECT * self.local_tolerance(), DEFECT_ROUNDING);
         let [_, (_, speed), _, (_, plate_speed)] = self.scales(e, smaller(span, 1.0));
         // Forces that hold each other are known to their own rounding only: no shorter step makes their difference better.
         let noise = ROUNDED * plate_noise(motion, e);

@@ -11,6 +11,7 @@ use crate::model::impact::Observer;
 use crate::model::impact::guard::Trigger;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
+use crate::model::impact::stride::Taken;
 use crate::model::impact::verdict::{Asked, Farthest};
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
@@ -23,6 +24,10 @@ const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
 pub(super) const STEPS_MAX: usize = 3_000_000;
 /// Events after which a run ends early.
 const EVENTS_MAX: usize = 400_000;
+
+/// Turns and events after which a run that was given no horizon ends while still moving: a thousand swings. Unstruck, a plate on an
+/// undamped spring goes on for ever.
+const TURNS_MAX: usize = 2_000;
 
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
@@ -55,6 +60,8 @@ pub(super) struct Track<'a> {
     pub(super) clear_m_s: f64,
     pub(super) side_x: f64,
     pub(super) side_w: f64,
+    /// Where a stride through the zero of the spring, and of the damper, was refused last on this way in, m and m/s.
+    pub(super) stride_refused: [f64; 2],
     /// The stretch of the spring's curve in which the plate is; without meaning for a power law.
     pub(super) region: usize,
     /// Greatest |x| and |w| seen, m and m/s.
@@ -118,6 +125,7 @@ impl<'a> Track<'a> {
             damper_omitted: false,
             clear_m: 0.0,
             clear_m_s: 0.0,
+            stride_refused: [f64::INFINITY; 2],
             side_x: if problem.start_m < 0.0 { -1.0 } else { 1.0 },
             side_w: if pull < 0.0 { -1.0 } else { 1.0 },
             region: first_region(problem, pull),
@@ -164,6 +172,12 @@ impl<'a> Track<'a> {
                 continue;
             }
             self.take_back();
+            if let Some(Taken(fired)) = self.stride() {
+                if let Some(trigger) = fired {
+                    self.take(trigger);
+                }
+                continue;
+            }
             self.keep_off_singularities();
             self.pass_zero_under_implicit_steps();
             if self.stretch_steps > TAYLOR_STEPS_PER_STRETCH {
@@ -181,11 +195,14 @@ impl<'a> Track<'a> {
             if self.event_count > EVENTS_MAX {
                 return self.end_early(EndReason::EventBudget);
             }
+            if !self.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX {
+                return self.end_early(EndReason::Swings);
+            }
         }
     }
 
     /// What follows an event, and which method goes on.
-    fn take(&mut self, trigger: Trigger) {
+    pub(super) fn take(&mut self, trigger: Trigger) {
         self.event_count += usize::from(trigger.changes_course());
         let before = self.mode;
         self.handle(trigger);

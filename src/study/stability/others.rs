@@ -218,6 +218,7 @@ fn by_radau(scene: &Arc<Scene>) -> Result<Contact, Refusal> {
         crate::model::run::EndReason::NonFinite => Refusal::NonFinite,
         crate::model::run::EndReason::Decided
         | crate::model::run::EndReason::Horizon
+        | crate::model::run::EndReason::Swings
         | crate::model::run::EndReason::StepUnderflow
         | crate::model::run::EndReason::EventBudget
         | crate::model::run::EndReason::BreaksOff

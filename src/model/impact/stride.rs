@@ -1,0 +1,233 @@
+//! Strides: through the zero of a broken power law at once, with the law's own argument for a clock.
+//!
+//! A spring |x|^n with a broken n is singular where the plate comes through x = 0, a damper |w|^m where it turns round; Taylor steps
+//! come closer to such a moment, and leave it again, only part by part. But the plate comes through zero with speed, and turns round
+//! with acceleration: there, time and path are functions of x, or of w, in which only known powers are singular
+//! ([`crate::numerics::graded`]). Instead of its speed the plate's and the spring's energy is carried past x = 0: what the spring takes
+//! it gives back exactly.
+//!
+//! A stride goes in to the zero or out from it, and ends, like a step, where anything else happens.
+
+use crate::model::impact::guard::Trigger;
+use crate::model::impact::track::{Track, is_finite};
+use crate::model::mechanism::PowerKind;
+use crate::model::motion::State;
+use crate::model::run::Mode;
+use crate::numerics::graded::{Graded, POINTS, part_at, solve};
+use crate::numerics::root::in_bracket;
+use crate::numerics::{larger, smaller};
+
+mod clock;
+
+use clock::{Clock, Law, Unknowns};
+
+/// How often a stride's way out is shortened, and by what part, until it is accurate.
+const TRIALS: usize = 6;
+const SHORTER: f64 = 0.4;
+/// Part of the distance at which a stride inwards was refused from which on it is tried again.
+const NEARER: f64 = 0.4;
+/// Mark of a zero from which no stride outwards was good.
+const GIVEN_UP: f64 = 0.0;
+/// A stride outwards begins no further from zero than this part of where it ends.
+const CLOSE: f64 = 0.3;
+/// How many times more accurate the finer of the two rules is than their difference says, and what rounding leaves of the
+/// difference.
+const FINER: f64 = 100.0;
+const DIFFERENCE_ROUNDING: f64 = 3e-14;
+/// Every so many of a stride's points are drawn.
+const DRAWN: usize = 4;
+
+/// A stride has been taken, and this event ended it.
+pub(super) struct Taken(pub(super) Option<Trigger>);
+
+/// A way that is accurate: its points, the state at its end, and the event that ends it, if one does.
+struct Stretch {
+    graded: Graded<4>,
+    states: [State; POINTS],
+    end: State,
+    fired: Option<Trigger>,
+}
+
+impl Track<'_> {
+    /// Take a stride, if a broken law's zero is close enough.
+    pub(super) fn stride(&mut self) -> Option<Taken> {
+        if self.is_still() || self.stiff || self.spring_omitted || self.damper_omitted {
+            return None;
+        }
+        let mechanism = &self.problem.mechanism;
+        let spring = mechanism.spring.power().is_some_and(|law| law.kind() == PowerKind::General);
+        let damper = mechanism.damper.kind() == PowerKind::General;
+        let by_spring = if spring { self.stride_by(Law::Spring) } else { None };
+        by_spring.or_else(|| if damper { self.stride_by(Law::Damper) } else { None })
+    }
+
+    fn stride_by(&mut self, law: Law) -> Option<Taken> {
+        let motion = self.motion();
+        let clock = Clock::new(law, &motion, self.state);
+        let room = clock.room();
+        if clock.heading == 0.0 || !room.is_finite() {
+            return None;
+        }
+        if clock.now() * clock.heading < 0.0 {
+            self.stride_in(&clock, room)
+        } else {
+            self.stride_out(&clock, room)
+        }
+    }
+
+    /// To the zero.
+    fn stride_in(&mut self, clock: &Clock<'_>, room: f64) -> Option<Taken> {
+        let from = clock.now().abs();
+        let refused = &mut self.stride_refused[clock.law as usize];
+        if *refused == GIVEN_UP {
+            *refused = f64::INFINITY;
+        }
+        if from > smaller(*refused, room) {
+            return None;
+        }
+        let Some(stretch) = self.stretch(clock, 0.0) else {
+            self.stride_refused[clock.law as usize] = NEARER * from;
+            return None;
+        };
+        self.go(clock, &stretch);
+        if clock.law == Law::Damper && stretch.fired.is_none() {
+            self.turned_round();
+        }
+        Some(Taken(stretch.fired))
+    }
+
+    /// From the zero, or from close to it, as far as there is room.
+    fn stride_out(&mut self, clock: &Clock<'_>, room: f64) -> Option<Taken> {
+        if self.stride_refused[clock.law as usize] == GIVEN_UP {
+            return None;
+        }
+        let mut far = room;
+        for trial in 0..TRIALS {
+            if clock.now().abs() > CLOSE * far {
+                if trial == 0 {
+                    return None;
+                }
+                break;
+            }
+            if let Some(stretch) = self.stretch(clock, clock.heading * far) {
+                self.go(clock, &stretch);
+                return Some(Taken(stretch.fired));
+            }
+            far *= SHORTER;
+        }
+        self.stride_refused[clock.law as usize] = GIVEN_UP;
+        None
+    }
+
+    /// The way to `to`, or to the first event on it, if it is accurate.
+    fn stretch(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
+        let stretch = self.unbroken(clock, to)?;
+        let Some((part, trigger)) = self.first_fall(clock, &stretch) else {
+            return Some(stretch);
+        };
+        let landed = self.unbroken(clock, stretch.graded.between(part).0)?;
+        Some(Stretch { fired: Some(trigger), ..landed })
+    }
+
+    /// The way to `to`, whatever happens on it, if it is accurate.
+    fn unbroken(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
+        let (from, y) = (clock.now(), clock.unknowns());
+        let rate = |z: f64, y: &Unknowns| clock.rate(&clock.state(z, y));
+        let graded = solve((from, to), &y, &self.stride_scale(clock, to - from), rate)?;
+        let states = std::array::from_fn(|i| clock.state(graded.points[i].0, &graded.points[i].2));
+        let end = clock.state(to, &graded.end);
+        let allowed = larger(FINER * self.local_tolerance(), DIFFERENCE_ROUNDING);
+        let took_s = graded.end[0];
+        let fits = graded.difference <= allowed
+            && is_finite(&end)
+            && took_s >= 0.0
+            && self.t_s + took_s < self.until_s();
+        fits.then_some(Stretch { graded, states, end, fired: None })
+    }
+
+    /// The first of the guards that falls on a stretch, and at what part of the way.
+    fn first_fall(&self, clock: &Clock<'_>, stretch: &Stretch) -> Option<(f64, Trigger)> {
+        let Stretch { graded, states, end, .. } = stretch;
+        let mut first: Option<(f64, Trigger)> = None;
+        for (trigger, form) in self.guards().iter() {
+            if *trigger == clock.own_trigger() {
+                continue;
+            }
+            let value = |state: &State| form.at(clock.motion, state);
+            let between = |part: f64| {
+                let (z, y) = graded.between(part);
+                value(&clock.state(z, &y))
+            };
+            let mut before = (0.0, value(&self.state));
+            let places = states.iter().enumerate().map(|(i, state)| (part_at(i), state));
+            for (part, state) in places.chain([(1.0, end)]) {
+                let now = value(state);
+                if before.1 > 0.0 && now <= 0.0 {
+                    let fall = in_bracket(before.0, part, between);
+                    if first.is_none_or(|(sooner, _)| fall < sooner) {
+                        first = Some((fall, *trigger));
+                    }
+                    break;
+                }
+                before = (part, now);
+            }
+        }
+        first
+    }
+
+    /// What errors of the unknowns are measured by, on a way of this length: its duration and the plate's own path or energy, and
+    /// for the projectile the scales of Taylor steps.
+    fn stride_scale(&self, clock: &Clock<'_>, way: f64) -> Unknowns {
+        let duration_s = clock.duration_s(way);
+        let path_m = self.state.travel_m.abs() + self.state.plate_m.abs();
+        let plate = match clock.law {
+            Law::Spring => clock.unknowns()[3],
+            Law::Damper => {
+                let contact =
+                    matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing);
+                let part = if contact { 1e-3 * self.state.travel_m.abs() } else { 0.0 };
+                (0.5 * way).abs() * duration_s + part
+            }
+        };
+        [duration_s, path_m, self.problem.velocity_m_s, plate]
+            .map(|scale| scale + f64::MIN_POSITIVE)
+    }
+
+    /// Take a stretch: work by its own rule, the greatest forces, points to draw.
+    fn go(&mut self, clock: &Clock<'_>, stretch: &Stretch) {
+        let Stretch { graded, states, end, fired } = stretch;
+        let motion = clock.motion;
+        let mut record = std::mem::take(&mut self.record);
+        let setting = self.setting(motion);
+        for (place, ((_, dz, y), state)) in graded.points.iter().zip(states).enumerate() {
+            record.worked(&setting, state, clock.rate(state)[0] * dz);
+            if place % DRAWN == DRAWN / 2 {
+                record.point(&setting, self.t_s + y[0], state, false);
+            }
+        }
+        let greatest = |known: f64, force: &dyn Fn(&State) -> f64| {
+            let within = graded.greatest(known, |z, y| force(&clock.state(z, y)));
+            larger(within, larger(force(&self.state), force(end)))
+        };
+        match self.mode {
+            Mode::Penetrating => {
+                let known = record.peak_contact_n;
+                record.pressed(greatest(known, &|state| motion.contact_force(state)));
+            }
+            Mode::Fused => {
+                let [push, pull] = record.known_loads_n(&setting);
+                let push = greatest(push, &|state| motion.mechanism_force(state));
+                let pull = greatest(pull, &|state| -motion.mechanism_force(state));
+                record.carried(&setting, push, pull);
+            }
+            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
+        }
+        self.record = record;
+        self.steps += 1;
+        self.stretch_steps += 1;
+        self.count_turns(motion.accelerations(&self.state).1);
+        let took_s = graded.end[0];
+        self.unit_s = larger(took_s, f64::MIN_POSITIVE);
+        self.arrive(self.t_s + took_s, *end, motion, *fired);
+    }
+}

@@ -1,0 +1,146 @@
+//! The motion with displacement, or velocity, of the plate for a clock.
+
+use crate::model::impact::guard::Trigger;
+use crate::model::mechanism::{Elastic, PowerKind, sign};
+use crate::model::motion::{Motion, State};
+use crate::numerics::smaller;
+
+/// Part of the plate's energy, or of the force that turns it round, that may be exchanged between zero and the end of a stride.
+const SHARE: f64 = 0.25;
+/// Part of the displacement that a plate may come back from its farthest point within a stride, where its spring is broken, too.
+const OF_DISPLACEMENT: f64 = 0.3;
+
+/// The law whose zero is passed, and with it what the clock is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Law {
+    /// The spring's: the clock is x.
+    Spring,
+    /// The damper's: the clock is w.
+    Damper,
+}
+
+/// Time since the start of the stride, s; path of the projectile, travel and plate together, m, and its velocity, m/s; and what the
+/// clock leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement since the start, m.
+pub(super) type Unknowns = [f64; 4];
+
+/// The equations of a stride.
+pub(super) struct Clock<'a> {
+    pub(super) law: Law,
+    pub(super) motion: &'a Motion<'a>,
+    /// Where the stride starts.
+    pub(super) from: State,
+    /// The way in which the clock runs: the sign of the plate's velocity, or of its acceleration.
+    pub(super) heading: f64,
+}
+
+impl<'a> Clock<'a> {
+    pub(super) fn new(law: Law, motion: &'a Motion<'a>, from: State) -> Self {
+        let heading = sign(match law {
+            Law::Spring => from.plate_m_s,
+            Law::Damper => motion.accelerations(&from).1,
+        });
+        Self { law, motion, from, heading }
+    }
+
+    /// What the clock shows at the start.
+    pub(super) fn now(&self) -> f64 {
+        match self.law {
+            Law::Spring => self.from.plate_m,
+            Law::Damper => self.from.plate_m_s,
+        }
+    }
+
+    /// The guard that watches for the zero of this law.
+    pub(super) fn own_trigger(&self) -> Trigger {
+        match self.law {
+            Law::Spring => Trigger::PlateZero,
+            Law::Damper => Trigger::PlateSpeedZero,
+        }
+    }
+
+    /// The unknowns at the start.
+    pub(super) fn unknowns(&self) -> Unknowns {
+        let State { travel_m, slip_m_s, plate_m: x, plate_m_s: w } = self.from;
+        let cos = self.motion.coupling;
+        let rest = match self.law {
+            Law::Spring => 0.5 * w * w + self.potential(x),
+            Law::Damper => 0.0,
+        };
+        [0.0, travel_m + cos * x, slip_m_s + cos * w, rest]
+    }
+
+    /// The state when the clock shows `z`.
+    pub(super) fn state(&self, z: f64, y: &Unknowns) -> State {
+        let (plate_m, plate_m_s) = match self.law {
+            Law::Spring => (z, self.heading * (2.0 * (y[3] - self.potential(z))).sqrt()),
+            Law::Damper => (self.from.plate_m + y[3], z),
+        };
+        let cos = self.motion.coupling;
+        // A joined body has no coupling, and its speed may be beyond all bounds where the way is too long.
+        let slip_m_s = if cos == 0.0 { y[2] } else { y[2] - cos * plate_m_s };
+        State { travel_m: y[1] - cos * plate_m, slip_m_s, plate_m, plate_m_s }
+    }
+
+    /// The unknowns' derivatives by the clock.
+    pub(super) fn rate(&self, state: &State) -> Unknowns {
+        let motion = self.motion;
+        let (cos, w) = (motion.coupling, state.plate_m_s);
+        let contact = motion.contact_force(state);
+        let slowing = contact * (motion.slip_mobility - cos * cos * motion.plate_mobility);
+        let velocity = state.slip_m_s + cos * w;
+        match self.law {
+            Law::Spring => {
+                let push = cos * contact - motion.damper.force(w) - motion.stop.force(state);
+                [1.0 / w, velocity / w, -slowing / w, push * motion.plate_mobility]
+            }
+            Law::Damper => {
+                let (_, a) = motion.accelerations(state);
+                [1.0 / a, velocity / a, -slowing / a, w / a]
+            }
+        }
+    }
+
+    /// How long it takes until the clock has moved by `way`, about, s.
+    pub(super) fn duration_s(&self, way: f64) -> f64 {
+        let pace = match self.law {
+            Law::Spring => self.from.plate_m_s,
+            Law::Damper => self.motion.accelerations(&self.from).1,
+        };
+        (way / pace).abs()
+    }
+
+    /// How far from zero a stride may begin or end: as far as little of the plate's energy, or of the force that turns it round, is
+    /// exchanged on the way, and further singularities are further away still.
+    pub(super) fn room(&self) -> f64 {
+        let motion = self.motion;
+        let (x, w, mobility) = (self.from.plate_m, self.from.plate_m_s, motion.plate_mobility);
+        let (_, a) = motion.accelerations(&self.from);
+        match (self.law, motion.spring) {
+            (Law::Spring, Elastic::Power(spring)) => {
+                let kinetic = 0.5 * w * w;
+                let others = (a + spring.force(x) * mobility).abs();
+                let by_spring = spring.at_integral(SHARE * kinetic / mobility);
+                smaller(by_spring, SHARE * kinetic / others)
+            }
+            (Law::Spring, Elastic::Piece(_)) => 0.0,
+            (Law::Damper, spring) => {
+                let others = (a + motion.damper.force(w) * mobility).abs();
+                let stiffness = spring.tangent(x).abs() + motion.stop.stiffness_n_m;
+                let by_damper = motion.damper.at_force(SHARE * others / mobility);
+                let by_spring = (SHARE * others * others / (mobility * stiffness)).sqrt();
+                let broken =
+                    matches!(spring, Elastic::Power(law) if law.kind() == PowerKind::General);
+                let back_m = if broken { OF_DISPLACEMENT * x.abs() } else { f64::INFINITY };
+                smaller(by_damper, smaller(by_spring, (2.0 * others * back_m).sqrt()))
+            }
+        }
+    }
+
+    /// Energy in the spring per mass of what it moves, J/kg.
+    fn potential(&self, x: f64) -> f64 {
+        match self.motion.spring {
+            Elastic::Power(law) => law.integral(x) * self.motion.plate_mobility,
+            Elastic::Piece(_) => 0.0,
+        }
+    }
+}
