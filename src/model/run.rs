@@ -98,7 +98,7 @@ pub enum EndReason {
     Decided,
     /// The horizon was reached.
     Horizon,
-    /// No horizon was given, and nothing was decided within a thousand swings.
+    /// No horizon was given, and nothing was decided within five hundred swings.
     Swings,
     /// The step budget was used up.
     StepBudget,
@@ -125,7 +125,7 @@ impl EndReason {
         match self {
             Self::Decided => "outcome decided",
             Self::Horizon => "horizon reached",
-            Self::Swings => "undecided after a thousand swings: a horizon follows it further",
+            Self::Swings => "undecided after five hundred swings: a horizon follows it further",
             Self::StepBudget => "ended early: the step budget was used up",
             Self::StepUnderflow => "ended early: steps became too small to move time forward",
             Self::NonFinite => "ended early: a value stopped being finite",

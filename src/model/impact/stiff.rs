@@ -273,9 +273,6 @@ impl Track<'_> {
 
     /// A plate that no longer creeps swings, and Taylor steps follow a swing with far fewer.
     fn notice_swings(&mut self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) {
-        if !self.creeps {
-            return;
-        }
         let (motion, state) = (system.motion, &self.state);
         let stiffness = motion.stop.stiffness_n_m + motion.spring.tangent(state.plate_m).abs();
         let radians = (stiffness * motion.plate_mobility).sqrt() * h;

@@ -8,7 +8,7 @@
 //!
 //! A stride goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
-use crate::model::impact::guard::Trigger;
+use crate::model::impact::guard::{Form, Trigger};
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
@@ -34,6 +34,13 @@ const CLOSE: f64 = 0.3;
 /// difference.
 const FINER: f64 = 100.0;
 const DIFFERENCE_ROUNDING: f64 = 3e-14;
+/// The least path of a stride on an elastic stop, relative to the displacement: the stop's force is known to the displacement's rounding.
+const OF_STOP: f64 = 1e-3;
+/// How far from zero a guard may be where it has fallen, relative to its value at the start, and how often it is aimed at.
+const LANDED: f64 = 1e-13;
+const LANDINGS: usize = 6;
+/// Ticks of the clock that a fall keeps from the zero.
+const TICKS: f64 = 500.0;
 /// Every so many of a stride's points are drawn.
 const DRAWN: usize = 4;
 
@@ -122,33 +129,92 @@ impl Track<'_> {
     /// The way to `to`, or to the first event on it, if it is accurate.
     fn stretch(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
         let stretch = self.unbroken(clock, to)?;
-        let Some((part, trigger)) = self.first_fall(clock, &stretch) else {
+        if self.falls_at_once(clock, &stretch) {
+            return None;
+        }
+        let Some((trigger, parts)) = self.first_fall(clock, &stretch) else {
             return Some(stretch);
         };
-        let landed = self.unbroken(clock, stretch.graded.between(part).0)?;
+        let guards = self.guards();
+        let form = &guards.iter().find(|guard| guard.0 == trigger)?.1;
+        let landed = self.landed(clock, &stretch, form, parts)?;
         Some(Stretch { fired: Some(trigger), ..landed })
+    }
+
+    /// The way to where a guard falls, between two parts of a stretch. The polynomial through the points of the whole is not exact
+    /// enough: new ways end closer and closer to the fall.
+    fn landed(
+        &self,
+        clock: &Clock<'_>,
+        stretch: &Stretch,
+        form: &Form,
+        (from, to): (f64, f64),
+    ) -> Option<Stretch> {
+        let value = |state: &State| form.at(clock.motion, state);
+        let place = |part: f64| stretch.graded.between(part).0;
+        let between = |part: f64| {
+            let (z, y) = stretch.graded.between(part);
+            value(&clock.state(z, &y))
+        };
+        let mut aim = place(in_bracket(from, to, between));
+        let seen = TICKS * f64::EPSILON * self.t_s * clock.pace().abs();
+        if aim.abs() < seen {
+            // The clock does not tell the fall from the zero.
+            let inwards = clock.now() * clock.heading < 0.0;
+            return self.unbroken(clock, if inwards { 0.0 } else { clock.heading * seen });
+        }
+        for _ in 0..LANDINGS {
+            let landed = self.unbroken(clock, aim)?;
+            let last = POINTS - 1;
+            let (at_end, at_last) = (value(&landed.end), value(&landed.states[last]));
+            let noise = form.rounding(clock.motion, &landed.end);
+            if at_end.abs() <= LANDED * value(&self.state).abs() + noise {
+                return Some(landed);
+            }
+            aim -= at_end * (aim - landed.graded.points[last].0) / (at_end - at_last);
+        }
+        // Too steep for secants.
+        let end_of = |part: f64| {
+            self.unbroken(clock, place(part)).map_or(f64::NAN, |landed| value(&landed.end))
+        };
+        self.unbroken(clock, place(in_bracket(from, to, end_of)))
     }
 
     /// The way to `to`, whatever happens on it, if it is accurate.
     fn unbroken(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
         let (from, y) = (clock.now(), clock.unknowns());
+        let scale = self.stride_scale(clock, to - from);
+        let on_stop = clock.law == Law::Damper && clock.motion.stop.stiffness_n_m > 0.0;
+        if on_stop && scale[3] < OF_STOP * self.state.plate_m.abs() {
+            return None;
+        }
         let rate = |z: f64, y: &Unknowns| clock.rate(&clock.state(z, y));
-        let graded = solve((from, to), &y, &self.stride_scale(clock, to - from), rate)?;
+        let graded = solve((from, to), &y, &scale, rate)?;
         let states = std::array::from_fn(|i| clock.state(graded.points[i].0, &graded.points[i].2));
         let end = clock.state(to, &graded.end);
         let allowed = larger(FINER * self.local_tolerance(), DIFFERENCE_ROUNDING);
         let took_s = graded.end[0];
         let fits = graded.difference <= allowed
             && is_finite(&end)
-            && took_s >= 0.0
+            && self.t_s + took_s > self.t_s
             && self.t_s + took_s < self.until_s();
         fits.then_some(Stretch { graded, states, end, fired: None })
     }
 
-    /// The first of the guards that falls on a stretch, and at what part of the way.
-    fn first_fall(&self, clock: &Clock<'_>, stretch: &Stretch) -> Option<(f64, Trigger)> {
+    /// Whether a guard that is zero at the start is below zero at the first point: it may have risen and fallen in between.
+    fn falls_at_once(&self, clock: &Clock<'_>, stretch: &Stretch) -> bool {
+        let value = |form: &Form, state: &State| form.at(clock.motion, state);
+        self.guards().iter().any(|(trigger, form)| {
+            *trigger != clock.own_trigger()
+                && value(form, &self.state) == 0.0
+                && value(form, &stretch.states[0]) < 0.0
+        })
+    }
+
+    /// The first of the guards that falls on a stretch, and between what parts of the way.
+    fn first_fall(&self, clock: &Clock<'_>, stretch: &Stretch) -> Option<(Trigger, (f64, f64))> {
         let Stretch { graded, states, end, .. } = stretch;
-        let mut first: Option<(f64, Trigger)> = None;
+        let mut first: Option<(f64, Trigger, (f64, f64))> = None;
         for (trigger, form) in self.guards().iter() {
             if *trigger == clock.own_trigger() {
                 continue;
@@ -164,21 +230,21 @@ impl Track<'_> {
                 let now = value(state);
                 if before.1 > 0.0 && now <= 0.0 {
                     let fall = in_bracket(before.0, part, between);
-                    if first.is_none_or(|(sooner, _)| fall < sooner) {
-                        first = Some((fall, *trigger));
+                    if first.is_none_or(|(sooner, _, _)| fall < sooner) {
+                        first = Some((fall, *trigger, (before.0, part)));
                     }
                     break;
                 }
                 before = (part, now);
             }
         }
-        first
+        first.map(|(_, trigger, parts)| (trigger, parts))
     }
 
     /// What errors of the unknowns are measured by, on a way of this length: its duration and the plate's own path or energy, and
     /// for the projectile the scales of Taylor steps.
     fn stride_scale(&self, clock: &Clock<'_>, way: f64) -> Unknowns {
-        let duration_s = clock.duration_s(way);
+        let duration_s = (way / clock.pace()).abs();
         let path_m = self.state.travel_m.abs() + self.state.plate_m.abs();
         let plate = match clock.law {
             Law::Spring => clock.unknowns()[3],

@@ -33,6 +33,8 @@ const CREEPING: f64 = 0.02;
 /// that small has 1e-12 of the energy in the spring.
 const RIDING_STEP: f64 = 0.5;
 const RIDING: f64 = 1e-6;
+/// Ticks of the clock up to which a step counts as one that gets nowhere.
+const SHORT_TICKS: f64 = 4096.0;
 /// Such steps in a row after which the implicit method takes over.
 const CREEPING_STEPS: usize = 50;
 /// First step, relative to the time reached, of the implicit method when it takes over.
@@ -115,7 +117,8 @@ impl Track<'_> {
             let stiffness = motion.spring.tangent(e.plate[0]) + stop.stiffness_n_m;
             stiffness * mobility * step_s * step_s >= RIDING_STEP * RIDING_STEP
         };
-        self.creeping_steps = if creeps || rides { self.creeping_steps + 1 } else { 0 };
+        let is_short = step_s <= SHORT_TICKS * f64::EPSILON * self.t_s;
+        self.creeping_steps = if creeps || rides || is_short { self.creeping_steps + 1 } else { 0 };
         if self.creeping_steps > CREEPING_STEPS {
             self.creeping_steps = 0;
             (self.stiff, self.creeps) = (true, true);

@@ -15,7 +15,7 @@ use crate::model::impact::stride::Taken;
 use crate::model::impact::verdict::{Asked, Farthest};
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
-use crate::model::run::{EndReason, Mode};
+use crate::model::run::{EndReason, Mode, Outcome};
 use crate::numerics::larger;
 
 /// Taylor steps after which a stretch is handed to the implicit method.
@@ -25,9 +25,9 @@ pub(super) const STEPS_MAX: usize = 3_000_000;
 /// Events after which a run ends early.
 const EVENTS_MAX: usize = 400_000;
 
-/// Turns and events after which a run that was given no horizon ends while still moving: a thousand swings. Unstruck, a plate on an
-/// undamped spring goes on for ever.
-const TURNS_MAX: usize = 2_000;
+/// Turns and events after which a run that was given no horizon ends while still moving: five hundred swings. A plate on an undamped
+/// spring goes on for ever.
+const TURNS_MAX: usize = 1_000;
 
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
@@ -86,7 +86,8 @@ pub(super) struct Track<'a> {
     pub(super) rejected: usize,
     pub(super) evaluations: usize,
     pub(super) event_count: usize,
-    /// When the outcome was decided, s.
+    /// The outcome, once it is decided, and when, s.
+    pub(super) decided: Option<Outcome>,
     pub(super) decided_s: Option<f64>,
     pub(super) decided_steps: usize,
     /// Times the interface has given way since the hole last became noticeably deeper.
@@ -144,6 +145,7 @@ impl<'a> Track<'a> {
             rejected: 0,
             evaluations: 0,
             event_count: 0,
+            decided: None,
             decided_s: None,
             decided_steps: 0,
             slips_since_deeper: 0,
@@ -161,6 +163,9 @@ impl<'a> Track<'a> {
             }
             if observer(self.t_s).is_break() {
                 return EndReason::Cancelled;
+            }
+            if !self.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX {
+                return self.end_early(EndReason::Swings);
             }
             if let Some(trigger) = self.overdue() {
                 let before = self.state;
@@ -195,9 +200,6 @@ impl<'a> Track<'a> {
             if self.event_count > EVENTS_MAX {
                 return self.end_early(EndReason::EventBudget);
             }
-            if !self.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX {
-                return self.end_early(EndReason::Swings);
-            }
         }
     }
 
@@ -210,8 +212,7 @@ impl<'a> Track<'a> {
             self.stiff = false;
             self.creeps = false;
         }
-        // A plate that swings through zero again and again takes many steps without being stiff.
-        if self.mode != before || trigger == Trigger::PlateZero {
+        if self.mode != before {
             self.stretch_steps = 0;
         }
     }
@@ -219,7 +220,11 @@ impl<'a> Track<'a> {
     /// Count how often the force on the plate changes its sign, by its acceleration at every step.
     pub(super) fn count_turns(&mut self, acceleration: f64) {
         let pushed = sign(acceleration);
-        self.turns += usize::from(pushed * self.pushed < 0.0);
+        if pushed * self.pushed < 0.0 {
+            self.turns += 1;
+            // What swings again and again takes many steps without being stiff.
+            self.stretch_steps = 0;
+        }
         self.pushed = if pushed == 0.0 { self.pushed } else { pushed };
     }
 

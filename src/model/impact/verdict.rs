@@ -53,12 +53,15 @@ impl Track<'_> {
     /// Whether, and why, the run is over.
     pub(super) fn finished(&mut self) -> Option<EndReason> {
         let at_horizon = self.t_s >= self.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
-        if self.decided_s.is_none() && self.may_have_decided() && self.outcome() != Outcome::Moving
-        {
-            self.farthest = self.farthest();
-            if self.farthest != Farthest::Pending {
-                self.decided_s = Some(self.t_s);
-                self.decided_steps = self.steps;
+        if self.decided_s.is_none() && self.may_have_decided() {
+            let outcome = self.outcome();
+            if outcome != Outcome::Moving {
+                self.farthest = self.farthest();
+                if self.farthest != Farthest::Pending {
+                    self.decided = Some(outcome);
+                    self.decided_s = Some(self.t_s);
+                    self.decided_steps = self.steps;
+                }
             }
         }
         if at_horizon {

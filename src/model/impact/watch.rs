@@ -162,6 +162,9 @@ impl Track<'_> {
         self.clear_m = if x * w < 0.0 {
             // As far on the other side as on this one: then what the spring takes it also gives.
             larger(x.abs(), FINEST * self.plate_scale_m)
+        } else if x == 0.0 && w != 0.0 {
+            // From zero itself there is no other side: as close as the clock sees.
+            larger(CLOCK * self.t_s * w.abs(), FINEST * self.plate_scale_m)
         } else {
             larger(larger(self.near_zero_m(), 2.0 * x.abs()), least)
         };

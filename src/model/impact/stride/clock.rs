@@ -29,17 +29,14 @@ pub(super) struct Clock<'a> {
     pub(super) motion: &'a Motion<'a>,
     /// Where the stride starts.
     pub(super) from: State,
-    /// The way in which the clock runs: the sign of the plate's velocity, or of its acceleration.
+    /// The way in which the clock runs: the sign of its pace.
     pub(super) heading: f64,
 }
 
 impl<'a> Clock<'a> {
     pub(super) fn new(law: Law, motion: &'a Motion<'a>, from: State) -> Self {
-        let heading = sign(match law {
-            Law::Spring => from.plate_m_s,
-            Law::Damper => motion.accelerations(&from).1,
-        });
-        Self { law, motion, from, heading }
+        let clock = Self { law, motion, from, heading: 0.0 };
+        Self { heading: sign(clock.pace()), ..clock }
     }
 
     /// What the clock shows at the start.
@@ -100,13 +97,12 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// How long it takes until the clock has moved by `way`, about, s.
-    pub(super) fn duration_s(&self, way: f64) -> f64 {
-        let pace = match self.law {
+    /// How fast the clock runs at the start, m/s or m/s².
+    pub(super) fn pace(&self) -> f64 {
+        match self.law {
             Law::Spring => self.from.plate_m_s,
             Law::Damper => self.motion.accelerations(&self.from).1,
-        };
-        (way / pace).abs()
+        }
     }
 
     /// How far from zero a stride may begin or end: as far as little of the plate's energy, or of the force that turns it round, is
