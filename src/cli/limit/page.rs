@@ -54,8 +54,8 @@ fn head(page: &mut String, report: &Report) {
             velocity(own)
         );
     }
-    if let Some(caveat) = report.caveat() {
-        let _ = writeln!(page, "caution         {caveat}");
+    if let Some(caution) = report.caution() {
+        let _ = writeln!(page, "caution         {caution}");
     }
     page.push('\n');
 }

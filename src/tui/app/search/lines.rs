@@ -317,6 +317,8 @@ fn compared(entries: &[worth::Entry], cell: usize) -> Vec<Line> {
             (None, _) => "-".to_owned(),
             (Some(value), "m/s") if value > SPEED_MAX_M_S => "none".to_owned(),
             (Some(value), "" | "kg/m2") => significant(value, 4),
+            // Without a prefix: velocities side by side are to be compared.
+            (Some(value), "m/s") => format!("{} m/s", significant(value, 3)),
             (Some(value), unit) => Engineering { value, unit, digits: 3 }.to_string(),
         };
         let cells = entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(entry))));
@@ -359,6 +361,7 @@ fn verdict(report: &worth::Report) -> Vec<Line> {
             lines.push(note(format!("{}: {absence}", entry.candidate.word())));
         }
     }
+    lines.extend(report.caution().map(|text| (Severity::Warning, format!("caution: {text}"))));
     if let Some(kg) = report.spring_kg {
         let kg = significant(1e3 * kg, 4);
         lines.push(note(format!("areal mass in kg/m2; least steel spring {kg} g")));
