@@ -80,7 +80,7 @@ fn battery(quick: bool) -> Result<Vec<Row>, CliError> {
     let cases = stability::battery(quick);
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
-    let clock = Clock { now_s: &now_s, until_s: OTHERS_UNTIL_S };
+    let clock = Clock { now_s: &now_s, until_s: OTHERS_UNTIL_S, stopped: &|| false };
     let next = AtomicUsize::new(0);
     let rows = Mutex::new(Vec::new());
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
@@ -97,7 +97,8 @@ fn battery(quick: bool) -> Result<Vec<Row>, CliError> {
         }
     });
     let found = rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let mut rows = found.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let found = found.into_iter().collect::<Result<Vec<Option<Row>>, _>>()?;
+    let mut rows: Vec<Row> = found.into_iter().flatten().collect();
     rows.sort_by_key(|row| cases.iter().position(|case| case.name == row.case.name));
     Ok(rows)
 }

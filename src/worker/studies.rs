@@ -217,7 +217,7 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
                 ControlFlow::Break(()) => Err("the map was stopped: r draws it again".to_owned()),
             }
         }
-        StudyKind::Battery => battery(&now_s, &mut tell),
+        StudyKind::Battery => battery(&now_s, stop, &mut tell),
         StudyKind::Thesis => Ok(claims(&mut tell)),
         StudyKind::Limit(effort) => ballistic(study, *effort, &mut tell),
         StudyKind::Search(request) => search(study, request, &mut tell),
@@ -241,15 +241,16 @@ struct Battery<'a> {
 }
 
 impl Battery<'_> {
-    /// The next scene that nobody has; false when there is none.
+    /// The next scene that nobody has; false when there is none, or when stopped.
     fn examine_next(&self) -> bool {
         let index = self.next.fetch_add(1, Ordering::Relaxed);
         let Some(case) = self.cases.get(index) else { return false };
         match stability::examine(case, self.clock) {
-            Ok(row) => {
+            Ok(Some(row)) => {
                 self.rows.lock().unwrap_or_else(PoisonError::into_inner).insert(index, row);
                 true
             }
+            Ok(None) => false,
             Err(error) => {
                 let mut failed = self.failed.lock().unwrap_or_else(PoisonError::into_inner);
                 *failed = Some(error.to_string());
@@ -265,22 +266,27 @@ impl Battery<'_> {
     }
 }
 
-fn battery(now_s: &(dyn Fn() -> f64 + Sync), tell: Tell<'_>) -> Result<Finding, String> {
+fn battery(
+    now_s: &(dyn Fn() -> f64 + Sync),
+    asked_to_stop: &AtomicBool,
+    tell: Tell<'_>,
+) -> Result<Finding, String> {
+    let stop = AtomicBool::new(false);
+    let stopped = || stop.load(Ordering::Relaxed) || asked_to_stop.load(Ordering::Relaxed);
     let battery = Battery {
         cases: stability::battery(false),
-        clock: stability::Clock { now_s, until_s: OTHERS_UNTIL_S },
+        clock: stability::Clock { now_s, until_s: OTHERS_UNTIL_S, stopped: &stopped },
         next: AtomicUsize::new(0),
         rows: Mutex::default(),
         failed: Mutex::default(),
     };
     let total = battery.cases.len();
-    let stop = AtomicBool::new(false);
     // This thread and one more; this one alone tells how far they are, and stops both.
     thread::scope(|scope| {
         scope.spawn(|| {
             let mut goes_on = true;
             while goes_on {
-                goes_on = !stop.load(Ordering::Relaxed) && battery.examine_next();
+                goes_on = !stopped() && battery.examine_next();
             }
         });
         loop {
@@ -383,7 +389,7 @@ mod tests {
     fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
         let go_on = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| ControlFlow::Continue(());
         // The other methods are left out: their time is past.
-        let found = battery(&|| 2.0 * OTHERS_UNTIL_S, go_on).unwrap();
+        let found = battery(&|| 2.0 * OTHERS_UNTIL_S, &AtomicBool::new(false), go_on).unwrap();
         let Finding::Battery(rows, true) = found else { panic!("not the whole battery") };
         let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
         let cases: Vec<&str> = stability::battery(false).iter().map(|case| case.name).collect();
@@ -397,9 +403,22 @@ mod tests {
             asked += 1;
             if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = battery(&|| 2.0 * OTHERS_UNTIL_S, stop).unwrap();
+        let found = battery(&|| 2.0 * OTHERS_UNTIL_S, &AtomicBool::new(false), stop).unwrap();
         let Finding::Battery(rows, false) = found else { panic!("the whole battery") };
         assert!(rows.len() >= 3 && rows.len() < stability::battery(false).len());
+    }
+
+    /// Not only between two scenes: one may take seconds.
+    #[test]
+    fn a_battery_is_stopped_within_a_scene() {
+        let mut cases = stability::battery(false).into_iter();
+        let case = cases.find(|case| case.name == "plastic, n 0.22, g 0").unwrap();
+        let asked = AtomicUsize::new(0);
+        // The clock of a scene asks before every step; it has millions.
+        let stopped = || asked.fetch_add(1, Ordering::Relaxed) > 1000;
+        let clock = stability::Clock { now_s: &|| 0.0, until_s: -1.0, stopped: &stopped };
+        assert!(stability::examine(case, clock).unwrap().is_none());
+        assert!(asked.into_inner() < 2000);
     }
 
     #[test]

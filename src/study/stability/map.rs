@@ -228,8 +228,8 @@ struct Target {
 impl Target {
     fn of(scene: &Scene) -> Option<Self> {
         let scene = Arc::new(scene.clone());
-        let peaks = Peaks::of(&scene).ok()?;
-        let run = super::bare(&scene, false).ok()?;
+        let run = super::bare(&scene, false, &mut |_| ControlFlow::Continue(())).ok()?;
+        let peaks = Peaks::of(&scene, &run).ok()?;
         Some(Self { peaks, contact: Contact::of(&run)? })
     }
 }
