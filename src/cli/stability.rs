@@ -8,9 +8,9 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
 use crate::files::stability as values;
 use crate::study::stability::map::{self, Axis, Method};
 use crate::study::stability::{self, Clock, Row};
@@ -33,7 +33,7 @@ pub(super) struct StabilityArguments {
     #[command(flatten)]
     rows: TableArguments,
     /// Map where a fixed-step method is stable on SCENE, over its step and this variable
-    #[arg(long, value_enum, value_name = "k|n|b", conflicts_with = "csv")]
+    #[arg(long, value_enum, value_name = "k|n|b")]
     map: Option<MapAxis>,
     /// The method of the map
     #[arg(long, value_enum, default_value = "thesis", requires = "map")]
@@ -123,8 +123,8 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     let ControlFlow::Continue(map) = map::map(&preset.scene, (method, axis), cells, go_on) else {
         return Ok(ExitCode::FAILURE);
     };
-    let text =
-        if arguments.rows.json { values::map_json(&map) } else { table::map(&map, &preset.name) };
-    output::print(&text)?;
+    let name = preset.name.as_str();
+    let (page, object) = (|| table::map(&map, name), || values::map_json(name, &map));
+    arguments.rows.deliver_text(page, object, || values::map_rows(name, &map).csv())?;
     Ok(ExitCode::SUCCESS)
 }
