@@ -1,5 +1,8 @@
 //! The Search tab: asking, stepping through designs, editing what is looked for, opening a design.
 
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
@@ -7,6 +10,7 @@ use tui_input::Input;
 
 use super::{edit, input, jobs, table};
 use crate::study::search::measure::{self, measure, parse_value};
+use crate::study::search::seek::SCAN;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Table, wrap};
 use crate::tui::app::layout::Body;
@@ -278,15 +282,21 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
     let scene = Arc::clone(&app.scene);
     let bounds = app.search_bounds();
     let setup = &mut app.searching.setup;
-    let count = |text: &str, (least, most): (usize, usize)| {
-        let value = text.parse::<usize>().ok().filter(|value| (least..=most).contains(value));
-        value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
-    };
     let name =
         |text: &str| measure(text).map(|column| column.name).map_err(|error| error.to_string());
     match row {
         Row::Name => setup.seek = bound(&scene, text)?,
         Row::From | Row::To => {
+/// A whole number in a range.
+fn count<T: FromStr + PartialOrd + Display>(
+    text: &str,
+    allowed: &RangeInclusive<T>,
+) -> Result<T, String> {
+    let value = text.parse().ok().filter(|value| allowed.contains(value));
+    let (least, most) = (allowed.start(), allowed.end());
+    value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
+}
+
             let (low, high) = setup.seek.ends;
             let shown = crate::model::units::shortest;
             let log = if setup.seek.log { ":log" } else { "" };
@@ -297,7 +307,7 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
             };
             setup.seek = read_bound(&setup.seek, &range)?;
         }
-        Row::Points => setup.points = count(text, (3, 100_000))? as u64,
+        Row::Points => setup.points = count(text, &SCAN)?,
         Row::Result => setup.goal.0 = name(text)?,
         Row::Goal => {
             let column = measure(setup.goal.0).map_err(|error| error.to_string())?;
@@ -319,13 +329,13 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
             setup.stroke_m = Some(value);
         }
         Row::Population => {
-            let value = count(text, (8, 2000))?;
+            let value = count(text, &(8..=2000))?;
             if value % 2 == 1 {
                 return Err(format!("`{text}` must be even"));
             }
             setup.effort.0 = value;
         }
-        Row::Generations => setup.effort.1 = count(text, (1, 100_000))?,
+        Row::Generations => setup.effort.1 = count(text, &(1..=100_000))?,
         Row::Output => setup.output = name(text)?,
         Row::Percent => {
             let value = text.trim_end_matches('%').trim().parse::<f64>().ok();
@@ -333,7 +343,7 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
                 .filter(|value| *value > 0.0 && *value <= 100.0)
                 .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
         }
-        Row::Samples => setup.samples = count(text, (2, 1_000_000))?,
+        Row::Samples => setup.samples = count(text, &(2..=1_000_000))?,
         Row::Page | Row::Heading(_) | Row::Spacing | Row::Objective(_) | Row::Across | Row::Up => {}
     }
     Ok(())
