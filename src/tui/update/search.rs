@@ -61,9 +61,8 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     match action {
         Action::Run => return look(app),
         Action::Export => table::open(app, Table::Search),
-        Action::FocusNext | Action::FocusPrevious => {
-            app.searching.on_setup = !app.searching.on_setup;
-        }
+        Action::FocusNext => focus(app, true),
+        Action::FocusPrevious => focus(app, false),
         Action::SearchNext => return turn(app, 1),
         Action::StepUp => return step(app, 1),
         Action::StepDown => return step(app, -1),
@@ -87,12 +86,26 @@ fn turn(app: &mut App, by: isize) -> Vec<Effect> {
     if app.searching.shown().is_some() { Vec::new() } else { look(app) }
 }
 
+/// From what was found to the setup and back: in a circle, by way of the words where these have no room below the chart.
+fn focus(app: &mut App, forward: bool) {
+    let crowded = app.search_is_crowded();
+    let tab = &mut app.searching;
+    if tab.on_setup {
+        (tab.on_setup, tab.in_words) = (false, !forward);
+    } else if crowded && tab.in_words != forward {
+        tab.in_words = forward;
+    } else {
+        tab.on_setup = true;
+    }
+}
+
 fn walk(app: &mut App, by: isize) {
     let (at, last) = match (app.searching.choices(), app.layout().body) {
         (0, Body::Search(_, area)) => {
             let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
             let below = app.searching.words_height(area.height, lines);
-            (app.searching.scrolled(), lines.saturating_sub(usize::from(below.saturating_sub(2))))
+            let hidden = lines.saturating_sub(usize::from(below.saturating_sub(2)));
+            (app.searching.scrolled(), if below == 0 { 0 } else { hidden })
         }
         (choices, _) => (app.searching.selected(), choices.saturating_sub(1)),
     };
@@ -278,15 +291,6 @@ fn commit(app: &mut App, then: isize) {
     }
 }
 
-fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
-    let scene = Arc::clone(&app.scene);
-    let bounds = app.search_bounds();
-    let setup = &mut app.searching.setup;
-    let name =
-        |text: &str| measure(text).map(|column| column.name).map_err(|error| error.to_string());
-    match row {
-        Row::Name => setup.seek = bound(&scene, text)?,
-        Row::From | Row::To => {
 /// A whole number in a range.
 fn count<T: FromStr + PartialOrd + Display>(
     text: &str,
@@ -297,6 +301,15 @@ fn count<T: FromStr + PartialOrd + Display>(
     value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
 }
 
+fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
+    let scene = Arc::clone(&app.scene);
+    let bounds = app.search_bounds();
+    let setup = &mut app.searching.setup;
+    let name =
+        |text: &str| measure(text).map(|column| column.name).map_err(|error| error.to_string());
+    match row {
+        Row::Name => setup.seek = bound(&scene, text)?,
+        Row::From | Row::To => {
             let (low, high) = setup.seek.ends;
             let shown = crate::model::units::shortest;
             let log = if setup.seek.log { ":log" } else { "" };
