@@ -293,10 +293,12 @@ impl App {
                     results.join(", ")
                 ))
             }
-            (
-                Answer::Front(_) | Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Worth(_),
-                _,
-            ) => Some("v: the next search; z: this pane alone; r computes again".to_owned()),
+            (Answer::Sensitivity(_), _) => {
+                Some("+-: 95 % confidence; v: the next search; r: again".to_owned())
+            }
+            (Answer::Front(_) | Answer::Scatter(_) | Answer::Worth(_), _) => {
+                Some("v: the next search; z: this pane alone; r computes again".to_owned())
+            }
         }
     }
 
