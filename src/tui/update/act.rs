@@ -180,7 +180,7 @@ pub(super) fn entered(app: &mut App) -> Vec<Effect> {
 /// The next pane of the Run tab; the other tabs that come here have one.
 fn focus(app: &mut App, action: Action) {
     if app.tab != Tab::Run {
-        app.say(Severity::Note, "this tab has one pane; } and { go to the next tab and back");
+        app.say(Severity::Note, "this tab has one pane; } and { change tabs");
         return;
     }
     let forward = action == Action::FocusNext;
