@@ -200,6 +200,18 @@ fn bad_sweeps_are_refused_before_anything_runs() {
 }
 
 #[test]
+fn a_value_for_what_is_swept_is_said_to_have_no_effect() {
+    let place = tempfile::tempdir().unwrap();
+    let done = sweep(place.path(), "figure-9.2 --set b=20 --set gamma=3 --csv -");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(done.err.contains("--set gamma=3 has no effect"), "{}", done.err);
+    assert!(!done.err.contains("b=20"), "{}", done.err);
+    // Nothing is cocked: the plate starts at 0, not at -0.
+    let done = sweep(place.path(), "--over x_stop=-1..1:3 --csv -");
+    assert!(done.err.contains("it must be 0 m or more"), "{}", done.err);
+}
+
+#[test]
 fn an_existing_file_is_left_alone_unless_forced() {
     let place = tempfile::tempdir().unwrap();
     let path = place.path().join("x.csv");
