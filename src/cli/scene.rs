@@ -40,6 +40,13 @@ impl SceneArguments {
         change(&mut preset.scene, &self.set)?;
         Ok(preset)
     }
+
+    /// The first `--set` of a variable that is chosen by its key.
+    pub(super) fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
+        let variable = |argument: &str| variables::find(argument.split('=').next()?.trim()).ok();
+        let mut set = self.set.iter().map(String::as_str);
+        set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
+    }
 }
 
 /// Make every change of `--set`, in order.

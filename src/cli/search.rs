@@ -14,8 +14,8 @@ use crate::cli::{CliError, output};
 use crate::model::scene::Scene;
 use crate::study::search::field::Field;
 use crate::study::sensitivity::thesis_axes;
-use crate::study::sweep::Axis;
 use crate::study::sweep::crew::Crew;
+use crate::study::sweep::{Axis, COUNTS};
 
 /// How long a search may take before progress is shown, and how often then.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -79,7 +79,7 @@ pub(super) fn threads(asked: Option<u16>) -> usize {
 /// Variables and their bounds; without any those of Table 9.2.
 pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliError> {
     if !texts.is_empty() {
-        return texts.iter().map(|text| over(text, false)).collect();
+        return texts.iter().map(|text| over(text, Some(*COUNTS.start()), &COUNTS)).collect();
     }
     let axes = thesis_axes(scene)?;
     if axes.is_empty() {

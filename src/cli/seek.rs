@@ -15,7 +15,6 @@ use crate::files::seek as files;
 use crate::study::search::field::Field;
 use crate::study::search::measure::{measure, parse_value};
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek};
-use crate::study::sweep::Axis;
 
 #[derive(Debug, Args)]
 #[command(
@@ -53,17 +52,7 @@ impl SeekArguments {
         })?;
         let column = measure(name)?;
         let target = parse_value(column, value).map_err(|why| refuse(&why))?;
-        let asked = over(&self.over, false)?;
-        // Without a COUNT the axis has the two ends alone.
-        let has_count = self.over.split(':').skip(1).any(|part| part.trim().parse::<u64>().is_ok());
-        let count = if has_count { asked.count() } else { SCAN_USUAL };
-        if !(SCAN.0..=SCAN.1).contains(&count) {
-            return Err(CliError::Option(format!(
-                "--over {}: COUNT = {count} is outside {} to {}: a scan of {SCAN_USUAL} points is usual",
-                self.over, SCAN.0, SCAN.1
-            )));
-        }
-        let axis = Axis::new(asked.symbol(), asked.ends(), count, asked.spacing())?;
+        let axis = over(&self.over, Some(SCAN_USUAL), &SCAN)?;
         let (measure, threads) = (column.name.to_owned(), threads(self.threads));
         Ok(Goal { axis, measure, target, threads })
     }

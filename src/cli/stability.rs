@@ -8,9 +8,9 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::CliError;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
 use crate::files::stability as values;
 use crate::study::stability::map::{self, Axis, Method};
 use crate::study::stability::{self, Clock, Row};
@@ -33,7 +33,7 @@ pub(super) struct StabilityArguments {
     #[command(flatten)]
     rows: TableArguments,
     /// Map where a fixed-step method is stable on SCENE, over its step and this variable
-    #[arg(long, value_enum, value_name = "k|n|b", conflicts_with = "csv")]
+    #[arg(long, value_enum, value_name = "k|n|b")]
     map: Option<MapAxis>,
     /// The method of the map
     #[arg(long, value_enum, default_value = "thesis", requires = "map")]
@@ -80,7 +80,7 @@ fn battery(quick: bool) -> Result<Vec<Row>, CliError> {
     let cases = stability::battery(quick);
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
-    let clock = Clock { now_s: &now_s, until_s: OTHERS_UNTIL_S };
+    let clock = Clock { now_s: &now_s, until_s: OTHERS_UNTIL_S, stopped: &|| false };
     let next = AtomicUsize::new(0);
     let rows = Mutex::new(Vec::new());
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
@@ -97,7 +97,8 @@ fn battery(quick: bool) -> Result<Vec<Row>, CliError> {
         }
     });
     let found = rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let mut rows = found.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let found = found.into_iter().collect::<Result<Vec<Option<Row>>, _>>()?;
+    let mut rows: Vec<Row> = found.into_iter().flatten().collect();
     rows.sort_by_key(|row| cases.iter().position(|case| case.name == row.case.name));
     Ok(rows)
 }
@@ -122,8 +123,8 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     let ControlFlow::Continue(map) = map::map(&preset.scene, (method, axis), cells, go_on) else {
         return Ok(ExitCode::FAILURE);
     };
-    let text =
-        if arguments.rows.json { values::map_json(&map) } else { table::map(&map, &preset.name) };
-    output::print(&text)?;
+    let name = preset.name.as_str();
+    let (page, object) = (|| table::map(&map, name), || values::map_json(name, &map));
+    arguments.rows.deliver_text(page, object, || values::map_rows(name, &map).csv())?;
     Ok(ExitCode::SUCCESS)
 }

@@ -95,6 +95,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     };
     let (plan, all) = axes::plan(&preset.scene, &preset.name, &asked)?;
     let shard = Shard::parse(&arguments.shard)?;
+    let is_swept = |key: &str| plan.axes().iter().any(|axis| axis.variable().key == key);
+    if let Some(set) = arguments.scene.set_of(is_swept) {
+        output::note(&format!("--set {set} has no effect: the sweep varies it"));
+    }
     let mut crew = Crew::of_machine();
     if let Some(threads) = arguments.threads {
         crew.threads = threads.get();

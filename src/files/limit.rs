@@ -76,6 +76,7 @@ pub fn json(name: &str, report: &Report) -> String {
     put("stopped_again_at_m_s", number(stopped));
     put("impact_velocity_m_s", number(Some(report.scene.projectile.velocity_m_s)));
     put("margin", number(report.margin()));
+    put("caution", report.caution().map_or(Value::Null, Value::from));
     put("recht_ipson", recht_ipson.unwrap_or(Value::Null));
     put("lambert_jonas", lambert_jonas.unwrap_or(Value::Null));
     put("scatter", scatter.unwrap_or(Value::Null));

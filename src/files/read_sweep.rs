@@ -9,9 +9,7 @@ use crate::model::results;
 use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Kind, Number};
-
-/// More points than this along one axis are a mistake.
-const COUNT_MAX: usize = 100_000;
+use crate::study::sweep::COUNTS;
 
 const AXIS_EXAMPLE: &str = r#"{ name = "gamma", from = 0.8, to = 7.0, count = 101 }"#;
 const AXIS_KEYS: [&str; 5] = ["name", "from", "to", "count", "log"];
@@ -207,14 +205,17 @@ fn count(
         return None;
     };
     let whole = match value.get_ref() {
-        DeValue::Integer(integer) => usize::from_str_radix(integer.as_str(), integer.radix()).ok(),
+        DeValue::Integer(integer) => u64::from_str_radix(integer.as_str(), integer.radix()).ok(),
         _ => None,
     };
-    let found = whole.filter(|count| (2..=COUNT_MAX).contains(count));
+    let allowed = whole.filter(|count| COUNTS.contains(count));
+    let found = allowed.and_then(|count| usize::try_from(count).ok());
     if found.is_none() {
         let text = format!(
-            "sweep.axes: count = {} of {name} must be a whole number from 2 to {COUNT_MAX}",
-            reader.shown(value)
+            "sweep.axes: count = {} of {name} must be a whole number from {} to {}",
+            reader.shown(value),
+            COUNTS.start(),
+            COUNTS.end()
         );
         reader.problem(value.span(), text);
     }

@@ -3,13 +3,10 @@
 use serde_json::{Value, json};
 
 use crate::files::error::FileError;
+use crate::files::rows::{Rows, number};
 use crate::study::stability::Row;
 use crate::study::stability::map::Map;
 use crate::study::stability::others::Other;
-
-fn finite(value: Option<f64>) -> Value {
-    value.and_then(serde_json::Number::from_f64).map_or(Value::Null, Value::Number)
-}
 
 /// Names and values of a row.
 fn entries(row: &Row) -> Vec<(String, Value)> {
@@ -20,20 +17,20 @@ fn entries(row: &Row) -> Vec<(String, Value)> {
         pair("changes", row.case.changes.into()),
         pair("outcome", run.outcome.word().into()),
         pair("end", run.end.words().into()),
-        pair("energy_residual", finite(Some(run.ledger.residual()))),
-        pair("error", finite(row.error)),
+        pair("energy_residual", number(Some(run.ledger.residual()))),
+        pair("error", number(row.error)),
         pair("reference", row.basis.words().into()),
         pair("method", run.cost.method.into()),
         pair("steps", run.cost.steps.into()),
         pair("rejected", run.cost.rejected.into()),
-        pair("run_time_s", finite(Some(row.took_s))),
-        pair("stiffness", finite(Some(row.stiffness.largest()))),
-        pair("swings_rad", finite(Some(row.stiffness.swings_rad))),
-        pair("decays", finite(Some(row.stiffness.decays))),
+        pair("run_time_s", number(Some(row.took_s))),
+        pair("stiffness", number(Some(row.stiffness.largest()))),
+        pair("swings_rad", number(Some(row.stiffness.swings_rad))),
+        pair("decays", number(Some(row.stiffness.decays))),
     ];
     for (other, verdict) in Other::ALL.iter().zip(row.others) {
         list.push((other.key().to_owned(), verdict.word().into()));
-        list.push((format!("{}_error", other.key()), finite(verdict.error())));
+        list.push((format!("{}_error", other.key()), number(verdict.error())));
     }
     let shortfall = row.shortfall.map_or(Value::Null, |shortfall| shortfall.words().into());
     list.push(pair("shortfall", shortfall));
@@ -70,20 +67,42 @@ pub fn json(rows: &[Row]) -> String {
     serde_json::to_string_pretty(&value).unwrap_or_default() + "\n"
 }
 
+/// The map, one row a cell: the greatest step of stability stands beside each, empty where nothing limits it.
+pub fn map_rows(scene: &str, map: &Map) -> Rows {
+    let row = |row: usize, column: usize| {
+        vec![
+            Value::from(scene),
+            Value::from(map.method.name()),
+            Value::from(map.axis.symbol()),
+            number(Some(map.values[row])),
+            number(Some(map.dt_s[column])),
+            Value::from(map.cell(row, column).word()),
+            number(map.limit_s[row]),
+        ]
+    };
+    let columns = 0..map.dt_s.len();
+    let rows = (0..map.values.len()).flat_map(|at| columns.clone().map(move |other| (at, other)));
+    Rows {
+        columns: vec!["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s"],
+        rows: rows.map(|(at, other)| row(at, other)).collect(),
+    }
+}
+
 /// The map; its cells as letters, row by row.
-pub fn map_json(map: &Map) -> String {
+pub fn map_json(scene: &str, map: &Map) -> String {
     let rows: Vec<String> = (0..map.values.len())
         .map(|row| (0..map.dt_s.len()).map(|column| map.cell(row, column).letter()).collect())
         .collect();
     let value = json!({
+        "scene": scene,
         "method": map.method.name(),
         "variable": map.axis.symbol(),
         "dt_s": map.dt_s,
         "values": map.values,
         "cells": rows,
-        "limit_dt_s": map.limit_s.iter().map(|limit| finite(*limit)).collect::<Vec<_>>(),
+        "limit_dt_s": map.limit_s.iter().map(|limit| number(*limit)).collect::<Vec<_>>(),
         "present": { "value": map.present.0, "dt_s": map.present.1 },
-        "largest_stable_dt_s": finite(map.largest_stable_dt_s),
+        "largest_stable_dt_s": number(map.largest_stable_dt_s),
     });
     serde_json::to_string_pretty(&value).unwrap_or_default() + "\n"
 }

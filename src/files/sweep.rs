@@ -194,9 +194,6 @@ impl<'p> Sheet<'p> {
         let outputs: Vec<String> =
             self.plan.outputs().iter().map(|output| quoted(output.name)).collect();
         let _ = writeln!(text, "  \"outputs\": [{}],", outputs.join(", "));
-        let outputs: Vec<String> =
-            self.plan.outputs().iter().map(|output| quoted(output.name)).collect();
-        let _ = writeln!(text, "  \"outputs\": [{}],", outputs.join(", "));
         let _ = writeln!(text, "  \"version\": {},", quoted(env!("CARGO_PKG_VERSION")));
         text + "  \"rows\": [\n"
     }

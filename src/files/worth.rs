@@ -41,6 +41,7 @@ pub fn json(name: &str, report: &Report) -> String {
         "spring_mass_kg": number(report.spring_kg),
         "mount_mass_kg": number(Some(report.mount_kg)),
         "penetration_over_solid": number(report.depth_over_solid()),
+        "caution": report.caution().map_or(Value::Null, Value::from),
         "candidates": candidates.collect::<Map<_, _>>(),
     });
     // Keys are strings and every number is finite, so nothing can be refused.

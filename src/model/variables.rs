@@ -466,7 +466,8 @@ pub fn validate(scene: &Scene) -> Result<(), VariableError> {
         }
     }
     if let Some(position) = scene.mechanism.stop.position_m {
-        let start = -scene.plate.cocking_m;
+        // Not `-d`, which is written as -0 where nothing is cocked.
+        let start = 0.0 - scene.plate.cocking_m;
         if position < start {
             return Err(VariableError::Together(format!(
                 "x_stop (mechanism.stop.position_m) = {} m lies behind the plate's start at -d = {} m: it must be {} m or \

@@ -99,6 +99,19 @@ impl Limit {
             Self::Unknown => Some("stopped before the limit was found".to_owned()),
         }
     }
+
+    /// What measurements say against this limit of a scene: an oblique one comes out low. `None` along the plate's normal, or
+    /// without a limit.
+    pub fn caution(self, scene: &Scene) -> Option<String> {
+        let is_oblique = scene.projectile.obliquity_deg > 0.0;
+        self.velocity_m_s().filter(|_| is_oblique)?;
+        let known: Vec<String> = OBLIQUE_SHORTFALL
+            .iter()
+            .map(|(degrees, percent)| format!("{percent} % at {degrees} deg"))
+            .collect();
+        let known = known.join(", ");
+        Some(format!("oblique limits come out below measured ones: {known} (cmra validate)"))
+    }
 }
 
 /// One shot of the residual-velocity curve.
@@ -145,16 +158,9 @@ impl Report {
         Some(velocity / self.scene.projectile.velocity_m_s - 1.0)
     }
 
-    /// What measurements say against the limit: an oblique one comes out low. `None` along the plate's normal.
-    pub fn caveat(&self) -> Option<String> {
-        let is_oblique = self.scene.projectile.obliquity_deg > 0.0;
-        self.limit.velocity_m_s().filter(|_| is_oblique)?;
-        let known: Vec<String> = OBLIQUE_SHORTFALL
-            .iter()
-            .map(|(degrees, percent)| format!("{percent} % at {degrees} deg"))
-            .collect();
-        let known = known.join(", ");
-        Some(format!("oblique limits come out below measured ones: {known} (cmra validate)"))
+    /// What is to be said against the limit; see [`Limit::caution`].
+    pub fn caution(&self) -> Option<String> {
+        self.limit.caution(&self.scene)
     }
 }
 

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::contact_phase::Ending;
-use crate::model::impact::{Settings, simulate};
+use crate::model::impact::{Observer, Settings, simulate};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EndReason, Mode, Outcome, Run};
 use crate::model::scene::Scene;
@@ -125,6 +125,14 @@ pub struct Clock<'a> {
     pub now_s: &'a (dyn Fn() -> f64 + Sync),
     /// After this no other method is started, s.
     pub until_s: f64,
+    /// Whether to stop, asked before every step of a run.
+    pub stopped: &'a (dyn Fn() -> bool + Sync),
+}
+
+impl Clock<'_> {
+    fn watch(self) -> ControlFlow<()> {
+        if (self.stopped)() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
 }
 
 /// The cases of a battery; the quick one has every fifth.
@@ -132,39 +140,43 @@ pub fn battery(quick: bool) -> Vec<&'static Case> {
     cases::CASES.iter().step_by(if quick { 5 } else { 1 }).collect()
 }
 
-/// Run one scene of the battery.
+/// Run one scene of the battery; `None` when stopped.
 ///
 /// # Errors
 /// A [`crate::model::variables::VariableError`] when the case is not a scene, which a test rules out.
 pub fn examine(
     case: &'static Case,
     clock: Clock<'_>,
-) -> Result<Row, crate::model::variables::VariableError> {
+) -> Result<Option<Row>, crate::model::variables::VariableError> {
     let scene = case.scene()?;
     let start_s = (clock.now_s)();
-    let run = bare(&scene, false)?;
+    let run = bare(&scene, false, &mut |_| clock.watch())?;
     let took_s = (clock.now_s)() - start_s;
-    let (reference, contact) = reference(case, &scene, &run);
+    let (reference, contact) = reference(case, &scene, &run, clock);
     let error = reference.and_then(|(value, _)| {
         let found = measure(&run)?;
         Some((found / value - 1.0).abs())
     });
     let basis = reference.filter(|_| error.is_some()).map_or(Basis::None, |(_, basis)| basis);
     let others = Other::ALL.map(|other| {
-        if (clock.now_s)() > clock.until_s {
+        if (clock.now_s)() > clock.until_s || (clock.stopped)() {
             Verdict::CutOff
         } else {
             others::judge(other, &scene, contact)
         }
     });
-    let stiffness = stiffness(&scene);
+    let stiffness = stiffness(&scene, &run);
     let shortfall = shortfall(&run, error);
-    Ok(Row { case, run, took_s, error, basis, stiffness, others, shortfall })
+    let row = Row { case, run, took_s, error, basis, stiffness, others, shortfall };
+    Ok((!(clock.stopped)()).then_some(row))
 }
 
-fn bare(scene: &Arc<Scene>, estimate: bool) -> Result<Run, crate::model::variables::VariableError> {
-    let settings = Settings { series: false, estimate };
-    simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
+fn bare(
+    scene: &Arc<Scene>,
+    estimate: bool,
+    observer: Observer<'_>,
+) -> Result<Run, crate::model::variables::VariableError> {
+    simulate(scene, &Settings { series: false, estimate }, observer)
 }
 
 /// Final depth, or exit time; nothing while undecided.
@@ -181,6 +193,7 @@ fn reference(
     case: &Case,
     scene: &Arc<Scene>,
     run: &Run,
+    clock: Clock<'_>,
 ) -> (Option<(f64, Basis)>, Option<Contact>) {
     let explicit = Contact::by_dop853(scene, REFERENCE_TOLERANCE, REFERENCE_STEPS_MAX).ok();
     let contact_decides = run.outcome == Outcome::Perforated && run.first_arrest.is_none()
@@ -196,17 +209,21 @@ fn reference(
         let value = if ends_alike { contact.value } else { f64::NAN };
         return (Some((value, Basis::Dop853)), explicit);
     }
-    let tighter = tighter(scene);
+    // Of a run that is still moving nothing is measured: the contact alone is compared.
+    if run.outcome == Outcome::Moving && explicit.is_some() {
+        return (None, explicit);
+    }
+    let tighter = tighter(scene, clock);
     let contact = explicit.or_else(|| tighter.as_ref().and_then(Contact::of));
     let value = tighter.filter(|tight| tight.outcome == run.outcome);
     (value.and_then(|tight| measure(&tight)).map(|value| (value, Basis::Tighter)), contact)
 }
 
 /// The engine at a far tighter tolerance, where its check by another order agrees.
-fn tighter(scene: &Arc<Scene>) -> Option<Run> {
+fn tighter(scene: &Arc<Scene>, clock: Clock<'_>) -> Option<Run> {
     let mut own = Scene::clone(scene);
     own.run.tolerance = TIGHTER_TOLERANCE;
-    let run = bare(&Arc::new(own), true).ok()?;
+    let run = bare(&Arc::new(own), true, &mut |_| clock.watch()).ok()?;
     let agrees = run.error_estimate.is_some_and(|estimate| estimate.relative < 0.1 * ERROR_MAX);
     (run.end.is_complete() && agrees).then_some(run)
 }
@@ -234,9 +251,9 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
 }
 
 /// The largest rates of spring and damper within the contact times its duration.
-fn stiffness(scene: &Arc<Scene>) -> Stiffness {
+fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
     let mut peaks = Peaks::default();
-    if let Ok(found) = Peaks::of(scene) {
+    if let Ok(found) = Peaks::of(scene, run) {
         peaks = found;
     }
     Stiffness {
@@ -245,7 +262,7 @@ fn stiffness(scene: &Arc<Scene>) -> Stiffness {
     }
 }
 
-/// What the contact reaches at the most, from a run with its series.
+/// What the contact reaches at the most.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 struct Peaks {
     contact_s: f64,
@@ -259,12 +276,15 @@ struct Peaks {
 }
 
 impl Peaks {
-    fn of(scene: &Arc<Scene>) -> Result<Self, EndReason> {
+    /// Of a scene that has been run: its contact is run again, with its series and no farther.
+    fn of(scene: &Arc<Scene>, run: &Run) -> Result<Self, EndReason> {
+        let arrest_s = run.first_arrest.map(|arrest| arrest.t_s);
+        let contact_s = arrest_s.or(run.exit_time_s).ok_or(run.end)?;
         let settings = Settings { series: true, estimate: false };
-        let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
-            .map_err(|_invalid| EndReason::NonFinite)?;
-        let contact_s =
-            run.first_arrest.map(|arrest| arrest.t_s).or(run.exit_time_s).ok_or(run.end)?;
+        let watch = &mut |t_s| {
+            if t_s > contact_s { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let run = simulate(scene, &settings, watch).map_err(|_invalid| EndReason::NonFinite)?;
         let mechanism = Mechanism::of(scene);
         let mass_kg = moving_plate_kg(scene);
         let rows: Vec<_> = run

@@ -23,7 +23,7 @@ use crate::model::results::{self, RESULTS, ResultColumn};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables;
-pub use axis::{Axis, Spacing};
+pub use axis::{Axis, COUNTS, Spacing};
 pub use design::Design;
 pub(in crate::study) use design::sequence;
 pub use error::SweepError;
@@ -144,7 +144,8 @@ impl Plan {
     /// As [`Plan::new`]; [`SweepError::NoAxis`] where the scene has none.
     pub fn of(scene: &Scene) -> Result<Self, SweepError> {
         let sweep = scene.sweep.as_ref().ok_or(SweepError::NoAxis)?;
-        let axes = sweep.axes.iter().map(Axis::of).collect::<Result<_, _>>()?;
+        let axes =
+            sweep.axes.iter().map(|axis| Axis::of(axis, &COUNTS)).collect::<Result<_, _>>()?;
         Self::new(scene, axes, Design::Factorial, &sweep.outputs)
     }
 
@@ -256,29 +257,26 @@ pub fn output(name: &str) -> Result<&'static ResultColumn, SweepError> {
 }
 
 fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {
-    let most = POINTS_MAX as f64;
     match design {
         Design::Factorial => {
             let product = axes.iter().try_fold(1u64, |all, axis| all.checked_mul(axis.count()));
             product.filter(|points| *points <= POINTS_MAX).ok_or_else(|| {
                 let all: f64 = axes.iter().map(|axis| axis.count() as f64).product();
+                let most = POINTS_MAX as f64;
                 SweepError::TooManyPoints { points: format!("{all:.1e}"), most }
             })
         }
         Design::LatinHypercube { points, .. } | Design::Sobol { points, .. } => {
-            let limit = match design {
+            let most = match design {
                 // The sequence repeats itself after that.
                 Design::Sobol { .. } => 1 << 32,
                 Design::LatinHypercube { .. } | Design::Factorial => POINTS_MAX,
             };
-            if points < 2 {
-                return Err(SweepError::Points { points });
+            if (2..=most).contains(&points) {
+                Ok(points)
+            } else {
+                Err(SweepError::Points { points, most })
             }
-            if points > limit {
-                let points = units::shortest(points as f64);
-                return Err(SweepError::TooManyPoints { points, most: limit as f64 });
-            }
-            Ok(points)
         }
     }
 }

@@ -150,6 +150,11 @@ impl Report {
     pub fn depth_over_solid(&self) -> Option<f64> {
         Some(self.of(Candidate::Scene)?.depth_m? / self.of(Candidate::Solid)?.depth_m?)
     }
+
+    /// What is to be said against the limits, and so against the mass efficiency; see [`Limit::caution`].
+    pub fn caution(&self) -> Option<String> {
+        self.entries.iter().find_map(|entry| entry.limit.caution(&entry.scene))
+    }
 }
 
 /// Asked now and then with candidates done and how many there are; `Break` stops, and keeps what there is.

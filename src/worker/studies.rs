@@ -1,7 +1,7 @@
-//! The thread for studies: work of seconds that must not hold up the run of an edited scene.
+//! The threads for studies: work of seconds that must not hold up the run of an edited scene.
 //!
-//! One study at a time, in the order asked for; a newer one of the same kind replaces an older one. Parts are shown as they grow, at most twice a second. A panic is contained.
-//! Every study submitted gets exactly one last report.
+//! On each thread one study at a time, in the order asked for; a newer one of the same kind replaces an older one. Parts are
+//! shown as they grow, at most twice a second. A panic is contained. Every study submitted gets exactly one last report.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -71,6 +71,14 @@ impl StudyKind {
             Self::Search(_) => 5,
         }
     }
+
+    /// The thread it is made on: half a minute of measurements or of stiff scenes must not keep waiting who asks for a limit.
+    fn lane(&self) -> usize {
+        match self {
+            Self::Accuracy(_) | Self::Battery | Self::Thesis => 0,
+            Self::Map(..) | Self::Limit(_) | Self::Search(_) => 1,
+        }
+    }
 }
 
 /// What a study found.
@@ -120,21 +128,26 @@ pub enum StudyBody {
 /// A study with its flag to stop it.
 type Asked = (Study, Arc<AtomicBool>);
 
-/// The thread's owner. The thread ends when this is dropped.
+/// The threads' owner. They end when this is dropped.
 pub struct Studies {
-    ask: Sender<Asked>,
+    /// By lane.
+    ask: [Sender<Asked>; 2],
     newest: Mutex<[Option<Arc<AtomicBool>>; StudyKind::COUNT]>,
 }
 
 impl Studies {
-    /// Start the thread; `sink` is given every report.
+    /// Start the threads; `sink` is given every report.
     ///
     /// # Errors
     /// When the system has no thread to give.
-    pub fn spawn(sink: impl Fn(StudyReport) + Send + 'static) -> std::io::Result<Self> {
-        let (ask, asked) = mpsc::channel();
-        thread::Builder::new().name("studies".to_owned()).spawn(move || serve(&asked, &sink))?;
-        Ok(Self { ask, newest: Mutex::default() })
+    pub fn spawn(sink: impl Fn(StudyReport) + Clone + Send + 'static) -> std::io::Result<Self> {
+        let start = |name: &str| {
+            let (ask, asked) = mpsc::channel();
+            let sink = sink.clone();
+            let thread = thread::Builder::new().name(name.to_owned());
+            thread.spawn(move || serve(&asked, &sink)).map(|_| ask)
+        };
+        Ok(Self { ask: [start("studies")?, start("searches")?], newest: Mutex::default() })
     }
 
     /// Make a study; the one of its kind before it is stopped.
@@ -144,7 +157,7 @@ impl Studies {
         if let Some(before) = before {
             before.store(true, Ordering::Relaxed);
         }
-        if self.ask.send((study, stop)).is_err() {
+        if self.ask[study.kind.lane()].send((study, stop)).is_err() {
             log::error!("the thread for studies has ended");
         }
     }
@@ -217,7 +230,7 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
                 ControlFlow::Break(()) => Err("the map was stopped: r draws it again".to_owned()),
             }
         }
-        StudyKind::Battery => battery(&now_s, &mut tell),
+        StudyKind::Battery => battery(&now_s, stop, &mut tell),
         StudyKind::Thesis => Ok(claims(&mut tell)),
         StudyKind::Limit(effort) => ballistic(study, *effort, &mut tell),
         StudyKind::Search(request) => search(study, request, &mut tell),
@@ -241,15 +254,16 @@ struct Battery<'a> {
 }
 
 impl Battery<'_> {
-    /// The next scene that nobody has; false when there is none.
+    /// The next scene that nobody has; false when there is none, or when stopped.
     fn examine_next(&self) -> bool {
         let index = self.next.fetch_add(1, Ordering::Relaxed);
         let Some(case) = self.cases.get(index) else { return false };
         match stability::examine(case, self.clock) {
-            Ok(row) => {
+            Ok(Some(row)) => {
                 self.rows.lock().unwrap_or_else(PoisonError::into_inner).insert(index, row);
                 true
             }
+            Ok(None) => false,
             Err(error) => {
                 let mut failed = self.failed.lock().unwrap_or_else(PoisonError::into_inner);
                 *failed = Some(error.to_string());
@@ -265,22 +279,27 @@ impl Battery<'_> {
     }
 }
 
-fn battery(now_s: &(dyn Fn() -> f64 + Sync), tell: Tell<'_>) -> Result<Finding, String> {
+fn battery(
+    now_s: &(dyn Fn() -> f64 + Sync),
+    asked_to_stop: &AtomicBool,
+    tell: Tell<'_>,
+) -> Result<Finding, String> {
+    let stop = AtomicBool::new(false);
+    let stopped = || stop.load(Ordering::Relaxed) || asked_to_stop.load(Ordering::Relaxed);
     let battery = Battery {
         cases: stability::battery(false),
-        clock: stability::Clock { now_s, until_s: OTHERS_UNTIL_S },
+        clock: stability::Clock { now_s, until_s: OTHERS_UNTIL_S, stopped: &stopped },
         next: AtomicUsize::new(0),
         rows: Mutex::default(),
         failed: Mutex::default(),
     };
     let total = battery.cases.len();
-    let stop = AtomicBool::new(false);
     // This thread and one more; this one alone tells how far they are, and stops both.
     thread::scope(|scope| {
         scope.spawn(|| {
             let mut goes_on = true;
             while goes_on {
-                goes_on = !stop.load(Ordering::Relaxed) && battery.examine_next();
+                goes_on = !stopped() && battery.examine_next();
             }
         });
         loop {
@@ -329,147 +348,4 @@ fn search(study: &Study, request: &Request, tell: Tell<'_>) -> Result<Finding, S
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const PATIENCE: Duration = Duration::from_secs(60);
-
-    fn study(id: u64) -> Study {
-        Study { id, scene: Arc::default(), kind: StudyKind::Accuracy(Effort::QUICK) }
-    }
-
-    #[test]
-    fn a_newer_study_stops_the_older_and_each_ends_once() {
-        let (send, reports) = mpsc::channel();
-        let studies = Studies::spawn(move |report| {
-            // The test may be over.
-            let _ = send.send(report);
-        })
-        .unwrap();
-        studies.submit(study(1));
-        studies.submit(study(2));
-        let mut ended = Vec::new();
-        while ended.len() < 2 {
-            let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-            if let StudyBody::Ended(Finding::Accuracy(found)) = report.body {
-                ended.push((report.id, found.is_complete));
-            }
-        }
-        assert_eq!(ended[1], (2, true));
-        assert_eq!(ended[0].0, 1);
-    }
-
-    #[test]
-    fn a_cancelled_study_keeps_what_it_has() {
-        let (send, reports) = mpsc::channel();
-        let studies = Studies::spawn(move |report| {
-            // The test may be over.
-            let _ = send.send(report);
-        })
-        .unwrap();
-        let full = StudyKind::Accuracy(Effort::FULL);
-        studies.submit(Study { kind: full, ..study(7) });
-        studies.cancel();
-        let found = loop {
-            let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-            if let StudyBody::Ended(Finding::Accuracy(found)) = report.body {
-                break found;
-            }
-        };
-        assert!(!found.is_complete);
-    }
-
-    #[test]
-    fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
-        let go_on = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| ControlFlow::Continue(());
-        // The other methods are left out: their time is past.
-        let found = battery(&|| 2.0 * OTHERS_UNTIL_S, go_on).unwrap();
-        let Finding::Battery(rows, true) = found else { panic!("not the whole battery") };
-        let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
-        let cases: Vec<&str> = stability::battery(false).iter().map(|case| case.name).collect();
-        assert_eq!(names, cases);
-    }
-
-    #[test]
-    fn a_stopped_battery_keeps_what_it_has() {
-        let mut asked = 0;
-        let stop = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| {
-            asked += 1;
-            if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        };
-        let found = battery(&|| 2.0 * OTHERS_UNTIL_S, stop).unwrap();
-        let Finding::Battery(rows, false) = found else { panic!("the whole battery") };
-        assert!(rows.len() >= 3 && rows.len() < stability::battery(false).len());
-    }
-
-    #[test]
-    fn an_impossible_scene_is_refused_in_words() {
-        let (send, reports) = mpsc::channel();
-        let studies = Studies::spawn(move |report| {
-            // The test may be over.
-            let _ = send.send(report);
-        })
-        .unwrap();
-        let mut scene = Scene::default();
-        scene.projectile.mass_kg = -1.0;
-        studies.submit(Study { scene: Arc::new(scene), ..study(1) });
-        let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-        assert!(matches!(report.body, StudyBody::Failed(text) if text.contains("m_p")));
-    }
-
-    #[test]
-    fn a_limit_is_found_and_a_stopped_one_says_so() {
-        let (send, reports) = mpsc::channel();
-        let studies = Studies::spawn(move |report| {
-            // The test may be over.
-            let _ = send.send(report);
-        })
-        .unwrap();
-        let kind = StudyKind::Limit(limit::Effort { scattering: None });
-        let found = || loop {
-            let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-            if let StudyBody::Ended(Finding::Limit(Some(found))) = report.body {
-                break found;
-            }
-        };
-        // A rigid mount has its limit in closed form (model page, section 2).
-        let mut scene = Scene::default();
-        scene.plate.mount = crate::model::scene::Mount::Rigid;
-        studies.submit(Study { scene: Arc::new(scene), kind, ..study(1) });
-        let limit_m_s = found().limit.velocity_m_s().expect("a limit");
-        assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-        let scattering =
-            limit::scatter::Scattering { deviation: 0.02, samples: 1_000_000, seed: 1 };
-        let kind = StudyKind::Limit(limit::Effort { scattering: Some(scattering) });
-        studies.submit(Study { kind, ..study(2) });
-        studies.cancel();
-        assert!(!found().is_complete);
-    }
-
-    #[test]
-    fn studies_of_different_kinds_do_not_stop_each_other() {
-        let (send, reports) = mpsc::channel();
-        let studies = Studies::spawn(move |report| {
-            // The test may be over.
-            let _ = send.send(report);
-        })
-        .unwrap();
-        studies.submit(study(1));
-        let kind = StudyKind::Map(map::Method::Rk4, map::Axis::K);
-        studies.submit(Study { kind, ..study(2) });
-        let mut complete = false;
-        loop {
-            let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-            match report.body {
-                StudyBody::Ended(Finding::Accuracy(found)) => complete = found.is_complete,
-                StudyBody::Ended(Finding::Map(map)) => {
-                    assert_eq!((map.values.len(), map.dt_s.len()), MAP_CELLS);
-                    break;
-                }
-                StudyBody::Ended(_) | StudyBody::Part { .. } => {}
-                StudyBody::Failed(text) => panic!("{text}"),
-            }
-        }
-        assert!(complete);
-    }
-}
+mod tests;

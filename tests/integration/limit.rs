@@ -86,7 +86,10 @@ fn valid_an_oblique_limit_says_how_far_it_is_off() {
         assert!((error + percent).abs() < 0.5, "{id}: {error} %");
     }
     let told = "below measured ones: 4 % at 15 deg, 9 % at 30 deg, 16 % at 45 deg (cmra validate)";
-    assert!(output(&["--set", "theta=30deg", "--scatter", "0"]).contains(told));
+    let oblique = ["--set", "theta=30deg", "--scatter", "0"];
+    assert!(output(&oblique).contains(told));
+    assert!(json(&oblique)["caution"].as_str().is_some_and(|text| text.contains(told)));
+    assert!(json(&["--scatter", "0"])["caution"].is_null());
     assert!(!output(&["--scatter", "0"]).contains("oblique"));
     // Without a limit there is nothing to be said against it.
     assert!(

@@ -45,7 +45,10 @@ fn bad_goals_and_bounds_are_refused_with_the_cure() {
         (["--over", "k=0..1e6", "--goal", "stroke_m=3kg"], &["`kg` is not a unit", "mm"]),
         (["--over", "k=1..1", "--goal", "stroke_m=3mm"], &["both ends are 1"]),
         (["--over", "k=0..1:log", "--goal", "stroke_m=3mm"], &["equal ratios"]),
-        (["--over", "k=0..1:2", "--goal", "stroke_m=3mm"], &["COUNT = 2", "3 to 100000"]),
+        (
+            ["--over", "k=0..1:2", "--goal", "stroke_m=3mm"],
+            &["count = 2", "3 to 100000 points here"],
+        ),
         (["--over", "gama=0..1", "--goal", "stroke_m=3mm"], &["did you mean `gamma`"]),
     ] {
         let (_, error) = out(&arguments, 2);

@@ -12,6 +12,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::{EndReason, Outcome, Run};
 use cmra::model::scene::Scene;
+use cmra::study::stability::map::{self, Axis, Method};
+
+use crate::support::says;
 
 mod draw;
 
@@ -335,4 +338,32 @@ fn a_map_comes_with_its_limit_and_every_cell() {
     // The stiffest damper blows up at the longest step, the weakest does not at the shortest.
     assert!(rows[rows.len() - 1].as_str().unwrap().ends_with('X'));
     assert!(!rows[0].as_str().unwrap().starts_with('X'));
+}
+
+/// Not a digit is lost between the map and who reads its table.
+#[test]
+fn a_map_is_read_back_from_its_table() {
+    let (text, _) =
+        says("stability", &["--map", "b", "--method", "rk4", "--quick", "--csv", "-"], 0);
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let heads: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    assert_eq!(heads, ["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s"]);
+    let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let go_on = &mut || ControlFlow::Continue(());
+    let ControlFlow::Continue(map) =
+        map::map(&Scene::default(), (Method::Rk4, Axis::B), (10, 31), go_on)
+    else {
+        panic!("nobody stops it")
+    };
+    let columns = map.dt_s.len();
+    assert_eq!(read.len(), map.values.len() * columns);
+    let bits = |field: &str| field.parse::<f64>().ok().map(f64::to_bits);
+    for (at, record) in read.iter().enumerate() {
+        let (row, column) = (at / columns, at % columns);
+        assert_eq!((&record[0], &record[2]), ("thesis-baseline", "b"));
+        assert_eq!(bits(&record[3]), Some(map.values[row].to_bits()));
+        assert_eq!(bits(&record[4]), Some(map.dt_s[column].to_bits()));
+        assert_eq!(&record[5], map.cell(row, column).word());
+        assert_eq!(bits(&record[6]), map.limit_s[row].map(f64::to_bits));
+    }
 }

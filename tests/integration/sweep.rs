@@ -133,6 +133,10 @@ fn json_is_one_object_with_the_same_rows() {
     let value: Value = serde_json::from_str(&done.out).unwrap();
     assert_eq!(value["axes"][0]["name"], "b");
     assert_eq!(value["rows"].as_array().unwrap().len(), 5);
+    // A reader of JSON would not see a key that is there twice.
+    for key in ["scene", "design", "points", "axes", "outputs", "version", "rows"] {
+        assert_eq!(done.out.matches(&format!("\n  \"{key}\":")).count(), 1, "{key}");
+    }
     // Nothing stops the free plate.
     assert!(value["rows"][0]["max_plate_displacement_m"].is_null());
     assert_eq!(value["rows"][0]["outcome"], "arrested");
@@ -170,7 +174,12 @@ fn bad_sweeps_are_refused_before_anything_runs() {
     let place = tempfile::tempdir().unwrap();
     for (arguments, fragments) in [
         ("--csv -", &["thesis-baseline", "--over gamma=0.8..7:101"][..]),
-        ("--over gamma=0.8..7:0 --csv x.csv", &["axis gamma", "count = 0", "2 points"]),
+        (
+            "--over gamma=0.8..7:0 --csv x.csv",
+            &["axis gamma", "count = 0", "2 to 1000000000 points"],
+        ),
+        ("--over gamma=1..2 --design lhs --points 0", &["points = 0", "2 to 9007199254740992"]),
+        ("--over gamma=1..2 --design sobol --points 4294967297", &["2 to 4294967296 points"]),
         ("--over gamma=1..1:5 --csv x.csv", &["axis gamma", "both ends are 1", "differ"]),
         ("--over theta=0..95deg:5 --csv x.csv", &["axis theta", "95 deg", "below 90"]),
         ("--over k=0..1MN/m:5:log --csv x.csv", &["axis k", "greater than 0", "leave out log"]),
@@ -188,6 +197,18 @@ fn bad_sweeps_are_refused_before_anything_runs() {
         }
         assert!(!place.path().join("x.csv").exists());
     }
+}
+
+#[test]
+fn a_value_for_what_is_swept_is_said_to_have_no_effect() {
+    let place = tempfile::tempdir().unwrap();
+    let done = sweep(place.path(), "figure-9.2 --set b=20 --set gamma=3 --csv -");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(done.err.contains("--set gamma=3 has no effect"), "{}", done.err);
+    assert!(!done.err.contains("b=20"), "{}", done.err);
+    // Nothing is cocked: the plate starts at 0, not at -0.
+    let done = sweep(place.path(), "--over x_stop=-1..1:3 --csv -");
+    assert!(done.err.contains("it must be 0 m or more"), "{}", done.err);
 }
 
 #[test]

@@ -43,6 +43,21 @@ fn the_page_answers_both_requirements_and_says_how_mass_was_taken() {
     assert!(output(&[]).contains("as good as a heavier solid plate: not met"));
 }
 
+/// In the words of `cmra limit`: they are its limits.
+#[test]
+fn oblique_limits_come_with_a_caution() {
+    let oblique = ["--set", "theta=30deg"];
+    let limit = says("limit", &["--json", "--scatter", "0", oblique[0], oblique[1]], 0).0;
+    let limit: Value = serde_json::from_str(&limit).unwrap();
+    let caution = limit["caution"].as_str().unwrap();
+    assert!(output(&oblique).contains(&format!("caution: {caution}")), "{}", output(&oblique));
+    let found: Value = serde_json::from_str(&output(&["--json", oblique[0], oblique[1]])).unwrap();
+    assert_eq!(found["caution"].as_str(), Some(caution));
+    assert!(!output(&[]).contains("caution"));
+    let straight: Value = serde_json::from_str(&output(&["--json"])).unwrap();
+    assert!(straight["caution"].is_null());
+}
+
 #[test]
 fn candidates_are_rows_and_bad_masses_are_refused() {
     let table = output(&["--csv", "-", "--set", "v_i=400"]);

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::model::units::fixed_significant;
+use crate::model::units::{fixed_significant, significant};
 use crate::study::limit::{Limit, Report};
 use crate::tui::chart::{Axis, Chart, Curve, EventLine, Legend, Scale, Unit, ViewRange};
 use crate::tui::theme::Theme;
@@ -54,8 +54,8 @@ fn head(page: &mut String, report: &Report) {
             velocity(own)
         );
     }
-    if let Some(caveat) = report.caveat() {
-        let _ = writeln!(page, "caution         {caveat}");
+    if let Some(caution) = report.caution() {
+        let _ = writeln!(page, "caution         {caution}");
     }
     page.push('\n');
 }
@@ -112,18 +112,19 @@ fn laws(page: &mut String, report: &Report) {
     if let Some(law) = report.recht_ipson {
         let _ = writeln!(
             page,
-            "Recht-Ipson    v_r = a (v^2 - v_bl^2)^(1/2)  a {:.4}; misses by {:.1e} m/s (rms)",
-            law.a, law.misfit_m_s
+            "Recht-Ipson    v_r = a (v^2 - v_bl^2)^(1/2)  a {:.4}; misses by {} m/s (rms)",
+            law.a,
+            significant(law.misfit_m_s, 2)
         );
     }
     if let Some(law) = report.lambert_jonas {
         let _ = writeln!(
             page,
-            "Lambert-Jonas  v_r = a (v^p - v_bl^p)^(1/p)  a {:.4}, p {:.3}, v_bl {}; misses by {:.1e} m/s (rms)",
+            "Lambert-Jonas  v_r = a (v^p - v_bl^p)^(1/p)  a {:.4}, p {:.3}, v_bl {}; misses by {} m/s (rms)",
             law.a,
             law.p,
             velocity(law.limit_m_s),
-            law.misfit_m_s
+            significant(law.misfit_m_s, 2)
         );
     }
 }

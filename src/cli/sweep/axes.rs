@@ -1,12 +1,14 @@
 //! `--over NAME=LO..HI:COUNT[:log]` and the options that say which points a sweep has.
 
+use std::ops::RangeInclusive;
+
 use clap::ValueEnum;
 
 use crate::cli::CliError;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind};
-use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, COUNTS, Design, Plan, Spacing, SweepError, USUAL_OUTPUTS};
 
 /// The designs to choose from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -41,10 +43,12 @@ pub(super) fn plan(scene: &Scene, name: &str, asked: &Asked<'_>) -> Result<(Plan
     let axes = if asked.over.is_empty() {
         let sweep = scene.sweep.as_ref();
         let sweep = sweep.ok_or_else(|| CliError::NothingToSweep { scene: name.to_owned() })?;
-        sweep.axes.iter().map(Axis::of).collect::<Result<Vec<_>, _>>()?
+        sweep.axes.iter().map(|axis| Axis::of(axis, &COUNTS)).collect::<Result<Vec<_>, _>>()?
     } else {
-        let factorial = asked.design == DesignWord::Factorial;
-        asked.over.iter().map(|text| over(text, factorial)).collect::<Result<Vec<_>, _>>()?
+        // Designs other than the full grid have no use for a count.
+        let usual = (asked.design != DesignWord::Factorial).then_some(*COUNTS.start());
+        let axes = asked.over.iter().map(|text| over(text, usual, &COUNTS));
+        axes.collect::<Result<Vec<_>, _>>()?
     };
     let design = design(asked, &axes)?;
     let (outputs, all) = match outputs(scene, asked.outputs) {
@@ -95,8 +99,12 @@ fn design(asked: &Asked<'_>, axes: &[Axis]) -> Result<Design, CliError> {
     })
 }
 
-/// Read `NAME=LO..HI:COUNT[:log]`; designs other than the full grid need no COUNT.
-pub(in crate::cli) fn over(argument: &str, needs_count: bool) -> Result<Axis, CliError> {
+/// Read `NAME=LO..HI:COUNT[:log]`; COUNT may be left out where there is a usual one.
+pub(in crate::cli) fn over(
+    argument: &str,
+    usual: Option<u64>,
+    counts: &RangeInclusive<u64>,
+) -> Result<Axis, CliError> {
     let refuse = |problem: String| CliError::Over { argument: argument.to_owned(), problem };
     let form = "write NAME=LO..HI:COUNT or NAME=LO..HI:COUNT:log, for example gamma=0.8..7:101";
     let (name, rest) = argument.split_once('=').ok_or_else(|| refuse(form.to_owned()))?;
@@ -109,17 +117,19 @@ pub(in crate::cli) fn over(argument: &str, needs_count: bool) -> Result<Axis, Cl
             "log" => spacing = Spacing::Log,
             "lin" | "linear" => spacing = Spacing::Linear,
             text if count.is_none() => {
+                let (least, most) = (counts.start(), counts.end());
                 let wrong = || {
-                    refuse(format!("COUNT = `{text}` must be a whole number, 2 or more; {form}"))
+                    refuse(format!(
+                        "COUNT = `{text}` must be a whole number, {least} to {most}; {form}"
+                    ))
                 };
                 count = Some(text.parse::<u64>().map_err(|_not_a_number| wrong())?);
             }
             text => return Err(refuse(format!("`{text}` is neither COUNT nor log; {form}"))),
         }
     }
-    if count.is_none() && needs_count {
-        return Err(refuse(format!("COUNT is missing; {form}")));
-    }
+    let missing = || refuse(format!("COUNT is missing; {form}"));
+    let count = count.or(usual).ok_or_else(missing)?;
     let name = name.trim();
     let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
     let variable = variables::find(name).map_err(unknown)?;
@@ -130,7 +140,7 @@ pub(in crate::cli) fn over(argument: &str, needs_count: bool) -> Result<Axis, Cl
         Kind::Choice(_) | Kind::Switch { .. } => Ok(0.0),
     };
     let ends = (read(low, "LO")?, read(high, "HI")?);
-    Ok(Axis::new(name, ends, count.unwrap_or(2), spacing)?)
+    Ok(Axis::within(name, ends, count, spacing, counts)?)
 }
 
 #[cfg(test)]
@@ -139,16 +149,18 @@ mod tests {
 
     #[test]
     fn axes_are_read_with_units_and_spacing() {
-        let axis = over("k=0.1MN/m..7.5 MN/m:4:log", true).unwrap();
+        let axis = over("k=0.1MN/m..7.5 MN/m:4:log", None, &COUNTS).unwrap();
         assert_eq!((axis.symbol(), axis.count(), axis.spacing()), ("k", 4, Spacing::Log));
         assert!((axis.ends().0 - 1e5).abs() < 1e-9 && (axis.ends().1 - 7.5e6).abs() < 1e-9);
-        let axis = over("plate.cocking_m=0..50mm:11", true).unwrap();
+        let axis = over("plate.cocking_m=0..50mm:11", None, &COUNTS).unwrap();
         assert_eq!((axis.symbol(), axis.ends().1.to_bits()), ("d", 0.05f64.to_bits()));
         // As everywhere on the command line, a bare angle is in radians.
-        let axis = over("theta=0..45deg:4", true).unwrap();
+        let axis = over("theta=0..45deg:4", None, &COUNTS).unwrap();
         assert_eq!(axis.ends().1.to_bits(), 45f64.to_bits());
-        assert!((over("theta=0..0.5:4", true).unwrap().ends().1 - 28.647_889_756).abs() < 1e-8);
-        assert_eq!(over("n=3..0.1:log", false).unwrap().spacing(), Spacing::Log);
+        assert!(
+            (over("theta=0..0.5:4", None, &COUNTS).unwrap().ends().1 - 28.647_889_756).abs() < 1e-8
+        );
+        assert_eq!(over("n=3..0.1:log", Some(2), &COUNTS).unwrap().spacing(), Spacing::Log);
     }
 
     #[test]
@@ -169,7 +181,7 @@ mod tests {
             ("gama=1..2:5", &["axis gama", "did you mean `gamma`"]),
             ("interface=0..1:2", &["no numbers", "fused or plastic"]),
         ] {
-            let error = over(text, true).unwrap_err().to_string();
+            let error = over(text, None, &COUNTS).unwrap_err().to_string();
             for fragment in fragments {
                 assert!(error.contains(fragment), "{text}: {error} lacks {fragment}");
             }

@@ -102,6 +102,9 @@ fn verdict(page: &mut String, report: &Report) {
             let _ = writeln!(page, "{}: {absence}", entry.candidate.word());
         }
     }
+    if let Some(caution) = report.caution() {
+        let _ = writeln!(page, "caution: {caution}");
+    }
 }
 
 fn masses(page: &mut String, report: &Report, spring_given: bool) {

@@ -4,7 +4,7 @@
 //! all solutions further apart than the scan's spacing are found, and what crosses the goal by a jump, or has no value, is told
 //! apart from a solution. Must not know files, threads, screens or a clock.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, RangeInclusive};
 
 use crate::model::results::ResultColumn;
 use crate::model::scene::Scene;
@@ -14,8 +14,8 @@ use roots::{Hunt, Kind};
 
 pub mod roots;
 
-/// The fewest and the most points of a scan, and how many there usually are.
-pub const SCAN: (u64, u64) = (3, 100_000);
+/// How many points a scan may have.
+pub const SCAN: RangeInclusive<u64> = 3..=100_000;
 /// Points of a scan where none are asked for.
 pub const SCAN_USUAL: u64 = 65;
 

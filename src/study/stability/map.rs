@@ -120,15 +120,26 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// What it means.
-    pub fn words(self) -> &'static str {
+    /// The word in files.
+    pub fn word(self) -> &'static str {
         match self {
-            Self::Accurate => "accurate (1 %)",
+            Self::Accurate => "accurate",
             Self::Inaccurate => "inaccurate",
             Self::Oscillating => "oscillating",
             Self::BlownUp => "blown up",
             Self::TooManySteps => "too many steps",
+            Self::Unknown => "unknown",
+        }
+    }
+
+    /// What it means.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Accurate => "accurate (1 %)",
             Self::Unknown => "nothing to compare with",
+            Self::Inaccurate | Self::Oscillating | Self::BlownUp | Self::TooManySteps => {
+                self.word()
+            }
         }
     }
 
@@ -228,8 +239,8 @@ struct Target {
 impl Target {
     fn of(scene: &Scene) -> Option<Self> {
         let scene = Arc::new(scene.clone());
-        let peaks = Peaks::of(&scene).ok()?;
-        let run = super::bare(&scene, false).ok()?;
+        let run = super::bare(&scene, false, &mut |_| ControlFlow::Continue(())).ok()?;
+        let peaks = Peaks::of(&scene, &run).ok()?;
         Some(Self { peaks, contact: Contact::of(&run)? })
     }
 }

@@ -3,13 +3,15 @@
 //! An axis that exists has been checked: both ends make physical sense by themselves, and so does all between them, since
 //! what is allowed is one interval for every variable. Rules between variables are the plan's business.
 
+use std::ops::RangeInclusive;
+
 use crate::model::scene::SweepAxis;
 use crate::model::units;
 use crate::model::variables::{self, Allowed, Kind, Number, Variable};
 use crate::study::sweep::error::SweepError;
 
-/// The most points along one axis.
-pub const COUNT_MAX: u64 = 1_000_000_000;
+/// How many points an axis may have where a sweep is streamed; what is kept in memory, or searched, has bounds of its own.
+pub const COUNTS: RangeInclusive<u64> = 2..=1_000_000_000;
 
 /// How the points of an axis are spread.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,9 +57,23 @@ impl Axis {
     /// positive at equal ratios.
     pub fn new(
         name: &str,
+        ends: (f64, f64),
+        count: u64,
+        spacing: Spacing,
+    ) -> Result<Self, SweepError> {
+        Self::within(name, ends, count, spacing, &COUNTS)
+    }
+
+    /// The same where an axis may have so many points.
+    ///
+    /// # Errors
+    /// As [`Axis::new`].
+    pub fn within(
+        name: &str,
         (from, to): (f64, f64),
         count: u64,
         spacing: Spacing,
+        counts: &RangeInclusive<u64>,
     ) -> Result<Self, SweepError> {
         let variable = variables::find(name).map_err(|source| SweepError::Axis {
             axis: name.to_owned(),
@@ -81,20 +97,21 @@ impl Axis {
             let start = units::significant(if high > 0.0 { 1e-3 * high } else { 1.0 }, 2);
             return Err(SweepError::LogFrom { axis, from: shown(from), to: shown(to), start });
         }
-        if !(2..=COUNT_MAX).contains(&count) {
-            return Err(SweepError::Count { axis, count, most: COUNT_MAX, value: shown(from) });
+        if !counts.contains(&count) {
+            let (least, most) = (*counts.start(), *counts.end());
+            return Err(SweepError::Count { axis, count, least, most, value: shown(from) });
         }
         Ok(Self { variable, number, from, to, count, spacing })
     }
 
-    /// The axis a scene asks for.
+    /// The axis a scene asks for, where it may have so many points.
     ///
     /// # Errors
     /// As [`Axis::new`].
-    pub fn of(asked: &SweepAxis) -> Result<Self, SweepError> {
+    pub fn of(asked: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
         let spacing = if asked.log { Spacing::Log } else { Spacing::Linear };
         let count = u64::try_from(asked.count).unwrap_or(u64::MAX);
-        Self::new(&asked.name, (asked.from, asked.to), count, spacing)
+        Self::within(&asked.name, (asked.from, asked.to), count, spacing, counts)
     }
 
     /// The variable.
@@ -289,8 +306,14 @@ mod tests {
     fn bad_axes_are_refused_with_name_value_rule_and_cure() {
         let (lin, log) = (Spacing::Linear, Spacing::Log);
         let cases: [Case; 13] = [
-            ("gamma", (0.8, 7.0), 0, lin, &["gamma", "count = 0", "2 points or more", "hold"]),
-            ("gamma", (0.8, 7.0), 1, lin, &["gamma", "count = 1", "2 points or more"]),
+            (
+                "gamma",
+                (0.8, 7.0),
+                0,
+                lin,
+                &["gamma", "count = 0", "2 to 1000000000 points", "hold"],
+            ),
+            ("gamma", (0.8, 7.0), 1, lin, &["gamma", "count = 1", "2 to 1000000000 points"]),
             ("gamma", (2.0, 2.0), 5, lin, &["gamma", "both ends are 2", "must differ", "hold"]),
             ("gamma", (-1.0, 7.0), 5, lin, &["gamma", "-1", "greater than 0", "above 0"]),
             ("theta", (0.0, 90.0), 5, lin, &["theta", "90 deg", "less than 90", "below 90"]),
@@ -307,7 +330,7 @@ mod tests {
             ("n", (0.1, f64::INFINITY), 5, lin, &["n", "inf"]),
             ("interface", (0.0, 1.0), 5, lin, &["interface", "no numbers", "fused or plastic"]),
             ("gama", (0.0, 1.0), 5, lin, &["`gama`", "did you mean `gamma`"]),
-            ("gamma", (0.8, 7.0), u64::MAX, lin, &["count = 18446744073709551615", "at most"]),
+            ("gamma", (0.8, 7.0), u64::MAX, lin, &["count = 18446744073709551615", "2 to"]),
         ];
         for (name, ends, count, spacing, fragments) in cases {
             let text = Axis::new(name, ends, count, spacing).unwrap_err().to_string();

@@ -27,7 +27,7 @@ pub enum SweepError {
     },
     /// Too few or too many points.
     #[error(
-        "axis {axis}: count = {count} is impossible: an axis has 2 points or more, and at most {most}; to hold {axis}, set it \
+        "axis {axis}: count = {count} is impossible: an axis has {least} to {most} points here; to hold {axis}, set it \
          to one value ({axis}={value})"
     )]
     Count {
@@ -35,7 +35,9 @@ pub enum SweepError {
         axis: &'static str,
         /// What was asked.
         count: u64,
-        /// What is allowed.
+        /// The fewest.
+        least: u64,
+        /// The most.
         most: u64,
         /// The axis's first value.
         value: String,
@@ -108,13 +110,15 @@ pub enum SweepError {
         /// What is allowed.
         most: f64,
     },
-    /// A design without points.
+    /// A design of too few or too many points.
     #[error(
-        "points = {points} is impossible: a design has 2 points or more; write for example --points 1000"
+        "points = {points} is impossible: this design has 2 to {most} points; write for example --points 1000"
     )]
     Points {
         /// What was asked.
         points: u64,
+        /// What is allowed.
+        most: u64,
     },
     /// Somewhere in the design two values make no sense together, or the scene makes none.
     #[error("the sweep reaches an impossible scene ({place}): {source}")]

@@ -4,7 +4,7 @@
 //! Every pass visits the points of a stride that none before it has; whatever is asked of a point that is not there yet is
 //! answered by the nearest coarser one. The finished grid does not depend on the passes.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::{ControlFlow, Range, RangeInclusive};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -14,6 +14,8 @@ use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows};
 
 /// The most points a grid may have: some tens of megabytes.
 pub const GRID_MAX: u64 = 1_000_000;
+/// How many of them an axis may have.
+pub const GRID_COUNTS: RangeInclusive<u64> = 2..=GRID_MAX;
 /// The first pass takes every so many-th point of an axis, unless the axis is short.
 const COARSEST: usize = 16;
 /// An axis has at least so many points in the first pass.

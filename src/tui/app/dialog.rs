@@ -36,7 +36,9 @@ pub enum Dialog {
 pub enum Table {
     /// The shots of the Limit tab.
     Limit,
-    /// The battery of the Stability tab.
+    /// The map of the Stability tab.
+    Map,
+    /// Its battery.
     Battery,
     /// What the Search tab shows.
     Search,
@@ -49,6 +51,7 @@ impl Table {
     pub fn title(self) -> &'static str {
         match self {
             Self::Limit => "Export the shots to CSV",
+            Self::Map => "Export the map to CSV",
             Self::Battery => "Export the battery to CSV",
             Self::Search => "Export what was found to CSV",
             Self::Thesis => "Export this page to CSV",

@@ -94,7 +94,7 @@ impl Ballistic {
             }
             None => {}
         }
-        facts.extend(report.caveat().map(|text| ("caution", Severity::Warning, text)));
+        facts.extend(report.caution().map(|text| ("caution", Severity::Warning, text)));
         facts.extend(carried(report).map(|text| ("note", Severity::Note, text)));
         if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
             let again = velocity(again);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::App;
 use super::accuracy::Measuring;
-use super::layout::CHART_ROWS;
+use super::layout::{Body, CHART_ROWS};
 use super::notice::Severity;
 use crate::files::error::FileError;
 use crate::files::{front as front_file, scatter as scatter_file, seek as seek_file};
@@ -12,6 +12,7 @@ use crate::files::{sensitivity as sensitivity_file, worth as worth_file};
 use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::study::search::front::{Design, Front, Task};
+use crate::study::search::scatter::Summary;
 use crate::worker::searches::{Answer, Request};
 pub use setup::{Bound, Row, SearchField, Setup};
 
@@ -109,6 +110,8 @@ pub struct Searching {
     pub problem: Option<String>,
     /// The selected design or solution, page by page.
     pub cursor: [usize; 5],
+    /// Where chart and words have no room together, the words are shown.
+    pub in_words: bool,
     /// Logarithmic axes across and up.
     pub log: (bool, bool),
 }
@@ -154,18 +157,33 @@ impl Searching {
         }
     }
 
-    /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart.
-    pub fn words_height(&self, height: u16, lines: usize) -> u16 {
-        let draws = matches!(
-            self.shown().map(|found| &found.answer),
-            Some(Answer::Seek(_) | Answer::Front(_) | Answer::Scatter(_))
-        );
-        let wanted = u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2);
-        // Words first: a chart is drawn where four lines are left below it, or all there are.
-        if !draws || height < CHART_ROWS + wanted.min(LEAST_WORDS) {
-            return height;
+    /// Whether there is something to draw on the page shown.
+    fn draws(&self) -> bool {
+        match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
+            Some(Answer::Front(front)) => !front.designs.is_empty(),
+            Some(Answer::Scatter(report)) => {
+                let drawn = |it: &&Summary| it.measure.name == self.setup.output;
+                report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
+            }
+            Some(Answer::Sensitivity(_) | Answer::Worth(_)) | None => false,
         }
-        wanted.min(height - CHART_ROWS).max(3)
+    }
+
+    /// Whether a right pane so high has no room for a chart and so many lines of words: then Tab turns from one to the other.
+    pub fn is_crowded(&self, height: u16, lines: usize) -> bool {
+        // A chart is drawn where four lines are left below it, or all there are.
+        self.draws() && height < CHART_ROWS + words_rows(lines).min(LEAST_WORDS)
+    }
+
+    /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart, none where it
+    /// stands alone.
+    pub fn words_height(&self, height: u16, lines: usize) -> u16 {
+        match (self.draws(), self.is_crowded(height, lines)) {
+            (true, false) => words_rows(lines).min(height - CHART_ROWS).max(3),
+            (true, true) if !self.in_words => 0,
+            (true, true) | (false, _) => height,
+        }
     }
 
     /// Whether the first of the lines names the columns of all others.
@@ -189,7 +207,19 @@ impl Searching {
     }
 }
 
+/// Rows of a pane with so many lines, frame included.
+fn words_rows(lines: usize) -> u16 {
+    u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2)
+}
+
 impl App {
+    /// Whether chart and words have no room together here; see [`Searching::is_crowded`].
+    pub fn search_is_crowded(&self) -> bool {
+        let Body::Search(_, area) = self.layout().body else { return false };
+        let lines = self.search_lines(usize::from(area.width.saturating_sub(2))).len();
+        self.searching.is_crowded(area.height, lines)
+    }
+
     /// Whether what is shown belongs to another scene or another setup.
     pub fn search_is_old(&self) -> bool {
         let Some(found) = self.searching.shown() else { return false };
@@ -263,10 +293,12 @@ impl App {
                     results.join(", ")
                 ))
             }
-            (
-                Answer::Front(_) | Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Worth(_),
-                _,
-            ) => Some("v: the next search; z: this pane alone; r computes again".to_owned()),
+            (Answer::Sensitivity(_), _) => {
+                Some("+-: 95 % confidence; v: the next search; r: again".to_owned())
+            }
+            (Answer::Front(_) | Answer::Scatter(_) | Answer::Worth(_), _) => {
+                Some("v: the next search; z: this pane alone; r computes again".to_owned())
+            }
         }
     }
 

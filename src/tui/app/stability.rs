@@ -10,6 +10,11 @@ use crate::model::units::significant;
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, Map, Method};
 
+/// What the battery's columns of other methods are, in full and where there is less room.
+const COLUMNS: &str =
+    "expl: DOP853, impl: Radau IIA, th-6 and th-7: the thesis's scheme at dt 1e-6 and 1e-7 s";
+const COLUMNS_BRIEF: &str = "expl: DOP853, impl: Radau IIA";
+
 /// The state of the tab.
 #[derive(Clone, Debug)]
 pub struct Stability {
@@ -156,6 +161,7 @@ impl App {
             }
             if tab.battery.is_some() {
                 parts.push(same(severity, holds));
+                parts.push((Severity::Note, COLUMNS.to_owned(), COLUMNS_BRIEF.to_owned()));
             }
             return parts;
         }

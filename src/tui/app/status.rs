@@ -401,6 +401,23 @@ pub fn clip(text: &str, width: usize) -> String {
     kept.trim_end().to_owned() + ".."
 }
 
+/// A result's title with shorter words, still told apart from every other.
+pub fn shortened(title: &str) -> String {
+    let words = [
+        ("first arrest", "1st"),
+        ("plate displacement", "travel"),
+        ("plate velocity", "speed"),
+        ("penetration", "depth"),
+        ("percent of", "% of"),
+    ];
+    words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word))
+}
+
+/// A result's title in so many columns: in shorter words where it is too long.
+pub fn fitted(title: &str, width: usize) -> String {
+    if title.chars().count() <= width { title.to_owned() } else { clip(&shortened(title), width) }
+}
+
 /// Lines of at most `width` characters, broken at blanks; a longer word is broken where it must be.
 pub fn wrap(text: &str, width: usize) -> Vec<String> {
     let width = width.max(1);

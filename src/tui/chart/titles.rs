@@ -42,7 +42,8 @@ impl Chart<'_> {
         let axis = Line::from(axis(&layout));
         let room = room.saturating_sub(Span::raw(&title).width());
         let (right, legend) = if layout.legend.is_some() {
-            (axis, legend)
+            // The row begins a blank from the frame.
+            (axis, whole(legend, usize::from(inner.width.saturating_sub(1))))
         } else if legend.width() > 0 {
             (shortened(legend, room), Line::default())
         } else {
@@ -131,7 +132,36 @@ fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {
     legend
 }
 
-/// As many whole entries of a legend as fit; markers alone when no more than that fits.
+/// As many whole entries of a legend as fit, and `..` where there are more: a number must not be cut.
+fn whole(legend: Line<'_>, room: usize) -> Line<'_> {
+    if legend.width() <= room {
+        return legend;
+    }
+    let mut entries: Vec<Vec<Span<'_>>> = vec![Vec::new()];
+    for span in legend.spans {
+        // Blanks stand between two entries.
+        if span.content.trim().is_empty() {
+            entries.push(Vec::new());
+        } else if let Some(entry) = entries.last_mut() {
+            entry.push(span);
+        }
+    }
+    let mut short: Vec<Span<'_>> = Vec::new();
+    let mut used = 0;
+    for entry in entries {
+        let width = entry.iter().map(Span::width).sum::<usize>() + 2;
+        if used + width + 2 > room {
+            break;
+        }
+        used += width;
+        short.extend(entry);
+        short.push(Span::raw("  "));
+    }
+    short.push(Span::raw(".."));
+    Line::from(short)
+}
+
+/// The whole legend where it fits, else its markers, as many as there is room for.
 fn shortened(legend: Line<'_>, room: usize) -> Line<'_> {
     if legend.width() <= room {
         return legend;

@@ -115,7 +115,7 @@ pub static BINDINGS: &[Binding] = &[
     bind(Anywhere, &[special(C::Tab)], A::FocusNext, "pane", "next pane", 3),
     bind(Anywhere, &[special(C::BackTab), shifted(C::BackTab)], A::FocusPrevious, "previous pane", "previous pane", 0),
     bind(Anywhere, &[plain('p')], A::Presets, "preset", "choose a preset", 5),
-    bind(Anywhere, &[plain('e')], A::Export, "export", "export to CSV: runs; in the tabs Sweep, Surface, Accuracy, Thesis, Limit, Search and in the battery, what is shown there", 6),
+    bind(Anywhere, &[plain('e')], A::Export, "export", "export to CSV: runs; in the tabs Sweep, Surface, Accuracy, Stability, Thesis, Limit and Search what is shown there", 6),
     bind(Anywhere, &[plain('u')], A::Undo, "undo", "undo the last edit", 7),
     bind(Anywhere, &[ctrl('r')], A::Redo, "redo", "redo", 0),
     bind(Anywhere, &[plain('U')], A::History, "history", "list of edits, old and new", 0),

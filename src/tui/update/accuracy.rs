@@ -163,10 +163,9 @@ fn export(app: &mut App) {
         app.say(Severity::Error, "nothing to export yet: r measures");
         return;
     };
-    let stem = if *report.scene == *app.base.scene { app.base.name.as_str() } else { "scene" };
-    let stem = stem.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml");
+    let name = format!("{}-accuracy.csv", path::stem(app, &report.scene));
     app.dialog = Some(Dialog::ExportAccuracy(Save {
-        input: Input::new(format!("{stem}-accuracy.csv")),
+        input: Input::new(name),
         fresh: false,
         question: false,
         error: None,

@@ -177,10 +177,10 @@ pub(super) fn entered(app: &mut App) -> Vec<Effect> {
     }
 }
 
-/// The next pane; tabs with one pane give way to the Run tab.
+/// The next pane of the Run tab; the other tabs that come here have one.
 fn focus(app: &mut App, action: Action) {
     if app.tab != Tab::Run {
-        app.tab = Tab::Run;
+        app.say(Severity::Note, "this tab has one pane; } and { change tabs");
         return;
     }
     let forward = action == Action::FocusNext;

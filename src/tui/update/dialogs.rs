@@ -9,7 +9,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::message::{Binding, Effect, Place, PresetEntry, Target};
 
-use super::{accuracy, act, curve, edit, export, input, runs, sweep, table};
+use super::{accuracy, act, curve, edit, export, input, path, runs, sweep, table};
 
 /// A key while a dialog is open.
 pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
@@ -311,8 +311,7 @@ fn proposed_name(app: &App) -> String {
         return app.base.name.clone();
     }
     let taken = |name: &str| app.presets.iter().any(|entry| entry.name == name);
-    let stem = app.base.name.rsplit('/').next().unwrap_or("scene");
-    let stem = stem.trim_end_matches(".toml");
+    let stem = path::base_stem(app);
     (2..100)
         .map(|number| format!("{stem}-{number}"))
         .find(|name| !taken(name))

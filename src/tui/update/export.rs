@@ -13,7 +13,7 @@ use crate::tui::app::dialog::{Dialog, Export, ExportRow, What};
 use crate::tui::app::notice::Severity;
 use crate::tui::message::Effect;
 
-use super::input;
+use super::{input, path};
 
 /// Rows of a grid when nothing else is asked for, and the most there may be.
 const GRID_ROWS: (usize, usize) = (1001, 1_000_000);
@@ -25,14 +25,13 @@ pub(super) fn open(app: &mut App) {
         app.say(Severity::Error, "nothing to export yet: r runs the scene");
         return;
     }
-    let stem = app.base.name.rsplit('/').next().unwrap_or("run");
-    let stem = stem.trim_end_matches(".toml");
+    let path = Input::new(format!("{}.csv", path::base_stem(app)));
     app.dialog = Some(Dialog::Export(Box::new(Export {
         what: What::Series,
         grid: Input::new(GRID_ROWS.0.to_string()),
         runs: runs.into_iter().map(|(name, _)| (name, true)).collect(),
         columns: csv::columns(Rows::Series, false).into_iter().map(|name| (name, true)).collect(),
-        path: Input::new(format!("{stem}.csv")),
+        path,
         row: ExportRow::Path,
         question: false,
         completions: Vec::new(),

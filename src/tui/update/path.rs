@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crossterm::event::{KeyCode, KeyEvent};
 
 use super::input;
+use crate::model::scene::Scene;
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Save};
 use crate::tui::message::Effect;
@@ -45,4 +46,14 @@ pub(super) fn typed(app: &App, state: &mut Save, example: &str) -> Option<PathBu
     let path = app.directory.join(text);
     state.question = false;
     Some(path)
+}
+
+/// The first part of the name proposed for a file about a scene: the preset's, where the scene is still that.
+pub(super) fn stem<'a>(app: &'a App, scene: &Scene) -> &'a str {
+    if *scene == *app.base.scene { base_stem(app) } else { "scene" }
+}
+
+/// The preset's name without folders and ending.
+pub(super) fn base_stem(app: &App) -> &str {
+    app.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml")
 }

@@ -1,5 +1,8 @@
 //! The Search tab: asking, stepping through designs, editing what is looked for, opening a design.
 
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
@@ -7,6 +10,7 @@ use tui_input::Input;
 
 use super::{edit, input, jobs, table};
 use crate::study::search::measure::{self, measure, parse_value};
+use crate::study::search::seek::SCAN;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Table, wrap};
 use crate::tui::app::layout::Body;
@@ -57,9 +61,8 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     match action {
         Action::Run => return look(app),
         Action::Export => table::open(app, Table::Search),
-        Action::FocusNext | Action::FocusPrevious => {
-            app.searching.on_setup = !app.searching.on_setup;
-        }
+        Action::FocusNext => focus(app, true),
+        Action::FocusPrevious => focus(app, false),
         Action::SearchNext => return turn(app, 1),
         Action::StepUp => return step(app, 1),
         Action::StepDown => return step(app, -1),
@@ -83,12 +86,26 @@ fn turn(app: &mut App, by: isize) -> Vec<Effect> {
     if app.searching.shown().is_some() { Vec::new() } else { look(app) }
 }
 
+/// From what was found to the setup and back: in a circle, by way of the words where these have no room below the chart.
+fn focus(app: &mut App, forward: bool) {
+    let crowded = app.search_is_crowded();
+    let tab = &mut app.searching;
+    if tab.on_setup {
+        (tab.on_setup, tab.in_words) = (false, !forward);
+    } else if crowded && tab.in_words != forward {
+        tab.in_words = forward;
+    } else {
+        tab.on_setup = true;
+    }
+}
+
 fn walk(app: &mut App, by: isize) {
     let (at, last) = match (app.searching.choices(), app.layout().body) {
         (0, Body::Search(_, area)) => {
             let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
             let below = app.searching.words_height(area.height, lines);
-            (app.searching.scrolled(), lines.saturating_sub(usize::from(below.saturating_sub(2))))
+            let hidden = lines.saturating_sub(usize::from(below.saturating_sub(2)));
+            (app.searching.scrolled(), if below == 0 { 0 } else { hidden })
         }
         (choices, _) => (app.searching.selected(), choices.saturating_sub(1)),
     };
@@ -274,14 +291,20 @@ fn commit(app: &mut App, then: isize) {
     }
 }
 
+/// A whole number in a range.
+fn count<T: FromStr + PartialOrd + Display>(
+    text: &str,
+    allowed: &RangeInclusive<T>,
+) -> Result<T, String> {
+    let value = text.parse().ok().filter(|value| allowed.contains(value));
+    let (least, most) = (allowed.start(), allowed.end());
+    value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
+}
+
 fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
     let scene = Arc::clone(&app.scene);
     let bounds = app.search_bounds();
     let setup = &mut app.searching.setup;
-    let count = |text: &str, (least, most): (usize, usize)| {
-        let value = text.parse::<usize>().ok().filter(|value| (least..=most).contains(value));
-        value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
-    };
     let name =
         |text: &str| measure(text).map(|column| column.name).map_err(|error| error.to_string());
     match row {
@@ -297,7 +320,7 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
             };
             setup.seek = read_bound(&setup.seek, &range)?;
         }
-        Row::Points => setup.points = count(text, (3, 100_000))? as u64,
+        Row::Points => setup.points = count(text, &SCAN)?,
         Row::Result => setup.goal.0 = name(text)?,
         Row::Goal => {
             let column = measure(setup.goal.0).map_err(|error| error.to_string())?;
@@ -319,13 +342,13 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
             setup.stroke_m = Some(value);
         }
         Row::Population => {
-            let value = count(text, (8, 2000))?;
+            let value = count(text, &(8..=2000))?;
             if value % 2 == 1 {
                 return Err(format!("`{text}` must be even"));
             }
             setup.effort.0 = value;
         }
-        Row::Generations => setup.effort.1 = count(text, (1, 100_000))?,
+        Row::Generations => setup.effort.1 = count(text, &(1..=100_000))?,
         Row::Output => setup.output = name(text)?,
         Row::Percent => {
             let value = text.trim_end_matches('%').trim().parse::<f64>().ok();
@@ -333,7 +356,7 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
                 .filter(|value| *value > 0.0 && *value <= 100.0)
                 .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
         }
-        Row::Samples => setup.samples = count(text, (2, 1_000_000))?,
+        Row::Samples => setup.samples = count(text, &(2..=1_000_000))?,
         Row::Page | Row::Heading(_) | Row::Spacing | Row::Objective(_) | Row::Across | Row::Up => {}
     }
     Ok(())

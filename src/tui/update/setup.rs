@@ -3,6 +3,8 @@
 //! Every change is an edit of the scene's own `[sweep]` (or of a held variable), checked as a whole before it counts; a text
 //! that is refused stays in its field.
 
+use std::ops::RangeInclusive;
+
 use crossterm::event::{KeyCode, KeyEvent};
 use tui_input::Input;
 
@@ -11,6 +13,7 @@ use crate::model::results::RESULTS;
 use crate::model::scene::{Scene, Sweep};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, Number, VARIABLES, Variable};
+use crate::study::sweep::grid::GRID_COUNTS;
 use crate::study::sweep::{self, Axis};
 use crate::tui::app::App;
 use crate::tui::app::dialog::wrap;
@@ -23,8 +26,8 @@ use crate::tui::message::{Action, Effect};
 
 /// The numbers of points the arrows go through.
 const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
-/// The most curves of a family.
-const CURVES_MAX: u64 = 7;
+/// How many curves a family may have.
+const CURVES: RangeInclusive<u64> = 2..=7;
 
 /// Whether the setup has its own meaning for an action.
 pub(super) fn is_own(action: Action) -> bool {
@@ -122,9 +125,10 @@ fn commit(app: &mut App, then: isize) -> Vec<Effect> {
 
 fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Vec<Effect>, String> {
     let mut sweep = sweep_of(&app.scene);
-    let whole = |text: &str| {
-        text.parse::<usize>()
-            .map_err(|_not_a_number| format!("`{text}` must be a whole number, 2 or more"))
+    let whole = |text: &str, counts: RangeInclusive<u64>| {
+        text.parse::<usize>().map_err(|_not_a_number| {
+            format!("`{text}` must be a whole number, {} to {}", counts.start(), counts.end())
+        })
     };
     match row {
         SetupRow::Name(1) if picture == Picture::Line && text == "none" => {
@@ -144,11 +148,12 @@ fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Ve
             *end = units::parse_relative(text, *end, number.quantity, Bare::Stored)
                 .map_err(|problem| format!("{}: {problem}", variable.symbol))?;
         }
-        SetupRow::Points(at) => sweep.axes[at].count = whole(text)?,
+        SetupRow::Points(at) => sweep.axes[at].count = whole(text, GRID_COUNTS)?,
         SetupRow::Curves => {
-            let curves = whole(text)? as u64;
-            if !(2..=CURVES_MAX).contains(&curves) {
-                return Err(format!("curves = {curves} must be 2 to {CURVES_MAX}"));
+            let curves = whole(text, CURVES)? as u64;
+            if !CURVES.contains(&curves) {
+                let (least, most) = (CURVES.start(), CURVES.end());
+                return Err(format!("curves = {curves} must be {least} to {most}"));
             }
             app.sweeping.curves = curves;
             return Ok(super::sweep::after_edit(app));
@@ -208,7 +213,7 @@ fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)
         }
         SetupRow::Curves => {
             let curves = app.sweeping.curves.saturating_add_signed(by as i64);
-            app.sweeping.curves = curves.clamp(2, CURVES_MAX);
+            app.sweeping.curves = curves.clamp(*CURVES.start(), *CURVES.end());
             Ok(super::sweep::after_edit(app))
         }
         SetupRow::Output => {
@@ -337,7 +342,8 @@ fn checked(
     if picture == Picture::Line && !second && !has_family(&app.scene) {
         sweep.axes.truncate(1);
     }
-    let axes = sweep.axes.iter().map(Axis::of).collect::<Result<Vec<_>, _>>();
+    let axes = sweep.axes.iter().map(|axis| Axis::of(axis, &GRID_COUNTS));
+    let axes = axes.collect::<Result<Vec<_>, _>>();
     let axes = axes.map_err(|error| error.to_string())?;
     let design = sweep::Design::Factorial;
     sweep::Plan::new(&app.scene, axes, design, &sweep.outputs)

@@ -74,12 +74,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         Action::CursorLeftFar => tab.move_cursor(0, -FAR),
         Action::CursorRightFar => tab.move_cursor(0, FAR),
         _ if tab.battery_shown => table::open(app, Table::Battery),
-        _ => {
-            app.say(
-                Severity::Note,
-                "Tab and then e exports the battery; 1 and then e exports runs",
-            );
-        }
+        _ => table::open(app, Table::Map),
     }
     Vec::new()
 }

@@ -289,9 +289,9 @@ fn export(app: &mut App) {
         return;
     };
     let names: Vec<&str> = found.grid.plan().axes().iter().map(Axis::symbol).collect();
-    let stem = app.base.name.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml");
+    let name = format!("{}-{}.csv", path::base_stem(app), names.join("-"));
     app.dialog = Some(Dialog::ExportSweep(Save {
-        input: Input::new(format!("{stem}-{}.csv", names.join("-"))),
+        input: Input::new(name),
         fresh: false,
         question: false,
         error: None,

@@ -22,11 +22,12 @@ pub(super) fn open(app: &mut App, table: Table) {
     }
     let name = match table {
         Table::Limit => {
-            let report = app.limit.report.as_ref();
-            let is_base = report.is_some_and(|report| *report.scene == *app.base.scene);
-            let stem = if is_base { app.base.name.as_str() } else { "scene" };
-            let stem = stem.rsplit('/').next().unwrap_or("scene").trim_end_matches(".toml");
-            format!("{stem}-limit.csv")
+            let Some(report) = &app.limit.report else { return };
+            format!("{}-limit.csv", path::stem(app, &report.scene))
+        }
+        Table::Map => {
+            let Some((scene, _)) = &app.stability.map else { return };
+            format!("{}-map.csv", path::stem(app, scene))
         }
         Table::Battery => "battery.csv".to_owned(),
         Table::Search => app.searching.page.file().to_owned(),
@@ -49,6 +50,11 @@ fn text(app: &App, table: Table) -> Option<Result<String, FileError>> {
             let report = app.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
             let name = name_of(&report.scene, &app.base.name, &app.base.scene);
             Some(limit::shots(&name, report).csv())
+        }
+        Table::Map => {
+            let (scene, map) = app.stability.map.as_ref()?;
+            let name = name_of(scene, &app.base.name, &app.base.scene);
+            Some(stability::map_rows(&name, map).csv())
         }
         Table::Battery => {
             let rows = app.stability.rows();

@@ -122,13 +122,13 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
                 Place::Log | Place::Accuracy | Place::Limit => {
                     row.action != Action::FocusNext && !elsewhere.contains(&row.action)
                 }
-                Place::Battery
+                Place::Map
+                | Place::Battery
                 | Place::SearchSetup
                 | Place::Search
                 | Place::Claims
                 | Place::Principles
                 | Place::Screening => !elsewhere.contains(&row.action),
-                Place::Map => row.action != Action::Export && !elsewhere.contains(&row.action),
                 Place::Setup | Place::Lines | Place::Surface => row.action != Action::Window,
                 Place::Anywhere | Place::Variables | Place::Charts | Place::Runs => true,
             }

@@ -52,7 +52,7 @@ pub(super) fn path(
     } else if let Some(error) = &state.error {
         (format!("x {error}"), Role::Error)
     } else {
-        (format!("one row each, as {}", target.display()), Role::Dim)
+        (format!("to {}", target.display()), Role::Dim)
     };
     below(app, (&text, role), inner, buffer);
 }

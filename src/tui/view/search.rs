@@ -47,15 +47,27 @@ pub(super) fn render(
     }
     let mut layout = None;
     let top = Rect { height: right.height - below, ..right };
+    let focused = below == 0 && !app.searching.on_setup && app.dialog.is_none();
     match &found.answer {
-        Answer::Seek(report) => sought(app, report, top, buffer),
-        Answer::Front(_) => layout = front(app, top, buffer),
-        Answer::Scatter(_) => histogram(app, top, buffer),
+        Answer::Seek(report) => sought(app, report, (top, focused), buffer),
+        Answer::Front(_) => layout = front(app, (top, focused), buffer),
+        Answer::Scatter(_) => histogram(app, (top, focused), buffer),
         Answer::Sensitivity(_) | Answer::Worth(_) => {}
     }
-    let rest = Rect { y: right.y + top.height, height: below, ..right };
-    words(app, &lines, rest, buffer);
+    if below == 0 {
+        turn(app, top, buffer);
+    } else {
+        let rest = Rect { y: right.y + top.height, height: below, ..right };
+        words(app, &lines, rest, buffer);
+    }
     layout
+}
+
+/// Where else to look, in the lower line of a chart that stands alone.
+fn turn(app: &App, area: Rect, buffer: &mut Buffer) {
+    let hint = if app.searching.on_setup { " Tab " } else { " Tab: in words " };
+    let column = area.width.saturating_sub(columns(hint) + 1);
+    put(buffer, area, (column, area.height - 1), hint, app.theme.style(Role::Dim));
 }
 
 fn setup(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
@@ -183,7 +195,7 @@ fn measure_axis(
     Some(Axis::new(label, view).scale(scale).unit(unit))
 }
 
-fn sought(app: &App, report: &seek::Report, area: Rect, buffer: &mut Buffer) {
+fn sought(app: &App, report: &seek::Report, (area, focused): (Rect, bool), buffer: &mut Buffer) {
     let points: Vec<(f64, f64)> =
         report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
     let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
@@ -199,6 +211,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, buffer: &mut Buffer) {
         report.solutions.iter().map(|found| EventLine { x: found.place.at, tag: "".into() });
     let chart = Chart {
         legend: Legend::Hidden,
+        focused,
         events: lines.collect(),
         levels: vec![Level { y: report.target, tag: "goal".into() }],
         crosshair: selected.map(|found| found.place.at),
@@ -218,7 +231,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, buffer: &mut Buffer) {
 }
 
 /// Designs as points, the scene and the thesis's designs as letters.
-fn front(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
+fn front(app: &App, (area, focused): (Rect, bool), buffer: &mut Buffer) -> Option<Layout> {
     let tab = &app.searching;
     let (found, task) = tab.front()?;
     let (across, up) = tab.across(task);
@@ -243,6 +256,7 @@ fn front(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
     let chart = Chart {
         legend: Legend::Hidden,
+        focused,
         crosshair: selected,
         ..Chart::new(title, x, y, Vec::new())
     };
@@ -278,7 +292,7 @@ fn mark(
 }
 
 /// How often a value falls into each of some bins, as steps.
-fn histogram(app: &App, area: Rect, buffer: &mut Buffer) {
+fn histogram(app: &App, (area, focused): (Rect, bool), buffer: &mut Buffer) {
     let Some((_, summary)) = app.scattered() else { return };
     let sorted = &summary.sorted;
     let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
@@ -306,6 +320,7 @@ fn histogram(app: &App, area: Rect, buffer: &mut Buffer) {
     };
     let chart = Chart {
         legend: Legend::Hidden,
+        focused,
         events: [at(0.05, "5 %"), at(0.5, "median"), at(0.95, "95 %")]
             .into_iter()
             .flatten()

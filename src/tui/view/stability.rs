@@ -82,19 +82,31 @@ fn map(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Rect> {
     }
     cells(app, map, plot, buffer);
     values(app, map, (inner, plot), buffer);
-    let mut column = 1;
-    for cell in [Cell::Accurate, Cell::Inaccurate, Cell::Oscillating, Cell::BlownUp] {
-        let letter = cell.letter().to_string();
-        put(buffer, inner, (column, inner.height - 1), &letter, app.theme.style(role(cell)));
-        let text = cell.words();
-        let style = app.theme.style(Role::Text);
-        column = put(buffer, inner, (column + 2, inner.height - 1), text, style) + 2;
-    }
-    let long = "| analytic limit  + this scene at the thesis's 1e-6 s";
-    let fits = column + columns(long) < inner.width;
-    let text = if fits { long } else { "| limit  + 1e-6 s" };
-    put(buffer, inner, (column, inner.height - 1), text, app.theme.style(Role::Text));
+    legend(app, inner, buffer);
     Some(plot)
+}
+
+/// What letters and marks mean, in as many words as there is room for.
+fn legend(app: &App, area: Rect, buffer: &mut Buffer) {
+    let cells = [Cell::Accurate, Cell::Inaccurate, Cell::Oscillating, Cell::BlownUp];
+    let short = ["1 %", "worse", "swings", "blows up"];
+    let marks = ["| analytic limit  + this scene at the thesis's 1e-6 s", "| limit  + 1e-6 s"];
+    let width = |words: [&str; 4], marks| {
+        // A letter and a space before each, and two spaces behind.
+        1 + words.into_iter().map(|text| columns(text) + 4).sum::<u16>() + columns(marks)
+    };
+    let long = cells.map(Cell::words);
+    let choices = [(long, marks[0]), (long, marks[1]), (short, marks[1])];
+    let fits = choices.into_iter().find(|(words, marks)| width(*words, marks) <= area.width);
+    let (words, marks) = fits.unwrap_or(choices[2]);
+    let (style, row) = (app.theme.style(Role::Text), area.height - 1);
+    let mut column = 1;
+    for (cell, text) in cells.into_iter().zip(words) {
+        let letter = cell.letter().to_string();
+        put(buffer, area, (column, row), &letter, app.theme.style(role(cell)));
+        column = put(buffer, area, (column + 2, row), text, style) + 2;
+    }
+    put(buffer, area, (column, row), marks, style);
 }
 
 /// The index of what a cell of the screen shows, of `count` spread over `cells`.

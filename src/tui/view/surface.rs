@@ -13,7 +13,7 @@ use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
 use crate::tui::app::App;
 use crate::tui::app::layout::SweepPanes;
-use crate::tui::app::status::clip;
+use crate::tui::app::status::{clip, shortened};
 use crate::tui::app::sweep::{Contour, Picture, place, quadratic};
 use crate::tui::chart::heatmap::{dot, swatch};
 use crate::tui::chart::{
@@ -95,13 +95,8 @@ impl<'a> Sight<'a> {
     fn map(&self, app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
         let axes = self.grid.plan().axes();
         let old = app.sweep_is_old(Picture::Surface) && app.sweeping.computing.is_none();
-        let title = format!(
-            "{}{}{}, up: {}",
-            if self.fit.is_some() { "off the fit: " } else { "" },
-            self.column.title(),
-            if old { ", old" } else { "" },
-            axes[1].symbol()
-        );
+        let (across, upward) = (chart_axis(&axes[0]), chart_axis(&axes[1]));
+        let title = self.title(old, (&across, &upward), area.width);
         let Some(levels) = &self.levels else {
             nothing_exists(app, &title, (self.grid, self.output), area, buffer);
             return None;
@@ -125,8 +120,8 @@ impl<'a> Sight<'a> {
         let through = app.sweeping.contour == Contour::Cursor && here.is_finite();
         let map = Heatmap {
             title: title.into(),
-            x: chart_axis(&axes[0]),
-            y: chart_axis(&axes[1]),
+            x: across,
+            y: upward,
             counts: self.grid.counts(),
             spot: &spot,
             levels,
@@ -135,6 +130,27 @@ impl<'a> Sight<'a> {
             focused: !app.sweeping.on_setup && app.dialog.is_none(),
         };
         Some(map.render(area, buffer, app.theme))
+    }
+
+    /// What is shown and the axis upward, in as many words as there is room for: the other axis's name gives way first.
+    fn title(
+        &self,
+        old: bool,
+        (across, up): (&chart::Axis<'_>, &chart::Axis<'_>),
+        width: u16,
+    ) -> String {
+        let fit = if self.fit.is_some() { "off the fit: " } else { "" };
+        let old = if old { ", old" } else { "" };
+        let (output, name) = (self.column.title(), &up.label);
+        let long = format!("{fit}{output}{old}, up: {name}");
+        let short = format!("{fit}{}{old}, up: {name}", shortened(&output));
+        // In the line are also its unit and the other axis with brackets, blanks, and the frame's ends.
+        let alone = usize::from(width).saturating_sub(up.unit.name.len() + 8);
+        let both = alone.saturating_sub(across.label.len() + across.unit.name.len() + 5);
+        let choices = [(&long, both), (&short, both), (&long, alone), (&short, alone)];
+        let fits = choices.into_iter().find(|(title, room)| title.chars().count() <= *room);
+        // The row below the map tells the output, too.
+        fits.map_or_else(|| format!("{fit}up: {name}{old}"), |(title, _)| title.clone())
     }
 
     /// The points of a design where they lie, each in the colour of its band or as its letter.

@@ -218,10 +218,6 @@ fn tab_turns_from_the_curve_to_the_words_where_both_have_no_room() {
     assert!(rest.contains("samples, seed 1") && rest.contains("Tab: curve"), "{rest}");
     bench.keys("<Tab>");
     assert_eq!(bench.screen(), curve);
-    // With room for both there is nothing to turn: Tab leads to the Run tab, as in other tabs with one pane.
-    let mut bench = open(GlyphSet::Ascii, (120, 36));
-    bench.keys("<Tab>");
-    assert_eq!(bench.app.tab, cmra::tui::app::Tab::Run);
 }
 
 #[test]
@@ -234,4 +230,17 @@ fn an_oblique_limit_comes_with_what_measurements_say() {
     bench.keys("1/theta<Enter><Enter>0<Enter>8");
     answer(&mut bench);
     assert!(!bench.screen().contains("oblique limits"));
+}
+
+/// With room for all there is nothing to turn; nobody who looks for another pane is thrown out of the tab.
+#[test]
+fn where_there_is_one_pane_tab_says_how_to_go_on() {
+    for tab in ["4", "6", "8"] {
+        let mut bench = Bench::ascii(120, 40);
+        bench.keys(tab);
+        let before = bench.app.tab;
+        bench.keys("<Tab>");
+        assert_eq!(bench.app.tab, before);
+        assert!(bench.message().contains("one pane; } and {"), "{}", bench.message());
+    }
 }

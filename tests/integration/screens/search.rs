@@ -227,6 +227,40 @@ fn on_a_small_screen_what_was_found_or_the_setup_has_the_room() {
     assert!(bench.screen().contains("mass efficiency"), "{}", bench.screen());
 }
 
+/// Chart, words, setup, and round again; either way.
+#[test]
+fn on_a_small_screen_tab_turns_from_the_chart_to_the_words() {
+    let mut bench = open(GlyphSet::Ascii, (60, 16));
+    bench.keys("v");
+    answer(&mut bench);
+    let mut seen = Vec::new();
+    for turn in ["<Tab>", "<Tab>", "<Tab>", "<S-Tab>", "<S-Tab>", "<S-Tab>"] {
+        seen.push(bench.screen());
+        bench.keys(turn);
+    }
+    let has = |at: usize| {
+        let screen: &str = &seen[at];
+        let drawn = screen.contains("40 designs: stroke [mm]") && screen.contains("Tab: in words");
+        let told = screen.contains("S the scene itself") && screen.contains("Tab: setup");
+        (drawn, told, screen.contains("> search    best designs"))
+    };
+    let (chart, words, setup) = ((true, false, false), (false, true, false), (false, false, true));
+    let found: Vec<_> = (0..6).map(has).collect();
+    assert_eq!(found, [chart, words, setup, chart, setup, words], "{}", seen.join("\n"));
+    // The design is chosen on the chart, too.
+    let before = bench.message().clone();
+    bench.keys("l");
+    assert_ne!(bench.message(), before);
+    // Where there is room for both, Tab goes from one pane to the other.
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("v");
+    answer(&mut bench);
+    bench.keys("<Tab>");
+    assert!(bench.app.searching.on_setup);
+    bench.keys("<Tab>");
+    assert!(!bench.app.searching.on_setup && bench.screen().contains("S the scene itself"));
+}
+
 /// Where everything perforates there is no percentage of a baseline, and each page says what to do instead.
 #[test]
 fn what_has_no_value_anywhere_says_so_and_what_to_do() {

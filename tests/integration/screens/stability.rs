@@ -144,23 +144,48 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_falls_short() {
     assert!(studies(&mut bench).is_empty());
 }
 
-#[test]
-fn the_battery_is_exported_and_the_map_says_where_to_go() {
-    let mut bench = open(GlyphSet::Ascii, (80, 24));
-    bench.keys("e");
-    assert!(bench.message().contains("Tab and then e exports the battery"), "{}", bench.message());
-    bench.keys("<Tab>e");
-    assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
-    answer(&mut bench);
-    bench.keys("e<Enter>");
-    let text = bench.effects.iter().find_map(|effect| match effect {
+/// The table written last, and its path.
+fn exported(bench: &Bench) -> (String, String) {
+    let last = bench.effects.iter().rev().find_map(|effect| match effect {
         Effect::ExportTable { path, overwrite: false, text } => {
-            assert_eq!(path, std::path::Path::new("/home/ada/work/battery.csv"));
-            Some(text)
+            Some((path.display().to_string(), text.clone()))
         }
         _ => None,
     });
-    let text = text.expect("an export");
+    last.expect("an export")
+}
+
+#[test]
+fn map_and_battery_are_exported_each_where_it_is_shown() {
+    let mut bench = open(GlyphSet::Ascii, (120, 40));
+    assert!(bench.screen().contains("e export"), "{}", bench.screen());
+    bench.keys("e<Enter>");
+    let (path, text) = exported(&bench);
+    assert_eq!(path, "/home/ada/work/thesis-baseline-map.csv");
+    let shown = map(Method::Thesis, Axis::K);
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(read.len(), shown.cells.len());
+    for (record, cell) in read.iter().zip(&shown.cells) {
+        assert_eq!(&record[5], cell.word());
+    }
+    assert_eq!(read[0][3].parse::<f64>().unwrap().to_bits(), shown.values[0].to_bits());
+    bench.keys("<Esc><Tab>e");
+    assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
+    answer(&mut bench);
+    bench.keys("e<Enter>");
+    let (path, text) = exported(&bench);
+    assert_eq!(path, "/home/ada/work/battery.csv");
     assert!(text.starts_with("scene,changes,outcome,"), "{text}");
     assert_eq!(text.lines().count(), 13);
+}
+
+/// A changed scene's map is not written under the preset's name.
+#[test]
+fn the_map_of_a_changed_scene_is_called_so() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("jjl5");
+    answer(&mut bench);
+    bench.keys("e<Enter>");
+    assert_eq!(exported(&bench).0, "/home/ada/work/scene-map.csv");
 }

@@ -10,7 +10,7 @@ use crate::study::sensitivity::{self, indices::Index};
 use crate::study::sweep::Fate;
 use crate::study::worth;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::status::{fitted, wrap};
 
 /// A line, and how it is meant.
 pub type Line = (Severity, String);
@@ -235,27 +235,11 @@ fn scattered(report: &scatter::Report, output: &str, width: usize) -> Vec<Line> 
         };
         let at = |share: f64| show(summary.quantile(share).map(|quantile| quantile.value));
         let mark = if summary.measure.name == output { ">" } else { " " };
-        let title = short(&summary.measure.title(), name);
+        let title = fitted(&summary.measure.title(), name);
         let values = cells([show(summary.nominal), at(0.05), at(0.5), at(0.95)]);
         lines.push(note(format!("{mark} {title:name$}{values}")));
     }
     lines
-}
-
-/// A result's title in so many columns: shorter words where it is too long, so that no two look alike.
-fn short(title: &str, width: usize) -> String {
-    if title.chars().count() <= width {
-        return title.to_owned();
-    }
-    let words = [
-        ("first arrest", "1st"),
-        ("plate displacement", "travel"),
-        ("plate velocity", "speed"),
-        ("penetration", "depth"),
-        ("percent of", "% of"),
-    ];
-    let short = words.iter().fold(title.to_owned(), |text, (long, word)| text.replace(long, word));
-    clip(&short, width)
 }
 
 fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
@@ -317,6 +301,8 @@ fn compared(entries: &[worth::Entry], cell: usize) -> Vec<Line> {
             (None, _) => "-".to_owned(),
             (Some(value), "m/s") if value > SPEED_MAX_M_S => "none".to_owned(),
             (Some(value), "" | "kg/m2") => significant(value, 4),
+            // Without a prefix: velocities side by side are to be compared.
+            (Some(value), "m/s") => format!("{} m/s", significant(value, 3)),
             (Some(value), unit) => Engineering { value, unit, digits: 3 }.to_string(),
         };
         let cells = entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(entry))));
@@ -359,6 +345,7 @@ fn verdict(report: &worth::Report) -> Vec<Line> {
             lines.push(note(format!("{}: {absence}", entry.candidate.word())));
         }
     }
+    lines.extend(report.caution().map(|text| (Severity::Warning, format!("caution: {text}"))));
     if let Some(kg) = report.spring_kg {
         let kg = significant(1e3 * kg, 4);
         lines.push(note(format!("areal mass in kg/m2; least steel spring {kg} g")));

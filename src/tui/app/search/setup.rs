@@ -11,7 +11,7 @@ use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
 use crate::study::search::measure::measure;
 use crate::study::search::nsga;
 use crate::study::search::scatter::{self, usual_measures, usual_tolerances};
-use crate::study::search::seek::Goal;
+use crate::study::search::seek::{Goal, SCAN_USUAL};
 use crate::study::sensitivity;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Axis, Spacing};
@@ -62,7 +62,7 @@ impl Default for Setup {
     fn default() -> Self {
         Self {
             seek: Bound { name: "d", ends: (0.0, 0.5), log: false, on: true },
-            points: 65,
+            points: SCAN_USUAL,
             goal: ("percent_of_baseline", 60.0),
             bounds: Vec::new(),
             objectives: [true; 4],
