@@ -37,7 +37,7 @@ const DIFFERENCE_ROUNDING: f64 = 3e-14;
 /// The least path of a stride on an elastic stop, relative to the displacement: the stop's force is known to the displacement's rounding.
 const OF_STOP: f64 = 1e-3;
 /// How far from zero a guard may be where it has fallen, relative to its value at the start, and how often it is aimed at.
-const LANDED: f64 = 1e-13;
+const LANDED: f64 = 1e-9;
 const LANDINGS: usize = 6;
 /// Ticks of the clock that a fall keeps from the zero.
 const TICKS: f64 = 500.0;
@@ -163,33 +163,47 @@ impl Track<'_> {
             let inwards = clock.now() * clock.heading < 0.0;
             return self.unbroken(clock, if inwards { 0.0 } else { clock.heading * seen });
         }
+        let start = value(&self.state).abs();
+        let mut best: Option<(f64, Stretch)> = None;
         for _ in 0..LANDINGS {
             let landed = self.unbroken(clock, aim)?;
             let last = POINTS - 1;
             let (at_end, at_last) = (value(&landed.end), value(&landed.states[last]));
-            let noise = form.rounding(clock.motion, &landed.end);
-            if at_end.abs() <= LANDED * value(&self.state).abs() + noise {
-                return Some(landed);
+            let next = aim - at_end * (aim - landed.graded.points[last].0) / (at_end - at_last);
+            if best.as_ref().is_some_and(|best| at_end.abs() >= best.0) {
+                break;
             }
-            aim -= at_end * (aim - landed.graded.points[last].0) / (at_end - at_last);
+            let exact = at_end.abs() <= form.rounding(clock.motion, &landed.end);
+            best = Some((at_end.abs(), landed));
+            if exact {
+                break;
+            }
+            aim = next;
+        }
+        if let Some((missed, landed)) = best
+            && missed <= LANDED * start
+        {
+            return Some(landed);
         }
         // Too steep for secants.
         let end_of = |part: f64| {
-            self.unbroken(clock, place(part)).map_or(f64::NAN, |landed| value(&landed.end))
+            let state = if part == 0.0 { Some(self.state) } else { None };
+            let state = state.or_else(|| Some(self.unbroken(clock, place(part))?.end));
+            state.map_or(f64::NAN, |state| value(&state))
         };
         self.unbroken(clock, place(in_bracket(from, to, end_of)))
     }
 
     /// The way to `to`, whatever happens on it, if it is accurate.
     fn unbroken(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
-        let (from, y) = (clock.now(), clock.unknowns());
+        let from = clock.now();
         let scale = self.stride_scale(clock, to - from);
         let on_stop = clock.law == Law::Damper && clock.motion.stop.stiffness_n_m > 0.0;
         if on_stop && scale[3] < OF_STOP * self.state.plate_m.abs() {
             return None;
         }
         let rate = |z: f64, y: &Unknowns| clock.rate(&clock.state(z, y));
-        let graded = solve((from, to), &y, &scale, rate)?;
+        let graded = solve((from, to), &[0.0; 4], &scale, rate)?;
         let states = std::array::from_fn(|i| clock.state(graded.points[i].0, &graded.points[i].2));
         let end = clock.state(to, &graded.end);
         let allowed = larger(FINER * self.local_tolerance(), DIFFERENCE_ROUNDING);
@@ -245,9 +259,9 @@ impl Track<'_> {
     /// for the projectile the scales of Taylor steps.
     fn stride_scale(&self, clock: &Clock<'_>, way: f64) -> Unknowns {
         let duration_s = (way / clock.pace()).abs();
-        let path_m = self.state.travel_m.abs() + self.state.plate_m.abs();
+        let path_m = self.state.travel_m.abs() + self.state.slip_m_s.abs() * duration_s;
         let plate = match clock.law {
-            Law::Spring => clock.unknowns()[3],
+            Law::Spring => clock.energy(),
             Law::Damper => {
                 let contact =
                     matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing);

@@ -25,9 +25,10 @@ pub(super) const STEPS_MAX: usize = 3_000_000;
 /// Events after which a run ends early.
 const EVENTS_MAX: usize = 400_000;
 
-/// Turns and events after which a run that was given no horizon ends while still moving: five hundred swings. A plate on an undamped
-/// spring goes on for ever.
+/// Turns and events, five hundred swings, and steps after which a run that was given no horizon ends while still moving. A plate on
+/// an undamped spring goes on for ever.
 const TURNS_MAX: usize = 1_000;
+const UNDECIDED_STEPS: usize = 20_000;
 
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
@@ -164,7 +165,9 @@ impl<'a> Track<'a> {
             if observer(self.t_s).is_break() {
                 return EndReason::Cancelled;
             }
-            if !self.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX {
+            let swings_on =
+                self.turns + self.event_count > TURNS_MAX && self.steps > UNDECIDED_STEPS;
+            if swings_on && !self.problem.horizon_is_asked {
                 return self.end_early(EndReason::Swings);
             }
             if let Some(trigger) = self.overdue() {

@@ -19,8 +19,8 @@ pub(super) enum Law {
     Damper,
 }
 
-/// Time since the start of the stride, s; path of the projectile, travel and plate together, m, and its velocity, m/s; and what the
-/// clock leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement since the start, m.
+/// Since the start of the stride: time, s; path of the projectile, travel and plate together, m; change of its velocity, m/s; and of
+/// what the clock leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement, m.
 pub(super) type Unknowns = [f64; 4];
 
 /// The equations of a stride.
@@ -55,27 +55,31 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// The unknowns at the start.
-    pub(super) fn unknowns(&self) -> Unknowns {
-        let State { travel_m, slip_m_s, plate_m: x, plate_m_s: w } = self.from;
-        let cos = self.motion.coupling;
-        let rest = match self.law {
-            Law::Spring => 0.5 * w * w + self.potential(x),
-            Law::Damper => 0.0,
-        };
-        [0.0, travel_m + cos * x, slip_m_s + cos * w, rest]
-    }
-
     /// The state when the clock shows `z`.
     pub(super) fn state(&self, z: f64, y: &Unknowns) -> State {
-        let (plate_m, plate_m_s) = match self.law {
-            Law::Spring => (z, self.heading * (2.0 * (y[3] - self.potential(z))).sqrt()),
-            Law::Damper => (self.from.plate_m + y[3], z),
+        let State { travel_m, slip_m_s, plate_m: x, plate_m_s: w } = self.from;
+        let (moved_m, plate_m_s) = match self.law {
+            Law::Spring => {
+                let half_square = self.energy() + y[3] - self.potential(z);
+                (z - x, self.heading * (2.0 * half_square).sqrt())
+            }
+            Law::Damper => (y[3], z),
         };
         let cos = self.motion.coupling;
         // A joined body has no coupling, and its speed may be beyond all bounds where the way is too long.
-        let slip_m_s = if cos == 0.0 { y[2] } else { y[2] - cos * plate_m_s };
-        State { travel_m: y[1] - cos * plate_m, slip_m_s, plate_m, plate_m_s }
+        let apart = if cos == 0.0 { 0.0 } else { cos * (plate_m_s - w) };
+        State {
+            travel_m: travel_m + (y[1] - cos * moved_m),
+            slip_m_s: slip_m_s + (y[2] - apart),
+            plate_m: if self.law == Law::Spring { z } else { x + moved_m },
+            plate_m_s,
+        }
+    }
+
+    /// Energy of plate and spring at the start, per mass, J/kg.
+    pub(super) fn energy(&self) -> f64 {
+        let w = self.from.plate_m_s;
+        0.5 * w * w + self.potential(self.from.plate_m)
     }
 
     /// The unknowns' derivatives by the clock.
