@@ -15,6 +15,8 @@ use crate::model::variables::{self, VariableError};
 use problem::Problem;
 use track::Track;
 
+use crate::numerics::larger;
+
 mod contact;
 mod events;
 pub mod forced;
@@ -75,9 +77,10 @@ pub fn simulate(
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;
     let (track, end) = compute::<TERMS>(&problem, tolerance, settings.series, observer);
+    let by_strides = track.stride_error;
     let mut run = report::gather(&problem, track, end);
     if settings.estimate && run.end.is_complete() {
-        run.error_estimate = estimate(&problem, &run, observer);
+        run.error_estimate = estimate(&problem, &run, by_strides, observer);
     }
     run.stack = stack::follow(scene, &mut run, *settings, observer)?.map(Arc::new);
     Ok(run)
@@ -95,8 +98,14 @@ fn compute<'p, const N: usize>(
     (track, end)
 }
 
-/// The difference to a computation of another order at a much tighter tolerance; rounding alone for closed forms.
-fn estimate(problem: &Problem, run: &Run, observer: Observer<'_>) -> Option<ErrorEstimate> {
+/// The difference to a computation of another order at a much tighter tolerance, but not below what the strides, which both have in
+/// common, say of themselves; rounding alone for closed forms.
+fn estimate(
+    problem: &Problem,
+    run: &Run,
+    by_strides: f64,
+    observer: Observer<'_>,
+) -> Option<ErrorEstimate> {
     let measure = |run: &Run| match run.outcome {
         Outcome::Perforated => run.exit_time_s,
         Outcome::Arrested | Outcome::Separated | Outcome::Moving => run.final_penetration_m,
@@ -109,6 +118,6 @@ fn estimate(problem: &Problem, run: &Run, observer: Observer<'_>) -> Option<Erro
         compute::<TERMS_CHECK>(problem, run.scene.run.tolerance * TIGHTER, false, observer);
     let second = measure(&report::gather(problem, track, end))?;
     let relative = ((value - second) / second).abs();
-    let relative = if relative > ROUNDING { relative } else { ROUNDING };
+    let relative = larger(larger(relative, by_strides), ROUNDING);
     Some(ErrorEstimate { relative, basis: EstimateBasis::SecondComputation })
 }

@@ -21,6 +21,10 @@ mod clock;
 
 use clock::{Clock, Law, Unknowns};
 
+/// Part of the plate's energy, or of the force that turns it round, that may be exchanged between zero and the end of a stride, at
+/// tolerance 1, and how it falls with the tolerance: two computations do not share their strides, and with them their errors.
+const SHARE: f64 = 0.4;
+const SHARE_POWER: f64 = 0.025;
 /// How often a stride's way out is shortened, and by what part, until it is accurate.
 const TRIALS: usize = 6;
 const SHORTER: f64 = 0.4;
@@ -30,9 +34,10 @@ const NEARER: f64 = 0.4;
 const GIVEN_UP: f64 = 0.0;
 /// A stride outwards begins no further from zero than this part of where it ends.
 const CLOSE: f64 = 0.3;
-/// How many times more accurate the finer of the two rules is than their difference says, and what rounding leaves of the
-/// difference.
+/// How many times more accurate the finer of the two rules is than their difference says, at the least and usually, and what
+/// rounding leaves of the difference.
 const FINER: f64 = 100.0;
+const USUALLY_FINER: f64 = 1_000.0;
 const DIFFERENCE_ROUNDING: f64 = 3e-14;
 /// The least path of a stride on an elastic stop, relative to the displacement: the stop's force is known to the displacement's rounding.
 const OF_STOP: f64 = 1e-3;
@@ -71,7 +76,7 @@ impl Track<'_> {
     fn stride_by(&mut self, law: Law) -> Option<Taken> {
         let motion = self.motion();
         let clock = Clock::new(law, &motion, self.state);
-        let room = clock.room();
+        let room = clock.room(SHARE * self.tolerance.powf(SHARE_POWER));
         if clock.heading == 0.0 || !room.is_finite() {
             return None;
         }
@@ -303,6 +308,9 @@ impl Track<'_> {
             Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
         }
         self.record = record;
+        if self.mode != Mode::Fused || self.problem.plastic {
+            self.stride_error += graded.difference / USUALLY_FINER;
+        }
         self.steps += 1;
         self.stretch_steps += 1;
         self.count_turns(motion.accelerations(&self.state).1);

@@ -28,7 +28,7 @@ const EVENTS_MAX: usize = 400_000;
 /// Turns and events, five hundred swings, and steps after which a run that was given no horizon ends while still moving. A plate on
 /// an undamped spring goes on for ever.
 const TURNS_MAX: usize = 1_000;
-const UNDECIDED_STEPS: usize = 20_000;
+const UNDECIDED_STEPS: usize = 15_000;
 
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
@@ -63,6 +63,8 @@ pub(super) struct Track<'a> {
     pub(super) side_w: f64,
     /// Where a stride through the zero of the spring, and of the damper, was refused last on this way in, m and m/s.
     pub(super) stride_refused: [f64; 2],
+    /// What strides that the depth depends on may be off by, relative.
+    pub(super) stride_error: f64,
     /// The stretch of the spring's curve in which the plate is; without meaning for a power law.
     pub(super) region: usize,
     /// Greatest |x| and |w| seen, m and m/s.
@@ -128,6 +130,7 @@ impl<'a> Track<'a> {
             clear_m: 0.0,
             clear_m_s: 0.0,
             stride_refused: [f64::INFINITY; 2],
+            stride_error: 0.0,
             side_x: if problem.start_m < 0.0 { -1.0 } else { 1.0 },
             side_w: if pull < 0.0 { -1.0 } else { 1.0 },
             region: first_region(problem, pull),

@@ -5,8 +5,6 @@ use crate::model::mechanism::{Elastic, PowerKind, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
 
-/// Part of the plate's energy, or of the force that turns it round, that may be exchanged between zero and the end of a stride.
-const SHARE: f64 = 0.25;
 /// Part of the displacement that a plate may come back from its farthest point within a stride, where its spring is broken, too.
 const OF_DISPLACEMENT: f64 = 0.3;
 
@@ -109,9 +107,9 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// How far from zero a stride may begin or end: as far as little of the plate's energy, or of the force that turns it round, is
-    /// exchanged on the way, and further singularities are further away still.
-    pub(super) fn room(&self) -> f64 {
+    /// How far from zero a stride may begin or end: as far as no more than this share of the plate's energy, or of the force that
+    /// turns it round, is exchanged on the way, and further singularities are further away still.
+    pub(super) fn room(&self, share: f64) -> f64 {
         let motion = self.motion;
         let (x, w, mobility) = (self.from.plate_m, self.from.plate_m_s, motion.plate_mobility);
         let (_, a) = motion.accelerations(&self.from);
@@ -119,15 +117,15 @@ impl<'a> Clock<'a> {
             (Law::Spring, Elastic::Power(spring)) => {
                 let kinetic = 0.5 * w * w;
                 let others = (a + spring.force(x) * mobility).abs();
-                let by_spring = spring.at_integral(SHARE * kinetic / mobility);
-                smaller(by_spring, SHARE * kinetic / others)
+                let by_spring = spring.at_integral(share * kinetic / mobility);
+                smaller(by_spring, share * kinetic / others)
             }
             (Law::Spring, Elastic::Piece(_)) => 0.0,
             (Law::Damper, spring) => {
                 let others = (a + motion.damper.force(w) * mobility).abs();
                 let stiffness = spring.tangent(x).abs() + motion.stop.stiffness_n_m;
-                let by_damper = motion.damper.at_force(SHARE * others / mobility);
-                let by_spring = (SHARE * others * others / (mobility * stiffness)).sqrt();
+                let by_damper = motion.damper.at_force(share * others / mobility);
+                let by_spring = (share * others * others / (mobility * stiffness)).sqrt();
                 let broken =
                     matches!(spring, Elastic::Power(law) if law.kind() == PowerKind::General);
                 let back_m = if broken { OF_DISPLACEMENT * x.abs() } else { f64::INFINITY };
