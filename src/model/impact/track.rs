@@ -51,6 +51,8 @@ pub(super) struct Track<'a> {
     pub(super) held: bool,
     /// The mechanism cannot move the plate noticeably: it stays where it is.
     pub(super) immobile: bool,
+    /// The plate, on which nothing but its mechanism acts, has died down.
+    pub(super) resting: bool,
     /// The elastic stop is in contact.
     pub(super) stop_touches: bool,
     /// The singular spring, or damper, is left out close to its zero.
@@ -123,6 +125,7 @@ impl<'a> Track<'a> {
             held: problem.mechanism.rigid_stop().is_some()
                 && problem.start_m >= problem.mechanism.stop_at_m,
             immobile: false,
+            resting: false,
             stop_touches: problem.mechanism.elastic_stop().is_some()
                 && problem.start_m >= problem.mechanism.stop_at_m,
             spring_omitted: false,
@@ -183,6 +186,7 @@ impl<'a> Track<'a> {
                 continue;
             }
             self.take_back();
+            self.come_to_rest();
             if let Some(Taken(fired)) = self.stride() {
                 if let Some(trigger) = fired {
                     self.take(trigger);
@@ -217,9 +221,26 @@ impl<'a> Track<'a> {
         if self.mode != before {
             self.stiff = false;
             self.creeps = false;
+            self.resting = false;
         }
         if self.mode != before {
             self.stretch_steps = 0;
+        }
+    }
+
+    /// A plate that swings about zero without contact, with no energy worth the name, rests there until it is struck again.
+    fn come_to_rest(&mut self) {
+        let untouched = match self.mode {
+            Mode::FreeFlight => true,
+            Mode::Withdrawing | Mode::Closing => self.problem.grip == 0.0,
+            Mode::Penetrating | Mode::Fused | Mode::Perforated => false,
+        };
+        let sprung = self.problem.mechanism.spring.power().is_some_and(|law| law.coefficient > 0.0);
+        if untouched && sprung && !self.is_still() && !self.stop_touches && self.has_died_down() {
+            self.state.slip_m_s += self.state.plate_m_s * self.problem.cos;
+            (self.state.plate_m, self.state.plate_m_s) = (0.0, 0.0);
+            self.resting = true;
+            self.stiff = false;
         }
     }
 
@@ -241,7 +262,7 @@ impl<'a> Track<'a> {
 
     /// Whether the plate cannot move: rigid, held by its stop, or as good as immobile.
     pub(super) fn is_still(&self) -> bool {
-        self.problem.rigid || self.held || self.immobile
+        self.problem.rigid || self.held || self.immobile || self.resting
     }
 
     /// The equations of the present mode.

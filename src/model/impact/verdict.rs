@@ -166,7 +166,7 @@ impl Track<'_> {
     }
 
     /// Whether what still moves has no energy worth the name: less than rounding leaves of that at the start, squared.
-    fn has_died_down(&self) -> bool {
+    pub(super) fn has_died_down(&self) -> bool {
         let problem = self.problem;
         let v = problem.velocity_m_s;
         let at_start = 0.5 * problem.projectile_kg * v * v;
