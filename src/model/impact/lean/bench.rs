@@ -7,6 +7,11 @@ use crate::numerics::wide::Wide;
 
 /// Lanes of the widest vectors there are.
 pub(super) const LANES_MAX: usize = 8;
+/// Whether vectors of this kind are worth a bench: otherwise contacts are done one by one.
+pub(super) const fn has_lanes<S: Simd>() -> bool {
+    S::F64_LANES > 1 && S::F64_LANES <= LANES_MAX
+}
+
 /// Rows that [`Constants`] take.
 pub(super) const CONSTANTS: usize = 6;
 

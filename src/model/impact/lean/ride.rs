@@ -5,7 +5,7 @@
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
-use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX};
+use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX, has_lanes};
 use crate::model::impact::lean::expansion::{Constants, Series, trusted};
 use crate::model::impact::lean::plain::alone;
 use crate::model::impact::lean::riding::{Balance, Lag, Riding, Spring, eased};
@@ -238,8 +238,10 @@ impl<const N: usize> WithSimd for Abreast<'_, '_, N> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        if S::F64_LANES > LANES_MAX {
-            run::<Scalar, N>(Scalar::new(), self.riders, self.led);
+        if const { !has_lanes::<S>() } {
+            for Rider { contact, ride, place } in self.riders {
+                (self.led)(*place, contact.ridden(ride));
+            }
         } else {
             run::<S, N>(simd, self.riders, self.led);
         }
