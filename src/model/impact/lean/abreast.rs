@@ -7,7 +7,7 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX};
+use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX, has_lanes};
 use crate::model::impact::lean::expansion::{Clock, trusted};
 use crate::model::impact::lean::law::{Law, Linear, Power};
 use crate::model::impact::lean::ride::{Rider, ride_abreast};
@@ -124,11 +124,11 @@ impl<const N: usize, const POWER: bool, const GRADED: bool> WithSimd
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        if S::F64_LANES == 1 || S::F64_LANES > LANES_MAX {
+        if const { !has_lanes::<S>() } {
             for job in self.jobs {
                 self.ends[job.place] = job.contact.walk(&job.walk);
             }
-        } else if POWER {
+        } else if const { POWER } {
             let power = |rows: &Bench<ROWS>| {
                 Power::new(rows.wide(simd, SPRING), rows.wide(simd, SPRING + 1))
             };

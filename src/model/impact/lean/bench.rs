@@ -5,13 +5,18 @@ use pulp::Simd;
 use crate::model::impact::lean::expansion::Constants;
 use crate::numerics::wide::Wide;
 
-/// Lanes of the widest vectors there are.
-pub(super) const LANES_MAX: usize = 8;
+/// Lanes of the widest vectors that are used.
+pub(super) const LANES_MAX: usize = 4;
+/// Whether vectors of this kind are worth a bench: otherwise contacts are done one by one.
+pub(super) const fn has_lanes<S: Simd>() -> bool {
+    S::F64_LANES > 1 && S::F64_LANES <= LANES_MAX
+}
+
 /// Rows that [`Constants`] take.
 pub(super) const CONSTANTS: usize = 6;
 
 /// The numbers of the contacts under way.
-#[repr(align(64))]
+#[repr(align(32))]
 pub(super) struct Bench<const ROWS: usize>(pub(super) [[f64; LANES_MAX]; ROWS]);
 
 impl<const ROWS: usize> Bench<ROWS> {

@@ -1,5 +1,8 @@
 //! The lean contact's Taylor expansion, unrolled at compile time for each spring and damper, and how far it is trusted.
 //!
+//! Orders that an expansion has not, like all that J or N rule out, stand behind `const { .. }`: the compiler then leaves them alone,
+//! instead of inlining them first and finding out after.
+//!
 //! Same recurrence as `motion.rs`. The clock may be graded: with t = s³ a force that starts like t^(3n) is far smoother in s,
 //! so that the steps grow from the singular start several times as fast.
 
@@ -152,7 +155,7 @@ impl<R: Real> Constants<R> {
         let by_slip = drag * state[1] * 2.0;
         let by_slip_there = area[0] * by_slip;
         macro_rules! order {
-            ($($j:literal)*) => { $( if $j < N {
+            ($($j:literal)*) => { $( if const { $j < N } {
                 const J: usize = $j;
                 let f;
                 if J == 0 {
@@ -169,7 +172,7 @@ impl<R: Real> Constants<R> {
                 let g = per_force * (spring.term::<J>(&s.plate) + damper.term::<J>(&s.speed));
                 slowing[J] = self.cos * g - f;
                 driving[J] = share * f - g;
-                if J + 1 < N {
+                if const { J + 1 < N } {
                     let per_order = 1.0 / (J + 1) as f64;
                     s.travel[J + 1] = along::<N, J, GRADED, R>(&s.slip, rates) * (unit_s * per_order);
                     s.slip[J + 1] = along::<N, J, GRADED, R>(&slowing, rates) * per_order;
@@ -224,9 +227,9 @@ fn along<const N: usize, const J: usize, const GRADED: bool, R: Real>(
     z: &[R; N],
     rates: [R; 3],
 ) -> R {
-    if GRADED && J >= 2 {
+    if const { GRADED && J >= 2 } {
         (rates[2] * z[J - 2] + rates[1] * z[J - 1]) + z[J]
-    } else if GRADED && J == 1 {
+    } else if const { GRADED && J == 1 } {
         rates[1] * z[0] + z[1]
     } else {
         z[J]

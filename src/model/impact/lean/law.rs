@@ -106,7 +106,7 @@ impl<const N: usize, R: Real> Law<N, R> for Power<N, R> {
     /// From z f' = exponent f z': j `z[0]` `f[j]` = sum over i of (exponent (i) - (j - i)) `z[i]` `f[j - i]`.
     #[inline(always)]
     fn term<const J: usize>(&mut self, z: &[R; N]) -> R {
-        if J == 0 {
+        if const { J == 0 } {
             let power =
                 z[0].each(self.exponent, |z, exponent| power(z.abs(), exponent).copysign(z));
             self.start(z[0], self.coefficient * power);
@@ -115,7 +115,7 @@ impl<const N: usize, R: Real> Law<N, R> for Power<N, R> {
         self.slope[J] = z[J] * J as f64;
         let per_order = 1.0 / J as f64;
         let more = self.exponent + z[0].alike(1.0);
-        let older = if J > 2 {
+        let older = if const { J > 2 } {
             let by_slope = product_from::<N, J, 2, R>(&self.slope, &self.force);
             let by_value = product_from::<N, J, 2, R>(z, &self.force);
             (more * per_order * by_slope - by_value) * self.inverse
@@ -123,12 +123,12 @@ impl<const N: usize, R: Real> Law<N, R> for Power<N, R> {
             z[0].alike(0.0)
         };
         let mut newest = self.tangent * z[J];
-        if J > 1 {
+        if const { J > 1 } {
             // The youngest factors apart, so that a coefficient waits for the one before no longer than it must.
             let per_force = (more * per_order - z[0].alike(1.0)) * z[1] * self.inverse;
             newest = newest + per_force * self.force[J - 1];
         }
-        if J > 2 {
+        if const { J > 2 } {
             let per_value = (more * (per_order * (J - 1) as f64) - z[0].alike(1.0)) * self.force[1];
             newest = newest + per_value * self.inverse * z[J - 1];
         }
@@ -154,7 +154,7 @@ pub(super) fn square_before<const N: usize, const J: usize, R: Real>(a: &[R; N])
         }
     }
     let twice = (even + odd) * 2.0;
-    if J >= 2 && J.is_multiple_of(2) { twice + a[J / 2] * a[J / 2] } else { twice }
+    if const { J >= 2 && J.is_multiple_of(2) } { twice + a[J / 2] * a[J / 2] } else { twice }
 }
 
 /// Coefficient J of a·b but for the parts of a\[J\] and b\[J\], likewise.
@@ -178,17 +178,21 @@ fn product_from<const N: usize, const J: usize, const FROM: usize, R: Real>(
         second = second + a[J - i] * b[i];
     }
     let sum = first + second;
-    if J >= 2 * FROM && J.is_multiple_of(2) { sum + a[J / 2] * b[J / 2] } else { sum }
+    if const { J >= 2 * FROM && J.is_multiple_of(2) } { sum + a[J / 2] * b[J / 2] } else { sum }
 }
 
 /// Coefficient J of a².
 #[inline(always)]
 pub(super) fn square_at<const N: usize, const J: usize, R: Real>(a: &[R; N]) -> R {
-    if J == 0 { a[0] * a[0] } else { square_before::<N, J, R>(a) + a[0] * a[J] * 2.0 }
+    if const { J == 0 } { a[0] * a[0] } else { square_before::<N, J, R>(a) + a[0] * a[J] * 2.0 }
 }
 
 /// Coefficient J of a·b.
 #[inline(always)]
 pub(super) fn product_at<const N: usize, const J: usize, R: Real>(a: &[R; N], b: &[R; N]) -> R {
-    if J == 0 { a[0] * b[0] } else { product_before::<N, J, R>(a, b) + a[J] * b[0] + a[0] * b[J] }
+    if const { J == 0 } {
+        a[0] * b[0]
+    } else {
+        product_before::<N, J, R>(a, b) + a[J] * b[0] + a[0] * b[J]
+    }
 }

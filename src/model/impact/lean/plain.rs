@@ -1,6 +1,6 @@
 //! The plain steps of a single contact: the kernel compiled for its kinds of spring and damper.
 
-use pulp::{Scalar, Simd, WithSimd};
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::impact::lean::expansion::{Clock, trusted};
 use crate::model::impact::lean::law::{Law, Linear, Power, Whole};
@@ -69,7 +69,7 @@ impl Contact {
         walk: &Walk,
     ) -> Option<ContactEnd> {
         debug_assert_eq!(GRADED, matches!(walk.track.clock, Clock::Graded { .. }));
-        alone(Alone::<N, GRADED, _, _> { contact: self, laws, walk })
+        Arch::new().dispatch(Alone::<N, GRADED, _, _> { contact: self, laws, walk })
     }
 
     #[inline(always)]
@@ -94,16 +94,6 @@ impl Contact {
         }
         None
     }
-}
-
-/// Compile what is done for a single contact for the instructions of the machine.
-pub(super) fn alone<O: WithSimd>(one: O) -> O::Output {
-    // Vectors wider than those of four pay only where contacts fill the lanes, and each width is compiled in full.
-    #[cfg(target_arch = "x86_64")]
-    if let Some(simd) = pulp::x86::V3::try_new() {
-        return Simd::vectorize(simd, one);
-    }
-    Simd::vectorize(Scalar::new(), one)
 }
 
 /// A contact by itself, compiled for the instructions of the machine.

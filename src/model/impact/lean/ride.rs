@@ -5,9 +5,8 @@
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
-use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX};
+use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX, has_lanes};
 use crate::model::impact::lean::expansion::{Constants, Series, trusted};
-use crate::model::impact::lean::plain::alone;
 use crate::model::impact::lean::riding::{Balance, Lag, Riding, Spring, eased};
 use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Track, Way, minded_m};
 use crate::model::impact::lean::{Contact, TERMS, TERMS_LOOSE, TERMS_TIGHT};
@@ -218,10 +217,11 @@ impl Contact {
         let mut outset = Outset::Left;
         let riders = &[Rider { contact: self, ride: *ride, place: 0 }];
         let led = &mut |_: usize, led| outset = led;
+        let arch = Arch::new();
         match ride.terms {
-            TERMS_LOOSE => alone(Alone::<TERMS_LOOSE> { riders, led }),
-            TERMS => alone(Alone::<TERMS> { riders, led }),
-            _ => alone(Alone::<TERMS_TIGHT> { riders, led }),
+            TERMS_LOOSE => arch.dispatch(Alone::<TERMS_LOOSE> { riders, led }),
+            TERMS => arch.dispatch(Alone::<TERMS> { riders, led }),
+            _ => arch.dispatch(Alone::<TERMS_TIGHT> { riders, led }),
         }
         outset
     }
@@ -238,8 +238,10 @@ impl<const N: usize> WithSimd for Abreast<'_, '_, N> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        if S::F64_LANES > LANES_MAX {
-            run::<Scalar, N>(Scalar::new(), self.riders, self.led);
+        if const { !has_lanes::<S>() } {
+            for Rider { contact, ride, place } in self.riders {
+                (self.led)(*place, contact.ridden(ride));
+            }
         } else {
             run::<S, N>(simd, self.riders, self.led);
         }

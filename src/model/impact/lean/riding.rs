@@ -209,7 +209,7 @@ impl<R: Real> Spring<R> {
             force_plate: none.alike(1.0) / (by_plate + cos * cos * slope * pressure[0]),
         };
         macro_rules! order {
-            ($($j:literal)*) => { $( if $j < N {
+            ($($j:literal)*) => { $( if const { $j < N } {
                 const J: usize = $j;
                 let force;
                 if J == 0 {
@@ -235,7 +235,7 @@ impl<R: Real> Spring<R> {
                     pressure[J] = older + per.slip_pressure * s.slip[J];
                 }
                 s.travel[J] = if J == 0 { offset[J] + origin_m } else { offset[J] };
-                if J + 1 < N {
+                if const { J + 1 < N } {
                     let h = unit_s * (1.0 / (J + 1) as f64);
                     next[0][J + 1] = h * next[1][J];
                     next[1][J + 1] = -(h * slowing * force);

@@ -88,7 +88,7 @@ impl Slaved {
         projectile[0] = state[1] + cos * state[3];
         s.slip[0] = state[1];
         macro_rules! order {
-            ($($j:literal)*) => { $( if $j < N {
+            ($($j:literal)*) => { $( if const { $j < N } {
                 const J: usize = $j;
                 offset[J] = s.travel[J] - if J == 0 { origin_m } else { 0.0 };
                 area[J] = a[1] * offset[J] + a[2] * square_at::<N, J, f64>(&offset)
@@ -116,7 +116,7 @@ impl Slaved {
                     pressure[J] += drag * s.slip[J];
                     force += by_slip * s.slip[J];
                 }
-                if J + 1 < N {
+                if const { J + 1 < N } {
                     let h = unit_s / (J + 1) as f64;
                     s.travel[J + 1] = h * s.slip[J];
                     s.plate[J + 1] = h * s.speed[J];
