@@ -43,6 +43,8 @@ mod stability;
 #[cfg(test)]
 mod stack;
 #[cfg(test)]
+mod strides;
+#[cfg(test)]
 mod support;
 #[cfg(test)]
 mod sweep;

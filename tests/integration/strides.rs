@@ -1,0 +1,80 @@
+//! Plates that swing through the zero of a broken power law, which the run strides over (`src/model/impact/stride.rs`), against
+//! closed forms.
+
+use cmra::model::run::{EndReason, Mode, Outcome, Run};
+
+use crate::support::{assert_near, run, scene};
+
+/// Spring exponents, and the beta function B(1/(n+1), 1/2) = gamma(1/(n+1)) gamma(1/2) / gamma(1/(n+1) + 1/2), by the gamma function of
+/// another language's standard library.
+const EXPONENTS: [(f64, f64); 6] = [
+    (0.05, 2.061_030_050_039_808_4),
+    (0.3, 2.357_622_987_761_592),
+    (0.5, 2.587_109_559_229_79),
+    (0.7, 2.811_633_147_841_681),
+    (1.4, 3.572_553_620_320_031_4),
+    (2.3, 4.519_761_184_655_091),
+];
+/// Stiffness, N/m^n, and how long the plate is watched, s.
+const STIFFNESS: f64 = 2e5;
+const WATCHED_S: f64 = 0.1;
+
+/// Times at which the joined bodies come through zero, and their speed then.
+fn passages(run: &Run) -> Vec<(f64, f64)> {
+    let joined = run.series.iter().filter(|row| row.mode == Mode::Fused && row.is_step);
+    let at_zero = joined.filter(|row| row.plate_displacement_m == 0.0);
+    at_zero.map(|row| (row.t_s, row.plate_velocity_m_s.abs())).collect()
+}
+
+/// Half a swing of a mass M with the energy E on a spring k x^n takes 2 X sqrt(M / 2 E) B(1/(n+1), 1/2) / (n+1), with its
+/// greatest displacement X = ((n+1) E / k)^(1/(n+1)).
+#[test]
+fn undamped_plates_swing_in_the_time_of_the_closed_form() {
+    for (n, beta) in EXPONENTS {
+        let told = format!("n={n} k={STIFFNESS} d=0.002 run.horizon_s={WATCHED_S}");
+        let own = scene(&told);
+        let mass = own.projectile.mass_kg + own.plate_mass_kg();
+        let found = run(own);
+        let passages = passages(&found);
+        assert!(passages.len() >= 3, "{told}: {} passages", passages.len());
+        for pair in passages.windows(2) {
+            let energy = 0.5 * mass * pair[0].1 * pair[0].1;
+            let reach = ((n + 1.0) * energy / STIFFNESS).powf(1.0 / (n + 1.0));
+            let half = 2.0 * reach * (mass / (2.0 * energy)).sqrt() * beta / (n + 1.0);
+            assert_near(pair[1].0 - pair[0].0, half, 1e-9);
+            assert_near(pair[1].1, pair[0].1, 1e-12);
+            let between =
+                found.series.iter().filter(|row| row.t_s > pair[0].0 && row.t_s < pair[1].0);
+            let farthest = between.map(|row| row.plate_displacement_m.abs()).fold(0.0, f64::max);
+            assert_near(farthest, reach, 1e-11);
+        }
+    }
+}
+
+/// Taylor steps alone come closer to a singular zero by a sixth of the way each: some hundred and thirty steps for each half swing.
+#[test]
+fn a_swing_takes_few_steps() {
+    for pairs in ["n=0.3 b=0", "n=0.5 m=0.5 b=20", "n=1 m=0.3 b=20", "n=2.5 m=1.5 b=0.5"] {
+        let found = run(scene(&format!("{pairs} k=1e6 d=0.002 run.horizon_s=0.05")));
+        let turns = found.cost.turns;
+        assert!(turns >= 6, "{pairs}: {turns} turns");
+        assert!(
+            found.cost.steps < 60 * turns,
+            "{pairs}: {} steps, {turns} turns",
+            found.cost.steps
+        );
+        assert!(found.ledger.residual().abs() < 1e-10, "{pairs}: {:e}", found.ledger.residual());
+    }
+}
+
+/// A plate that is thrown off, swings for ever and never meets the slow projectile again within five hundred swings.
+#[test]
+fn what_swings_on_undecided_ends_as_moving_unless_a_horizon_is_asked() {
+    let pairs = "n=0.776547 m=1 k=4.36516e7 b=4.40647 d=0.565023 gamma=1.50492e-4 v_i=166.74 S_y=0 C_d=0 interface=plastic";
+    let found = run(scene(pairs));
+    assert_eq!((found.outcome, found.end), (Outcome::Moving, EndReason::Swings));
+    assert!(found.final_penetration_m.is_none() && found.end.is_complete());
+    let asked = run(scene(&format!("{pairs} run.horizon_s=1e-4")));
+    assert_eq!((asked.outcome, asked.end), (Outcome::Moving, EndReason::Horizon));
+    assert_near(asked.series.last().unwrap().t_s, 1e-4, 1e-12);
+}
