@@ -102,7 +102,7 @@ impl Track<'_> {
             return None;
         };
         self.go(clock, &stretch);
-        if clock.law == Law::Damper && stretch.fired.is_none() {
+        if clock.law == Law::Damper && stretch.end.plate_m_s == 0.0 {
             self.turned_round();
         }
         Some(Taken(stretch.fired))

@@ -5,7 +5,7 @@ use super::quantity::Quantity;
 use super::runs::{RunView, engineering, millimetres, name_of};
 use super::show_duration;
 use super::{App, Tab};
-use crate::model::run::{EstimateBasis, Outcome, Run, Warning};
+use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::tui::message::Place;
 
 /// Most rows a message may take; the second on a screen lower than that.
@@ -197,6 +197,10 @@ impl App {
             Some(stack) => {
                 let short = format!("stack {}", stack.outcome.word());
                 (severity(stack.outcome), stack.sentence(), short)
+            }
+            None if run.outcome == Outcome::Moving && run.end == EndReason::Swings => {
+                let sentence = format!("{} after 500 swings", run.outcome.word());
+                (severity(run.outcome), sentence, run.outcome.word().to_owned())
             }
             None => same(severity(run.outcome), run.outcome.word().to_owned()),
         });
