@@ -199,8 +199,7 @@ impl App {
                 (severity(stack.outcome), stack.sentence(), short)
             }
             None if run.outcome == Outcome::Moving && run.end == EndReason::Swings => {
-                let sentence = format!("{} after 500 swings", run.outcome.word());
-                (severity(run.outcome), sentence, run.outcome.word().to_owned())
+                same(severity(run.outcome), "moving after 500 swings".to_owned())
             }
             None => same(severity(run.outcome), run.outcome.word().to_owned()),
         });
