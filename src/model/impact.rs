@@ -12,10 +12,9 @@ use crate::model::run::{EndReason, ErrorEstimate, EstimateBasis, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
+use crate::numerics::larger;
 use problem::Problem;
 use track::Track;
-
-use crate::numerics::larger;
 
 mod contact;
 mod events;

@@ -240,8 +240,8 @@ impl Track<'_> {
 
     /// Whether the plate moves so slowly during the contact that nothing else feels it.
     pub(super) fn is_unfelt(&self) -> bool {
-        let contact = matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing);
-        contact && self.state.plate_m_s.abs() <= UNFELT * self.tolerance * self.problem.velocity_m_s
+        self.is_sliding()
+            && self.state.plate_m_s.abs() <= UNFELT * self.tolerance * self.problem.velocity_m_s
     }
 
     fn plate_zero(&mut self) {

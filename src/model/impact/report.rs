@@ -17,7 +17,7 @@ const DRIFT: f64 = 1e-8;
 
 /// Gather what a track has found.
 pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) -> Run {
-    let outcome = track.decided.unwrap_or_else(|| track.outcome());
+    let outcome = track.decided.map_or_else(|| track.outcome(), |decided| decided.0);
     let ledger = ledger(problem, &track);
     let warnings = warnings(problem, &track, end, &ledger);
     let geometry = &problem.geometry;

@@ -8,7 +8,7 @@
 //!
 //! A stride goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
-use crate::model::impact::guard::{Form, Trigger};
+use crate::model::impact::guard::{Form, Guards, Trigger};
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
@@ -58,6 +58,15 @@ struct Stretch {
     states: [State; POINTS],
     end: State,
     fired: Option<Trigger>,
+}
+
+/// Where a guard falls on a stretch.
+struct Fall {
+    trigger: Trigger,
+    form: Form,
+    /// The part of the way, by the polynomial through the points, and the parts of the points on either side.
+    part: f64,
+    between: (f64, f64),
 }
 
 impl Track<'_> {
@@ -134,34 +143,23 @@ impl Track<'_> {
     /// The way to `to`, or to the first event on it, if it is accurate.
     fn stretch(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
         let stretch = self.unbroken(clock, to)?;
-        if self.falls_at_once(clock, &stretch) {
+        let guards = self.guards();
+        if self.falls_at_once(clock, &guards, &stretch) {
             return None;
         }
-        let Some((trigger, parts)) = self.first_fall(clock, &stretch) else {
+        let Some(fall) = self.first_fall(clock, &guards, &stretch) else {
             return Some(stretch);
         };
-        let guards = self.guards();
-        let form = &guards.iter().find(|guard| guard.0 == trigger)?.1;
-        let landed = self.landed(clock, &stretch, form, parts)?;
-        Some(Stretch { fired: Some(trigger), ..landed })
+        let landed = self.landed(clock, &stretch, &fall)?;
+        Some(Stretch { fired: Some(fall.trigger), ..landed })
     }
 
     /// The way to where a guard falls, between two parts of a stretch. The polynomial through the points of the whole is not exact
     /// enough: new ways end closer and closer to the fall.
-    fn landed(
-        &self,
-        clock: &Clock<'_>,
-        stretch: &Stretch,
-        form: &Form,
-        (from, to): (f64, f64),
-    ) -> Option<Stretch> {
-        let value = |state: &State| form.at(clock.motion, state);
+    fn landed(&self, clock: &Clock<'_>, stretch: &Stretch, fall: &Fall) -> Option<Stretch> {
+        let value = |state: &State| fall.form.at(clock.motion, state);
         let place = |part: f64| stretch.graded.between(part).0;
-        let between = |part: f64| {
-            let (z, y) = stretch.graded.between(part);
-            value(&clock.state(z, &y))
-        };
-        let mut aim = place(in_bracket(from, to, between));
+        let mut aim = place(fall.part);
         let seen = TICKS * f64::EPSILON * self.t_s * clock.pace().abs();
         if aim.abs() < seen {
             // The clock does not tell the fall from the zero.
@@ -178,7 +176,7 @@ impl Track<'_> {
             if best.as_ref().is_some_and(|best| at_end.abs() >= best.0) {
                 break;
             }
-            let exact = at_end.abs() <= form.rounding(clock.motion, &landed.end);
+            let exact = at_end.abs() <= fall.form.rounding(clock.motion, &landed.end);
             best = Some((at_end.abs(), landed));
             if exact {
                 break;
@@ -196,7 +194,7 @@ impl Track<'_> {
             let state = state.or_else(|| Some(self.unbroken(clock, place(part))?.end));
             state.map_or(f64::NAN, |state| value(&state))
         };
-        self.unbroken(clock, place(in_bracket(from, to, end_of)))
+        self.unbroken(clock, place(in_bracket(fall.between.0, fall.between.1, end_of)))
     }
 
     /// The way to `to`, whatever happens on it, if it is accurate.
@@ -221,20 +219,20 @@ impl Track<'_> {
     }
 
     /// Whether a guard that is zero at the start is below zero at the first point: it may have risen and fallen in between.
-    fn falls_at_once(&self, clock: &Clock<'_>, stretch: &Stretch) -> bool {
+    fn falls_at_once(&self, clock: &Clock<'_>, guards: &Guards, stretch: &Stretch) -> bool {
         let value = |form: &Form, state: &State| form.at(clock.motion, state);
-        self.guards().iter().any(|(trigger, form)| {
+        guards.iter().any(|(trigger, form)| {
             *trigger != clock.own_trigger()
                 && value(form, &self.state) == 0.0
                 && value(form, &stretch.states[0]) < 0.0
         })
     }
 
-    /// The first of the guards that falls on a stretch, and between what parts of the way.
-    fn first_fall(&self, clock: &Clock<'_>, stretch: &Stretch) -> Option<(Trigger, (f64, f64))> {
+    /// The first fall of a guard on a stretch.
+    fn first_fall(&self, clock: &Clock<'_>, guards: &Guards, stretch: &Stretch) -> Option<Fall> {
         let Stretch { graded, states, end, .. } = stretch;
-        let mut first: Option<(f64, Trigger, (f64, f64))> = None;
-        for (trigger, form) in self.guards().iter() {
+        let mut first: Option<Fall> = None;
+        for (trigger, form) in guards.iter() {
             if *trigger == clock.own_trigger() {
                 continue;
             }
@@ -248,16 +246,18 @@ impl Track<'_> {
             for (part, state) in places.chain([(1.0, end)]) {
                 let now = value(state);
                 if before.1 > 0.0 && now <= 0.0 {
-                    let fall = in_bracket(before.0, part, between);
-                    if first.is_none_or(|(sooner, _, _)| fall < sooner) {
-                        first = Some((fall, *trigger, (before.0, part)));
+                    let between_parts = (before.0, part);
+                    let part = in_bracket(before.0, part, between);
+                    if first.as_ref().is_none_or(|first| part < first.part) {
+                        let (trigger, form) = (*trigger, *form);
+                        first = Some(Fall { trigger, form, part, between: between_parts });
                     }
                     break;
                 }
                 before = (part, now);
             }
         }
-        first.map(|(_, trigger, parts)| (trigger, parts))
+        first
     }
 
     /// What errors of the unknowns are measured by, on a way of this length: its duration and the plate's own path or energy, and
@@ -268,10 +268,7 @@ impl Track<'_> {
         let plate = match clock.law {
             Law::Spring => clock.energy(),
             Law::Damper => {
-                let contact =
-                    matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing);
-                let part = if contact { 1e-3 * self.state.travel_m.abs() } else { 0.0 };
-                (0.5 * way).abs() * duration_s + part
+                (0.5 * way).abs() * duration_s + self.felt_part() * self.state.travel_m.abs()
             }
         };
         [duration_s, path_m, self.problem.velocity_m_s, plate]

@@ -180,11 +180,15 @@ impl Track<'_> {
         span
     }
 
+    /// Part of the travel, and of the impact velocity, below which the plate's errors do not matter to the depth.
+    pub(super) fn felt_part(&self) -> f64 {
+        if self.is_sliding() { 1e-3 } else { 0.0 }
+    }
+
     /// Scales against which truncation errors are measured: each quantity's own size over the step, but not less than
     /// what matters to the depth while there is contact.
     fn scales<'e, const N: usize>(&self, e: &'e Expansion<N>, s: f64) -> [(&'e [f64; N], f64); 4] {
-        let contact = matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing);
-        let part = if contact { 1e-3 } else { 0.0 };
+        let part = self.felt_part();
         let travel = e.travel[0].abs() + s * e.travel[1].abs() + f64::MIN_POSITIVE;
         let speed = self.problem.velocity_m_s;
         [

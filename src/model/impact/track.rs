@@ -91,10 +91,8 @@ pub(super) struct Track<'a> {
     pub(super) rejected: usize,
     pub(super) evaluations: usize,
     pub(super) event_count: usize,
-    /// The outcome, once it is decided, and when, s.
-    pub(super) decided: Option<Outcome>,
-    pub(super) decided_s: Option<f64>,
-    pub(super) decided_steps: usize,
+    /// The outcome, once it is decided, and the steps taken until then.
+    pub(super) decided: Option<(Outcome, usize)>,
     /// Times the interface has given way since the hole last became noticeably deeper.
     pub(super) slips_since_deeper: usize,
     /// Depth of the hole when it last did, as travel, m.
@@ -153,8 +151,6 @@ impl<'a> Track<'a> {
             evaluations: 0,
             event_count: 0,
             decided: None,
-            decided_s: None,
-            decided_steps: 0,
             slips_since_deeper: 0,
             noticed_m: 0.0,
             farthest: Farthest::Pending,
@@ -222,8 +218,6 @@ impl<'a> Track<'a> {
             self.stiff = false;
             self.creeps = false;
             self.resting = false;
-        }
-        if self.mode != before {
             self.stretch_steps = 0;
         }
     }
@@ -257,12 +251,17 @@ impl<'a> Track<'a> {
 
     /// A run whose outcome is known is complete even when its tail is cut short.
     fn end_early(&self, reason: EndReason) -> EndReason {
-        if self.decided_s.is_some() { EndReason::Decided } else { reason }
+        if self.decided.is_some() { EndReason::Decided } else { reason }
     }
 
     /// Whether the plate cannot move: rigid, held by its stop, or as good as immobile.
     pub(super) fn is_still(&self) -> bool {
         self.problem.rigid || self.held || self.immobile || self.resting
+    }
+
+    /// Whether projectile and plate slide against each other.
+    pub(super) fn is_sliding(&self) -> bool {
+        matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing)
     }
 
     /// The equations of the present mode.

@@ -53,23 +53,21 @@ impl Track<'_> {
     /// Whether, and why, the run is over.
     pub(super) fn finished(&mut self) -> Option<EndReason> {
         let at_horizon = self.t_s >= self.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
-        if self.decided_s.is_none() && self.may_have_decided() {
+        if self.decided.is_none() && self.may_have_decided() {
             let outcome = self.outcome();
             if outcome != Outcome::Moving {
                 self.farthest = self.farthest();
                 if self.farthest != Farthest::Pending {
-                    self.decided = Some(outcome);
-                    self.decided_s = Some(self.t_s);
-                    self.decided_steps = self.steps;
+                    self.decided = Some((outcome, self.steps));
                 }
             }
         }
         if at_horizon {
-            let decided = self.decided_s.is_some();
+            let decided = self.decided.is_some();
             return Some(if decided { EndReason::Decided } else { EndReason::Horizon });
         }
-        self.decided_s?;
-        let tail_is_long = self.steps > self.decided_steps + TAIL_STEPS;
+        let (_, steps) = self.decided?;
+        let tail_is_long = self.steps > steps + TAIL_STEPS;
         if (self.is_at_rest() || tail_is_long) && !self.problem.horizon_is_asked {
             return Some(EndReason::Decided);
         }
@@ -110,7 +108,7 @@ impl Track<'_> {
     /// The time beyond which the next step must not go, s.
     pub(super) fn until_s(&self) -> f64 {
         let tail = self.tail_s();
-        let in_tail = self.decided_s.is_some() && !self.problem.horizon_is_asked && self.t_s < tail;
+        let in_tail = self.decided.is_some() && !self.problem.horizon_is_asked && self.t_s < tail;
         if in_tail { smaller(tail, self.problem.horizon_s) } else { self.problem.horizon_s }
     }
 

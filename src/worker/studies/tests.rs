@@ -8,14 +8,19 @@ fn study(id: u64) -> Study {
     Study { id, scene: Arc::default(), kind: StudyKind::Accuracy(Effort::QUICK) }
 }
 
-#[test]
-fn a_newer_study_stops_the_older_and_each_ends_once() {
+/// The studies' threads, and what they report.
+fn spawned() -> (Studies, Receiver<StudyReport>) {
     let (send, reports) = mpsc::channel();
     let studies = Studies::spawn(move |report| {
         // The test may be over.
         let _ = send.send(report);
-    })
-    .unwrap();
+    });
+    (studies.unwrap(), reports)
+}
+
+#[test]
+fn a_newer_study_stops_the_older_and_each_ends_once() {
+    let (studies, reports) = spawned();
     studies.submit(study(1));
     studies.submit(study(2));
     let mut ended = Vec::new();
@@ -31,12 +36,7 @@ fn a_newer_study_stops_the_older_and_each_ends_once() {
 
 #[test]
 fn a_cancelled_study_keeps_what_it_has() {
-    let (send, reports) = mpsc::channel();
-    let studies = Studies::spawn(move |report| {
-        // The test may be over.
-        let _ = send.send(report);
-    })
-    .unwrap();
+    let (studies, reports) = spawned();
     let full = StudyKind::Accuracy(Effort::FULL);
     studies.submit(Study { kind: full, ..study(7) });
     studies.cancel();
@@ -87,12 +87,7 @@ fn a_battery_is_stopped_within_a_scene() {
 
 #[test]
 fn an_impossible_scene_is_refused_in_words() {
-    let (send, reports) = mpsc::channel();
-    let studies = Studies::spawn(move |report| {
-        // The test may be over.
-        let _ = send.send(report);
-    })
-    .unwrap();
+    let (studies, reports) = spawned();
     let mut scene = Scene::default();
     scene.projectile.mass_kg = -1.0;
     studies.submit(Study { scene: Arc::new(scene), ..study(1) });
@@ -102,12 +97,7 @@ fn an_impossible_scene_is_refused_in_words() {
 
 #[test]
 fn a_limit_is_found_and_a_stopped_one_says_so() {
-    let (send, reports) = mpsc::channel();
-    let studies = Studies::spawn(move |report| {
-        // The test may be over.
-        let _ = send.send(report);
-    })
-    .unwrap();
+    let (studies, reports) = spawned();
     let kind = StudyKind::Limit(limit::Effort { scattering: None });
     let found = || loop {
         let report = reports.recv_timeout(PATIENCE).expect("a report in time");
@@ -130,12 +120,7 @@ fn a_limit_is_found_and_a_stopped_one_says_so() {
 
 #[test]
 fn studies_of_different_kinds_do_not_stop_each_other() {
-    let (send, reports) = mpsc::channel();
-    let studies = Studies::spawn(move |report| {
-        // The test may be over.
-        let _ = send.send(report);
-    })
-    .unwrap();
+    let (studies, reports) = spawned();
     studies.submit(study(1));
     let kind = StudyKind::Map(map::Method::Rk4, map::Axis::K);
     studies.submit(Study { kind, ..study(2) });
@@ -157,12 +142,7 @@ fn studies_of_different_kinds_do_not_stop_each_other() {
 /// The battery goes on while a limit is found.
 #[test]
 fn who_asks_for_a_limit_does_not_wait_for_the_battery() {
-    let (send, reports) = mpsc::channel();
-    let studies = Studies::spawn(move |report| {
-        // The test may be over.
-        let _ = send.send(report);
-    })
-    .unwrap();
+    let (studies, reports) = spawned();
     studies.submit(Study { kind: StudyKind::Battery, ..study(1) });
     let kind = StudyKind::Limit(limit::Effort { scattering: None });
     studies.submit(Study { kind, ..study(2) });
