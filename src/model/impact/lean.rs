@@ -3,11 +3,12 @@
 //!
 //! A contact is planned before it is run ([`Contact::of`]). Without spring and damper it is done in closed form (`free.rs`). Else
 //! the Taylor recurrence of `motion.rs` is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`)
-//! and followed step by step (`way.rs`), with a graded clock where one of them is singular at the start (`start.rs`), with the plate
-//! slaved to its damper where that is very strong (`slaved.rs`), and riding on its spring where that is very stiff near its zero
-//! (`riding.rs`, pass by pass in `ride.rs`). What a scene has not is not computed. Many contacts go side by side in the lanes of a
-//! vector (`abreast.rs`, `bench.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes
-//! back through a singular point) are left to the full track: [`Contact::run`] returns `None`.
+//! and followed step by step (`way.rs`). Where one of them is singular at the start, it either hardly matters in the first step
+//! (`early.rs`) or the start is placed by a balance of powers (`start.rs`) and a graded clock follows. The plate may be slaved to
+//! its damper where that is very strong (`slaved.rs`), or ride on its spring where that is very stiff near its zero (`riding.rs`,
+//! pass by pass in `ride.rs`). What a scene has not is not computed. Many contacts go side by side in the lanes of a vector
+//! (`abreast.rs`, `bench.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back
+//! through a singular point) are left to the full track: [`Contact::run`] returns `None`.
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::{AreaLaw, Geometry, Piece};
@@ -24,6 +25,7 @@ use way::{Outset, Track, Walk};
 
 mod abreast;
 mod bench;
+mod early;
 mod expansion;
 mod free;
 mod law;
@@ -213,15 +215,21 @@ impl Contact {
 
     /// Plain steps from first contact.
     fn start(&self, tolerance: f64, terms: usize) -> Outset {
-        self.first_step(tolerance, terms).map_or(Outset::Left, Outset::Steps)
-    }
-
-    fn first_step(&self, tolerance: f64, terms: usize) -> Option<Walk> {
         let starts = self.start_m == 0.0;
         let singular = (
             starts && is_singular(self.spring, SPRING_POWERS),
             is_singular(self.damper, DAMPER_POWERS),
         );
+        if starts
+            && (singular.0 || singular.1)
+            && let Some(outset) = self.early(tolerance, terms)
+        {
+            return outset;
+        }
+        self.first_step(singular, tolerance, terms).map_or(Outset::Left, Outset::Steps)
+    }
+
+    fn first_step(&self, singular: (bool, bool), tolerance: f64, terms: usize) -> Option<Walk> {
         let track = if singular.0 || singular.1 {
             if singular.0 && self.spring.exponent < RIDES_BELOW && tolerance < RIDES_TO {
                 return None;

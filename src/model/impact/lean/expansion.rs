@@ -6,7 +6,7 @@
 //! Same recurrence as `motion.rs`. The clock may be graded: with t = s³ a force that starts like t^(3n) is far smoother in s,
 //! so that the steps grow from the singular start several times as fast.
 
-use crate::model::impact::lean::law::{Law, product_before, square_at, square_before};
+use crate::model::impact::lean::law::{Damping, Law, product_before, square_at, square_before};
 use crate::numerics::larger;
 use crate::numerics::taylor::rough_root;
 use crate::numerics::wide::Real;
@@ -130,7 +130,7 @@ impl<R: Real> Constants<R> {
     #[inline(always)]
     pub(super) fn expand<const N: usize, const GRADED: bool>(
         &self,
-        (mut spring, mut damper): (impl Law<N, R>, impl Law<N, R>),
+        (mut spring, mut damper): (impl Law<N, R>, impl Damping<N, R>),
         state: [R; 4],
         rates: [R; 3],
         (origin_m, a): (R, [R; 3]),
@@ -169,9 +169,12 @@ impl<R: Real> Constants<R> {
                     let known = product_before::<N, J, R>(&area, &pressure) + area[J] * pressure[0];
                     f = known + area[0] * older + by_slip_there * s.slip[J];
                 }
-                let g = per_force * (spring.term::<J>(&s.plate) + damper.term::<J>(&s.speed));
+                let held = spring.term::<J>(&s.plate);
+                let pushed = share * f;
+                let damped = damper.against::<J>(&s.speed, pushed - per_force * held, per_force);
+                let g = per_force * (held + damped);
                 slowing[J] = self.cos * g - f;
-                driving[J] = share * f - g;
+                driving[J] = pushed - g;
                 if const { J + 1 < N } {
                     let per_order = 1.0 / (J + 1) as f64;
                     s.travel[J + 1] = along::<N, J, GRADED, R>(&s.slip, rates) * (unit_s * per_order);

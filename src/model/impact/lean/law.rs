@@ -12,6 +12,52 @@ pub(super) trait Law<const N: usize, R: Real = f64>: Copy {
     fn term<const J: usize>(&mut self, z: &[R; N]) -> R;
 }
 
+/// A damper along an expansion, which may need to know what it holds back.
+pub(super) trait Damping<const N: usize, R: Real = f64>: Copy {
+    /// Coefficient J of the force, given the velocity's coefficients up to J and that of all else that drives the velocity, and
+    /// what a force takes from it.
+    fn against<const J: usize>(&mut self, w: &[R; N], driving: R, per_force: R) -> R;
+}
+
+impl<const N: usize, R: Real, L: Law<N, R>> Damping<N, R> for L {
+    #[inline(always)]
+    fn against<const J: usize>(&mut self, w: &[R; N], _driving: R, _per_force: R) -> R {
+        self.term::<J>(w)
+    }
+}
+
+/// coefficient · sqrt(w) for a velocity that starts from rest without a jerk, like t²: the root y, which starts like t, follows from
+/// (J + 1) · coefficient J + 1 of y² = driving - per force · coefficient · y.
+#[derive(Clone, Copy)]
+pub(super) struct RootFromRest<const N: usize> {
+    coefficient: f64,
+    root: [f64; N],
+}
+
+impl<const N: usize> RootFromRest<N> {
+    pub(super) fn new(coefficient: f64) -> Self {
+        Self { coefficient, root: [0.0; N] }
+    }
+}
+
+impl<const N: usize> Damping<N> for RootFromRest<N> {
+    #[inline(always)]
+    fn against<const J: usize>(&mut self, _w: &[f64; N], driving: f64, per_force: f64) -> f64 {
+        let held = per_force * self.coefficient;
+        if const { J == 1 } {
+            self.root[1] = 2.0 * driving / (held + (held * held + 8.0 * driving).sqrt());
+        } else if const { J > 1 } {
+            let mut older = 0.0;
+            for i in 2..J {
+                older += self.root[i] * self.root[J + 1 - i];
+            }
+            let next = (J + 1) as f64;
+            self.root[J] = (driving - next * older) / (2.0 * next * self.root[1] + held);
+        }
+        self.coefficient * self.root[J]
+    }
+}
+
 /// coefficient · z; zero for no law at all.
 #[derive(Clone, Copy)]
 pub(super) struct Linear<R = f64>(pub(super) R);

@@ -1,0 +1,261 @@
+//! The first step of a contact whose singular laws hardly matter yet, taken from first contact itself.
+//!
+//! From rest the plate is pushed like t, moves like t² and comes like t³, so that a spring x^n with n > 1/3 and a damper w^m with
+//! m > 1/2 hold back a part of the push that vanishes towards first contact, with the powers 3n - 1 and 2m - 1 of time. Up to
+//! where that part is small the contact is expanded without them, and what they have taken from the plate is put in afterwards,
+//! by their powers of time there. A damper with m = 1/2 needs no such thing: the root of a velocity that starts like t² is as
+//! smooth as the rest, and belongs into the expansion (`law.rs`).
+
+use crate::model::impact::lean::expansion::{Clock, Constants, Series, trusted};
+use crate::model::impact::lean::law::{Damping, Linear, RootFromRest};
+use crate::model::impact::lean::start;
+use crate::model::impact::lean::way::{Outset, Seen, Track, Walk, minded_m};
+use crate::model::impact::lean::{Contact, GRADED_UNIT, TERMS, TERMS_LOOSE, TERMS_TIGHT};
+use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::numerics::smaller;
+
+/// Power of time above which a force vanishes fast enough against a push that grows with the first.
+const VANISHES_ABOVE: f64 = 1.2;
+/// The exponent of a damper that is expanded from rest.
+const ROOT: f64 = 0.5;
+/// Part of the tolerance that may be left of what is put in afterwards.
+const LEFT: f64 = 0.2;
+/// How wrong that is per unit by which the plate's way is no pure power of time.
+const BENT: f64 = 0.2;
+/// How much later than the start by balance (`start.rs`) it must come to be worth its expansion.
+const WORTH: f64 = 4.0;
+/// Rounds for the length of the step.
+const ROUNDS: usize = 4;
+
+/// A law that is left out of the first step.
+#[derive(Clone, Copy)]
+struct LeftOut {
+    law: PowerLaw,
+    /// With which power of time its argument grows from rest: a spring's 3, a damper's 2.
+    argument: f64,
+}
+
+/// What it has taken from the plate by some time.
+#[derive(Clone, Copy)]
+struct Taken {
+    /// Of its velocity, m/s.
+    w_m_s: f64,
+    /// Of its way, m.
+    x_m: f64,
+    /// By how much that velocity may be wrong, m/s.
+    doubt_m_s: f64,
+}
+
+impl LeftOut {
+    /// Power of time with which its force grows.
+    fn power(self) -> f64 {
+        self.law.exponent * self.argument
+    }
+
+    /// What it takes by `t_s`, where its argument has come to `z` with that power of time, from a plate of this mass whose velocity
+    /// there would be `w_m_s`.
+    fn taken(self, (z, argument): (f64, f64), t_s: f64, (plate_kg, w_m_s): (f64, f64)) -> Taken {
+        let power = self.law.exponent * argument;
+        let taken = self.law.force(z) * t_s / ((power + 1.0) * plate_kg);
+        let bent = BENT * (argument - self.argument).abs();
+        Taken {
+            w_m_s: taken,
+            x_m: taken * t_s / (power + 2.0),
+            doubt_m_s: taken * (taken / w_m_s + bent),
+        }
+    }
+}
+
+impl Contact {
+    /// The contact after such a step; `None` where another start is the better one.
+    pub(super) fn early(&self, tolerance: f64, terms: usize) -> Option<Outset> {
+        match terms {
+            TERMS_LOOSE => self.early_by::<TERMS_LOOSE>(tolerance),
+            TERMS => self.early_by::<TERMS>(tolerance),
+            _ => self.early_by::<TERMS_TIGHT>(tolerance),
+        }
+    }
+
+    fn early_by<const N: usize>(&self, tolerance: f64) -> Option<Outset> {
+        let (spring, damper) = (self.spring, self.damper);
+        let is_plain = |law: PowerLaw| matches!(law.kind(), PowerKind::Absent | PowerKind::Linear);
+        let is_root = damper.exponent.to_bits() == ROOT.to_bits() && !is_plain(damper);
+        let left_out = [
+            (!is_plain(spring)).then_some(LeftOut { law: spring, argument: 3.0 }),
+            (!is_plain(damper) && !is_root).then_some(LeftOut { law: damper, argument: 2.0 }),
+        ];
+        let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
+        let mut track = self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? });
+        let until = self.matters_at(&left_out, tolerance)?;
+        let kept = |law: PowerLaw| if is_plain(law) { law.coefficient } else { 0.0 };
+        let series = if is_root {
+            let root = RootFromRest::<N>::new(damper.coefficient);
+            self.first(kept(spring), root, &track)?
+        } else {
+            self.first::<N>(kept(spring), Linear(kept(damper)), &track)?
+        };
+        let last_terms = self.constants.last_terms(&series, minded_m(0.0, None));
+        let span = trusted::<N>(last_terms, tolerance);
+        track.steps = 1;
+        if left_out.iter().all(Option::is_none) {
+            let seen = Seen::of(&series, span);
+            return Some(match self.stride(&mut track, (true, false), &seen, || &series) {
+                Some(way) => way.ended().map_or(Outset::Left, Outset::Ended),
+                None if track.t_s == 0.0 => return None,
+                None => Outset::Steps(Walk { track, tolerance, reach_m: None, terms: N }),
+            });
+        }
+        self.put_in(&series, &left_out, (smaller(span, until), tolerance), track)
+            .map(|track| Outset::Steps(Walk { track, tolerance, reach_m: None, terms: N }))
+    }
+
+    /// The expansion from first contact.
+    fn first<const N: usize>(
+        &self,
+        spring_n_m: f64,
+        damping: impl Damping<N>,
+        track: &Track,
+    ) -> Option<Series<N>> {
+        let (rates, area) = (track.clock.rates(), self.area_law(track.piece)?);
+        let laws = (Linear(spring_n_m), damping);
+        Some(self.constants.expand::<N, false>(laws, track.state, rates, area))
+    }
+
+    /// In units of the clock, when the laws that are left out begin to matter, by the powers of time of first contact; `None` where
+    /// that is too early.
+    fn matters_at(&self, left_out: &[Option<LeftOut>; 2], tolerance: f64) -> Option<f64> {
+        let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
+        let scale_s = self.scale_s?;
+        let w_m_s = 0.5 * self.growth_n_s()? * cos * scale_s * scale_s * plate_mobility;
+        let at = [w_m_s * scale_s / 3.0, w_m_s];
+        let left_m_s = LEFT * tolerance * velocity_m_s / cos;
+        let mut part = 1.0;
+        for (left_out, z) in left_out.iter().zip(at) {
+            let Some(left_out) = left_out else { continue };
+            let power = left_out.power();
+            if power <= VANISHES_ABOVE {
+                return None;
+            }
+            let by = left_out.taken((z, left_out.argument), scale_s, (1.0 / plate_mobility, w_m_s));
+            part = smaller(part, (left_m_s / by.doubt_m_s).powf(0.5 / power));
+        }
+        let by_balance = start::part(tolerance, 2.0);
+        (part > WORTH * by_balance).then_some(2.0 * part)
+    }
+
+    /// Go to about `span` and put in what the laws that were left out have taken up to there.
+    fn put_in<const N: usize>(
+        &self,
+        series: &Series<N>,
+        left_out: &[Option<LeftOut>; 2],
+        (mut span, tolerance): (f64, f64),
+        track: Track,
+    ) -> Option<Track> {
+        let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
+        for _ in 0..ROUNDS {
+            let [travel, slip, x, w] = series.state(span);
+            let t_s = track.clock.elapsed_s(span);
+            let inside = slip > 0.0 && travel < self.geometry.pieces()[track.piece].to_m;
+            if !(inside && x > 0.0 && w > 0.0) {
+                span *= 0.5;
+                continue;
+            }
+            let argument = w * t_s / x;
+            let at = [(x, argument), (w, argument - 1.0)];
+            let mut sum = Taken { w_m_s: 0.0, x_m: 0.0, doubt_m_s: 0.0 };
+            let mut power = f64::INFINITY;
+            for (left_out, at) in left_out.iter().zip(at) {
+                let Some(left_out) = left_out else { continue };
+                let taken = left_out.taken(at, t_s, (1.0 / plate_mobility, w));
+                sum.w_m_s += taken.w_m_s;
+                sum.x_m += taken.x_m;
+                sum.doubt_m_s += taken.doubt_m_s;
+                power = smaller(power, left_out.power());
+            }
+            let doubt = cos * sum.doubt_m_s / velocity_m_s;
+            if doubt > LEFT * tolerance {
+                span *= 0.9 * (LEFT * tolerance / doubt).powf(1.0 / (power + 2.0));
+                continue;
+            }
+            let state =
+                [travel + cos * sum.x_m, slip + cos * sum.w_m_s, x - sum.x_m, w - sum.w_m_s];
+            let s = t_s.cbrt();
+            let clock = Clock::Graded { s, unit: GRADED_UNIT * s };
+            return Some(Track { t_s, state, clock, ..track });
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::scene::Scene;
+    use crate::model::units::Bare;
+    use crate::model::variables::set_by_name;
+
+    fn contact(pairs: &str) -> Contact {
+        let mut scene = Scene::default();
+        scene.mechanism.spring.coefficient = 0.0;
+        for pair in pairs.split_whitespace() {
+            let (name, value) = pair.split_once('=').unwrap();
+            set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+        }
+        Contact::of(&scene)
+    }
+
+    fn track(outset: Option<&Outset>) -> Track {
+        match outset {
+            Some(Outset::Steps(walk)) => walk.track,
+            _ => panic!("no steps"),
+        }
+    }
+
+    /// Two starts that share no formula: both go on to the same end, this one from later.
+    #[test]
+    fn it_ends_where_the_start_by_balance_ends_and_begins_its_steps_later() {
+        for pairs in ["k=1e5 n=1.4", "k=1e6 n=1.5", "k=1e9 n=2.5 gamma=3", "b=50 m=1.3 k=1e5"] {
+            let contact = contact(pairs);
+            let singular = (contact.spring.exponent > 1.0, contact.damper.exponent > 1.0);
+            for tolerance in [1e-6, 1e-8, 1e-10] {
+                let early = track(contact.early(tolerance, TERMS).as_ref());
+                let other = contact.first_step(singular, 1e-12, TERMS_TIGHT).unwrap();
+                assert!(early.t_s > 3.0 * start::part(tolerance, 2.0) * contact.scale_s.unwrap());
+                let walk = Walk { track: early, tolerance, reach_m: None, terms: TERMS };
+                let ends = (contact.walk(&walk).unwrap(), contact.walk(&other).unwrap());
+                let errors = [
+                    ends.0.t_s / ends.1.t_s - 1.0,
+                    ends.0.penetration_m / ends.1.penetration_m - 1.0,
+                ];
+                let holds = errors.iter().all(|e| e.abs() < tolerance);
+                assert!(holds, "{pairs} {tolerance:e}: {errors:?}");
+            }
+        }
+    }
+
+    /// Before the contact force has slowed anything the plate obeys m w' + b sqrt(w) = G t, solved by w = (y t)² with
+    /// 2 m y² + b y = G.
+    #[test]
+    fn the_root_of_a_velocity_from_rest_is_expanded_exactly() {
+        let contact = contact("b=3000 m=0.5");
+        let start_s = 1e-6 * contact.scale_s.unwrap();
+        let begin = contact.begin(
+            0.0,
+            [0.0, contact.constants.velocity_m_s, 0.0, 0.0],
+            Clock::Even { unit_s: start_s },
+        );
+        let series = contact.first::<14>(0.0, RootFromRest::new(3000.0), &begin).unwrap();
+        let mass = 1.0 / contact.constants.plate_mobility;
+        let growth = contact.growth_n_s().unwrap() * contact.constants.cos;
+        let y = series.speed[2].sqrt() / start_s;
+        assert!((2.0 * mass * y * y + 3000.0 * y - growth).abs() < 1e-12 * growth);
+        assert!(series.speed[1].abs() < 1e-300 && series.speed[3].abs() < 1e-3 * series.speed[2]);
+    }
+
+    #[test]
+    fn laws_that_matter_from_the_start_are_left_to_the_other_starts() {
+        for pairs in ["k=1e6 n=0.35", "k=1e5 n=0.2", "b=1000 m=0.4"] {
+            assert!(contact(pairs).early(1e-8, TERMS).is_none(), "{pairs}");
+        }
+    }
+}
