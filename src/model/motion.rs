@@ -127,6 +127,15 @@ impl Motion<'_> {
             + self.stop.force(state)
     }
 
+    /// The amounts of what makes up the mechanism's force at a state, together, N: the force is known to the rounding of this. Of the
+    /// forces there the whole and the damper's are given, N; the spring's is the rest.
+    pub fn mechanism_size(&self, state: &State, (mechanism_n, damper_n): (f64, f64)) -> f64 {
+        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
+        let stop_n = stiffness_n_m * (state.plate_m.abs() + position_m.abs())
+            + damping_n_s_m * state.plate_m_s.abs();
+        mechanism_n.abs() + 2.0 * (damper_n.abs() + stop_n)
+    }
+
     /// (du/dt, dw/dt), m/s².
     pub fn accelerations(&self, state: &State) -> (f64, f64) {
         let (f, g) = (self.contact_force(state), self.mechanism_force(state));

@@ -50,6 +50,8 @@ const GAMMA_0: f64 = 3.637_834_252_744_496;
 const ERROR_WEIGHTS: [f64; STAGES] =
     [-10.048_809_399_827_416, 1.382_142_733_160_748_7, -0.333_333_333_333_333_3];
 const NEWTON_MAX: usize = 25;
+/// Change below which Newton's method, once it no longer halves it, has come to where rounding keeps it.
+const STALLED: f64 = 1e-11;
 
 /// Solve one step of length `h` from `y`; `None` when Newton's method does not converge.
 ///
@@ -93,7 +95,7 @@ pub fn step<const N: usize, const M: usize>(
         if !change.is_finite() {
             return None;
         }
-        if change < 1e-15 || (change < 1e-12 && change >= 0.5 * last_change) {
+        if change < 1e-15 || (change < STALLED && change >= 0.5 * last_change) {
             break;
         }
         last_change = change;

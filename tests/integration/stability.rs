@@ -1,9 +1,7 @@
 //! Stability: what is promised for stiff and extreme scenes, held over ten thousand of them.
 //!
-//! Shortfalls that are known are listed by class with the count they may not exceed; the list may only shrink. All scenes that fall
-//! short are printed (`--nocapture`) as the changes a person would type.
+//! None falls short. One that did would be printed as the changes a person would type.
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::panic::catch_unwind;
 use std::sync::Arc;
@@ -35,12 +33,8 @@ const COMPARED: u64 = 20;
 /// How far the two may differ, relative, unless the error estimate says so.
 const DIFFERENCE_MAX: f64 = 1e-7;
 
-/// Known shortfalls: class, and how many of the scenes at the most.
-const KNOWN: &[(Class, usize)] =
-    &[(Class::StepUnderflow, 1), (Class::StepBudget, 2), (Class::ManySteps, 2)];
-
 /// In what a run falls short.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Class {
     Panic,
     NotFinite,
@@ -236,28 +230,18 @@ fn sweep() -> Vec<Shortfall> {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
         workers.into_iter().flat_map(|worker| worker.join().unwrap()).collect()
     });
-    all.sort_by_key(|short| (short.class, short.index));
+    all.sort_by_key(|short| short.index);
     all
 }
 
 #[test]
 fn ten_thousand_scenes_end_in_a_named_outcome_with_their_energy_in_balance() {
     let all = sweep();
-    let mut counts: BTreeMap<Class, usize> = BTreeMap::new();
-    for short in &all {
-        *counts.entry(short.class).or_default() += 1;
+    let rows = all.iter().map(|short| {
         let typed = draw::typed(&draw::changes(short.index));
-        println!("{:?} | {} | {} |{typed}", short.class, short.index, short.detail);
-    }
-    for (class, count) in &counts {
-        let known = KNOWN.iter().find(|known| known.0 == *class).map_or(0, |known| known.1);
-        let first = all.iter().find(|short| short.class == *class).map(|short| short.index);
-        let typed = first.map(|index| draw::typed(&draw::changes(index))).unwrap_or_default();
-        assert!(
-            *count <= known,
-            "{class:?}: {count} scenes of {SCENES}, known {known}, all {counts:?}; for example{typed}"
-        );
-    }
+        format!("{:?} | {} | {} |{typed}", short.class, short.index, short.detail)
+    });
+    assert!(all.is_empty(), "{} of {SCENES}:\n{}", all.len(), rows.collect::<Vec<_>>().join("\n"));
 }
 
 /// How the numbered scene goes, and what falls short.
@@ -271,10 +255,26 @@ fn numbered(index: u64) -> (Course, Option<Class>) {
 /// frequency, by the ten thousand.
 #[test]
 fn plates_that_creep_or_ride_take_few_steps() {
-    for index in [27, 185, 729, 3_600, 7_098, 8_313] {
+    for index in [27, 185, 460, 729, 3_600, 7_098, 8_313] {
         let (course, class) = numbered(index);
         let steps = course.steps;
         assert!(class.is_none() && steps < 1_000, "{index}: {class:?}, {steps} steps");
+    }
+}
+
+/// A plate so far from its spring's zero that the stop's force drowns in the rounding of the displacement: on such a stop from the
+/// start, held between stop and steep spring, at rest there with an interface that cannot pull.
+#[test]
+fn plates_on_a_stop_far_from_the_springs_zero_come_to_rest() {
+    for index in [6_240, 8_297, 9_720, 2_445] {
+        for tolerance in [1e-9, 1e-10, 1e-11] {
+            let mut scene = Scene::clone(&draw::scene(&draw::changes(index)));
+            scene.run.tolerance = tolerance;
+            let course = course_of(&Arc::new(scene));
+            let (class, steps) = (class_of(&course), course.steps);
+            assert!(class.is_none() && steps < 4_000, "{index}: {class:?}, {steps} steps");
+            assert_ne!(course.run.end, EndReason::Swings, "{index} at {tolerance:e}");
+        }
     }
 }
 

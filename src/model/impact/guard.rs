@@ -104,9 +104,12 @@ impl Guards {
 
 impl Form {
     /// The form along an expansion, as a series, and what rounding may have left of a start value that is zero.
-    pub(super) fn along<const N: usize>(&self, e: &Expansion<N>) -> ([f64; N], f64) {
+    pub(super) fn along<const N: usize>(
+        &self,
+        motion: &Motion<'_>,
+        e: &Expansion<N>,
+    ) -> ([f64; N], f64) {
         let mut sum = [0.0; N];
-        let mut size = self.offset.abs();
         let terms = [
             (self.travel, &e.travel),
             (self.slip, &e.slip),
@@ -120,44 +123,65 @@ impl Form {
                 for (sum, c) in sum.iter_mut().zip(series) {
                     *sum += factor * c;
                 }
-                size += (factor * series[0]).abs();
             }
         }
         sum[0] += self.offset;
         // Positions and speeds are put exactly on their event; forces are not.
-        let has_force = self.contact != 0.0 || self.mechanism != 0.0;
-        (sum, if has_force { 8.0 * f64::EPSILON * size } else { 0.0 })
+        let noise = if self.has_force() {
+            let forces_n = (e.contact[0], e.mechanism[0], e.damper[0]);
+            self.rounding_of(motion, &e.state(0.0), forces_n)
+        } else {
+            0.0
+        };
+        (sum, noise)
+    }
+
+    /// Whether forces are in it.
+    pub(super) fn has_force(&self) -> bool {
+        self.contact != 0.0 || self.mechanism != 0.0
     }
 
     /// What rounding may leave of the form at a state where it is zero.
     pub(super) fn rounding(&self, motion: &Motion<'_>, state: &State) -> f64 {
-        let mut size = self.offset.abs()
+        self.rounding_of(motion, state, self.forces_n(motion, state))
+    }
+
+    /// The same where contact, mechanism and damper hold with these forces, N.
+    fn rounding_of(
+        &self,
+        motion: &Motion<'_>,
+        state: &State,
+        (contact_n, mechanism_n, damper_n): (f64, f64, f64),
+    ) -> f64 {
+        let mechanism_n = motion.mechanism_size(state, (mechanism_n, damper_n));
+        let size = self.offset.abs()
             + (self.travel * state.travel_m).abs()
             + (self.slip * state.slip_m_s).abs()
             + (self.plate * state.plate_m).abs()
-            + (self.plate_speed * state.plate_m_s).abs();
-        if self.contact != 0.0 {
-            size += (self.contact * motion.contact_force(state)).abs();
-        }
-        if self.mechanism != 0.0 {
-            size += (self.mechanism * motion.mechanism_force(state)).abs();
-        }
+            + (self.plate_speed * state.plate_m_s).abs()
+            + (self.contact * contact_n).abs()
+            + (self.mechanism * mechanism_n).abs();
         8.0 * f64::EPSILON * size
     }
 
     /// The form at a state.
     pub(super) fn at(&self, motion: &Motion<'_>, state: &State) -> f64 {
-        let mut sum = self.offset
+        let (contact_n, mechanism_n, _) = self.forces_n(motion, state);
+        self.offset
             + self.travel * state.travel_m
             + self.slip * state.slip_m_s
             + self.plate * state.plate_m
-            + self.plate_speed * state.plate_m_s;
-        if self.contact != 0.0 {
-            sum += self.contact * motion.contact_force(state);
+            + self.plate_speed * state.plate_m_s
+            + self.contact * contact_n
+            + self.mechanism * mechanism_n
+    }
+
+    /// The forces of contact, mechanism and damper at a state, N, as far as they are in the form; else zero.
+    fn forces_n(&self, motion: &Motion<'_>, state: &State) -> (f64, f64, f64) {
+        let contact_n = if self.contact == 0.0 { 0.0 } else { motion.contact_force(state) };
+        if self.mechanism == 0.0 {
+            return (contact_n, 0.0, 0.0);
         }
-        if self.mechanism != 0.0 {
-            sum += self.mechanism * motion.mechanism_force(state);
-        }
-        sum
+        (contact_n, motion.mechanism_force(state), motion.damper.force(state.plate_m_s))
     }
 }

@@ -6,17 +6,17 @@
 
 use std::ops::ControlFlow;
 
-use crate::model::contact::AreaLaw;
 use crate::model::impact::guard::{Form, Trigger};
 use crate::model::impact::track::{Track, is_finite};
-use crate::model::mechanism::{Elastic, PowerLaw, sign};
 use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
-use crate::numerics::implicit::{
-    ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor,
-};
+use crate::numerics::implicit::{ImplicitSystem, Step, WEIGHTS, interpolate, step, step_factor};
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
+
+mod unknowns;
+
+use unknowns::{Carrier, Unknowns};
 
 /// Points drawn within a step.
 const POINTS_PER_STEP: usize = 3;
@@ -44,186 +44,12 @@ const SWINGING_STEPS: usize = 20;
 /// The least scale of the slip relative to its own value.
 const SLIP_ROUNDED: f64 = 1e-2;
 
-/// The present motion in the implicit method's unknowns.
-struct Unknowns<'a> {
-    motion: &'a Motion<'a>,
-    spring: Carrier<'a>,
-    damper: Carrier<'a>,
-    scale: [f64; 4],
-}
-
-/// Whether a law's unknown is its argument or its force.
-#[derive(Clone, Copy)]
-enum Carrier<'a> {
-    /// x itself; the force follows.
-    Argument(Elastic<'a>),
-    /// The force; x = sgn (|force|/k)^(1/n) follows.
-    Force(PowerLaw),
-}
-
-impl<'a> Carrier<'a> {
-    fn of(law: Elastic<'a>) -> Self {
-        match law {
-            Elastic::Power(law) if law.coefficient > 0.0 && law.exponent < 1.0 => Self::Force(law),
-            Elastic::Power(_) | Elastic::Piece(_) => Self::Argument(law),
-        }
-    }
-
-    fn unknown(self, z: f64) -> f64 {
-        match self {
-            Self::Argument(_) => z,
-            Self::Force(law) => law.force(z),
-        }
-    }
-
-    /// (argument, its derivative, force, its derivative) by the unknown.
-    fn unfold(self, y: f64) -> (f64, f64, f64, f64) {
-        match self {
-            Self::Argument(law) => {
-                let tangent = law.tangent(y);
-                (y, 1.0, law.force(y), tangent)
-            }
-            Self::Force(law) => {
-                let z = law.at_force(y) * sign(y);
-                let slope = if y == 0.0 { 0.0 } else { z / (law.exponent * y) };
-                (z, slope, y, 1.0)
-            }
-        }
-    }
-}
-
-impl Unknowns<'_> {
-    fn state(&self, y: &[f64; 4]) -> State {
-        State {
-            travel_m: y[0],
-            slip_m_s: y[1],
-            plate_m: self.spring.unfold(y[2]).0,
-            plate_m_s: self.damper.unfold(y[3]).0,
-        }
-    }
-
-    fn fold(&self, state: &State) -> [f64; 4] {
-        [
-            state.travel_m,
-            state.slip_m_s,
-            self.spring.unknown(state.plate_m),
-            self.damper.unknown(state.plate_m_s),
-        ]
-    }
-
-    /// Stages to start Newton's method from: the present values; but a force that is zero is where its law is flat, so
-    /// there the plate is taken to ride on its spring under the contact force of the stage.
-    fn guess(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
-        NODES.map(|node| {
-            let mut stage = *y;
-            let t = node * h;
-            stage[0] += y[1] * t;
-            let state = State { travel_m: stage[0], ..self.state(y) };
-            let motion = self.motion;
-            let others = motion.spring.force(state.plate_m) + motion.stop.force(&state);
-            let drive = motion.contact_force(&state) * motion.coupling - others;
-            let mut speed = drive * motion.plate_mobility * t;
-            if let (Carrier::Force(law), true) = (self.spring, y[2] == 0.0) {
-                stage[2] = drive;
-                speed = law.at_force(drive) / (law.exponent * t);
-            }
-            if let Carrier::Force(law) = self.damper {
-                // By inertia, but not beyond where the damper alone holds against the drive, if it does not exceed it now.
-                let by_inertia = law.force(state.plate_m_s + speed);
-                let held_n = larger(drive.abs(), y[3].abs());
-                let held = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
-                stage[3] = if by_inertia * drive > 0.0 { held } else { y[3] };
-            }
-            stage
-        })
-    }
-
-    /// Stages of a plate that rides on its spring through the whole step, at the stage's contact force: where Newton's method has
-    /// to change the side of zero, its own slopes, flat at zero, do not lead it there.
-    fn riding(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
-        NODES.map(|node| {
-            let mut stage = *y;
-            stage[0] += y[1] * node * h;
-            let state = State { travel_m: stage[0], plate_m: 0.0, plate_m_s: 0.0, ..self.state(y) };
-            let motion = self.motion;
-            stage[2] = motion.contact_force(&state) * motion.coupling - motion.stop.force(&state);
-            stage[3] = 0.0;
-            stage
-        })
-    }
-
-    /// dA/dq, by a central difference within the piece.
-    fn area_slope(&self, q: f64) -> f64 {
-        match self.motion.area {
-            AreaLaw::None => 0.0,
-            AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q - origin_m),
-            AreaLaw::Partial { .. } => {
-                let h = 1e-6 * self.motion.nose.radius_m;
-                let area = |q: f64| self.motion.area.area_m2(&self.motion.nose, q);
-                (area(q + h) - area(q - h)) / (2.0 * h)
-            }
-        }
-    }
-}
-
-impl ImplicitSystem<4> for Unknowns<'_> {
-    fn carried(&self, y: &[f64; 4]) -> [f64; 4] {
-        [y[0], y[1], self.spring.unfold(y[2]).0, self.damper.unfold(y[3]).0]
-    }
-
-    fn carried_slope(&self, y: &[f64; 4]) -> [f64; 4] {
-        [1.0, 1.0, self.spring.unfold(y[2]).1, self.damper.unfold(y[3]).1]
-    }
-
-    fn rate(&self, y: &[f64; 4]) -> [f64; 4] {
-        let (motion, state) = (self.motion, self.state(y));
-        let f = motion.contact_force(&state);
-        let g = self.spring.unfold(y[2]).2 + self.damper.unfold(y[3]).2 + motion.stop.force(&state);
-        let plate = g * motion.plate_mobility;
-        [
-            state.slip_m_s,
-            motion.coupling * plate - f * motion.slip_mobility,
-            state.plate_m_s,
-            motion.coupling * f * motion.plate_mobility - plate,
-        ]
-    }
-
-    fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
-        let (motion, u) = (self.motion, y[1]);
-        let pressure = motion.strength_pa + motion.drag_kg_m3 * u * u;
-        let f_q = self.area_slope(y[0]) * pressure;
-        let area = motion.area.area_m2(&motion.nose, y[0]);
-        let f_u = 2.0 * area * motion.drag_kg_m3 * u;
-        let (_, x_y, _, k_y) = self.spring.unfold(y[2]);
-        let (_, w_y, _, d_y) = self.damper.unfold(y[3]);
-        let g_x = k_y + motion.stop.stiffness_n_m * x_y;
-        let g_w = d_y + motion.stop.damping_n_s_m * w_y;
-        let (slip, plate) = (motion.slip_mobility, motion.plate_mobility);
-        let pass = motion.coupling * plate;
-        [
-            [0.0, 1.0, 0.0, 0.0],
-            [-f_q * slip, -f_u * slip, pass * g_x, pass * g_w],
-            [0.0, 0.0, 0.0, w_y],
-            [pass * f_q, pass * f_u, -plate * g_x, -plate * g_w],
-        ]
-    }
-
-    fn scale(&self) -> [f64; 4] {
-        self.scale
-    }
-}
-
 impl Track<'_> {
     /// One implicit step, shortened to the first event.
     pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<Trigger>> {
         let motion = self.motion();
-        let system = Unknowns {
-            motion: &motion,
-            spring: Carrier::of(motion.spring),
-            damper: Carrier::of(Elastic::Power(motion.damper)),
-            scale: self.stiff_scale(),
-        };
-        let y = system.fold(&self.state);
+        let system = Unknowns::of(&motion, self.state.plate_m, self.stiff_scale());
+        let y = system.fold(&self.state, self.left_out_m);
         let mut h = self.unit_s;
         let left = self.until_s() - self.t_s;
         let mut halvings = 0;
@@ -336,7 +162,9 @@ impl Track<'_> {
         let mut fired = None;
         for (trigger, form) in self.guards().iter() {
             let end = system.state(&solved.stages[2]);
-            if !falls(form, motion, &self.state, &end) {
+            let falls =
+                guarded(form, motion, &self.state) > 0.0 && guarded(form, motion, &end) <= 0.0;
+            if !falls {
                 continue;
             }
             // Solve the step anew for each trial length: the end of a step is far more accurate than its inside.
@@ -344,7 +172,7 @@ impl Track<'_> {
                 let trial = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
                 let at =
                     trial.map_or_else(|| interpolate(y, &solved, part), |trial| trial.stages[2]);
-                form.at(motion, &system.state(&at))
+                guarded(form, motion, &system.state(&at))
             };
             let part = in_bracket(1e-12, 1.0, value);
             let landed = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
@@ -379,6 +207,10 @@ impl Track<'_> {
             return ControlFlow::Break(EndReason::StepBudget);
         }
         self.arrive(self.t_s + h, state, motion, fired);
+        let is_moved = self.state.plate_m.to_bits() != state.plate_m.to_bits();
+        if !is_moved {
+            self.left_out_m = system.left_out_m(&solved.stages[2]);
+        }
         ControlFlow::Continue(fired)
     }
 
@@ -410,7 +242,9 @@ impl Track<'_> {
     }
 }
 
-/// Whether a guard falls through zero over a step.
-fn falls(form: &Form, motion: &Motion<'_>, from: &State, to: &State) -> bool {
-    form.at(motion, from) > 0.0 && form.at(motion, to) <= 0.0
+/// A guard at a state. One of forces has fallen where it is below zero by more than rounding: forces that have died down, or hold
+/// each other, are of either sign.
+fn guarded(form: &Form, motion: &Motion<'_>, state: &State) -> f64 {
+    let noise = if form.has_force() { form.rounding(motion, state) } else { 0.0 };
+    form.at(motion, state) + noise
 }

@@ -29,6 +29,8 @@ const UNIT_FITS: f64 = 0.02;
 /// Decays of the damper within a step, and part of the damper's force that is left for inertia, from which on the plate creeps.
 const CREEPING_STEP: f64 = 0.5;
 const CREEPING: f64 = 0.02;
+/// Errors that a step may make of the plate's velocity from which on it is followed.
+const UNRESOLVED: f64 = 100.0;
 /// Radians of the spring within a step, and part of its force that is left for inertia, from which on the plate rides: a swing
 /// that small has 1e-12 of the energy in the spring.
 const RIDING_STEP: f64 = 0.5;
@@ -65,7 +67,7 @@ impl Track<'_> {
         let mut span = self.checked(&motion, &e, smaller(left, trusted));
         let mut fired = None;
         for (trigger, form) in self.guards().iter() {
-            let (series, noise) = form.along(&e);
+            let (series, noise) = form.along(&motion, &e);
             if let Some(s) = first_fall(&series, span, noise) {
                 (span, fired) = (s, Some(*trigger));
             }
@@ -109,7 +111,10 @@ impl Track<'_> {
         let net_n = larger((motion.coupling * e.contact[0] - e.mechanism[0]).abs() - noise_n, 0.0);
         let damping_n = e.damper[0] + stop.damping_n_s_m * e.plate_speed[0];
         let spring_n = e.mechanism[0] - damping_n;
-        let creeps = net_n <= CREEPING * damping_n.abs() && {
+        // A velocity that a step may be wrong by tells nothing of what is left for inertia.
+        let unresolved = e.plate_speed[0].abs()
+            <= UNRESOLVED * self.local_tolerance() * self.felt_part() * self.problem.velocity_m_s;
+        let creeps = (unresolved || net_n <= CREEPING * damping_n.abs()) && {
             let damper = motion.damper.tangent(e.plate_speed[0]) + stop.damping_n_s_m;
             damper * mobility * step_s >= CREEPING_STEP
         };
@@ -202,13 +207,9 @@ impl Track<'_> {
 
 /// What one rounding of the forces on the plate is worth at the start of an expansion, m/s².
 fn plate_noise<const N: usize>(motion: &Motion<'_>, e: &Expansion<N>) -> f64 {
-    let (x, stop) = (e.plate[0], motion.stop);
-    let stop_n = stop.stiffness_n_m * (x.abs() + stop.position_m.abs());
-    // The spring's force is the rest of the mechanism's.
-    let rest_n =
-        e.mechanism[0].abs() + e.damper[0].abs() + stop.damping_n_s_m * e.plate_speed[0].abs();
+    let mechanism_n = motion.mechanism_size(&e.state(0.0), (e.mechanism[0], e.damper[0]));
     let contact_n = motion.coupling * e.contact[0].abs();
-    f64::EPSILON * motion.plate_mobility * (2.0 * stop_n + rest_n + contact_n)
+    f64::EPSILON * motion.plate_mobility * (mechanism_n + contact_n)
 }
 
 /// The size of a series over the first `s` of its unit, by its first terms.

@@ -67,6 +67,8 @@ pub(super) struct Track<'a> {
     pub(super) stride_refused: [f64; 2],
     /// What strides that the depth depends on may be off by, relative.
     pub(super) stride_error: f64,
+    /// What rounding has left out of the displacement, m, as far as the last step knew.
+    pub(super) left_out_m: f64,
     /// The stretch of the spring's curve in which the plate is; without meaning for a power law.
     pub(super) region: usize,
     /// Greatest |x| and |w| seen, m and m/s.
@@ -130,6 +132,7 @@ impl<'a> Track<'a> {
             damper_omitted: false,
             clear_m: 0.0,
             clear_m_s: 0.0,
+            left_out_m: 0.0,
             stride_refused: [f64::INFINITY; 2],
             stride_error: 0.0,
             side_x: if problem.start_m < 0.0 { -1.0 } else { 1.0 },
@@ -377,11 +380,6 @@ impl<'a> Track<'a> {
             return;
         }
         if x * w < 0.0 && x.abs() <= self.near_zero_m() {
-            if x.abs() <= PASSED_TICKS * f64::EPSILON * self.t_s * w.abs() {
-                // The clock does not see it.
-                self.state.plate_m = -x;
-                return;
-            }
             let (spring, damper) = (self.spring(), self.problem.mechanism.damper);
             if !self.is_unfelt()
                 && damper.exponent * damper.force(w).abs() <= SWINGS_TO * spring.force(x).abs()
@@ -390,6 +388,12 @@ impl<'a> Track<'a> {
                 self.stretch_steps = 0;
                 self.side_x = sign(x);
                 self.side_w = sign(w);
+            }
+            if x.abs() <= PASSED_TICKS * f64::EPSILON * self.t_s * w.abs() {
+                // The clock does not see it.
+                self.state.plate_m = -x;
+                self.side_x = sign(-x);
+                return;
             }
             // As far on the other side as on this one: what the spring takes it also gives.
             self.clear_m = x.abs();
@@ -409,6 +413,7 @@ impl<'a> Track<'a> {
         let before = self.state;
         self.t_s = t_s;
         self.state = state;
+        self.left_out_m = 0.0;
         if let Some(trigger) = fired {
             self.snap(trigger, &before);
         }

@@ -1,0 +1,215 @@
+//! The motion in the implicit method's unknowns.
+//!
+//! Where a law's exponent is below one its force is the unknown (`Carrier`). Where the plate touches an elastic stop that is far
+//! from the spring's zero, its displacement is measured from the stop: the stop's force is the stiffness times a small difference
+//! that drowns in the rounding of the displacement itself.
+
+use crate::model::contact::AreaLaw;
+use crate::model::mechanism::{Elastic, PowerLaw, sign};
+use crate::model::motion::{Motion, State, StopForce};
+use crate::numerics::implicit::{ImplicitSystem, NODES};
+use crate::numerics::{larger, smaller};
+
+/// Part of the displacement up to which the stop's deflection is measured by itself.
+const ON_STOP: f64 = 0.5;
+
+/// The present motion in the implicit method's unknowns.
+pub(super) struct Unknowns<'a> {
+    pub(super) motion: &'a Motion<'a>,
+    pub(super) spring: Carrier<'a>,
+    damper: Carrier<'a>,
+    /// From where the plate's displacement is measured, m.
+    datum_m: f64,
+    scale: [f64; 4],
+}
+
+/// Whether a law's unknown is its argument or its force.
+#[derive(Clone, Copy)]
+pub(super) enum Carrier<'a> {
+    /// x itself, from a datum on; the force follows.
+    Argument(Elastic<'a>, f64),
+    /// The force; x = sgn (|force|/k)^(1/n) follows.
+    Force(PowerLaw),
+}
+
+impl<'a> Carrier<'a> {
+    fn of(law: Elastic<'a>) -> Self {
+        match law {
+            Elastic::Power(law) if law.coefficient > 0.0 && law.exponent < 1.0 => Self::Force(law),
+            Elastic::Power(_) | Elastic::Piece(_) => Self::Argument(law, 0.0),
+        }
+    }
+
+    /// The unknown of an argument, and what rounding has left out of that.
+    fn unknown(self, z: f64, left_out: f64) -> f64 {
+        match self {
+            Self::Argument(_, datum) => (z - datum) + left_out,
+            Self::Force(law) => law.force(z),
+        }
+    }
+
+    /// (argument from the datum, its derivative, force, its derivative) by the unknown.
+    fn unfold(self, y: f64) -> (f64, f64, f64, f64) {
+        match self {
+            Self::Argument(law, datum) => {
+                let z = datum + y;
+                (y, 1.0, law.force(z), law.tangent(z))
+            }
+            Self::Force(law) => {
+                let z = law.at_force(y) * sign(y);
+                let slope = if y == 0.0 { 0.0 } else { z / (law.exponent * y) };
+                (z, slope, y, 1.0)
+            }
+        }
+    }
+}
+
+impl<'a> Unknowns<'a> {
+    pub(super) fn of(motion: &'a Motion<'a>, plate_m: f64, scale: [f64; 4]) -> Self {
+        let stop = motion.stop;
+        let on_stop =
+            stop.stiffness_n_m > 0.0 && (plate_m - stop.position_m).abs() < ON_STOP * plate_m.abs();
+        let datum_m = if on_stop { stop.position_m } else { 0.0 };
+        let spring = if on_stop {
+            Carrier::Argument(motion.spring, datum_m)
+        } else {
+            Carrier::of(motion.spring)
+        };
+        let damper = Carrier::of(Elastic::Power(motion.damper));
+        Self { motion, spring, damper, datum_m, scale }
+    }
+
+    pub(super) fn state(&self, y: &[f64; 4]) -> State {
+        State {
+            travel_m: y[0],
+            slip_m_s: y[1],
+            plate_m: self.datum_m + self.spring.unfold(y[2]).0,
+            plate_m_s: self.damper.unfold(y[3]).0,
+        }
+    }
+
+    /// The unknowns of a state whose displacement rounding has left so much out of, m.
+    pub(super) fn fold(&self, state: &State, left_out_m: f64) -> [f64; 4] {
+        [
+            state.travel_m,
+            state.slip_m_s,
+            self.spring.unknown(state.plate_m, left_out_m),
+            self.damper.unknown(state.plate_m_s, 0.0),
+        ]
+    }
+
+    /// What rounding leaves out of the displacement of the state with these unknowns, m.
+    pub(super) fn left_out_m(&self, y: &[f64; 4]) -> f64 {
+        let z = self.spring.unfold(y[2]).0;
+        z - ((self.datum_m + z) - self.datum_m)
+    }
+
+    /// The stop's force, N.
+    fn stop_n(&self, x_from_datum: f64, w: f64) -> f64 {
+        let stop = self.motion.stop;
+        let near = StopForce { position_m: stop.position_m - self.datum_m, ..stop };
+        near.force(&State { travel_m: 0.0, slip_m_s: 0.0, plate_m: x_from_datum, plate_m_s: w })
+    }
+
+    /// Stages to start Newton's method from: the present values; but a force that is zero is where its law is flat, so
+    /// there the plate is taken to ride on its spring under the contact force of the stage.
+    pub(super) fn guess(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+        NODES.map(|node| {
+            let mut stage = *y;
+            let t = node * h;
+            stage[0] += y[1] * t;
+            let state = State { travel_m: stage[0], ..self.state(y) };
+            let motion = self.motion;
+            let others = motion.spring.force(state.plate_m) + motion.stop.force(&state);
+            let drive = motion.contact_force(&state) * motion.coupling - others;
+            let mut speed = drive * motion.plate_mobility * t;
+            if let (Carrier::Force(law), true) = (self.spring, y[2] == 0.0) {
+                stage[2] = drive;
+                speed = law.at_force(drive) / (law.exponent * t);
+            }
+            if let Carrier::Force(law) = self.damper {
+                // By inertia, but not beyond where the damper alone holds against the drive, if it does not exceed it now.
+                let by_inertia = law.force(state.plate_m_s + speed);
+                let held_n = larger(drive.abs(), y[3].abs());
+                let held = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
+                stage[3] = if by_inertia * drive > 0.0 { held } else { y[3] };
+            }
+            stage
+        })
+    }
+
+    /// Stages of a plate that rides on its spring through the whole step, at the stage's contact force: where Newton's method has
+    /// to change the side of zero, its own slopes, flat at zero, do not lead it there.
+    pub(super) fn riding(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+        NODES.map(|node| {
+            let mut stage = *y;
+            stage[0] += y[1] * node * h;
+            let state = State { travel_m: stage[0], plate_m: 0.0, plate_m_s: 0.0, ..self.state(y) };
+            let motion = self.motion;
+            stage[2] = motion.contact_force(&state) * motion.coupling - motion.stop.force(&state);
+            stage[3] = 0.0;
+            stage
+        })
+    }
+
+    /// dA/dq, by a central difference within the piece.
+    fn area_slope(&self, q: f64) -> f64 {
+        match self.motion.area {
+            AreaLaw::None => 0.0,
+            AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q - origin_m),
+            AreaLaw::Partial { .. } => {
+                let h = 1e-6 * self.motion.nose.radius_m;
+                let area = |q: f64| self.motion.area.area_m2(&self.motion.nose, q);
+                (area(q + h) - area(q - h)) / (2.0 * h)
+            }
+        }
+    }
+}
+
+impl ImplicitSystem<4> for Unknowns<'_> {
+    fn carried(&self, y: &[f64; 4]) -> [f64; 4] {
+        [y[0], y[1], self.spring.unfold(y[2]).0, self.damper.unfold(y[3]).0]
+    }
+
+    fn carried_slope(&self, y: &[f64; 4]) -> [f64; 4] {
+        [1.0, 1.0, self.spring.unfold(y[2]).1, self.damper.unfold(y[3]).1]
+    }
+
+    fn rate(&self, y: &[f64; 4]) -> [f64; 4] {
+        let (motion, state) = (self.motion, self.state(y));
+        let f = motion.contact_force(&state);
+        let (x, _, spring_n, _) = self.spring.unfold(y[2]);
+        let g = spring_n + self.damper.unfold(y[3]).2 + self.stop_n(x, state.plate_m_s);
+        let plate = g * motion.plate_mobility;
+        [
+            state.slip_m_s,
+            motion.coupling * plate - f * motion.slip_mobility,
+            state.plate_m_s,
+            motion.coupling * f * motion.plate_mobility - plate,
+        ]
+    }
+
+    fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
+        let (motion, u) = (self.motion, y[1]);
+        let pressure = motion.strength_pa + motion.drag_kg_m3 * u * u;
+        let f_q = self.area_slope(y[0]) * pressure;
+        let area = motion.area.area_m2(&motion.nose, y[0]);
+        let f_u = 2.0 * area * motion.drag_kg_m3 * u;
+        let (_, x_y, _, k_y) = self.spring.unfold(y[2]);
+        let (_, w_y, _, d_y) = self.damper.unfold(y[3]);
+        let g_x = k_y + motion.stop.stiffness_n_m * x_y;
+        let g_w = d_y + motion.stop.damping_n_s_m * w_y;
+        let (slip, plate) = (motion.slip_mobility, motion.plate_mobility);
+        let pass = motion.coupling * plate;
+        [
+            [0.0, 1.0, 0.0, 0.0],
+            [-f_q * slip, -f_u * slip, pass * g_x, pass * g_w],
+            [0.0, 0.0, 0.0, w_y],
+            [pass * f_q, pass * f_u, -plate * g_x, -plate * g_w],
+        ]
+    }
+
+    fn scale(&self) -> [f64; 4] {
+        self.scale
+    }
+}
