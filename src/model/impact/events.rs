@@ -25,7 +25,11 @@ impl Track<'_> {
     pub(super) fn snap(&mut self, trigger: Trigger, before: &State) {
         let geometry = &self.problem.geometry;
         match trigger {
-            Trigger::PieceEnd => self.state.travel_m = geometry.piece(before.travel_m).to_m,
+            // Past the exit there is no end to come to.
+            Trigger::PieceEnd => {
+                let end = geometry.piece(before.travel_m).to_m;
+                self.state.travel_m = if end.is_finite() { end } else { before.travel_m };
+            }
             Trigger::PieceStart => {
                 let behind = geometry.pieces().iter().rev();
                 let piece = behind.into_iter().find(|piece| piece.from_m < before.travel_m);

@@ -268,7 +268,8 @@ impl Contact {
         let slip = v - lost - cos * moved.w_m_s;
         let travel = (v - lost / 3.0) * moved.t_s - cos * moved.by_m;
         let state = [travel, slip, self.start_m + moved.by_m, moved.w_m_s];
-        (slip > 0.0 && travel > 0.0).then_some((moved.t_s, state))
+        let inside = travel > 0.0 && travel < self.geometry.pieces().first()?.to_m;
+        (slip > 0.0 && inside).then_some((moved.t_s, state))
     }
 
     /// A damper so strong that the plate follows at once.

@@ -68,6 +68,8 @@ impl Track<'_> {
         self.spring_omitted = false;
         self.damper_omitted = false;
         let allowed = LEFT_OUT * self.tolerance * problem.velocity_m_s;
+        // The area changes there.
+        let first_m = problem.geometry.piece(0.0).to_m;
         let is_early = |t_s: f64| {
             let e: Expansion<17> = motion.expand(&self.state, t_s);
             let state = e.state(1.0);
@@ -75,7 +77,8 @@ impl Track<'_> {
             let damper =
                 if damper_singular { mechanism.damper.force(state.plate_m_s) } else { 0.0 };
             let left_out = smaller(spring.abs() + damper.abs(), drive_n(&motion, &e));
-            left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
+            let inside = state.slip_m_s > 0.0 && state.travel_m < first_m;
+            inside && left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
         };
         let scale_s = self.pace().contact_s;
         let mut t_s = EARLIEST * scale_s;

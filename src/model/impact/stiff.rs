@@ -159,14 +159,20 @@ impl Track<'_> {
     ) -> ControlFlow<EndReason, Option<Trigger>> {
         let motion = system.motion;
         self.unit_s = h * factor;
+        let guards = self.guards();
         let mut fired = None;
-        for (trigger, form) in self.guards().iter() {
+        // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has come
+        // back within it.
+        for _ in guards.iter() {
             let end = system.state(&solved.stages[2]);
-            let falls =
-                guarded(form, motion, &self.state) > 0.0 && guarded(form, motion, &end) <= 0.0;
-            if !falls {
-                continue;
-            }
+            let has_fallen = |(trigger, form): &&(Trigger, Form)| {
+                fired != Some(*trigger)
+                    && guarded(form, motion, &self.state) > 0.0
+                    && guarded(form, motion, &end) <= 0.0
+            };
+            let Some((trigger, form)) = guards.iter().find(has_fallen) else {
+                break;
+            };
             // Solve the step anew for each trial length: the end of a step is far more accurate than its inside.
             let value = |part: f64| {
                 let trial = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
@@ -186,6 +192,7 @@ impl Track<'_> {
             } else if h <= CLOSEST * self.t_s {
                 // No coming closer: the clock has no finer ticks.
                 fired = Some(*trigger);
+                break;
             } else {
                 // Newton's method went astray on the way to the event: come closer first.
                 self.unit_s = 0.25 * h;

@@ -97,7 +97,10 @@ impl Track<'_> {
         } else {
             self.watch_zero_of_x(guards, mechanism.spring.is_singular() && !self.stiff);
         }
-        self.watch_zero_of_w(guards, singular(mechanism.damper));
+        // A plate that rides on its spring from rest is of either sign until its velocity matters.
+        if !(self.stiff && self.is_unfelt()) {
+            self.watch_zero_of_w(guards, singular(mechanism.damper));
+        }
         let at = mechanism.stop_at_m;
         if self.stop_touches {
             let stop = mechanism.elastic_stop().unwrap_or_default();
