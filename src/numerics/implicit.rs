@@ -50,8 +50,11 @@ const GAMMA_0: f64 = 3.637_834_252_744_496;
 const ERROR_WEIGHTS: [f64; STAGES] =
     [-10.048_809_399_827_416, 1.382_142_733_160_748_7, -0.333_333_333_333_333_3];
 const NEWTON_MAX: usize = 25;
-/// Change below which Newton's method, once it no longer halves it, has come to where rounding keeps it.
-const STALLED: f64 = 1e-11;
+/// Changes below which Newton's method has come to where rounding keeps it, once it no longer halves them; and where it has not for
+/// some rounds.
+const STALLED: f64 = 1e-12;
+const STALLED_LONG: f64 = 1e-11;
+const LONG: usize = 4;
 
 /// Solve one step of length `h` from `y`; `None` when Newton's method does not converge.
 ///
@@ -68,6 +71,7 @@ pub fn step<const N: usize, const M: usize>(
     let mut stages = guess;
     let mut iterations = 0;
     let mut last_change = f64::INFINITY;
+    let mut stalls = 0;
     loop {
         iterations += 1;
         if iterations > NEWTON_MAX {
@@ -95,7 +99,10 @@ pub fn step<const N: usize, const M: usize>(
         if !change.is_finite() {
             return None;
         }
-        if change < 1e-15 || (change < STALLED && change >= 0.5 * last_change) {
+        let halves = change < 0.5 * last_change;
+        stalls = if halves { 0 } else { stalls + 1 };
+        let stalled = stalls > 0 && change < STALLED || stalls >= LONG && change < STALLED_LONG;
+        if change < 1e-15 || stalled {
             break;
         }
         last_change = change;

@@ -32,6 +32,8 @@ const STIFF_STEPS_MAX: usize = 30_000;
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
 const LOCAL: f64 = 1e-3;
 
+/// Energy of the plate after a step, relative to all there is, from which on the step is none.
+const POSSIBLE: f64 = 1.5;
 /// Energy a step may be off by, relative to all there is, per tolerance, and how often it is halved for that.
 const UNBALANCED: f64 = 1e-2;
 const HALVINGS_MAX: usize = 8;
@@ -58,12 +60,7 @@ impl Track<'_> {
             let tick = TICK * self.t_s;
             let at_tick = h <= tick;
             h = larger(h, tick);
-            let solved = step::<4, 12>(&system, &y, h, system.guess(&y, h))
-                .or_else(|| step::<4, 12>(&system, &y, h, [y; 3]))
-                .or_else(|| {
-                    let rides = matches!(system.spring, Carrier::Force(_));
-                    rides.then(|| step::<4, 12>(&system, &y, h, system.riding(&y, h))).flatten()
-                });
+            let solved = self.solve(&system, &y, h);
             self.evaluations += solved.as_ref().map_or(25, |step| step.iterations) * 3;
             let Some(solved) = solved else {
                 if at_tick {
@@ -95,6 +92,24 @@ impl Track<'_> {
             return self.accept(&system, &y, (h, factor), solved);
         }
         ControlFlow::Break(EndReason::StepUnderflow)
+    }
+
+    /// A step from whichever guess leads anywhere.
+    fn solve(&self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) -> Option<Step<4>> {
+        let from =
+            |guess| step::<4, 12>(system, y, h, guess).filter(|step| self.is_possible(system, step));
+        from(system.guess(y, h)).or_else(|| from([*y; 3])).or_else(|| {
+            let rides = matches!(system.spring, Carrier::Force(_));
+            rides.then(|| from(system.riding(y, h))).flatten()
+        })
+    }
+
+    /// Whether the plate has no more energy than there is: far from the solution Newton's method may settle anywhere.
+    fn is_possible(&self, system: &Unknowns<'_>, step: &Step<4>) -> bool {
+        let end = system.state(&step.stages[2]);
+        let kinetic_j = 0.5 * self.problem.plate_kg * end.plate_m_s * end.plate_m_s;
+        let energy_j = kinetic_j + self.problem.mechanism.spring.energy(end.plate_m);
+        energy_j <= POSSIBLE * self.problem.energy_j
     }
 
     /// A plate that no longer creeps swings, and Taylor steps follow a swing with far fewer.
