@@ -5,6 +5,7 @@
 //!
 //! Every job submitted gets exactly one last report: `Done`, `Failed` or `Cancelled`.
 
+pub mod battery;
 pub mod cache;
 mod job;
 mod preview;
