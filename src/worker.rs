@@ -5,9 +5,9 @@
 //!
 //! Every job submitted gets exactly one last report: `Done`, `Failed` or `Cancelled`.
 
+pub mod battery;
 pub mod cache;
 mod job;
-mod preview;
 pub mod searches;
 pub mod studies;
 pub mod sweeps;
@@ -19,6 +19,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use crate::model::impact::window::Window;
 use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
 use crate::model::scene::Scene;
@@ -66,8 +67,7 @@ pub enum ReportBody {
         /// How long it has been running.
         elapsed: Duration,
     },
-    /// It is still running, and this is its curve so far, computed more roughly (at most twice a second; the scene on the
-    /// screen only).
+    /// It is still running, and this is what it has so far (at most twice a second; the scene on the screen only).
     Part(Arc<Run>),
     /// It is done.
     Done {
@@ -95,9 +95,10 @@ impl ReportBody {
     }
 }
 
-/// Computes one scene, asking the observer after every step.
-type Compute =
-    dyn Fn(&Arc<Scene>, Settings, impact::Observer<'_>) -> Result<Run, String> + Send + Sync;
+/// Computes one scene, asking the observer after every step and showing it what there is so far.
+type Compute = dyn Fn(&Arc<Scene>, Settings, impact::Observer<'_>, &Window) -> Result<Run, String>
+    + Send
+    + Sync;
 
 /// Where reports go; called on the worker's thread and on the submitting one.
 type Sink = dyn Fn(Report) + Send + Sync;
@@ -128,8 +129,9 @@ impl Worker {
     /// # Errors
     /// When the system has no thread to give.
     pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
-        Self::spawn_with(sink, |scene, settings, observer| {
-            impact::simulate(scene, &settings, observer).map_err(|error| error.to_string())
+        Self::spawn_with(sink, |scene, settings, observer, window| {
+            impact::simulate_openly(scene, &settings, observer, window)
+                .map_err(|error| error.to_string())
         })
     }
 
@@ -139,7 +141,7 @@ impl Worker {
     /// When the system has no thread to give.
     pub fn spawn_with(
         sink: impl Fn(Report) + Send + Sync + 'static,
-        compute: impl Fn(&Arc<Scene>, Settings, impact::Observer<'_>) -> Result<Run, String>
+        compute: impl Fn(&Arc<Scene>, Settings, impact::Observer<'_>, &Window) -> Result<Run, String>
         + Send
         + Sync
         + 'static,
@@ -150,7 +152,6 @@ impl Worker {
             sink: Box::new(sink),
         });
         let for_thread = Arc::clone(&shared);
-        let compute: Arc<Compute> = Arc::new(compute);
         let thread = thread::Builder::new()
             .name("worker".to_owned())
             .spawn(move || for_thread.serve(&compute))?;
@@ -224,7 +225,7 @@ impl Shared {
         self.report(job, ReportBody::Cancelled { partial: None });
     }
 
-    fn serve(self: &Arc<Self>, compute: &Arc<Compute>) {
+    fn serve(&self, compute: &Compute) {
         let mut cache = cache::Cache::default();
         while let Some((job, cancel)) = self.next_job() {
             let body = match cache.find(&job.scene) {
@@ -254,31 +255,33 @@ impl Shared {
     }
 
     fn run(
-        self: &Arc<Self>,
+        &self,
         job: &Job,
         cancel: &AtomicBool,
-        compute: &Arc<Compute>,
+        compute: &Compute,
         cache: &mut cache::Cache,
     ) -> ReportBody {
         let mut pulse = job::Pulse::start();
-        let over = Arc::new(AtomicBool::new(false));
-        let mut previewed = job.slot != Slot::Current;
+        let window = Window::default();
         let mut observer = |t_s: f64| {
             if cancel.load(Ordering::Relaxed) {
                 return ControlFlow::Break(());
             }
+            if let Some(run) = window.take() {
+                pulse.part_came();
+                self.report(job, ReportBody::Part(Arc::new(run)));
+            }
             if let Some(body) = pulse.beat(t_s) {
                 self.report(job, body);
             }
-            if !previewed && pulse.is_slow() {
-                previewed = true;
-                self.preview(job, compute, &over);
+            if job.slot == Slot::Current && pulse.part_is_due() {
+                window.ask();
             }
             ControlFlow::Continue(())
         };
         let settings = Settings::default();
-        let (ended, took) = job::contained(|| compute(&job.scene, settings, &mut observer));
-        over.store(true, Ordering::Relaxed);
+        let (ended, took) =
+            job::contained(|| compute(&job.scene, settings, &mut observer, &window));
         match ended {
             Err(text) => ReportBody::Failed(text),
             Ok(run) => {
@@ -287,25 +290,13 @@ impl Shared {
                 if cut_short {
                     return ReportBody::Cancelled { partial: Some(run) };
                 }
-                cache.keep(Arc::clone(&run), took);
+                // One that was stopped while its error was estimated is not worth keeping.
+                if !cancel.load(Ordering::Relaxed) {
+                    cache.keep(Arc::clone(&run), took);
+                }
                 ReportBody::Done { run, took }
             }
         }
-    }
-}
-
-impl Shared {
-    /// Show the curve so far of a slow run until `over` is set. Without a thread to spare there is none.
-    fn preview(self: &Arc<Self>, job: &Job, compute: &Arc<Compute>, over: &Arc<AtomicBool>) {
-        let (shared, compute, over) = (Arc::clone(self), Arc::clone(compute), Arc::clone(over));
-        let job = job.clone();
-        let work = move || {
-            preview::run(&job.scene, &*compute, &over, |run| {
-                shared.report(&job, ReportBody::Part(run));
-            });
-        };
-        // Not joined: it ends by itself within a step of the run's end.
-        let _ = thread::Builder::new().name("preview".to_owned()).spawn(work);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cmra::model::contact_phase::{Ending, Explicit, Phase, exact};
+use cmra::model::contact_phase::{Ending, Phase, Scheme, exact};
 use cmra::model::scene::{Mount, Scene};
 use cmra::model::units::Bare;
 use cmra::model::variables::set_by_name;
@@ -62,7 +62,7 @@ impl Reference {
             plate: cmra::model::scene::Plate { mount: Mount::Rigid, ..scene.plate },
             ..scene.clone()
         };
-        let tight = Explicit::Dop853 { tolerance: TIGHT };
+        let tight = Scheme::Dop853 { tolerance: TIGHT };
         let (answer, source) = if let Ok(answer) = exact::solve(scene) {
             (Ok(answer), "closed form")
         } else if greatest_give(scene) < IMMOBILE {

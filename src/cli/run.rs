@@ -18,11 +18,15 @@ use crate::files::export::{self, ExportRequest};
 use crate::files::preset::Preset;
 use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
-use crate::model::variables::VariableError;
+use crate::model::variables::{self, VariableError};
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "--csv FILE writes the series, and beside it NAME.toml: the scene that gives the same digits again."
+    after_help = format!(
+        "--csv FILE writes the series, and beside it NAME.toml: the scene that gives the same digits again.\n\n\
+         NAME is one of these symbols, or a full key as in scene files:\n{}",
+        variables::listing()
+    )
 )]
 pub(super) struct RunArguments {
     #[command(flatten)]

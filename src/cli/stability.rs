@@ -2,8 +2,7 @@
 
 use std::ops::ControlFlow;
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -13,14 +12,12 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::files::stability as values;
 use crate::study::stability::map::{self, Axis, Method};
-use crate::study::stability::{self, Clock, Row};
+use crate::study::stability::{self, Row};
+use crate::worker::battery;
 
 mod table;
 
-/// Seconds after which other methods than `auto` are no longer started.
-const OTHERS_UNTIL_S: f64 = 15.0;
-/// Columns of a map, and rows.
-const MAP_CELLS: (usize, usize) = (19, 61);
+/// Rows and columns of a coarser map.
 const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
 
 #[derive(Debug, Args)]
@@ -67,7 +64,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
         return draw_map(arguments, axis);
     }
     let start = Instant::now();
-    let rows = battery(arguments.quick)?;
+    let rows = rows(arguments.quick)?;
     let took_s = start.elapsed().as_secs_f64();
     let page = || table::battery(&rows, took_s, table::width());
     arguments.rows.deliver_text(page, || values::json(&rows), || values::csv(&rows))?;
@@ -76,39 +73,19 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
 }
 
 /// The rows, computed on all cores, in the order of the battery.
-fn battery(quick: bool) -> Result<Vec<Row>, CliError> {
-    let cases = stability::battery(quick);
+fn rows(quick: bool) -> Result<Vec<Row>, CliError> {
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
-    let clock = Clock { now_s: &now_s, until_s: OTHERS_UNTIL_S, stopped: &|| false };
-    let next = AtomicUsize::new(0);
-    let rows = Mutex::new(Vec::new());
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let row = stability::examine(case, clock);
-                    if let Ok(mut rows) = rows.lock() {
-                        rows.push(row);
-                    }
-                }
-            });
-        }
-    });
-    let found = rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let found = found.into_iter().collect::<Result<Vec<Option<Row>>, _>>()?;
-    let mut rows: Vec<Row> = found.into_iter().flatten().collect();
-    rows.sort_by_key(|row| cases.iter().position(|case| case.name == row.case.name));
-    Ok(rows)
+    let go_on = &mut |_, _, _: &dyn Fn() -> Vec<Row>| ControlFlow::Continue(());
+    let never = AtomicBool::new(false);
+    let cases = stability::battery(quick);
+    Ok(battery::run(cases, threads, (&now_s, &never), go_on)?)
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
-    crate::model::variables::validate(&preset.scene)?;
-    crate::model::variables::require_hydrodynamic(&preset.scene)?;
-    crate::model::variables::require_plain(&preset.scene)?;
-    crate::model::variables::require_single(&preset.scene)?;
+    map::accepts(&preset.scene)?;
     let axis = match axis {
         MapAxis::K => Axis::K,
         MapAxis::N => Axis::N,
@@ -118,7 +95,7 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
         MapMethod::Thesis => Method::Thesis,
         MapMethod::Rk4 => Method::Rk4,
     };
-    let cells = if arguments.quick { MAP_CELLS_QUICK } else { MAP_CELLS };
+    let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
     let go_on = &mut || ControlFlow::Continue(());
     let ControlFlow::Continue(map) = map::map(&preset.scene, (method, axis), cells, go_on) else {
         return Ok(ExitCode::FAILURE);

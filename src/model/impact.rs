@@ -15,6 +15,7 @@ use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
 use problem::Problem;
 use track::Track;
+use window::Window;
 
 mod contact;
 mod events;
@@ -31,6 +32,7 @@ mod taylor;
 mod track;
 mod verdict;
 mod watch;
+pub mod window;
 
 /// Order of the ordinary computation, plus one.
 const TERMS: usize = 17;
@@ -69,32 +71,45 @@ pub fn simulate(
     settings: &Settings,
     observer: Observer<'_>,
 ) -> Result<Run, VariableError> {
+    simulate_openly(scene, settings, observer, &Window::default())
+}
+
+/// As [`simulate`], with a window through which the observer can look at the run so far. Other interaction models than the engine's
+/// own, and the plates of a stack behind the first, show nothing.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn simulate_openly(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    observer: Observer<'_>,
+    window: &Window,
+) -> Result<Run, VariableError> {
     variables::validate(scene)?;
     if let Some(run) = interaction::simulate(scene, *settings, observer) {
         return Ok(run);
     }
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;
-    let (track, end) = compute::<TERMS>(&problem, tolerance, settings.series, observer);
+    let mut track = Track::new(&problem, tolerance, settings.series);
+    track.record.window = Some(window);
+    let end = compute::<TERMS>(&mut track, observer);
     let by_strides = track.stride_error;
     let mut run = report::gather(&problem, track, end);
     if settings.estimate && run.end.is_complete() {
-        run.error_estimate = estimate(&problem, &run, by_strides, observer);
+        let watched = &mut |t_s| {
+            window.show(|| run.clone());
+            observer(t_s)
+        };
+        run.error_estimate = estimate(&problem, &run, by_strides, watched);
     }
     run.stack = stack::follow(scene, &mut run, *settings, observer)?.map(Arc::new);
     Ok(run)
 }
 
-fn compute<'p, const N: usize>(
-    problem: &'p Problem,
-    tolerance: f64,
-    series: bool,
-    observer: Observer<'_>,
-) -> (Track<'p>, EndReason) {
-    let mut track = Track::new(problem, tolerance, series);
+fn compute<const N: usize>(track: &mut Track<'_>, observer: Observer<'_>) -> EndReason {
     track.begin();
-    let end = track.run::<N>(observer);
-    (track, end)
+    track.run::<N>(observer)
 }
 
 /// The difference to a computation of another order at a much tighter tolerance, but not below what the strides, which both have in
@@ -113,8 +128,11 @@ fn estimate(
     if run.cost.steps == 0 {
         return Some(ErrorEstimate { relative: ROUNDING, basis: EstimateBasis::ClosedForm });
     }
-    let (track, end) =
-        compute::<TERMS_CHECK>(problem, run.scene.run.tolerance * TIGHTER, false, observer);
+    let mut track = Track::new(problem, run.scene.run.tolerance * TIGHTER, false);
+    let end = compute::<TERMS_CHECK>(&mut track, observer);
+    if end == EndReason::Cancelled {
+        return None;
+    }
     let second = measure(&report::gather(problem, track, end))?;
     let relative = ((value - second) / second).abs();
     let relative = larger(larger(relative, by_strides), ROUNDING);

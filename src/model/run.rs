@@ -400,6 +400,10 @@ pub enum Omission {
     Drag,
     /// The mechanism cannot move the plate noticeably within the contact: it is as good as rigid.
     MechanismWithinContact,
+    /// The greatest displacement follows from an energy balance or a closed form: the way there is not integrated.
+    WayOnward,
+    /// Nobody asked for the series.
+    Series,
 }
 
 impl Omission {
@@ -420,6 +424,8 @@ impl Omission {
             Self::MechanismWithinContact => {
                 "plate motion within the contact (bounded below rounding)"
             }
+            Self::WayOnward => "way to the greatest displacement (energy balance)",
+            Self::Series => "series",
         }
     }
 }

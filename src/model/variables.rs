@@ -15,7 +15,7 @@ mod stack;
 mod table;
 mod used;
 
-pub use names::{edit_distance, find, nearest};
+pub use names::{edit_distance, find, listing, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;
 pub use table::VARIABLES;

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
+use crate::numerics::{larger, smaller};
 
 pub mod method;
 pub mod reference;
@@ -22,11 +23,20 @@ use timing::{Clock, Patience, Timing, time};
 const STEPS_BEYOND: (f64, f64) = (2.0, 1_000.0);
 /// Steps of an adaptive method at the most.
 const STEPS_MAX: usize = 100_000;
-/// The observed order is fitted through so many of the finest points...
+/// The observed order is fitted through so many of the finest points (never fewer than the second number)...
 const FIT_POINTS: usize = 5;
+const FIT_POINTS_MIN: usize = 3;
+/// ...or as many as it takes for their steps to differ by this factor...
+const FIT_SPAN: f64 = 1.5;
 /// ...of those whose error is below this, and above [`FIT_FLOOR`] times what the reference can tell.
 const FIT_CEILING: f64 = 0.5;
 const FIT_FLOOR: f64 = 10.0;
+
+/// Run times up to this factor apart count as alike.
+const ALIKE: f64 = 1.05;
+
+/// A timing that spreads by more is unsteady.
+const UNSTEADY: f64 = 0.2;
 
 /// How thorough a comparison is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,9 +83,7 @@ pub struct Measured {
 impl Measured {
     /// The greater of both errors, but not less than the reference can tell: what is drawn and compared.
     pub fn error(&self) -> f64 {
-        let error =
-            if self.depth_error > self.time_error { self.depth_error } else { self.time_error };
-        if error > self.floor { error } else { self.floor }
+        larger(larger(self.depth_error, self.time_error), self.floor)
     }
 
     /// The error an order shows in: of the depth, unless a perforation fixes it. (The thesis's stopping rule leaves an error of
@@ -251,7 +259,7 @@ impl MethodReport {
     }
 
     /// The order that is observed: how fast log error falls with log steps, by least squares through the finest points that
-    /// lie above what the reference can tell. `None` with fewer than three.
+    /// lie above what the reference can tell. `None` with fewer than three, or none that differ in their steps.
     pub fn observed_order(&self) -> Option<f64> {
         let points: Vec<(f64, f64)> = self
             .measured()
@@ -261,10 +269,16 @@ impl MethodReport {
             })
             .map(|(_, measured)| ((measured.answer.steps as f64).ln(), measured.order_error().ln()))
             .collect();
-        let points = &points[points.len().saturating_sub(FIT_POINTS)..];
-        if points.len() < 3 {
-            return None;
-        }
+        // Coarser points come in until the steps differ enough to show a slope: an adaptive method may hardly need more of them.
+        let spans = |from: &usize| {
+            let steps = points[*from..].iter().map(|point| point.0);
+            let least = steps.clone().fold(f64::INFINITY, smaller);
+            steps.fold(f64::NEG_INFINITY, larger) - least >= FIT_SPAN.ln()
+        };
+        let from = (0..=points.len().checked_sub(FIT_POINTS_MIN)?)
+            .rev()
+            .find(|from| points.len() - from >= FIT_POINTS.min(points.len()) && spans(from))?;
+        let points = &points[from..];
         let count = points.len() as f64;
         let (x, y) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0, y + p.1));
         let (x, y) = (x / count, y / count);
@@ -272,6 +286,12 @@ impl MethodReport {
         let spread: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
         // An error that grows with the steps shows no order: rounding, in a method that is accurate from its first step on.
         (spread > 0.0).then_some(-across / spread).filter(|order| *order > -0.5)
+    }
+
+    /// The greatest spread of its timings, over their median.
+    pub fn spread(&self) -> Option<f64> {
+        let spreads = self.measured().filter_map(|(_, measured)| measured.timing.spread());
+        spreads.max_by(f64::total_cmp)
     }
 
     /// The least error reached.
@@ -282,25 +302,32 @@ impl MethodReport {
     /// The cheapest point that meets an accuracy together with all finer ones of this method: a lucky hit does not count.
     pub fn cheapest(&self, target: f64) -> Option<Cheapest> {
         let meeting = self.measured().rev().take_while(|(_, measured)| measured.error() <= target);
-        meeting
+        let meeting: Vec<Cheapest> = meeting
             .map(|(knob, measured)| Cheapest {
                 method: self.method,
                 knob,
                 min_s: measured.timing.min_s,
             })
-            .min_by(|a, b| a.min_s.total_cmp(&b.min_s))
+            .collect();
+        let least_s = meeting.iter().map(|found| found.min_s).min_by(f64::total_cmp)?;
+        // Of those that the clock cannot tell apart the coarsest: of a closed form no tolerance is the fastest.
+        meeting.into_iter().rev().find(|found| found.min_s <= ALIKE * least_s)
     }
 }
 
 impl Report {
-    /// The cheapest way to an accuracy with nothing left out: the engine held to one general method, with events, ledger and
-    /// series of every law, also where a closed form, a bound or a leaner way would do.
+    /// The cheapest way to an accuracy with nothing left out: the engine's general path, with events and ledger of every law, also
+    /// where a closed form, a bound or a leaner way would do.
     pub fn cheapest_in_full(&self, target: f64) -> Option<Cheapest> {
-        let general =
-            self.methods.iter().filter(|it| matches!(it.method, Method::Taylor | Method::Radau));
-        general
-            .filter_map(|method| method.cheapest(target))
-            .min_by(|a, b| a.min_s.total_cmp(&b.min_s))
+        self.methods.iter().find(|it| it.method == Method::Full)?.cheapest(target)
+    }
+
+    /// How many points have timings that spread by more than a fifth: the machine is busy.
+    pub fn unsteady(&self) -> usize {
+        let measured = self.methods.iter().flat_map(MethodReport::measured);
+        measured
+            .filter(|(_, it)| it.timing.spread().is_some_and(|spread| spread > UNSTEADY))
+            .count()
     }
 
     /// The cheapest way of all to an accuracy.

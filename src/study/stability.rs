@@ -5,10 +5,10 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::contact_phase::Ending;
+use crate::model::contact_phase::{Ending, Scheme};
 use crate::model::impact::{Observer, Settings, simulate};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::run::{EndReason, Mode, Outcome, Run};
+use crate::model::run::{EndReason, Mode, Omission, Outcome, Run, Sample};
 use crate::model::scene::Scene;
 use crate::numerics::larger;
 use cases::Case;
@@ -22,9 +22,11 @@ pub mod others;
 pub const RESIDUAL_MAX: f64 = 1e-8;
 /// Greatest relative error of final depth (or exit time) a row of `auto` may have.
 pub const ERROR_MAX: f64 = 1e-8;
-/// Tolerance of the DOP853 reference.
+/// Tolerance of the references of the contact, on equations written a second time.
 const REFERENCE_TOLERANCE: f64 = 1e-13;
-/// Steps it may take.
+/// That of a second look at the implicit one, which a plate that swings through singular zeros may lead astray.
+const SECOND_LOOK: f64 = 1e-12;
+/// Steps they may take.
 const REFERENCE_STEPS_MAX: usize = 200_000;
 /// Tolerance of the engine's own reference, where DOP853 cannot follow.
 const TIGHTER_TOLERANCE: f64 = 1e-12;
@@ -38,6 +40,8 @@ pub enum Basis {
     Stored,
     /// DOP853 on the contact phase written a second time, at 1e-13.
     Dop853,
+    /// Radau IIA on the same, at 1e-13, where an explicit method cannot follow.
+    Radau,
     /// The engine at 1e-12, itself within 1e-9 of its computation by another order at 1e-15.
     Tighter,
     /// Nothing: the outcome is undecided, or no other computation got through.
@@ -50,6 +54,7 @@ impl Basis {
         match self {
             Self::Stored => "stored",
             Self::Dop853 => "DOP853 1e-13",
+            Self::Radau => "Radau 1e-13",
             Self::Tighter => "auto 1e-12",
             Self::None => "none",
         }
@@ -160,10 +165,15 @@ pub fn examine(
     let basis = reference.filter(|_| error.is_some()).map_or(Basis::None, |(_, basis)| basis);
     let others = Other::ALL.map(|other| {
         if (clock.now_s)() > clock.until_s || (clock.stopped)() {
-            Verdict::CutOff
-        } else {
-            others::judge(other, &scene, contact)
+            return Verdict::CutOff;
         }
+        // Those that the reference may come from are judged by the engine, which shares no code with them.
+        let by_engine = Contact::of(&run).filter(|_| basis != Basis::Stored);
+        let judge = match other {
+            Other::Explicit | Other::Implicit => by_engine.or(contact),
+            Other::ThesisCoarse | Other::ThesisFine => contact,
+        };
+        others::judge(other, &scene, judge)
     });
     let stiffness = stiffness(&scene, &run);
     let shortfall = shortfall(&run, error);
@@ -195,7 +205,6 @@ fn reference(
     run: &Run,
     clock: Clock<'_>,
 ) -> (Option<(f64, Basis)>, Option<Contact>) {
-    let explicit = Contact::by_dop853(scene, REFERENCE_TOLERANCE, REFERENCE_STEPS_MAX).ok();
     let contact_decides = run.outcome == Outcome::Perforated && run.first_arrest.is_none()
         || run.first_arrest.is_some_and(|arrest| {
             run.final_penetration_m.is_some_and(|p| p <= arrest.penetration_m)
@@ -204,19 +213,35 @@ fn reference(
         let ending = if run.exit_time_s.is_some() { Ending::Perforation } else { Ending::Arrest };
         return (Some((value, Basis::Stored)), Some(Contact { ending, value }));
     }
-    if let Some(contact) = explicit.filter(|_| contact_decides) {
+    let second = second_form(scene);
+    if let Some((contact, basis)) = second.filter(|_| contact_decides) {
         let ends_alike = (contact.ending == Ending::Perforation) == run.exit_time_s.is_some();
         let value = if ends_alike { contact.value } else { f64::NAN };
-        return (Some((value, Basis::Dop853)), explicit);
+        return (Some((value, basis)), Some(contact));
     }
+    let contact = second.map(|(contact, _)| contact);
     // Of a run that is still moving nothing is measured: the contact alone is compared.
-    if run.outcome == Outcome::Moving && explicit.is_some() {
-        return (None, explicit);
+    if run.outcome == Outcome::Moving && contact.is_some() {
+        return (None, contact);
     }
     let tighter = tighter(scene, clock);
-    let contact = explicit.or_else(|| tighter.as_ref().and_then(Contact::of));
+    let contact = contact.or_else(|| tighter.as_ref().and_then(Contact::of));
     let value = tighter.filter(|tight| tight.outcome == run.outcome);
     (value.and_then(|tight| measure(&tight)).map(|value| (value, Basis::Tighter)), contact)
+}
+
+/// The contact by DOP853 or, where that cannot follow, by Radau IIA at two tolerances that agree.
+fn second_form(scene: &Scene) -> Option<(Contact, Basis)> {
+    let by = |scheme| Contact::by(scene, scheme, REFERENCE_STEPS_MAX).ok();
+    if let Some(contact) = by(Scheme::Dop853 { tolerance: REFERENCE_TOLERANCE }) {
+        return Some((contact, Basis::Dop853));
+    }
+    let [fine, coarse] =
+        [REFERENCE_TOLERANCE, SECOND_LOOK].map(|tolerance| by(Scheme::Radau { tolerance }));
+    let (fine, coarse) = fine.zip(coarse)?;
+    let agree =
+        fine.ending == coarse.ending && (coarse.value / fine.value - 1.0).abs() < 0.1 * ERROR_MAX;
+    agree.then_some((fine, Basis::Radau))
 }
 
 /// The engine at a far tighter tolerance, where its check by another order agrees.
@@ -252,10 +277,7 @@ fn shortfall(run: &Run, error: Option<f64>) -> Option<Shortfall> {
 
 /// The largest rates of spring and damper within the contact times its duration.
 fn stiffness(scene: &Arc<Scene>, run: &Run) -> Stiffness {
-    let mut peaks = Peaks::default();
-    if let Ok(found) = Peaks::of(scene, run) {
-        peaks = found;
-    }
+    let peaks = Peaks::of(scene, run).unwrap_or_default();
     Stiffness {
         swings_rad: peaks.swing_per_s * peaks.contact_s,
         decays: peaks.decay_per_s * peaks.contact_s,
@@ -285,12 +307,15 @@ impl Peaks {
             if t_s > contact_s { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let run = simulate(scene, &settings, watch).map_err(|_invalid| EndReason::NonFinite)?;
+        let holds = run.omitted.contains(&Omission::MechanismWithinContact);
         let mechanism = Mechanism::of(scene);
         let mass_kg = moving_plate_kg(scene);
+        let (drag, cos) = (scene.drag_kg_m3(), scene.cos_obliquity());
         let rows: Vec<_> = run
             .series
             .iter()
             .filter(|row| row.mode == Mode::Penetrating && row.t_s <= contact_s)
+            .map(|row| if holds { yielding(&mechanism, row, (cos, contact_s)) } else { *row })
             .collect();
         let mut peaks = Self { contact_s, ..Self::default() };
         let mut far_m = 0.0;
@@ -298,7 +323,6 @@ impl Peaks {
             far_m = larger(row.plate_displacement_m.abs(), far_m);
             peaks.speed_m_s = larger(row.plate_velocity_m_s.abs(), peaks.speed_m_s);
         }
-        let (drag, cos) = (scene.drag_kg_m3(), scene.cos_obliquity());
         let mobility = 1.0 / scene.projectile.mass_kg + cos * cos / mass_kg;
         let mut last_w = 0.0;
         for row in rows {
@@ -323,3 +347,19 @@ impl Peaks {
         Ok(peaks)
     }
 }
+
+/// The row of a plate whose motion was left out because its mechanism holds it: whichever of spring and damper holds yields as far,
+/// or as fast, as it must against the contact force.
+fn yielding(mechanism: &Mechanism, row: &Sample, (cos, contact_s): (f64, f64)) -> Sample {
+    let held_n = row.contact_force_n * cos;
+    let (x, w) = (mechanism.spring.at_force(held_n), mechanism.damper.at_force(held_n));
+    let spring_holds = x <= w * contact_s;
+    Sample {
+        plate_displacement_m: if spring_holds { x } else { 0.0 },
+        plate_velocity_m_s: if spring_holds { 0.0 } else { w },
+        ..*row
+    }
+}
+
+#[cfg(test)]
+mod tests;

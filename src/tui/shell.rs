@@ -280,8 +280,7 @@ impl Shell {
     /// Keep count of what the worker is doing.
     fn note(&mut self, report: &Report) {
         if !report.body.is_last() {
-            // A curve so far may come after the end.
-            self.pace.set_busy(!self.running.is_empty());
+            self.pace.set_busy(true);
             return;
         }
         self.running.remove(&report.id);

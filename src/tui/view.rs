@@ -30,6 +30,7 @@ mod side;
 mod stability;
 mod surface;
 mod sweep;
+mod table;
 mod text;
 mod thesis;
 mod variables;

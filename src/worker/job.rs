@@ -11,6 +11,13 @@ const QUIET: Duration = Duration::from_millis(20);
 /// Least time between two progress reports.
 const BETWEEN_PROGRESS: Duration = Duration::from_millis(500);
 
+/// A person waits for the curve of a job that runs for so long.
+const SLOW: Duration = Duration::from_millis(200);
+
+/// Least time between two curves, and how many times as long as one took to make.
+const BETWEEN_PARTS: Duration = Duration::from_millis(500);
+const PART_SHARE: u32 = 20;
+
 /// Steps between two looks at the clock (a look costs about as much as a tenth of a step).
 const STEPS_PER_LOOK: u32 = 8;
 
@@ -22,18 +29,38 @@ pub(super) struct Pulse {
     seen: Instant,
     said_started: bool,
     last_progress: Instant,
+    /// When the curve so far was asked for last, and how long the next one has to wait from then on.
+    last_part: Instant,
+    part_pause: Duration,
 }
 
 impl Pulse {
     /// The job starts now.
     pub(super) fn start() -> Self {
         let now = Instant::now();
-        Self { steps: 0, started: now, seen: now, said_started: false, last_progress: now }
+        Self {
+            steps: 0,
+            started: now,
+            seen: now,
+            said_started: false,
+            last_progress: now,
+            last_part: now,
+            part_pause: SLOW,
+        }
     }
 
-    /// Whether it has been running for so long that a person waits for its curve.
-    pub(super) fn is_slow(&self) -> bool {
-        self.seen.duration_since(self.started) >= super::preview::SLOW
+    /// Whether it is time, by the last look at the clock, for a person to see the curve so far; it then counts as asked for.
+    pub(super) fn part_is_due(&mut self) -> bool {
+        let is_due = self.seen.duration_since(self.last_part) >= self.part_pause;
+        if is_due {
+            (self.last_part, self.part_pause) = (self.seen, BETWEEN_PARTS);
+        }
+        is_due
+    }
+
+    /// The curve that was asked for has come: the run is not to spend more than a small part of its time on them.
+    pub(super) fn part_came(&mut self) {
+        self.part_pause = BETWEEN_PARTS.max(PART_SHARE * self.last_part.elapsed());
     }
 
     /// After a step that reached `t_s`: what to report, if anything.

@@ -3,28 +3,22 @@
 //! On each thread one study at a time, in the order asked for; a newer one of the same kind replaces an older one. Parts are
 //! shown as they grow, at most twice a second. A panic is contained. Every study submitted gets exactly one last report.
 
-use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::battery;
 use super::job::contained;
 use super::searches::{self, Answer, Request};
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, Effort};
 use crate::study::limit;
-use crate::study::stability::cases::Case;
 use crate::study::stability::map::{self, Map};
 use crate::study::stability::{self, Row};
 use crate::study::thesis;
-
-/// The battery leaves other methods than `auto` out after so many seconds.
-const OTHERS_UNTIL_S: f64 = 30.0;
-/// Rows and columns of a map.
-const MAP_CELLS: (usize, usize) = (19, 61);
 
 /// Least time between two parts.
 const BETWEEN_PARTS: Duration = Duration::from_millis(500);
@@ -216,16 +210,12 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
                 .map_err(|error| error.to_string())
         }
         StudyKind::Map(method, axis) => {
-            crate::model::variables::validate(&study.scene).map_err(|error| error.to_string())?;
-            crate::model::variables::require_hydrodynamic(&study.scene)
-                .and_then(|()| crate::model::variables::require_plain(&study.scene))
-                .and_then(|()| crate::model::variables::require_single(&study.scene))
-                .map_err(|error| error.to_string())?;
+            map::accepts(&study.scene).map_err(|error| error.to_string())?;
             let watch = &mut || {
                 let stopped = stop.load(Ordering::Relaxed);
                 if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
-            match map::map(&study.scene, (*method, *axis), MAP_CELLS, watch) {
+            match map::map(&study.scene, (*method, *axis), map::CELLS, watch) {
                 ControlFlow::Continue(map) => Ok(Finding::Map(Arc::new(map))),
                 ControlFlow::Break(()) => Err("the map was stopped: r draws it again".to_owned()),
             }
@@ -244,81 +234,19 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
 /// Given the cases done and to do and what there is so far; `Break` stops.
 type Tell<'a> = &'a mut dyn FnMut(usize, usize, &dyn Fn() -> Finding) -> ControlFlow<()>;
 
-/// What two threads do of the battery.
-struct Battery<'a> {
-    cases: Vec<&'static Case>,
-    clock: stability::Clock<'a>,
-    next: AtomicUsize,
-    rows: Mutex<BTreeMap<usize, Row>>,
-    failed: Mutex<Option<String>>,
-}
-
-impl Battery<'_> {
-    /// The next scene that nobody has; false when there is none, or when stopped.
-    fn examine_next(&self) -> bool {
-        let index = self.next.fetch_add(1, Ordering::Relaxed);
-        let Some(case) = self.cases.get(index) else { return false };
-        match stability::examine(case, self.clock) {
-            Ok(Some(row)) => {
-                self.rows.lock().unwrap_or_else(PoisonError::into_inner).insert(index, row);
-                true
-            }
-            Ok(None) => false,
-            Err(error) => {
-                let mut failed = self.failed.lock().unwrap_or_else(PoisonError::into_inner);
-                *failed = Some(error.to_string());
-                false
-            }
-        }
-    }
-
-    /// The rows there are, in the battery's order.
-    fn rows(&self) -> Vec<Row> {
-        let rows = self.rows.lock().unwrap_or_else(PoisonError::into_inner);
-        rows.values().cloned().collect()
-    }
-}
-
+/// The battery on two threads: this one, and one more.
 fn battery(
     now_s: &(dyn Fn() -> f64 + Sync),
     asked_to_stop: &AtomicBool,
     tell: Tell<'_>,
 ) -> Result<Finding, String> {
-    let stop = AtomicBool::new(false);
-    let stopped = || stop.load(Ordering::Relaxed) || asked_to_stop.load(Ordering::Relaxed);
-    let battery = Battery {
-        cases: stability::battery(false),
-        clock: stability::Clock { now_s, until_s: OTHERS_UNTIL_S, stopped: &stopped },
-        next: AtomicUsize::new(0),
-        rows: Mutex::default(),
-        failed: Mutex::default(),
+    let told = &mut |done: usize, total: usize, rows: &dyn Fn() -> Vec<Row>| {
+        tell(done, total, &|| Finding::Battery(Arc::new(rows()), false))
     };
-    let total = battery.cases.len();
-    // This thread and one more; this one alone tells how far they are, and stops both.
-    thread::scope(|scope| {
-        scope.spawn(|| {
-            let mut goes_on = true;
-            while goes_on {
-                goes_on = !stopped() && battery.examine_next();
-            }
-        });
-        loop {
-            let done = battery.next.load(Ordering::Relaxed).min(total);
-            let part = || Finding::Battery(Arc::new(battery.rows()), false);
-            if tell(done, total, &part).is_break() || !battery.examine_next() {
-                break;
-            }
-        }
-        // Without more scenes the other ends by itself.
-        if battery.next.load(Ordering::Relaxed) < total {
-            stop.store(true, Ordering::Relaxed);
-        }
-    });
-    if let Some(text) = battery.failed.into_inner().unwrap_or_else(PoisonError::into_inner) {
-        return Err(text);
-    }
-    let rows = battery.rows.into_inner().unwrap_or_else(PoisonError::into_inner);
-    let rows: Vec<Row> = rows.into_values().collect();
+    let cases = stability::battery(false);
+    let total = cases.len();
+    let rows = battery::run(cases, 2, (now_s, asked_to_stop), told);
+    let rows = rows.map_err(|error| error.to_string())?;
     let all = rows.len() == total;
     Ok(Finding::Battery(Arc::new(rows), all))
 }

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use super::job::contained;
 use crate::study::sweep::Plan;
 use crate::study::sweep::crew::Crew;
-use crate::study::sweep::grid::{GRID_MAX, Grid};
+use crate::study::sweep::grid::{self, Grid};
 
 /// A sweep that ends before this shows nothing on the way: no picture is drawn twice for it.
 const QUIET: Duration = Duration::from_millis(25);
@@ -124,11 +124,11 @@ fn serve(asked: &Receiver<Asked>, sink: &impl Fn(SweepReport)) {
 }
 
 fn make(job: &SweepJob, stop: &AtomicBool, tell: &impl Fn(SweepBody)) -> SweepBody {
+    if let Err(error) = grid::fits(&job.plan) {
+        return SweepBody::Failed(error.to_string());
+    }
     let Some(grid) = Grid::new(Arc::clone(&job.plan)) else {
-        return SweepBody::Failed(format!(
-            "{} points are too many for the screen (at most {GRID_MAX}): take fewer along the axes, or use `cmra sweep`",
-            job.plan.points()
-        ));
+        return SweepBody::Failed("a picture has one axis or two: take fewer axes".to_owned());
     };
     let start = Instant::now();
     let (mut pictured, mut told) = (None, start);

@@ -7,6 +7,7 @@ use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
 use super::{Job, Report, ReportBody, Slot, Worker};
+use crate::model::impact::window::Window;
 use crate::model::impact::{self, Settings};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
@@ -18,6 +19,7 @@ fn slow(
     scene: &Arc<Scene>,
     _settings: Settings,
     observer: impact::Observer<'_>,
+    _window: &Window,
 ) -> Result<Run, String> {
     let mut run = impact::simulate(scene, &Settings::default(), &mut |_| ControlFlow::Continue(()))
         .map_err(|error| error.to_string())?;
@@ -153,26 +155,52 @@ fn progress_comes_at_most_twice_a_second() {
     next_last(&reports);
 }
 
+/// A scene whose run swings on for many seconds.
+fn swinging(id: u64, slot: Slot) -> Job {
+    let mut scene = Scene::default();
+    scene.mechanism.spring.exponent = 0.3;
+    scene.run.horizon_s = Some(1e3);
+    Job { id, slot, scene: Arc::new(scene) }
+}
+
 #[test]
-fn a_slow_run_of_the_screen_shows_its_curve_so_far_and_one_of_a_pin_does_not() {
-    let (worker, reports) = start();
-    worker.submit(job(1, Slot::Current, "endless"));
-    let part = loop {
+fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not() {
+    let (send, reports) = mpsc::channel();
+    let worker = Worker::spawn(move |report| {
+        let _ = send.send(report);
+    })
+    .expect("a thread");
+    worker.submit(swinging(1, Slot::Current));
+    let part = || loop {
         let report = next(&reports);
         assert_eq!(report.id, 1);
         if let ReportBody::Part(run) = report.body {
             break run;
         }
     };
-    // As it would be of a cancelled run, and of the very scene that runs.
-    assert_eq!(part.end, EndReason::Cancelled);
-    assert!(part.scene.title == "endless" && part.scene.run == Scene::default().run);
-    assert!(!part.series.is_empty());
+    let (first, second) = (part(), part());
     worker.cancel();
-    next_last(&reports);
-    worker.submit(job(2, Slot::Pin('A'), "endless"));
+    let ReportBody::Cancelled { partial: Some(whole) } = next_last(&reports).body else {
+        panic!("not cancelled");
+    };
+    // Each is the run as it was then, not another computation of it.
+    assert_eq!(first.end, EndReason::Cancelled);
+    assert!(Arc::ptr_eq(&first.scene, &whole.scene));
+    assert!(first.first_arrest.is_some() && first.first_arrest == whole.first_arrest);
+    for part in [&first, &second] {
+        let rows = part.series.len();
+        assert!(rows > 100 && rows <= whole.series.len());
+        assert!(part.series == whole.series[..rows]);
+    }
+    assert!(first.series.len() < second.series.len());
+    worker.submit(swinging(2, Slot::Pin('A')));
     // Progress comes after half a second, a curve would have come before.
-    while !matches!(next(&reports).body, ReportBody::Progress { .. }) {}
+    loop {
+        match next(&reports).body {
+            ReportBody::Progress { .. } => break,
+            body => assert!(matches!(body, ReportBody::Started), "{body:?}"),
+        }
+    }
     worker.cancel();
     assert!(matches!(next_last(&reports).body, ReportBody::Cancelled { .. }));
 }
@@ -216,9 +244,9 @@ fn an_unchanged_scene_is_not_computed_again() {
         move |report| {
             let _ = send.send(report);
         },
-        move |scene, settings, observer| {
+        move |scene, settings, observer, window| {
             counted.fetch_add(1, Ordering::Relaxed);
-            slow(scene, settings, observer)
+            slow(scene, settings, observer, window)
         },
     )
     .expect("a thread");

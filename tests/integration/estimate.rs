@@ -8,7 +8,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::contact_phase::{Ending, Explicit, Phase, exact, fine};
+use cmra::model::contact_phase::{Ending, Phase, Scheme, exact, fine};
 use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
@@ -51,7 +51,7 @@ fn truth(scene: &Scene) -> Option<(Ending, f64, f64)> {
     if let Ok(answer) = exact::solve(scene) {
         return Some((answer.ending, measure(answer.ending, answer.t_s, answer.depth_m), 1e-13));
     }
-    let by = |tolerance| Phase::of(scene).solve(Explicit::Dop853 { tolerance }, JUDGE_STEPS_MAX);
+    let by = |tolerance| Phase::of(scene).solve(Scheme::Dop853 { tolerance }, JUDGE_STEPS_MAX);
     let (tight, tighter) = (by(1e-13).ok()?, by(1e-14).ok()?);
     let of = |answer: &cmra::model::contact_phase::Answer| {
         measure(answer.ending, answer.t_s, answer.depth_m)

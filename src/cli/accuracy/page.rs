@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 use crate::files::accuracy::Named;
 use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
+use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
-use crate::study::accuracy::{Cheapest, MethodReport, Report};
+use crate::tui::app::accuracy::{by, order, percent, seconds};
 use crate::tui::chart::{Axis, Chart, Curve, Legend, Level, Scale, Unit, ViewRange};
 use crate::tui::theme::Theme;
 
@@ -31,10 +32,6 @@ fn page(name: &str, report: &Report) -> String {
     references(&mut page, report);
     refusals(&mut page, report);
     page
-}
-
-fn seconds(value: f64) -> String {
-    Engineering { value, unit: "s", digits: 3 }.to_string()
 }
 
 /// Error over time, both logarithmic, a letter for each method.
@@ -82,68 +79,57 @@ fn chart(report: &Report) -> String {
 /// A line for each method.
 fn table(report: &Report) -> String {
     let mut text = format!(
-        "\n  {:<20}{:>6}{:>10}{:>14}{:>14}\n",
-        "method", "order", "best", "time to 1e-6", "time to 1e-9"
+        "\n  {:<18}{:>7}{:>8}{:>12}{:>12}{:>8}\n",
+        "method", "order", "least", "to 1e-6", "to 1e-9", "spread"
     );
     let pick = report.cheapest(TARGETS[1]);
     for method in &report.methods {
-        let order = method.observed_order().map_or_else(|| "-".to_owned(), |it| format!("{it:.1}"));
-        let best = method.least_error().map_or_else(|| "-".to_owned(), |it| format!("{it:.0e}"));
+        let least = method.least_error().map_or_else(|| "-".to_owned(), |it| format!("{it:.0e}"));
         let _ = write!(
             text,
-            "{} {:<20}{order:>6}{best:>10}",
+            "{} {:<18}{:>7}{least:>8}",
             method.method.letter(),
-            method.method.name()
+            method.method.name(),
+            order(method)
         );
         for target in TARGETS {
             let time = method.cheapest(target).map(|found| seconds(found.min_s));
-            let _ = write!(text, "{:>14}", time.unwrap_or_else(|| "-".to_owned()));
+            let _ = write!(text, "{:>12}", time.unwrap_or_else(|| "-".to_owned()));
         }
+        let spread = method.spread().map_or_else(|| "-".to_owned(), percent);
+        let _ = write!(text, "{spread:>8}");
         if pick.is_some_and(|pick| pick.method == method.method) {
-            text.push_str("  <- cheapest to 1e-9");
+            text.push_str("  <- cheapest");
         }
         text.push('\n');
     }
     text
 }
 
+/// What some accuracies cost here, and what they would cost with nothing left out.
 fn answers(page: &mut String, report: &Report) {
-    page.push('\n');
+    let _ =
+        writeln!(page, "\n{:<55}{:>23}", "what an accuracy costs here", "with nothing left out");
     for target in ANSWERS {
-        let _ = match report.cheapest(target) {
-            Some(found) => {
-                writeln!(page, "{target:.0e} costs {}{}", by(&found), full(report, &found, target))
-            }
-            None => writeln!(page, "{target:.0e}: no method gets there"),
-        };
+        let found = report.cheapest(target).map_or_else(
+            || "no method gets there".to_owned(),
+            |found| format!("{} {}", seconds(found.min_s), by(&found)),
+        );
+        let full = report.cheapest_in_full(target);
+        let full = full.map_or_else(|| "-".to_owned(), |full| seconds(full.min_s));
+        let _ = writeln!(page, "  {target:>5.0e}: {found:<50}{full:>19}");
     }
     if let Some(found) = thesis_step(report) {
         let _ = writeln!(page, "the thesis's own dt 1e-6 s: error {found:.1e}");
     }
-    let repeats = report.methods.iter().flat_map(MethodReport::measured);
-    let unsteady = repeats.filter(|(_, measured)| {
-        let timing = measured.timing;
-        timing.mad_s.is_some_and(|mad_s| mad_s > 0.2 * timing.median_s)
-    });
-    let _ = match unsteady.count() {
-        0 => writeln!(page, "times: least of repeated runs, spread (MAD) below 20 % everywhere"),
-        count => writeln!(
-            page,
-            "times: least of repeated runs; at {count} points the spread (MAD) exceeds 20 %: busy machine"
-        ),
-    };
-}
-
-fn by(found: &Cheapest) -> String {
-    let knob = found.knob.to_string();
-    let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };
-    format!("{} by {}{with}", seconds(found.min_s), found.method.name())
-}
-
-/// What the same costs with nothing left out, unless that is what is done.
-fn full(report: &Report, found: &Cheapest, target: f64) -> String {
-    let full = report.cheapest_in_full(target).filter(|full| full.method != found.method);
-    full.map_or_else(String::new, |full| format!("; {} with nothing left out", seconds(full.min_s)))
+    page.push_str("times: least of repeated runs; spread: their median deviation from the median");
+    match report.unsteady() {
+        0 => page.push('\n'),
+        1 => page.push_str(",\n       above 20 % at one point: busy machine\n"),
+        count => {
+            let _ = writeln!(page, ",\n       above 20 % at {count} points: busy machine");
+        }
+    }
 }
 
 fn thesis_step(report: &Report) -> Option<f64> {
@@ -154,7 +140,7 @@ fn thesis_step(report: &Report) -> Option<f64> {
 }
 
 fn references(page: &mut String, report: &Report) {
-    page.push_str("\njudged by\n");
+    page.push_str("\njudged by (depth, time, relative uncertainty: methods)\n");
     for reference in &report.references {
         let letters: String = report
             .methods
@@ -162,8 +148,8 @@ fn references(page: &mut String, report: &Report) {
             .filter(|method| method.reference.is_some_and(|own| own.basis == reference.basis))
             .map(|method| method.method.letter())
             .collect();
-        let result = match reference.ending {
-            Ending::Arrest => format!("{} deep", length(reference.depth_m)),
+        let depth = match reference.ending {
+            Ending::Arrest => length(reference.depth_m),
             Ending::Perforation => "perforated".to_owned(),
         };
         let sure = reference
@@ -171,16 +157,16 @@ fn references(page: &mut String, report: &Report) {
             .map_or_else(|| "unknown".to_owned(), |uncertainty| format!("{uncertainty:.0e}"));
         let _ = writeln!(
             page,
-            "  {:<24}{result}, {}, uncertainty {sure}; judges {}",
+            "  {:<23}{depth}, {}, to {sure}{}",
             reference.basis.words(),
-            Engineering { value: reference.t_s, unit: "s", digits: 10 },
-            if letters.is_empty() { "none" } else { &letters }
+            Engineering { value: reference.t_s, unit: "s", digits: 9 },
+            if letters.is_empty() { String::new() } else { format!(": {letters}") }
         );
     }
 }
 
 fn length(value: f64) -> String {
-    Engineering { value, unit: "m", digits: 10 }.to_string()
+    Engineering { value, unit: "m", digits: 9 }.to_string()
 }
 
 /// Refused points by method and reason.

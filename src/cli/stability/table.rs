@@ -7,6 +7,7 @@ use crate::model::run::Outcome;
 use crate::model::units::{Engineering, significant};
 use crate::study::stability::map::{Cell, Map};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
+use crate::tui::app::stability::brief;
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: u16 = 118;
@@ -59,10 +60,11 @@ fn line(text: &mut String, row: &Row, wide: bool) {
     } else {
         "CUT"
     };
-    // The reference's first letter stands behind the error: s(tored), D(OP853), t(ighter).
+    // The reference's first letter stands behind the error: s(tored), D(OP853), R(adau), t(ighter).
     let mark = match row.basis {
         Basis::Stored => "s",
         Basis::Dop853 => "D",
+        Basis::Radau => "R",
         Basis::Tighter => "t",
         Basis::None => " ",
     };
@@ -92,11 +94,6 @@ fn line(text: &mut String, row: &Row, wide: bool) {
     }
 }
 
-/// A size in five characters: `2e-13`, `4e5`.
-fn brief(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
-}
-
 fn seconds(took_s: f64) -> String {
     let (value, unit) = if took_s < 1e-3 {
         (took_s * 1e6, "us")
@@ -112,9 +109,10 @@ fn legend(text: &mut String) {
     text.push_str(
         "ends   arrested, perforated, separated, moving (undecided at the horizon), or CUT\n\
          error  of final depth (exit time, perforated), against s stored digits, D DOP853\n\
-         \x20      at 1e-13 on equations written a second time, t the engine at 1e-12\n\
+         \x20      or R Radau IIA at 1e-13 on equations written a second time, t the engine\n\
+         \x20      at 1e-12, where what follows the contact decides or neither gets through\n\
          stiff  largest rate of spring or damper times the contact's duration\n\
-         expl   DOP853 at 1e-9, at most 20000 steps     impl  Radau IIA at 1e-9\n\
+         expl, impl  DOP853 and Radau IIA at 1e-9 on the contact, at most 20000 steps\n\
          th-6, th-7  the thesis's Appendix A as printed with dt = 1e-6 and 1e-7 s\n\
          \x20      ok (1e-6, thesis 1e-2), else the error, or: end! another ending,\n\
          \x20      BLOW blown up, stuk stuck, many too many steps, late out of time,\n\
@@ -143,16 +141,15 @@ pub(super) fn map(map: &Map, scene: &str) -> String {
     let mut text =
         format!("{} on {scene}: time step against {}\n\n", map.method.name(), map.axis.symbol());
     let columns = map.dt_s.len();
-    let present_row = nearest(&map.values, map.present.0);
-    let present_column = nearest(&map.dt_s, map.present.1);
+    let present = map.present_at();
     for row in (0..map.values.len()).rev() {
-        let limit = map.limit_s[row].map(|limit| map.dt_s.partition_point(|dt_s| *dt_s < limit));
+        let limit = map.limit_column(row);
         let _ = write!(text, "{:>9} ", significant(map.values[row], 2));
         for column in 0..columns {
-            let here = Some(row) == present_row && Some(column) == present_column;
+            let here = present == (Some(row), Some(column));
             text.push(if here {
                 '+'
-            } else if limit == Some(column) && column > 0 {
+            } else if limit == Some(column) {
                 '|'
             } else {
                 map.cell(row, column).letter()
@@ -160,20 +157,20 @@ pub(super) fn map(map: &Map, scene: &str) -> String {
         }
         text.push('\n');
     }
-    let first = significant(map.dt_s[0], 2);
-    let last = significant(map.dt_s[columns - 1], 2);
+    let time = |value: f64| Engineering { value, unit: "s", digits: 2 }.to_string();
+    let (first, last) = (time(map.dt_s[0]), time(map.dt_s[columns - 1]));
     let gap = columns.saturating_sub(first.len() + last.len());
-    let _ = writeln!(text, "{:>10}{first}{:gap$}{last}   dt, s\n", "", "");
-    let word = |cell: Cell, what: &str| format!("{} {what}", cell.letter());
+    let _ = writeln!(text, "{:>9} {first}{:gap$}{last}   dt\n", map.axis.symbol(), "");
+    let word = |cell: Cell| format!("{} {}", cell.letter(), cell.words());
     let _ = writeln!(
         text,
         "{}, {}, {}, {},\n{}, {}",
-        word(Cell::Accurate, "accurate (1 %)"),
-        word(Cell::Inaccurate, "inaccurate"),
-        word(Cell::Oscillating, "oscillating"),
-        word(Cell::BlownUp, "blown up"),
-        word(Cell::TooManySteps, "too many steps"),
-        word(Cell::Unknown, "nothing to compare with"),
+        word(Cell::Accurate),
+        word(Cell::Inaccurate),
+        word(Cell::Oscillating),
+        word(Cell::BlownUp),
+        word(Cell::TooManySteps),
+        word(Cell::Unknown),
     );
     let _ = writeln!(text, "| analytic limit of stability, + the scene with dt = 1e-6 s");
     let _ = match map.largest_stable_dt_s {
@@ -184,12 +181,4 @@ pub(super) fn map(map: &Map, scene: &str) -> String {
         None => writeln!(text, "largest stable dt of this scene: nothing limits it"),
     };
     text
-}
-
-/// The nearest of rising values; `None` for one outside them.
-fn nearest(values: &[f64], value: f64) -> Option<usize> {
-    let inside = value >= *values.first()? * 0.99 && value <= *values.last()? * 1.01;
-    let distance = |other: f64| (other / value).ln().abs();
-    let all = 0..values.len();
-    all.min_by(|a, b| distance(values[*a]).total_cmp(&distance(values[*b]))).filter(|_| inside)
 }

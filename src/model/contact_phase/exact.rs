@@ -47,7 +47,7 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::contact_phase::{Explicit, Phase};
+    use crate::model::contact_phase::{Phase, Scheme};
 
     #[test]
     fn the_closed_form_and_dop853_agree_from_thin_to_thick_and_from_normal_to_oblique() {
@@ -62,7 +62,7 @@ mod tests {
                 scene.target.thickness_m = thickness_m;
                 scene.plate.mount = mount;
                 let exact = solve(&scene).unwrap();
-                let method = Explicit::Dop853 { tolerance: 1e-12 };
+                let method = Scheme::Dop853 { tolerance: 1e-12 };
                 let other = Phase::of(&scene).solve(method, 100_000).unwrap();
                 assert_eq!(exact.ending, other.ending);
                 let (time, depth) =

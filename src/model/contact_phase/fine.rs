@@ -526,7 +526,7 @@ mod tests {
 
     #[test]
     fn a_plate_that_swings_through_a_singular_zero_agrees_with_dop853() {
-        use crate::model::contact_phase::{Explicit, Phase};
+        use crate::model::contact_phase::{Phase, Scheme};
         for pairs in [
             "d=0.001 k=1e6 n=0.5",
             "d=4e-5 k=4e8 n=2",
@@ -537,7 +537,7 @@ mod tests {
             "n=0.49478 m=2.8504 k=1.9174e7 b=1078.3 gamma=77.067 v_i=330.54 h=0.07212 S_y=4.4379e8 C_d=0.16306",
         ] {
             let own = solve(&scene(pairs)).expect(pairs);
-            let tight = Explicit::Dop853 { tolerance: 1e-14 };
+            let tight = Scheme::Dop853 { tolerance: 1e-14 };
             let other = Phase::of(&scene(pairs)).solve(tight, 1_000_000).unwrap();
             let answer = own.answer();
             assert_eq!(answer.ending, other.ending);

@@ -11,17 +11,17 @@ use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 
-/// A method of the engine.
+/// How the engine is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forced {
-    /// Taylor steps, also where a closed form exists.
+    /// To Taylor steps, also where a closed form exists.
     Taylor,
-    /// The implicit method from first contact on.
-    Radau,
+    /// To the general path: whichever step is right where it is, but neither closed form nor bound in place of one.
+    General,
 }
 
-/// Simulate one impact by one method, without series or error estimate. `None` when the method had to be left before
-/// the end of the contact: Taylor steps on a stiff stretch.
+/// Simulate one impact in this way, without series or error estimate. `None` when Taylor steps had to be left before the end of
+/// the contact: on a stiff stretch.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
@@ -30,14 +30,9 @@ pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, Va
     let problem = Problem::of(scene);
     let mut track = Track::new(&problem, scene.run.tolerance, false);
     track.unit_s = 0.1 * track.pace().contact_s;
-    match forced {
-        Forced::Taylor => {
-            track.start();
-            if track.stiff {
-                return Ok(None);
-            }
-        }
-        Forced::Radau => track.stiff = true,
+    track.start();
+    if track.stiff && forced == Forced::Taylor {
+        return Ok(None);
     }
     let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
     let end = track.run::<TERMS>(observer);

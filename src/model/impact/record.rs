@@ -1,6 +1,7 @@
 //! What is written down along the way: series, events, extremes and work.
 
 use crate::model::impact::problem::Problem;
+use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Motion, State};
 use crate::model::run::{Arrest, Event, EventKind, Mode, Sample};
 use crate::numerics::root::first_fall;
@@ -23,8 +24,10 @@ pub(super) struct Work {
 
 /// Everything that was noticed.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Record {
+pub(super) struct Record<'a> {
     pub(super) keep_series: bool,
+    /// Where the run so far is shown, if anywhere.
+    pub(super) window: Option<&'a Window>,
     pub(super) series: Vec<Sample>,
     pub(super) events: Vec<Event>,
     pub(super) work: Work,
@@ -94,7 +97,7 @@ impl Setting<'_> {
     }
 }
 
-impl Record {
+impl Record<'_> {
     pub(super) fn event(&mut self, t_s: f64, kind: EventKind) {
         self.events.push(Event { t_s, kind });
     }

@@ -12,6 +12,9 @@ use crate::model::run::{
 };
 use crate::numerics::larger;
 
+/// Displacements this part apart are the same.
+const AS_FAR: f64 = 1e-8;
+
 /// An energy residual above this earns a warning.
 const DRIFT: f64 = 1e-8;
 
@@ -166,6 +169,8 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
     let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
     let answer = problem.answer;
+    let reached = track.record.farthest_m;
+    let onward = matches!(track.farthest, Farthest::Known(far) if far > reached * (1.0 + AS_FAR));
     let rows = [
         (problem.rigid, Omission::PlateMotion),
         (spring.is_absent(), Omission::Spring),
@@ -179,6 +184,8 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
         (answer == Answer::Immobile, Omission::MechanismWithinContact),
         (!problem.plastic, Omission::InterfaceLaw),
         (problem.drag_kg_m3 == 0.0, Omission::Drag),
+        (onward, Omission::WayOnward),
+        (!track.record.keep_series, Omission::Series),
     ];
     rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
 }

@@ -11,6 +11,7 @@ use crate::model::impact::Observer;
 use crate::model::impact::guard::Trigger;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
+use crate::model::impact::report;
 use crate::model::impact::stride::Taken;
 use crate::model::impact::verdict::{Asked, Farthest};
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
@@ -38,10 +39,11 @@ const PASSED_TICKS: f64 = 16.0;
 const SWINGS_TO: f64 = 3.0;
 
 /// A run in progress.
+#[derive(Clone)]
 #[expect(clippy::struct_excessive_bools, reason = "facts that hold or do not, each by itself")]
 pub(super) struct Track<'a> {
     pub(super) problem: &'a Problem,
-    pub(super) record: Record,
+    pub(super) record: Record<'a>,
     pub(super) t_s: f64,
     pub(super) state: State,
     /// Greatest travel so far: the bottom of the hole, m.
@@ -169,6 +171,9 @@ impl<'a> Track<'a> {
             }
             if observer(self.t_s).is_break() {
                 return EndReason::Cancelled;
+            }
+            if let Some(window) = self.record.window {
+                window.show(|| report::gather(self.problem, self.clone(), EndReason::Cancelled));
             }
             let swings_on =
                 self.turns + self.event_count > TURNS_MAX && self.steps > UNDECIDED_STEPS;

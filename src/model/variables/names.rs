@@ -1,6 +1,13 @@
 //! Variables found by the names people write, and the nearest names where there is none.
 
-use super::{VARIABLES, Variable, VariableError};
+use super::{Group, VARIABLES, Variable, VariableError};
+
+/// The symbols of the thesis, which are asked for most.
+const USUAL: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
+/// Columns of a line of the listing.
+const WIDTH: usize = 78;
+/// Columns of a group's name in it.
+const TITLE: usize = 12;
 
 /// The variable with this symbol, alias or full key.
 ///
@@ -11,6 +18,25 @@ pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
         variable.symbol == name || variable.key == name || variable.aliases.contains(&name)
     });
     exact.ok_or_else(|| VariableError::Unknown { name: name.to_owned(), hint: nearest(name) })
+}
+
+/// All symbols by group, a paragraph each, for people.
+pub fn listing() -> String {
+    let mut text = String::new();
+    for group in Group::ALL {
+        let mut line = format!("  {:<TITLE$}", group.title());
+        for variable in VARIABLES.iter().filter(|variable| variable.group == group) {
+            if line.len() + 1 + variable.symbol.len() > WIDTH {
+                text.push_str(&line);
+                line = format!("\n  {:TITLE$}", "");
+            }
+            line.push(' ');
+            line.push_str(variable.symbol);
+        }
+        text.push_str(&line);
+        text.push('\n');
+    }
+    text
 }
 
 /// A hint that names the variables spelled most like `name`.
@@ -36,8 +62,7 @@ pub fn nearest(name: &str) -> String {
         .map(|(_, candidate)| format!("`{candidate}`"))
         .collect();
     if close.is_empty() {
-        let symbols: Vec<&str> = VARIABLES.iter().map(|variable| variable.symbol).collect();
-        format!("the variables are {}", symbols.join(" "))
+        format!("the usual ones are {USUAL}; `cmra run --help` lists all")
     } else {
         format!("did you mean {}?", close.join(" or "))
     }
@@ -57,4 +82,30 @@ pub fn edit_distance(a: &str, b: &str) -> usize {
         }
     }
     row[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_variable_is_listed_once_in_lines_that_fit() {
+        let listing = listing();
+        assert!(listing.lines().all(|line| line.chars().count() <= WIDTH + 1), "{listing}");
+        let titles: Vec<&str> = Group::ALL.iter().map(|group| group.title()).collect();
+        let words = listing.split_whitespace().filter(|word| !titles.contains(word));
+        let mut listed: Vec<&str> = words.collect();
+        let mut all: Vec<&str> = VARIABLES.iter().map(|variable| variable.symbol).collect();
+        listed.sort_unstable();
+        all.sort_unstable();
+        assert_eq!(listed, all);
+    }
+
+    #[test]
+    fn the_usual_names_are_variables_and_a_strange_one_is_told_them() {
+        assert!(USUAL.split(' ').all(|name| find(name).is_ok()));
+        let hint = nearest("quux");
+        assert!(hint.contains(USUAL) && hint.len() < 120, "{hint}");
+        assert!(nearest("gama").contains("`gamma`"));
+    }
 }

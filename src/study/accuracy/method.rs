@@ -5,8 +5,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::appendix::{self, Coupling};
-use crate::model::contact_phase::{Answer, Ending, Explicit, Phase, Refusal, exact};
+use crate::model::contact_phase::{Answer, Ending, Phase, Refusal, Scheme, exact};
 use crate::model::impact::forced::{Forced, simulate_by};
+use crate::model::impact::lean::Contact;
 use crate::model::impact::{Settings, simulate};
 use crate::model::run::Run;
 use crate::model::scene::{InterfaceLaw, Scene};
@@ -30,10 +31,14 @@ pub enum Method {
     Rk4Events,
     /// DOP853 with events located and joints restarted at.
     Dop853,
-    /// The engine held to its implicit method.
+    /// Radau IIA of order 5, implicit and L-stable, with events located and joints restarted at.
     Radau,
     /// The engine held to Taylor steps.
     Taylor,
+    /// The contact alone, as sweeps and searches take it.
+    Lean,
+    /// The engine held to its general path: nothing is left out.
+    Full,
     /// What `simulate` does.
     Auto,
 }
@@ -89,7 +94,7 @@ pub enum Ladder {
 
 impl Method {
     /// All of them, in the order of tables.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::ThesisPrinted,
         Self::ThesisMended,
         Self::Rk4,
@@ -98,6 +103,8 @@ impl Method {
         Self::Radau,
         Self::Taylor,
         Self::ClosedForm,
+        Self::Lean,
+        Self::Full,
         Self::Auto,
     ];
 
@@ -112,6 +119,8 @@ impl Method {
             Self::Dop853 => 'D',
             Self::Radau => 'I',
             Self::Taylor => 'S',
+            Self::Lean => 'L',
+            Self::Full => 'N',
             Self::Auto => 'A',
         }
     }
@@ -127,7 +136,22 @@ impl Method {
             Self::Dop853 => "DOP853 + events",
             Self::Radau => "Radau IIA 5",
             Self::Taylor => "Taylor series 16",
+            Self::Lean => "sweep kernel",
+            Self::Full => "nothing left out",
             Self::Auto => "auto",
+        }
+    }
+
+    /// Whether it is one of the engine's own, which have their areas and equations in common.
+    pub fn is_of_engine(self) -> bool {
+        match self {
+            Self::ClosedForm | Self::Taylor | Self::Lean | Self::Full | Self::Auto => true,
+            Self::ThesisPrinted
+            | Self::ThesisMended
+            | Self::Rk4
+            | Self::Rk4Events
+            | Self::Dop853
+            | Self::Radau => false,
         }
     }
 
@@ -141,9 +165,14 @@ impl Method {
             (Self::Rk4, Ladder::Full) => (3e4, 2, 0),
             (Self::Rk4Events, Ladder::Full) => (1e4, 2, 0),
             (Self::Rk4 | Self::Rk4Events, Ladder::Quick) => (1.5e3, 2, 0),
-            (Self::Dop853 | Self::Taylor | Self::Auto, Ladder::Full) => (0.0, 1, 13),
             (Self::Radau, Ladder::Full) => (0.0, 1, 12),
-            (Self::Dop853 | Self::Taylor | Self::Auto | Self::Radau, Ladder::Quick) => (0.0, 2, 11),
+            (Self::Dop853 | Self::Taylor | Self::Lean | Self::Full | Self::Auto, Ladder::Full) => {
+                (0.0, 1, 13)
+            }
+            (
+                Self::Dop853 | Self::Radau | Self::Taylor | Self::Lean | Self::Full | Self::Auto,
+                Ladder::Quick,
+            ) => (0.0, 2, 11),
         };
         if tightest == 0 {
             steps(end_s, steps_max, per_decade)
@@ -204,16 +233,18 @@ impl Job {
         let scene = &self.scene;
         let knob = self.knob.value().unwrap_or(f64::NAN);
         let steps_max = self.steps_max;
-        let phase = |method: Explicit| Phase::of(scene).solve(method, steps_max);
+        let phase = |method: Scheme| Phase::of(scene).solve(method, steps_max);
         match self.method {
             Method::ClosedForm => exact::solve(scene),
             Method::ThesisPrinted => appendix::contact(scene, knob, Coupling::Printed, steps_max),
             Method::ThesisMended => appendix::contact(scene, knob, Coupling::Mended, steps_max),
-            Method::Rk4 => phase(Explicit::Rk4 { dt_s: knob, crossing: Crossing::Notice }),
-            Method::Rk4Events => phase(Explicit::Rk4 { dt_s: knob, crossing: Crossing::Locate }),
-            Method::Dop853 => phase(Explicit::Dop853 { tolerance: knob }),
-            Method::Radau => forced(Forced::Radau, scene),
+            Method::Rk4 => phase(Scheme::Rk4 { dt_s: knob, crossing: Crossing::Notice }),
+            Method::Rk4Events => phase(Scheme::Rk4 { dt_s: knob, crossing: Crossing::Locate }),
+            Method::Dop853 => phase(Scheme::Dop853 { tolerance: knob }),
+            Method::Radau => phase(Scheme::Radau { tolerance: knob }),
             Method::Taylor => forced(Forced::Taylor, scene),
+            Method::Lean => lean(scene, knob),
+            Method::Full => forced(Forced::General, scene),
             Method::Auto => {
                 let settings = Settings { series: false, estimate: false };
                 let observer = &mut |_| ControlFlow::Continue(());
@@ -227,6 +258,18 @@ impl Job {
 fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
     let run = simulate_by(method, scene).map_err(|_invalid| Refusal::EndedEarly)?;
     answer_of(&run.ok_or(Refusal::TooStiff)?)
+}
+
+fn lean(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
+    let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NotLean)?;
+    Ok(Answer {
+        ending: if end.arrested { Ending::Arrest } else { Ending::Perforation },
+        t_s: end.t_s,
+        depth_m: end.penetration_m,
+        steps: end.steps,
+        rejected: 0,
+        evaluations: end.steps,
+    })
 }
 
 /// The contact phase of a run.

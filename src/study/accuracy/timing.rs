@@ -34,6 +34,13 @@ pub struct Timing {
     pub repeats: usize,
 }
 
+impl Timing {
+    /// How far batches differ: the deviation over the median; `None` for a single run.
+    pub fn spread(&self) -> Option<f64> {
+        self.mad_s.map(|mad_s| mad_s / self.median_s)
+    }
+}
+
 /// Time a computation that has just been warmed up.
 pub fn time<T>(clock: Clock<'_>, patience: Patience, mut run: impl FnMut() -> T) -> Timing {
     let mut batch_of = |repeats: usize| {

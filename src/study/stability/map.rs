@@ -10,10 +10,11 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::appendix::{Coupling, Scheme};
 use crate::model::contact_phase::Ending;
 use crate::model::contact_phase::section::Faces;
-use crate::model::mechanism::{Mechanism, PowerLaw};
-use crate::model::scene::Scene;
+use crate::model::scene::{Listing, Reading, Scene};
+use crate::model::variables::{self, VariableError};
 use crate::numerics::{larger, smaller};
 use crate::study::stability::Peaks;
 use crate::study::stability::others::Contact;
@@ -22,8 +23,10 @@ use crate::study::stability::others::Contact;
 pub const ACCURATE: f64 = 1e-2;
 /// A plate this many times faster than it should be oscillates by the method's doing.
 const SWINGS_FROM: f64 = 2.0;
-/// One this many times faster has run away, even where that ends the contact before values overflow.
+/// One this many times faster has run away, even where that ends the contact before values overflow: it has blown up if it is as
+/// fast for a plate of this part of the impact velocity, too, else it flips to and fro (a law that is steepest at zero).
 const RUNS_AWAY_FROM: f64 = 1e2;
+const SLOW_PLATE: f64 = 1e-2;
 /// Plate speed, in impact velocities, from which on the computation has blown up.
 const BLOWN_UP_FROM: f64 = 1e3;
 /// Steps a cell may take.
@@ -32,6 +35,8 @@ const STEPS_MAX: usize = 200_000;
 const ARREST: f64 = 1e-4;
 /// Real and imaginary extent of Runge-Kutta's region of stability.
 const RK4_REAL: f64 = 2.785_293_563_405_282;
+/// Rows and columns of a map on a screen.
+pub const CELLS: (usize, usize) = (19, 61);
 /// The thesis's own step, s.
 pub const THESIS_DT_S: f64 = 1e-6;
 
@@ -45,6 +50,15 @@ pub enum Method {
 }
 
 impl Method {
+    /// The listing that is followed: as meant, with the thesis's scheme or Runge-Kutta on both bodies.
+    fn listing(self, step_s: f64) -> Listing {
+        let scheme = match self {
+            Self::Thesis => Reading::Printed,
+            Self::Rk4 => Reading::Mended,
+        };
+        Listing { scheme, ..Coupling::Mended.listing(step_s) }
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
@@ -182,6 +196,37 @@ impl Map {
     pub fn cell(&self, row: usize, column: usize) -> Cell {
         self.cells[row * self.dt_s.len() + column]
     }
+
+    /// Row and column of the present point; `None` each where it lies outside.
+    pub fn present_at(&self) -> (Option<usize>, Option<usize>) {
+        (nearest(&self.values, self.present.0), nearest(&self.dt_s, self.present.1))
+    }
+
+    /// The first column of a row beyond its analytic limit, if that lies within the map.
+    pub fn limit_column(&self, row: usize) -> Option<usize> {
+        let limit_s = self.limit_s[row]?;
+        let column = self.dt_s.partition_point(|dt_s| *dt_s < limit_s);
+        (1..self.dt_s.len()).contains(&column).then_some(column)
+    }
+}
+
+/// The nearest of rising values by ratio; `None` for a value outside them.
+fn nearest(values: &[f64], value: f64) -> Option<usize> {
+    let inside = value >= 0.99 * values.first()? && value <= 1.01 * values.last()?;
+    let distance = |other: f64| (other / value).ln().abs();
+    let all = 0..values.len();
+    all.min_by(|a, b| distance(values[*a]).total_cmp(&distance(values[*b]))).filter(|_| inside)
+}
+
+/// That a scene has a map: one plate on a power law, and the hydrodynamic contact.
+///
+/// # Errors
+/// A [`VariableError`] that says what to change.
+pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
+    variables::validate(scene)?;
+    variables::require_hydrodynamic(scene)?;
+    variables::require_plain(scene)?;
+    variables::require_single(scene)
 }
 
 /// Asked before each row of a map; `Break` stops.
@@ -291,130 +336,47 @@ fn growth(re: f64, im: f64) -> f64 {
     r.hypot(i)
 }
 
-/// The contact phase for a fixed step: (travel, slip, plate displacement, plate velocity), SI.
-struct Fixed {
-    faces: Faces,
-    radius_m: f64,
-    strength_pa: f64,
-    drag_kg_m3: f64,
-    projectile_kg: f64,
-    plate_kg: f64,
-    cos: f64,
-    spring: PowerLaw,
-    damper: PowerLaw,
-    moves: bool,
-}
-
-impl Fixed {
-    fn force(&self, q: f64, u: f64) -> f64 {
-        let depth = self.faces.depth(q / self.radius_m);
-        self.faces.area_at_depth(depth)
-            * self.radius_m
-            * self.radius_m
-            * (self.strength_pa + self.drag_kg_m3 * u * u)
-    }
-
-    fn push(&self, force_n: f64, x: f64, w: f64) -> f64 {
-        if !self.moves {
-            return 0.0;
-        }
-        (force_n * self.cos - self.spring.force(x) - self.damper.force(w)) / self.plate_kg
-    }
-
-    /// All four by Runge-Kutta.
-    fn rk4(&self, y: [f64; 4], dt: f64) -> [f64; 4] {
-        let rate = |y: [f64; 4]| {
-            let f = self.force(y[0], y[1]);
-            let plate = self.push(f, y[2], y[3]);
-            [y[1], -f / self.projectile_kg - self.cos * plate, y[3], plate]
-        };
-        let ahead = |k: [f64; 4], part: f64| std::array::from_fn(|i| y[i] + part * dt * k[i]);
-        let k1 = rate(y);
-        let k2 = rate(ahead(k1, 0.5));
-        let k3 = rate(ahead(k2, 0.5));
-        let k4 = rate(ahead(k3, 1.0));
-        std::array::from_fn(|i| y[i] + dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
-    }
-
-    /// The thesis's step: the force held for the plate, averaged with the last one for the projectile.
-    fn thesis(&self, y: [f64; 4], before: &mut f64, dt: f64) -> [f64; 4] {
-        let [q, u, x, w] = y;
-        let q = q + dt * u;
-        let force = self.force(q, u);
-        let v = u + w * self.cos - 0.5 * dt * (force + *before) / self.projectile_kg;
-        *before = force;
-        let rate = |[x, w]: [f64; 2]| [w, self.push(force, x, w)];
-        let ahead = |k: [f64; 2], part: f64| [x + part * dt * k[0], w + part * dt * k[1]];
-        let k1 = rate([x, w]);
-        let k2 = rate(ahead(k1, 0.5));
-        let k3 = rate(ahead(k2, 0.5));
-        let k4 = rate(ahead(k3, 1.0));
-        let next: [f64; 2] =
-            std::array::from_fn(|i| [x, w][i] + dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
-        [q, v - next[1] * self.cos, next[0], next[1]]
-    }
-}
-
 fn cell(scene: &Scene, method: Method, dt_s: f64, target: Option<&Target>) -> Cell {
     let Some(target) = target else {
         return Cell::Unknown;
     };
-    let mechanism = Mechanism::of(scene);
-    let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
-    let moves = scene.plate.mount == crate::model::scene::Mount::Sprung;
-    let fixed = Fixed {
-        faces: Faces::of(scene),
-        radius_m: scene.projectile.tip_radius_m,
-        strength_pa: scene.flow_strength_pa(),
-        drag_kg_m3: scene.drag_kg_m3(),
-        projectile_kg: scene.projectile.mass_kg,
-        plate_kg: scene.plate_mass_kg(),
-        cos: scene.cos_obliquity(),
-        spring: mechanism.spring.power().unwrap_or(none),
-        damper: mechanism.damper,
-        moves,
-    };
-    let speed = scene.projectile.velocity_m_s;
-    let start_m = if moves { -scene.plate.cocking_m } else { 0.0 };
-    let (mut y, mut before) = ([0.0, speed, start_m, 0.0], 0.0);
+    let scheme = Scheme::of(scene, method.listing(dt_s));
+    let exit_m = Faces::of(scene).exit() * scene.projectile.tip_radius_m;
+    let (speed, moves) = (scene.projectile.velocity_m_s, scheme.plate().is_some());
+    let blown_up_m_s = BLOWN_UP_FROM * larger(speed, target.peaks.speed_m_s);
+    let mut state = scheme.start();
     let (mut fastest, mut reversals) = (0.0, 0);
     for step in 1..=STEPS_MAX {
-        let last = y;
-        y = match method {
-            Method::Rk4 => fixed.rk4(y, dt_s),
-            Method::Thesis => fixed.thesis(y, &mut before, dt_s),
-        };
-        fastest = larger(y[3].abs(), fastest);
-        reversals += usize::from(y[3] * last[3] < 0.0);
-        let scale = BLOWN_UP_FROM * larger(speed, target.peaks.speed_m_s);
-        if y.iter().any(|y| !y.is_finite())
-            || y[0].abs() > BLOWN_UP_FROM * fixed.exit_m()
-            || fastest > scale
-        {
+        let before = state.plate[1];
+        let refused = scheme.step(&mut state).err();
+        let w = state.plate[1];
+        fastest = larger(w.abs(), fastest);
+        reversals += usize::from(w * before < 0.0);
+        let is_far = state.travel_m.abs() > BLOWN_UP_FROM * exit_m;
+        if fastest.is_nan() || fastest > blown_up_m_s || is_far {
             return Cell::BlownUp;
         }
-        let perforated = y[0] >= fixed.exit_m();
-        if perforated || y[1] <= ARREST * speed {
-            let ending = if perforated { Ending::Perforation } else { Ending::Arrest };
-            let value = match ending {
-                Ending::Arrest => fixed.faces.depth(y[0] / fixed.radius_m) * fixed.radius_m,
-                Ending::Perforation => step as f64 * dt_s,
-            };
-            if fastest > RUNS_AWAY_FROM * target.peaks.speed_m_s && moves {
-                return Cell::BlownUp;
-            }
-            let swings = fastest > SWINGS_FROM * target.peaks.speed_m_s
-                || reversals > 2 * target.peaks.reversals + 4;
-            return rate_cell(Contact { ending, value }, target, swings);
+        let perforated = state.travel_m >= exit_m;
+        if refused.is_none() && !perforated && state.slip_m_s > ARREST * speed {
+            continue;
         }
+        if fastest > RUNS_AWAY_FROM * target.peaks.speed_m_s && moves {
+            let known = larger(target.peaks.speed_m_s, SLOW_PLATE * speed);
+            let flips = fastest <= RUNS_AWAY_FROM * known;
+            return if flips { Cell::Oscillating } else { Cell::BlownUp };
+        }
+        let swings = fastest > SWINGS_FROM * target.peaks.speed_m_s
+            || reversals > 2 * target.peaks.reversals + 4;
+        let found = match refused {
+            Some(_) => Contact { ending: Ending::Arrest, value: f64::NAN },
+            None if perforated => {
+                Contact { ending: Ending::Perforation, value: step as f64 * dt_s }
+            }
+            None => Contact { ending: Ending::Arrest, value: state.depth_m },
+        };
+        return rate_cell(found, target, swings);
     }
     Cell::TooManySteps
-}
-
-impl Fixed {
-    fn exit_m(&self) -> f64 {
-        self.faces.exit() * self.radius_m
-    }
 }
 
 fn rate_cell(found: Contact, target: &Target, swings: bool) -> Cell {
@@ -466,6 +428,17 @@ mod tests {
         assert_eq!(map.cell(0, 0), Cell::Accurate);
         assert!(map.limit_s[3] < map.limit_s[1]);
         assert!(map.largest_stable_dt_s.is_some());
+    }
+
+    #[test]
+    fn a_plate_held_by_a_steep_spring_has_a_limit_far_below_any_step_and_flips_beyond_it() {
+        // (F/k)^(1/n) is 7e-18 m; there, with F = 2.4e4 N, the tangent n F/x is 3e20 N/m, and 2.83 sqrt(m/tangent) some 3e-11 s.
+        let mut scene = Scene::default();
+        (scene.mechanism.spring.coefficient, scene.mechanism.spring.exponent) = (1e6, 0.1);
+        let target = Target::of(&scene).unwrap();
+        let limit_s = limit(&scene, Method::Rk4, &target.peaks).unwrap();
+        assert!((1e-12..1e-10).contains(&limit_s), "{limit_s:e}");
+        assert_eq!(cell(&scene, Method::Thesis, 1e-8, Some(&target)), Cell::Oscillating);
     }
 
     #[test]

@@ -1,12 +1,9 @@
 //! Whether other methods get through a scene's contact: an explicit adaptive one, an implicit one, and the thesis's.
 
-use std::sync::Arc;
-
 use crate::model::appendix::{self, Coupling};
-use crate::model::contact_phase::{Ending, Explicit, Phase, Refusal};
-use crate::model::impact::forced::{Forced, simulate_by};
+use crate::model::contact_phase::{Ending, Phase, Refusal, Scheme};
 use crate::model::run::Run;
-use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::scene::Scene;
 
 /// Tolerance the adaptive methods are asked for.
 pub const TOLERANCE: f64 = 1e-9;
@@ -16,8 +13,8 @@ pub const ACCURATE_ADAPTIVE: f64 = 1e-6;
 pub const ACCURATE_FIXED: f64 = 1e-2;
 /// Relative error from which an answer counts as blown up.
 pub const BLOWN_UP: f64 = 10.0;
-/// Steps an explicit adaptive method may take.
-pub const EXPLICIT_STEPS_MAX: usize = 20_000;
+/// Steps an adaptive method may take.
+pub const ADAPTIVE_STEPS_MAX: usize = 20_000;
 /// Steps the thesis's scheme may take.
 pub const FIXED_STEPS_MAX: usize = 300_000;
 
@@ -26,7 +23,7 @@ pub const FIXED_STEPS_MAX: usize = 300_000;
 pub enum Other {
     /// DOP853 with events located, at [`TOLERANCE`].
     Explicit,
-    /// The engine held to Radau IIA, at [`TOLERANCE`].
+    /// Radau IIA with events located, at [`TOLERANCE`].
     Implicit,
     /// Appendix A as printed, dt = 1e-6 s.
     ThesisCoarse,
@@ -137,12 +134,12 @@ impl Contact {
         arrested.or_else(|| exit.map(|t_s| Self { ending: Ending::Perforation, value: t_s }))
     }
 
-    /// The contact phase by DOP853.
+    /// The contact phase by a method.
     ///
     /// # Errors
     /// A [`Refusal`] when it cannot be followed.
-    pub fn by_dop853(scene: &Scene, tolerance: f64, steps_max: usize) -> Result<Self, Refusal> {
-        let answer = Phase::of(scene).solve(Explicit::Dop853 { tolerance }, steps_max)?;
+    pub fn by(scene: &Scene, scheme: Scheme, steps_max: usize) -> Result<Self, Refusal> {
+        let answer = Phase::of(scene).solve(scheme, steps_max)?;
         Ok(Self::new(answer.ending, answer.depth_m, answer.t_s))
     }
 
@@ -156,15 +153,15 @@ impl Contact {
 }
 
 /// How a method fares on the contact of a scene that should end like `reference`.
-pub fn judge(other: Other, scene: &Arc<Scene>, reference: Option<Contact>) -> Verdict {
+pub fn judge(other: Other, scene: &Scene, reference: Option<Contact>) -> Verdict {
     let Some(reference) = reference else {
         return Verdict::NoReference;
     };
+    let tolerance = TOLERANCE;
+    let adaptive = |scheme| (Contact::by(scene, scheme, ADAPTIVE_STEPS_MAX), ACCURATE_ADAPTIVE);
     let (found, accurate) = match other {
-        Other::Explicit => {
-            (Contact::by_dop853(scene, TOLERANCE, EXPLICIT_STEPS_MAX), ACCURATE_ADAPTIVE)
-        }
-        Other::Implicit => (by_radau(scene), ACCURATE_ADAPTIVE),
+        Other::Explicit => adaptive(Scheme::Dop853 { tolerance }),
+        Other::Implicit => adaptive(Scheme::Radau { tolerance }),
         Other::ThesisCoarse => (by_thesis(scene, 1e-6), ACCURATE_FIXED),
         Other::ThesisFine => (by_thesis(scene, 1e-7), ACCURATE_FIXED),
     };
@@ -185,43 +182,26 @@ pub fn judge(other: Other, scene: &Arc<Scene>, reference: Option<Contact>) -> Ve
 }
 
 fn of_refusal(refusal: Refusal) -> Verdict {
-    if matches!(refusal, Refusal::NonFinite) {
-        Verdict::BlownUp
-    } else if matches!(refusal, Refusal::Separated | Refusal::OtherEnding) {
-        Verdict::WrongEnding
-    } else if matches!(refusal, Refusal::StepBudget) {
-        Verdict::TooManySteps
-    } else if matches!(
-        refusal,
-        Refusal::StopWithinContact | Refusal::NoClosedForm | Refusal::NoPowerLaw
-    ) {
-        Verdict::NotApplicable
-    } else {
-        Verdict::Stuck
+    match refusal {
+        Refusal::NonFinite => Verdict::BlownUp,
+        Refusal::Separated | Refusal::OtherEnding => Verdict::WrongEnding,
+        Refusal::StepBudget => Verdict::TooManySteps,
+        Refusal::StopWithinContact | Refusal::NoClosedForm | Refusal::NoPowerLaw => {
+            Verdict::NotApplicable
+        }
+        Refusal::StepUnderflow
+        | Refusal::LeavesStop
+        | Refusal::NotLean
+        | Refusal::NoEnd
+        | Refusal::TooStiff
+        | Refusal::EndedEarly
+        | Refusal::Rattles
+        | Refusal::NoReference
+        | Refusal::TooSlow => Verdict::Stuck,
     }
 }
 
 fn by_thesis(scene: &Scene, dt_s: f64) -> Result<Contact, Refusal> {
     let answer = appendix::contact(scene, dt_s, Coupling::Printed, FIXED_STEPS_MAX)?;
     Ok(Contact::new(answer.ending, answer.depth_m, answer.t_s))
-}
-
-/// The engine held to its implicit method; what follows the contact is none of its business here.
-fn by_radau(scene: &Arc<Scene>) -> Result<Contact, Refusal> {
-    let mut own = Scene::clone(scene);
-    own.interface.law = InterfaceLaw::Fused;
-    own.run.tolerance = TOLERANCE;
-    let run = simulate_by(Forced::Radau, &Arc::new(own));
-    let run = run.ok().flatten().ok_or(Refusal::EndedEarly)?;
-    Contact::of(&run).ok_or(match run.end {
-        crate::model::run::EndReason::StepBudget => Refusal::StepBudget,
-        crate::model::run::EndReason::NonFinite => Refusal::NonFinite,
-        crate::model::run::EndReason::Decided
-        | crate::model::run::EndReason::Horizon
-        | crate::model::run::EndReason::Swings
-        | crate::model::run::EndReason::StepUnderflow
-        | crate::model::run::EndReason::EventBudget
-        | crate::model::run::EndReason::BreaksOff
-        | crate::model::run::EndReason::Cancelled => Refusal::EndedEarly,
-    })
 }

@@ -110,6 +110,16 @@ pub enum SweepError {
         /// What is allowed.
         most: f64,
     },
+    /// More points than a screen keeps.
+    #[error(
+        "{points} points are too many for the screen, which keeps at most {most}: take fewer along the axes, or use `cmra sweep`"
+    )]
+    TooManyShown {
+        /// What was asked.
+        points: u64,
+        /// What is allowed.
+        most: u64,
+    },
     /// A design of too few or too many points.
     #[error(
         "points = {points} is impossible: this design has 2 to {most} points; write for example --points 1000"

@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::model::results::ResultColumn;
 use crate::study::sweep::crew::Crew;
-use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows};
+use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows, SweepError};
 
 /// The most points a grid may have: some tens of megabytes.
 pub const GRID_MAX: u64 = 1_000_000;
@@ -20,6 +20,16 @@ pub const GRID_COUNTS: RangeInclusive<u64> = 2..=GRID_MAX;
 const COARSEST: usize = 16;
 /// An axis has at least so many points in the first pass.
 const COARSE_POINTS: usize = 6;
+
+/// That a plan has no more points than a grid.
+///
+/// # Errors
+/// [`SweepError::TooManyShown`].
+pub fn fits(plan: &Plan) -> Result<(), SweepError> {
+    let points = plan.points();
+    let most = GRID_MAX;
+    if points > most { Err(SweepError::TooManyShown { points, most }) } else { Ok(()) }
+}
 
 /// What is known of one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,9 +65,7 @@ impl Grid {
             (Design::Factorial, _) => return None,
             (Design::LatinHypercube { .. } | Design::Sobol { .. }, _) => (plan.points(), 1),
         };
-        if plan.points() > GRID_MAX {
-            return None;
-        }
+        fits(&plan).ok()?;
         let counts = (usize::try_from(counts.0).ok()?, usize::try_from(counts.1).ok()?);
         let points = counts.0 * counts.1;
         Some(Self {

@@ -45,6 +45,8 @@ pub struct Accuracy {
     pub cursor_s: Option<f64>,
     /// How the chart is looked at.
     pub sight: Sight,
+    /// How often the page of the table's columns was turned.
+    pub turned: usize,
 }
 
 /// How the chart is looked at.
@@ -216,7 +218,7 @@ impl App {
         let values: Vec<String> = shown
             .filter_map(|method| {
                 let (_, best) = self.accuracy.best_within(method, time_s)?;
-                Some(format!("{} {:.0e}", method.letter(), best.error()))
+                Some(format!("{}={:.0e}", method.letter(), best.error()))
             })
             .collect();
         Some(format!("within {}: {}", seconds(time_s), values.join("  ")))
@@ -274,7 +276,7 @@ impl App {
             ));
         }
         if let Some(unsteady) =
-            tab.report.as_ref().map(|report| unsteady(report)).filter(|it| *it > 0)
+            tab.report.as_ref().map(|report| report.unsteady()).filter(|it| *it > 0)
         {
             parts.push(same(
                 Severity::Warning,
@@ -319,19 +321,9 @@ impl App {
         };
         if let Some((knob, it)) = self.accuracy.example() {
             let floor = if it.is_at_floor() { " (floor)" } else { "" };
-            let spread = it.timing.mad_s.map_or_else(
-                || "one run".to_owned(),
-                |mad_s| format!("+-{:.0} %", 100.0 * mad_s / it.timing.median_s),
-            );
             let knob = knob.to_string();
             let lead = if knob.is_empty() { String::new() } else { format!("{knob}: ") };
             add(Severity::Note, format!("{lead}error {:.1e}{floor}", it.error()));
-            add(Severity::Note, format!("{} {spread}", seconds(it.timing.min_s)));
-            let answer = &it.answer;
-            add(
-                Severity::Note,
-                format!("{} steps, {} evaluations", answer.steps, answer.evaluations),
-            );
         }
         let mut reasons: Vec<(&str, usize)> = Vec::new();
         for refusal in report.points.iter().filter_map(|point| point.result.err()) {
@@ -344,22 +336,35 @@ impl App {
         for (words, count) in reasons {
             add(Severity::Warning, format!("{count} of {total}: {words}"));
         }
+        if let Some((_, it)) = self.accuracy.example() {
+            let spread = it
+                .timing
+                .spread()
+                .map_or_else(|| "run once".to_owned(), |spread| format!("+-{}", percent(spread)));
+            let steps = it.answer.steps;
+            add(Severity::Note, format!("{} {spread}, {steps} steps", seconds(it.timing.min_s)));
+        }
         lines
     }
 }
 
-/// Points whose times spread by more than a fifth.
-fn unsteady(report: &Report) -> usize {
-    let measured = report.methods.iter().flat_map(MethodReport::measured);
-    measured
-        .filter(|(_, it)| it.timing.mad_s.is_some_and(|mad_s| mad_s > 0.2 * it.timing.median_s))
-        .count()
-}
-
-fn by(found: &Cheapest) -> String {
+/// By what a result was got: the method and its knob.
+pub fn by(found: &Cheapest) -> String {
     let knob = found.knob.to_string();
     let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };
     format!("by {}{with}", found.method.name())
+}
+
+/// A method's observed order.
+pub fn order(report: &MethodReport) -> String {
+    // Adding zero takes the sign off a negative zero.
+    let shown = |order: f64| format!("{:.1}", (10.0 * order).round() / 10.0 + 0.0);
+    report.observed_order().map_or_else(|| "-".to_owned(), shown)
+}
+
+/// A share in whole percent.
+pub fn percent(share: f64) -> String {
+    format!("{:.0} %", 100.0 * share)
 }
 
 /// A run time, in a few characters.

@@ -359,7 +359,8 @@ fn accuracy(body: Area, alone: bool) -> AccuracyPanes {
         _ if alone => 0,
         0..72 => 29,
         72..WIDE => 35,
-        WIDE.. => 54,
+        WIDE..116 => 54,
+        116.. => 63,
     };
     let (chart, methods) = top.split_left(top.width - wanted.min(top.width));
     AccuracyPanes { chart, methods, answers }

@@ -36,6 +36,8 @@ pub struct Stability {
     pub running: Option<Measuring>,
     /// The selected row of the battery.
     pub selected: usize,
+    /// How often the page of its columns was turned.
+    pub turned: usize,
 }
 
 impl Default for Stability {
@@ -50,6 +52,7 @@ impl Default for Stability {
             battery: None,
             running: None,
             selected: 0,
+            turned: 0,
         }
     }
 }
@@ -57,8 +60,8 @@ impl Default for Stability {
 impl Stability {
     /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
     pub fn present(&self) -> Option<(usize, usize)> {
-        let (_, map) = self.map.as_ref()?;
-        Some((nearest(&map.values, map.present.0)?, nearest(&map.dt_s, map.present.1)?))
+        let (row, column) = self.map.as_ref()?.1.present_at();
+        row.zip(column)
     }
 
     /// Where the crosshair stands: the middle of the map where nothing else is known.
@@ -84,12 +87,9 @@ impl Stability {
     }
 }
 
-/// The nearest of rising values by ratio; `None` for a value outside them.
-fn nearest(values: &[f64], value: f64) -> Option<usize> {
-    let inside = value >= 0.99 * values.first()? && value <= 1.01 * values.last()?;
-    let distance = |other: f64| (other / value).ln().abs();
-    let all = 0..values.len();
-    all.min_by(|a, b| distance(values[*a]).total_cmp(&distance(values[*b]))).filter(|_| inside)
+/// A size in five characters: `2e-13`.
+pub fn brief(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
 impl App {

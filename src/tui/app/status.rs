@@ -222,6 +222,7 @@ impl App {
             format!("{} ({})", cost.method, cost.reason),
             cost.method.to_owned(),
         ));
+        parts.extend(left_out(run));
         parts
     }
 
@@ -419,6 +420,13 @@ pub fn shortened(title: &str) -> String {
 /// A result's title in so many columns: in shorter words where it is too long.
 pub fn fitted(title: &str, width: usize) -> String {
     if title.chars().count() <= width { title.to_owned() } else { clip(&shortened(title), width) }
+}
+
+/// What a run could do without, in full and as a number.
+fn left_out(run: &Run) -> Option<(Severity, String, String)> {
+    let words: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();
+    let full = format!("left out: {}", words.join(", "));
+    (!words.is_empty()).then(|| (Severity::Note, full, format!("{} left out", words.len())))
 }
 
 /// Lines of at most `width` characters, broken at blanks; a longer word is broken where it must be.

@@ -13,14 +13,15 @@ use crate::model::results::ResultColumn;
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, Kind as VariableKind};
-use crate::study::sweep::grid::{Cell, GRID_COUNTS, Grid};
+use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
-use crate::study::sweep::{Axis, Design, Fate, Plan, SweepError, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, Design, Fate, Plan, USUAL_OUTPUTS};
 
 pub use super::setup::{SetupField, SetupRow};
 pub use gaps::no_value;
 
 mod gaps;
+mod plan;
 
 /// Curves of a family unless another number is chosen.
 const CURVES: u64 = 5;
@@ -262,27 +263,6 @@ impl App {
             | Tab::Limit
             | Tab::Search => None,
         }
-    }
-
-    /// What a picture of the present scene would have to compute.
-    ///
-    /// # Errors
-    /// [`SweepError`] when the axes do not fit the scene.
-    pub fn sweep_plan(&self, picture: Picture) -> Result<Plan, SweepError> {
-        let sweep = sweep_of(&self.scene);
-        let axis = |at: usize| Axis::of(&sweep.axes[at], &GRID_COUNTS);
-        let mut axes = vec![axis(0)?];
-        match picture {
-            Picture::Line if has_family(&self.scene) => {
-                let second = axis(1)?;
-                let (name, ends) = (second.symbol(), second.ends());
-                axes.push(Axis::new(name, ends, self.sweeping.curves, second.spacing())?);
-            }
-            Picture::Line => {}
-            Picture::Surface => axes.push(axis(1)?),
-        }
-        let design = self.sweeping.spread(picture).design(axes[0].count());
-        Plan::new(&self.scene, axes, design, &sweep.outputs)
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.

@@ -29,6 +29,7 @@ pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer, the
     brush.levels();
     brush.events();
     brush.curves();
+    brush.level_tags();
 }
 
 struct Brush<'a> {
@@ -132,14 +133,32 @@ impl Brush<'_> {
             for x in (plot.left()..plot.right()).step_by(step) {
                 self.put(x, y, dotted, style);
             }
-            if level.tag.is_empty() {
+        }
+    }
+
+    /// The tags of levels, each as far right as no curve runs through it; without such a place it is left out.
+    fn level_tags(&mut self) {
+        let plot = self.layout.plot;
+        let style = self.theme.style(Role::Event);
+        let dotted = self.theme.lines().level;
+        for level in self.chart.levels.iter().filter(|level| !level.tag.is_empty()) {
+            let Some(cell) = self.layout.y.cell(level.y) else {
                 continue;
-            }
+            };
+            let y = self.row(cell);
+            let is_free = |x: u16| {
+                let symbol = self.buffer.cell((x, y)).map_or("", |cell| cell.symbol());
+                symbol == " " || symbol.chars().eq([dotted])
+            };
             // A blank keeps the tag clear of the dots.
             let tag = format!(" {}", level.tag);
             let length = u16::try_from(Span::raw(&tag).width()).unwrap_or(u16::MAX);
-            if length < plot.width {
-                self.buffer.set_string(plot.right() - length, y, &tag, style);
+            let starts = plot.left()..plot.right().saturating_sub(length.saturating_sub(1));
+            let free = starts.rev().find(|start| (*start..start + length).all(is_free));
+            if let Some(x) = free {
+                let end = x + length;
+                let behind = if end < plot.right() && is_free(end) { " " } else { "" };
+                self.buffer.set_string(x, y, tag + behind, style);
             }
         }
     }

@@ -138,7 +138,7 @@ fn event_lines_lie_under_curves_and_the_crosshair_over_them() {
         picture(&chart)[1..8],
         [
             "|  4+     a    |    b  ***  |",
-            "|   |. . .:. . | .*****max  |",
+            "|   |. . .: max| .*****. .  |",
             "|  2+     :  *****  :       |",
             "|   |   *****  |    :       |",
             "|  0+***  :    |    :       |",

@@ -49,6 +49,7 @@ pub(super) fn is_own(action: Action) -> bool {
             | Action::LogY
             | Action::SlopeGuides
             | Action::SpreadBars
+            | Action::Quantity
     )
 }
 
@@ -67,6 +68,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         Action::ZoomFit => app.accuracy.sight.times = None,
         Action::PanLeft => app.accuracy.pan(-PAN),
         Action::PanRight => app.accuracy.pan(PAN),
+        Action::Quantity => app.accuracy.turned += 1,
         Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
         _ => show_or_hide(app),
     }

@@ -20,7 +20,7 @@ use crate::tui::app::dialog::wrap;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::steps::{self, Size};
 use crate::tui::app::sweep::{
-    Picture, SetupField, SetupRow, Spread, has_family, numeric, sweep_of,
+    Picture, SetupField, SetupRow, Spread, Sweeping, has_family, numeric, sweep_of,
 };
 use crate::tui::message::{Action, Effect};
 
@@ -155,8 +155,7 @@ fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Ve
                 let (least, most) = (CURVES.start(), CURVES.end());
                 return Err(format!("curves = {curves} must be {least} to {most}"));
             }
-            app.sweeping.curves = curves;
-            return Ok(super::sweep::after_edit(app));
+            return tried(app, picture, |sweeping| sweeping.curves = curves);
         }
         SetupRow::Output => {
             let output = sweep::output(text).map_err(|error| error.to_string())?;
@@ -208,13 +207,13 @@ fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)
             let all = Spread::ALL;
             let here = app.sweeping.spread(picture);
             let at = all.iter().position(|one| *one == here).unwrap_or(0);
-            app.sweeping.set_spread(picture, all[wrap(at, by, all.len())]);
-            Ok(super::sweep::after_edit(app))
+            let next = all[wrap(at, by, all.len())];
+            tried(app, picture, |sweeping| sweeping.set_spread(picture, next))
         }
         SetupRow::Curves => {
             let curves = app.sweeping.curves.saturating_add_signed(by as i64);
-            app.sweeping.curves = curves.clamp(*CURVES.start(), *CURVES.end());
-            Ok(super::sweep::after_edit(app))
+            let next = curves.clamp(*CURVES.start(), *CURVES.end());
+            tried(app, picture, |sweeping| sweeping.curves = next)
         }
         SetupRow::Output => {
             let at = app.sweeping.output.min(sweep.outputs.len() - 1);
@@ -323,6 +322,22 @@ fn number_of(variable: &'static Variable) -> Result<&'static Number, String> {
     }
 }
 
+/// Change what a picture visits, unless the picture cannot be made then.
+fn tried(
+    app: &mut App,
+    picture: Picture,
+    change: impl FnOnce(&mut Sweeping),
+) -> Result<Vec<Effect>, String> {
+    let before = (app.sweeping.curves, app.sweeping.spread(picture));
+    change(&mut app.sweeping);
+    if let Err(error) = app.sweep_plan(picture) {
+        app.sweeping.curves = before.0;
+        app.sweeping.set_spread(picture, before.1);
+        return Err(error.to_string());
+    }
+    Ok(super::sweep::after_edit(app))
+}
+
 /// Store a sweep that can be made; the refusal names axis, value, rule and cure.
 fn checked(
     app: &mut App,
@@ -342,12 +357,11 @@ fn checked(
     if picture == Picture::Line && !second && !has_family(&app.scene) {
         sweep.axes.truncate(1);
     }
-    let axes = sweep.axes.iter().map(|axis| Axis::of(axis, &GRID_COUNTS));
-    let axes = axes.collect::<Result<Vec<_>, _>>();
-    let axes = axes.map_err(|error| error.to_string())?;
-    let design = sweep::Design::Factorial;
-    sweep::Plan::new(&app.scene, axes, design, &sweep.outputs)
-        .map_err(|error| error.to_string())?;
+    for axis in &sweep.axes {
+        Axis::of(axis, &GRID_COUNTS).map_err(|error| error.to_string())?;
+    }
+    let edited = Scene { sweep: Some(sweep.clone()), ..Scene::clone(&app.scene) };
+    app.sweep_plan_of(&edited, picture).map_err(|error| error.to_string())?;
     let words: Vec<String> = sweep
         .axes
         .iter()

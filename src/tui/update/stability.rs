@@ -41,6 +41,7 @@ pub(super) fn is_own(action: Action) -> bool {
             | Action::CursorRight
             | Action::CursorLeftFar
             | Action::CursorRightFar
+            | Action::Quantity
     )
 }
 
@@ -69,6 +70,7 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
             };
             return map(app);
         }
+        Action::Quantity => tab.turned += 1,
         Action::CursorLeft => tab.move_cursor(0, -1),
         Action::CursorRight => tab.move_cursor(0, 1),
         Action::CursorLeftFar => tab.move_cursor(0, -FAR),

@@ -4,11 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::rect;
-use super::text::{NEEDS_SINGLE, Rows, columns, paint_row, put};
+use super::table::{Column, Page};
+use super::text::{NEEDS_SINGLE, Rows, columns, first_row, paint_row, put};
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
-use crate::tui::app::accuracy::{TARGETS, seconds};
+use crate::tui::app::accuracy::{TARGETS, order, percent, seconds};
 use crate::tui::app::layout::AccuracyPanes;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{clip, wrap};
@@ -25,19 +26,17 @@ const GUIDE_COLOUR: usize = 9;
 /// Points of a slope guide.
 const GUIDE_POINTS: usize = 90;
 
-/// A column of the table: heading, width, value.
-type Column = (&'static str, u16, fn(&MethodReport) -> String);
-
-const TABLE: [Column; 4] = [
-    ("order", 6, |report| {
-        // Adding zero takes the sign off a negative zero.
-        let shown = |order: f64| format!("{:.1}", (10.0 * order).round() / 10.0 + 0.0);
-        report.observed_order().map_or_else(|| "-".to_owned(), shown)
-    }),
+const TABLE: [Column<MethodReport>; 6] = [
+    ("order", 6, order),
     ("t(1e-6)", 8, |report| time(report, TARGETS[0])),
     ("t(1e-9)", 8, |report| time(report, TARGETS[1])),
-    ("least", 7, |report| {
+    ("least", 6, |report| {
         report.least_error().map_or_else(|| "-".to_owned(), |error| format!("{error:.0e}"))
+    }),
+    ("spread", 7, |report| report.spread().map_or_else(|| "-".to_owned(), percent)),
+    ("floor", 6, |report| {
+        let floor = report.reference.and_then(|reference| reference.uncertainty);
+        floor.map_or_else(|| "-".to_owned(), |floor| format!("{floor:.0e}"))
     }),
 ];
 
@@ -153,37 +152,38 @@ fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
 
 /// The table, and below it what is to be said of the selected method; gives where the rows of methods lie.
 fn methods(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
-    let inner = Pane::new("Methods").right("V hides").render(area, buffer, app.theme);
-    let mut shown = 0;
-    let mut end = NAME;
-    for (title, width, _) in &TABLE {
-        if end + width > inner.width {
-            break;
-        }
-        end += width;
-        let column = end - columns(title);
-        put(buffer, inner, (column, 0), title, app.theme.style(Role::Dim));
-        shown += 1;
-    }
-    for (row, (index, method)) in (1..inner.height).zip(Method::ALL.iter().enumerate()) {
-        let hidden = app.accuracy.hidden.contains(method);
+    let tab = &app.accuracy;
+    let room = area.width.saturating_sub(2 + NAME);
+    let page = Page::of(&TABLE, room, tab.turned);
+    let hint = page.hint().unwrap_or_else(|| "V hides".to_owned());
+    let inner = Pane::new("Methods").right(hint).render(area, buffer, app.theme);
+    page.headings(buffer, inner, NAME, app.theme.style(Role::Dim));
+    let count = Method::ALL.len();
+    let height = usize::from(inner.height.saturating_sub(1));
+    let first = first_row(tab.selected, height, count);
+    for (row, (index, method)) in (1..inner.height).zip(Method::ALL.iter().enumerate().skip(first))
+    {
+        let hidden = tab.hidden.contains(method);
         let role = if hidden { Role::Dim } else { Role::Curve(index) };
         let letter = if hidden { ' ' } else { method.letter() };
         put(buffer, inner, (0, row), &letter.to_string(), app.theme.style(role));
         let style = app.theme.style(if hidden { Role::Dim } else { Role::Text });
         put(buffer, inner, (2, row), method.name(), style);
-        let mut end = NAME;
-        for (_, width, value) in &TABLE[..shown] {
-            end += width;
-            let text = app.accuracy.of(*method).map_or_else(String::new, value);
-            put(buffer, inner, (end.saturating_sub(columns(&text)), row), &text, style);
+        if let Some(report) = tab.of(*method) {
+            page.values(buffer, inner, (NAME, row), (report, style));
         }
-        if index == app.accuracy.selected && app.dialog.is_none() {
+        if index == tab.selected && app.dialog.is_none() {
             paint_row(buffer, inner, row, app.theme.style(Role::Selection));
         }
     }
-    let width = usize::from(inner.width);
-    let mut row = u16::try_from(Method::ALL.len()).unwrap_or(0) + 2;
+    details(app, inner, buffer);
+    let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
+    Rows { area: Rect { y: inner.y + 1, height, ..inner }, first, count }
+}
+
+/// What is to be said of the selected method, below all of them.
+fn details(app: &App, inner: Rect, buffer: &mut Buffer) {
+    let mut lines = Vec::new();
     for (index, (severity, text)) in app.accuracy_details().into_iter().enumerate() {
         let role = match severity {
             _ if index == 0 => Role::Title,
@@ -191,12 +191,13 @@ fn methods(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
             Severity::Warning => Role::Warning,
             Severity::Error => Role::Error,
         };
-        for line in wrap(&text, width) {
-            put(buffer, inner, (0, row), &line, app.theme.style(role));
-            row += 1;
-        }
+        lines.extend(wrap(&text, usize::from(inner.width)).into_iter().map(|line| (role, line)));
     }
-    let count = Method::ALL.len();
-    let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
-    Rows { area: Rect { y: inner.y + 1, height, ..inner }, first: 0, count }
+    let from = 1 + Method::ALL.len();
+    let room = usize::from(inner.height).saturating_sub(from);
+    let blank = usize::from(lines.len() < room);
+    for (index, (role, line)) in lines.iter().enumerate().take(room) {
+        let row = u16::try_from(from + blank + index).unwrap_or(u16::MAX);
+        put(buffer, inner, (0, row), line, app.theme.style(*role));
+    }
 }

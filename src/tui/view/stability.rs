@@ -3,6 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+use super::table::{Column, Page};
 use super::text::{NEEDS_SINGLE, Rows, columns, first_row, paint_row, put};
 use crate::model::run::Outcome;
 use crate::model::units::significant;
@@ -10,6 +11,8 @@ use crate::study::stability::Row;
 use crate::study::stability::map::{Cell, Map};
 use crate::tui::app::App;
 use crate::tui::app::accuracy::seconds;
+use crate::tui::app::stability::brief;
+use crate::tui::app::status::clip;
 use crate::tui::message::Target;
 use crate::tui::theme::{Pane, Role};
 
@@ -129,8 +132,7 @@ fn cells(app: &App, map: &Map, plot: Rect, buffer: &mut Buffer) {
             let cell = map.cell(row, spread(x, plot.width, steps));
             put(buffer, plot, (x, y), &cell.letter().to_string(), app.theme.style(role(cell)));
         }
-        let limit = map.limit_s[row].map(|limit| map.dt_s.partition_point(|dt_s| *dt_s < limit));
-        if let Some(column) = limit.filter(|column| (1..steps).contains(column)) {
+        if let Some(column) = map.limit_column(row) {
             let x = place(column, plot.width, steps);
             put(buffer, plot, (x, y), "|", app.theme.style(Role::Event));
         }
@@ -180,8 +182,10 @@ fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), buffer: &mut Buffer
     let mut free = GUTTER;
     for (x, text) in decades(&map.dt_s, plot.width) {
         put(buffer, inner, (GUTTER + x, below), "|", app.theme.style(Role::Border));
-        let start = (GUTTER + x).saturating_sub(columns(&text) / 2).max(free);
-        if start <= GUTTER + x && start + columns(&text) < inner.width {
+        // Centred below its mark, as far as there is room on both sides.
+        let last = inner.width.saturating_sub(columns(&text));
+        let start = (GUTTER + x).saturating_sub(columns(&text) / 2).max(free).min(last);
+        if (free..=GUTTER + x).contains(&start) {
             free = put(buffer, inner, (start, below + 1), &text, style) + 2;
         }
     }
@@ -189,21 +193,21 @@ fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), buffer: &mut Buffer
     put(buffer, inner, (1, below), map.axis.symbol(), style);
 }
 
-/// A column of the battery: heading, width, value.
-type Column = (&'static str, u16, fn(&Row) -> String);
-
-const BATTERY: [Column; 10] = [
+const BATTERY: [Column<Row>; 12] = [
     ("pass", 5, |row| if row.shortfall.is_some() { "FAIL" } else { "ok" }.to_owned()),
     ("ends", 7, ends),
     ("energy", 7, |row| brief(row.run.ledger.residual().abs())),
     ("error", 7, |row| row.error.map_or_else(|| "-".to_owned(), brief)),
     ("steps", 7, |row| row.run.cost.steps.to_string()),
     ("time", 8, |row| seconds(row.took_s)),
+    ("stiff", 6, |row| brief(row.stiffness.largest())),
     ("expl", 5, |row| row.others[0].brief()),
     ("impl", 5, |row| row.others[1].brief()),
     ("th-6", 6, |row| row.others[2].brief()),
     ("th-7", 6, |row| row.others[3].brief()),
+    ("error against", 15, |row| row.basis.words().to_owned()),
 ];
+
 /// How a scene of the battery ends, in six characters.
 fn ends(row: &Row) -> String {
     match row.run.outcome {
@@ -218,30 +222,18 @@ fn ends(row: &Row) -> String {
 /// Columns of the name.
 const NAME: u16 = 24;
 
-/// A size in five characters: `2e-13`.
-fn brief(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
-}
-
 /// Draw the battery; gives where its rows lie.
 fn battery(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.stability;
-    let title = "Battery of stiff and extreme scenes";
-    let pane = Pane::new(title).right("Tab: map").focused(app.dialog.is_none());
+    let page = Page::of(&BATTERY, area.width.saturating_sub(2 + NAME), tab.turned);
+    let title = if area.width < 70 { "Battery" } else { "Battery of stiff and extreme scenes" };
+    let hint = page.hint().map_or_else(String::new, |hint| hint + "  ");
+    let pane = Pane::new(title).right(hint + "Tab: map").focused(app.dialog.is_none());
     let inner = pane.render(area, buffer, app.theme);
     let dim = app.theme.style(Role::Dim);
     put(buffer, inner, (0, 0), "scene", dim);
-    let mut shown = 0;
-    let mut end = NAME;
-    for (heading, width, _) in &BATTERY {
-        if end + width > inner.width {
-            break;
-        }
-        end += width;
-        put(buffer, inner, (end - columns(heading), 0), heading, dim);
-        shown += 1;
-    }
-    let why = end + 2;
+    page.headings(buffer, inner, NAME, dim);
+    let why = NAME + page.width() + 2;
     let rows = tab.rows();
     if rows.is_empty() {
         let text = if tab.running.is_some() { "running the first scenes" } else { "r runs it" };
@@ -253,14 +245,10 @@ fn battery(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
         let failed = row.shortfall.is_some();
         let style = app.theme.style(if failed { Role::Error } else { Role::Text });
         put(buffer, inner, (0, y), row.case.name, style);
-        let mut end = NAME;
-        for (_, width, value) in &BATTERY[..shown] {
-            end += width;
-            let text = value(row);
-            put(buffer, inner, (end.saturating_sub(columns(&text)), y), &text, style);
-        }
+        page.values(buffer, inner, (NAME, y), (row, style));
         if why + 20 < inner.width {
-            put(buffer, inner, (why, y), row.case.why, dim);
+            let room = usize::from(inner.width - why);
+            put(buffer, inner, (why, y), &clip(row.case.why, room), dim);
         }
         if index == tab.selected && app.dialog.is_none() {
             paint_row(buffer, inner, y, app.theme.style(Role::Selection));

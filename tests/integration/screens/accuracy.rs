@@ -29,6 +29,8 @@ fn character(method: Method) -> (f64, f64, f64) {
         Method::Radau => (5.0, 0.8, 2e-6),
         Method::Taylor => (16.0, 0.1, 100e-9),
         Method::ClosedForm => (0.0, 0.0, 0.0),
+        Method::Lean => (16.0, 0.05, 50e-9),
+        Method::Full => (16.0, 0.1, 105e-9),
         Method::Auto => (16.0, 0.05, 110e-9),
     }
 }
@@ -172,13 +174,13 @@ fn the_crosshair_tells_what_a_run_time_buys() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     bench.keys("LLLL");
     assert!(bench.message().starts_with("within "), "{}", bench.message());
-    assert!(bench.message().contains("A 3e-14"), "{}", bench.message());
+    assert!(bench.message().contains("A=3e-14"), "{}", bench.message());
     // At the left end only the quickest have an answer.
     bench.keys("HHHHHHHHHH");
-    assert!(!bench.message().contains("I "), "{}", bench.message());
+    assert!(!bench.message().contains("I="), "{}", bench.message());
     // What is hidden is not told.
     bench.keys("LLLLLLLLGV");
-    assert!(!bench.message().contains("A "), "{}", bench.message());
+    assert!(!bench.message().contains("A="), "{}", bench.message());
 }
 
 #[test]
@@ -220,7 +222,7 @@ fn leaving_asks_while_a_study_has_been_going_on_for_long() {
 fn the_chart_is_zoomed_panned_and_fitted_again() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     let all = bench.app.accuracy.times().unwrap();
-    bench.keys("LL++");
+    bench.keys("L++");
     let (near, cursor) =
         (bench.app.accuracy.times().unwrap(), bench.app.accuracy.cursor_s.unwrap());
     let decades = |view: ViewRange| (view.hi() / view.lo()).log10();
@@ -257,4 +259,25 @@ fn slopes_spreads_scales_and_the_floor_are_drawn_when_asked_for() {
     // A slope is a line in decades only.
     bench.keys("o");
     assert!(bench.message().contains("where both axes are logarithmic"), "{}", bench.message());
+}
+
+#[test]
+fn every_column_and_every_method_can_be_reached_at_any_size() {
+    let columns = ["order", "t(1e-6)", "t(1e-9)", "least", "spread", "floor"];
+    for size in [(60, 16), (80, 24), (100, 30), (200, 60)] {
+        let mut bench = open(GlyphSet::Ascii, size);
+        let mut seen: Vec<&str> = Vec::new();
+        for _ in 0..columns.len() {
+            let screen = bench.screen();
+            seen.extend(columns.iter().filter(|column| screen.contains(**column)));
+            bench.keys("v");
+        }
+        assert!(columns.iter().all(|column| seen.contains(column)), "{size:?}: {seen:?}");
+        let screen = bench.screen();
+        let all = columns.iter().all(|column| screen.contains(column));
+        let paged = (1..9).any(|page| screen.contains(&format!("v columns {page}/")));
+        assert_eq!(!all, paged, "{size:?} {screen}");
+        bench.keys("G");
+        assert!(bench.screen().contains("A auto"), "{size:?} {}", bench.screen());
+    }
 }

@@ -222,6 +222,7 @@ fn a_refused_text_stays_with_its_reason() {
         (SetupRow::To(1), "12 kg", &["k", "`kg` is not a unit"]),
         (SetupRow::Points(0), "1", &["axis gamma", "count = 1", "2 to 1000000 points here"]),
         (SetupRow::Points(0), "1000001", &["axis gamma", "2 to 1000000 points here"]),
+        (SetupRow::Points(0), "50000", &["1050000 points are too many", "at most 1000000"]),
         (SetupRow::Points(1), "few", &["`few`", "whole number, 2 to 1000000"]),
         (SetupRow::Name(0), "k", &["axis k", "swept twice"]),
         (SetupRow::Name(0), "gama", &["`gama`", "did you mean `gamma`"]),

@@ -1,0 +1,307 @@
+//! The contact phase by Radau IIA of order 5, held to from first contact to the end: what an implicit, L-stable method does.
+//!
+//! A power law with an exponent below one is infinitely steep at zero. There its force is the unknown, and the displacement (or
+//! velocity) follows from it, which is flat. Boundaries are found on the collocation polynomial of a step and landed on by stepping
+//! anew. Knows the equations by their stretch only.
+
+use super::stretch::Stretch;
+use super::{Law, Spring};
+use crate::numerics::explicit::{Boundary, Count, Limits, Reached, Start, Stop};
+use crate::numerics::implicit::{ImplicitSystem, NODES, Step, interpolate, step, step_factor};
+use crate::numerics::root::in_bracket;
+
+/// The first step, in R/v, where none is known.
+const FIRST: f64 = 1e-4;
+/// The step's factor after Newton's method has failed.
+const SHORTER: f64 = 0.25;
+/// Looks at the polynomial of a step for boundaries.
+const LOOKS: usize = 8;
+
+/// The unknowns of a stretch: travel, slip, and displacement and velocity or what their singular laws make of them.
+struct Unknowns<'a, 'p> {
+    stretch: &'a Stretch<'p>,
+    spring: Option<Law>,
+    damper: Option<Law>,
+}
+
+/// A component by its unknown: its value, the value's slope, the law's force, the force's slope.
+type Unfolded = (f64, f64, f64, f64);
+
+fn fold(law: Option<Law>, z: f64) -> f64 {
+    law.map_or(z, |law| z.abs().powf(law.exponent).copysign(z))
+}
+
+fn unfold(law: Law, y: f64) -> Unfolded {
+    let z = y.abs().powf(1.0 / law.exponent).copysign(y);
+    let slope = if y == 0.0 { 0.0 } else { z / (law.exponent * y) };
+    (z, slope, law.coefficient * y, law.coefficient)
+}
+
+impl<'a, 'p> Unknowns<'a, 'p> {
+    fn of(stretch: &'a Stretch<'p>) -> Self {
+        let singular = |law: Law| Some(law).filter(|law| law.is_steep_at_zero());
+        let spring = match &stretch.phase.spring {
+            Spring::Power(law) => singular(*law),
+            Spring::Curve(..) => None,
+        };
+        Self { stretch, spring, damper: singular(stretch.phase.damper) }
+    }
+
+    fn plate(&self, y: f64) -> Unfolded {
+        self.spring.map_or_else(
+            || {
+                let (force, tangent) = self.stretch.spring(y);
+                (y, 1.0, force, tangent)
+            },
+            |law| unfold(law, y),
+        )
+    }
+
+    fn speed(&self, y: f64) -> Unfolded {
+        let damper = self.stretch.phase.damper;
+        self.damper
+            .map_or_else(|| (y, 1.0, damper.force(y), damper.tangent(y)), |law| unfold(law, y))
+    }
+
+    fn fold(&self, y: &[f64; 4]) -> [f64; 4] {
+        [y[0], y[1], fold(self.spring, y[2]), fold(self.damper, y[3])]
+    }
+
+    /// Stages to start Newton's method from where nothing went before: by inertia, but a singular law not beyond where it alone
+    /// holds against the drive.
+    fn by_inertia(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+        let [_, _, x, w] = self.carried(y);
+        NODES.map(|node| {
+            let t = node * h;
+            let q = y[0] + y[1] * t;
+            let (force, _, _) = self.stretch.contact(q, y[1]);
+            let drive = force * self.stretch.phase.faces.cos;
+            let speed = drive / self.stretch.phase.gamma * t;
+            let within = |law: Option<Law>, now: f64, z: f64| {
+                let free = fold(law, z);
+                let held = law.map_or(f64::INFINITY, |law| drive.abs() / law.coefficient);
+                let most = if held > now.abs() { held } else { now.abs() };
+                if free.abs() > most { most.copysign(free) } else { free }
+            };
+            let plate = within(self.spring, y[2], x + (w + 0.5 * speed) * t);
+            [q, y[1], plate, within(self.damper, y[3], w + speed)]
+        })
+    }
+}
+
+impl ImplicitSystem<4> for Unknowns<'_, '_> {
+    fn carried(&self, y: &[f64; 4]) -> [f64; 4] {
+        [y[0], y[1], self.plate(y[2]).0, self.speed(y[3]).0]
+    }
+
+    fn carried_slope(&self, y: &[f64; 4]) -> [f64; 4] {
+        [1.0, 1.0, self.plate(y[2]).1, self.speed(y[3]).1]
+    }
+
+    fn rate(&self, y: &[f64; 4]) -> [f64; 4] {
+        let phase = self.stretch.phase;
+        let (f, _, _) = self.stretch.contact(y[0], y[1]);
+        if self.stretch.is_still() {
+            return [y[1], -f, 0.0, 0.0];
+        }
+        let ((x, _, spring, _), (w, _, damper, _)) = (self.plate(y[2]), self.speed(y[3]));
+        let [stiffness, damping, stop_x] = self.stretch.pressed();
+        let held = spring + damper + (stiffness * (x - stop_x) + damping * w);
+        let plate = (f * phase.faces.cos - held) / phase.gamma;
+        [y[1], -f - phase.faces.cos * plate, w, plate]
+    }
+
+    fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
+        let phase = self.stretch.phase;
+        let (_, by_q, by_u) = self.stretch.contact(y[0], y[1]);
+        if self.stretch.is_still() {
+            return [[0.0, 1.0, 0.0, 0.0], [-by_q, -by_u, 0.0, 0.0], [0.0; 4], [0.0; 4]];
+        }
+        let ((_, x_slope, _, spring), (_, w_slope, _, damper)) =
+            (self.plate(y[2]), self.speed(y[3]));
+        let [stiffness, damping, _] = self.stretch.pressed();
+        let cos = phase.faces.cos;
+        let held = [0.0, 0.0, spring + stiffness * x_slope, damper + damping * w_slope];
+        let push = [by_q * cos, by_u * cos, 0.0, 0.0];
+        let plate: [f64; 4] = std::array::from_fn(|i| (push[i] - held[i]) / phase.gamma);
+        let contact = [by_q, by_u, 0.0, 0.0];
+        let slip = std::array::from_fn(|i| -contact[i] - cos * plate[i]);
+        [[0.0, 1.0, 0.0, 0.0], slip, [0.0, 0.0, 0.0, w_slope], plate]
+    }
+
+    fn scale(&self) -> [f64; 4] {
+        [1.0; 4]
+    }
+}
+
+/// A step from `y`, from the best guess that leads anywhere.
+fn advance(
+    system: &Unknowns<'_, '_>,
+    y: &[f64; 4],
+    h: f64,
+    last: Option<&(f64, [f64; 4], Step<4>)>,
+    count: &mut Count,
+) -> Option<Step<4>> {
+    let ahead = last.map(|(length, from, solved)| {
+        NODES.map(|node| interpolate(from, solved, 1.0 + node * h / length))
+    });
+    let guesses = [ahead, Some(system.by_inertia(y, h)), Some([*y; 3])];
+    guesses.into_iter().flatten().find_map(|guess| {
+        let solved = step::<4, 12>(system, y, h, guess);
+        let iterations = solved.as_ref().map_or(1, |solved| solved.iterations);
+        count.evaluations += 1 + NODES.len() * iterations;
+        solved.filter(|solved| solved.stages.iter().flatten().all(|value| value.is_finite()))
+    })
+}
+
+/// Integrate from `start` until a boundary or a limit. Local errors are kept below `tolerance` of the unit of each component.
+pub(super) fn integrate(
+    stretch: &Stretch<'_>,
+    start: Start<4>,
+    tolerance: f64,
+    limits: Limits,
+    count: &mut Count,
+) -> Reached<4> {
+    let system = Unknowns::of(stretch);
+    let (mut t, mut y) = (start.t, system.fold(&start.y));
+    let mut here = start.y;
+    let mut h = start.step.unwrap_or(FIRST);
+    let mut last = None;
+    loop {
+        let ended = |stop: Stop| Reached { t, y: here, stop, step: h };
+        if count.steps + count.rejected >= limits.steps {
+            return ended(Stop::StepBudget);
+        }
+        if t >= limits.until {
+            return ended(Stop::Until);
+        }
+        if t + h <= t || !h.is_finite() {
+            return ended(Stop::StepUnderflow);
+        }
+        let Some(solved) = advance(&system, &y, h, last.as_ref(), count) else {
+            count.rejected += 1;
+            h *= SHORTER;
+            continue;
+        };
+        let factor = step_factor(solved.error, tolerance);
+        if solved.error > tolerance {
+            count.rejected += 1;
+            h *= factor;
+            continue;
+        }
+        count.steps += 1;
+        if let Some((index, until)) = crossed(&system, &y, &here, &solved) {
+            let boundary = stretch.ends()[index];
+            let mut reached = (1.0, y);
+            let mut at = |s: f64| {
+                let short = if s > 0.0 { advance(&system, &y, s * h, None, count) } else { None };
+                let end = short.map_or_else(
+                    || if s > 0.0 { interpolate(&y, &solved, s) } else { y },
+                    |short| short.stages[2],
+                );
+                reached = (s, end);
+                boundary.at(&system.carried(&end))
+            };
+            let s = in_bracket(0.0, until, &mut at);
+            at(s);
+            let (s, end) = reached;
+            let y = system.carried(&end);
+            return Reached { t: t + s * h, y, stop: Stop::Boundary(index), step: h };
+        }
+        t += h;
+        here = system.carried(&solved.stages[2]);
+        let next = solved.stages[2];
+        last = Some((h, y, solved));
+        (y, h) = (next, h * factor);
+    }
+}
+
+/// The boundary that a step crosses first, and a fraction of the step that lies beyond it.
+fn crossed(
+    system: &Unknowns<'_, '_>,
+    y: &[f64; 4],
+    here: &[f64; 4],
+    solved: &Step<4>,
+) -> Option<(usize, f64)> {
+    let boundaries = system.stretch.ends();
+    let armed: Vec<usize> =
+        (0..boundaries.len()).filter(|index| is_armed(&boundaries[*index], here)).collect();
+    for look in 1..=LOOKS {
+        let s = look as f64 / LOOKS as f64;
+        let state = |s: f64| {
+            let end = if look == LOOKS { solved.stages[2] } else { interpolate(y, solved, s) };
+            system.carried(&end)
+        };
+        let there = state(s);
+        let beyond = armed.iter().filter(|index| boundaries[**index].at(&there) <= 0.0);
+        // Of several the one that is farthest past its plane, for the way it had to go, was crossed first.
+        let first = beyond.min_by(|a, b| {
+            let share = |index: usize| {
+                let (from, to) = (boundaries[index].at(here), boundaries[index].at(&there));
+                from / (from - to)
+            };
+            share(**a).total_cmp(&share(**b))
+        });
+        if let Some(index) = first {
+            return Some((*index, s));
+        }
+    }
+    None
+}
+
+/// On its positive side, by more than the rounding of one just landed on.
+fn is_armed(boundary: &Boundary<4>, y: &[f64; 4]) -> bool {
+    let size: f64 = boundary.slope.iter().zip(y).map(|(slope, y)| (slope * y).abs()).sum();
+    boundary.at(y) > 4.0 * f64::EPSILON * (boundary.offset.abs() + size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{STORED, errors, scene};
+    use super::super::{Ending, Phase, Refusal, Scheme};
+
+    /// The stiffest stored scene, which no explicit method follows.
+    const STIFFEST: (&str, (f64, f64)) =
+        ("k=1e6 n=0.1", (0.000_185_011_646_060_482_2, 0.007_113_054_853_423_405));
+
+    #[test]
+    fn valid_every_stored_scene_with_the_stiffest() {
+        for (pairs, exact) in STORED.into_iter().chain([STIFFEST]) {
+            let (time, depth) = errors(pairs, exact, Scheme::Radau { tolerance: 1e-11 });
+            assert!(time < 2e-9 && depth < 2e-9, "{pairs}: {time:e} {depth:e}");
+        }
+        let thin = Phase::of(&scene("h=0.003 v_i=400 k=1e5"));
+        let answer = thin.solve(Scheme::Radau { tolerance: 1e-11 }, 100_000).unwrap();
+        assert_eq!(answer.ending, Ending::Perforation);
+        assert!((answer.t_s / 0.000_058_297_967_935_076_06 - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_order_is_five_in_the_steps() {
+        let (pairs, (t_s, _)) = STORED[5];
+        let solve = |tolerance| {
+            let answer = Phase::of(&scene(pairs)).solve(Scheme::Radau { tolerance }, 100_000);
+            let answer = answer.unwrap();
+            (answer.steps as f64, (answer.t_s / t_s - 1.0).abs())
+        };
+        let (coarse, fine) = (solve(1e-7), solve(1e-11));
+        let order = (coarse.1 / fine.1).ln() / (fine.0 / coarse.0).ln();
+        assert!((4.0..6.5).contains(&order), "{order}");
+    }
+
+    #[test]
+    fn steps_do_not_grow_with_stiffness() {
+        let steps = |pairs: &str| {
+            let solved = Phase::of(&scene(pairs)).solve(Scheme::Radau { tolerance: 1e-9 }, 100_000);
+            solved.unwrap().steps
+        };
+        let (stiff, stiffer) = (steps("b=1e6"), steps("b=1e10 gamma=1e-4"));
+        assert!(stiffer < 2 * stiff, "{stiff} {stiffer}");
+    }
+
+    #[test]
+    fn a_budget_is_kept() {
+        let phase = Phase::of(&scene("k=1e9"));
+        assert_eq!(phase.solve(Scheme::Radau { tolerance: 1e-12 }, 50), Err(Refusal::StepBudget));
+    }
+}

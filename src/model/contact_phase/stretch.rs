@@ -1,0 +1,346 @@
+//! One stretch of the contact phase: the equations between two boundaries, and what follows a boundary.
+//!
+//! A stretch ends where a formula changes (a joint of the area law, a knot of the spring, the zero of a power law), at the stop, and at
+//! arrest. A plate at rest on a rigid stop is held there as long as the contact presses it against the stop. Knows no method.
+
+use super::{Ending, Phase, Refusal};
+use crate::model::scene::{Stop as StopOfScene, StopKind};
+use crate::numerics::explicit::{Boundary, Reached, Stop, System};
+use crate::numerics::smaller;
+
+/// What a boundary of this index means.
+const ARREST: usize = 0;
+const JOINT: usize = 1;
+const STOP: usize = 2;
+const PLATE_ZERO: usize = 3;
+const SPEED_ZERO: usize = 4;
+const KNOT_BELOW: usize = 5;
+const KNOT_ABOVE: usize = 6;
+
+/// A boundary that is never met.
+const NEVER: Boundary<4> = Boundary { offset: 1.0, slope: [0.0; 4] };
+
+/// A rebound slower than this part of the impact velocity comes to rest on the stop.
+const REBOUND_MIN: f64 = 1e-9;
+/// So does one whose height drowns in the rounding of the displacement.
+const UNSEEN: f64 = 16.0 * f64::EPSILON;
+
+/// A stop in scaled units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wall {
+    x: f64,
+    law: WallLaw,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum WallLaw {
+    Rigid { restitution: f64 },
+    Elastic { stiffness: f64, damping: f64 },
+}
+
+impl Wall {
+    /// The stop of a scene whose units of length, velocity and force are given; nothing without one.
+    pub(super) fn of(stop: &StopOfScene, r: f64, v: f64, unit_n: f64) -> Option<Self> {
+        let law = match stop.kind {
+            StopKind::Rigid => WallLaw::Rigid { restitution: stop.restitution },
+            StopKind::Elastic => WallLaw::Elastic {
+                stiffness: stop.stiffness_n_m * r / unit_n,
+                damping: stop.damping_n_s_m * v / unit_n,
+            },
+        };
+        stop.position_m.map(|x| Self { x: x / r, law })
+    }
+}
+
+/// What the plate has behind it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Behind {
+    /// Nothing.
+    Room,
+    /// A rigid stop it rests on, with this engaged area at the beginning of the stretch.
+    Held(f64),
+    /// An elastic stop, with this stiffness and damping, at this place.
+    Elastic([f64; 3]),
+}
+
+/// The equations on one stretch between boundaries.
+pub(super) struct Stretch<'a> {
+    pub(super) phase: &'a Phase,
+    /// Whether events are located, and formulas kept to up to them.
+    located: bool,
+    /// The piece of the area law to stay on, or to look up each time.
+    pub(super) piece: Option<usize>,
+    /// The stretch of the spring's curve to stay on, or to look up each time.
+    region: Option<usize>,
+    behind: Behind,
+    boundaries: [Boundary<4>; 7],
+}
+
+impl<'a> Stretch<'a> {
+    pub(super) fn first(phase: &'a Phase, located: bool) -> Self {
+        let region = phase.spring.region(phase.start_x).filter(|_| located && !phase.rigid);
+        let piece = located.then_some(0);
+        let behind = Behind::Room;
+        let mut stretch = Self { phase, located, piece, region, behind, boundaries: [NEVER; 7] };
+        stretch.watch_knots();
+        stretch.boundaries[ARREST] = plane(0.0, 1, 1.0);
+        stretch.watch_joint();
+        stretch.watch_stop();
+        if let Some(wall) = phase.wall.filter(|wall| phase.start_x >= wall.x) {
+            stretch.lean_on(wall, 0.0);
+        }
+        if located && !phase.rigid {
+            let side = if phase.start_x < 0.0 { -1.0 } else { 1.0 };
+            if phase.spring.has_kink() {
+                stretch.boundaries[PLATE_ZERO] = plane(0.0, 2, side);
+            }
+            stretch.watch_speed(1.0);
+        }
+        stretch
+    }
+
+    fn watch_knots(&mut self) {
+        let Some(region) = self.region else { return };
+        let (low, high) = self.phase.spring.ends(region);
+        self.boundaries[KNOT_BELOW] = if low.is_finite() { plane(-low, 2, 1.0) } else { NEVER };
+        self.boundaries[KNOT_ABOVE] = if high.is_finite() { plane(high, 2, -1.0) } else { NEVER };
+    }
+
+    fn watch_joint(&mut self) {
+        let faces = &self.phase.faces;
+        let end = self.piece.map_or_else(|| faces.exit(), |piece| faces.piece_end(piece));
+        self.boundaries[JOINT] = plane(end, 0, -1.0);
+    }
+
+    /// The stop ahead of a plate that has room.
+    fn watch_stop(&mut self) {
+        self.boundaries[STOP] = self.phase.wall.map_or(NEVER, |wall| plane(wall.x, 2, -1.0));
+    }
+
+    fn watch_speed(&mut self, way: f64) {
+        if self.located && self.phase.damper.has_kink() {
+            self.boundaries[SPEED_ZERO] = plane(0.0, 3, 1f64.copysign(way));
+        }
+    }
+
+    /// A plate that has left its stop: one that returns within a single step would not be seen but for its turn.
+    fn watch_turn(&mut self) {
+        self.boundaries[SPEED_ZERO] = plane(0.0, 3, -1.0);
+    }
+
+    /// The plate rests on a rigid stop, or presses on an elastic one, from a travel on.
+    fn lean_on(&mut self, wall: Wall, q: f64) {
+        (self.behind, self.boundaries[STOP]) = match wall.law {
+            WallLaw::Rigid { .. } => (Behind::Held(self.phase.faces.area(q, self.piece)), NEVER),
+            WallLaw::Elastic { stiffness, damping } => {
+                // It is left where its force has come down to zero.
+                let slope = [0.0, 0.0, stiffness, damping];
+                let force = Boundary { offset: -stiffness * wall.x, slope };
+                (Behind::Elastic([stiffness, damping, wall.x]), force)
+            }
+        };
+    }
+
+    /// What follows the end of a stretch: an ending, or (nothing) the next stretch from what was reached.
+    pub(super) fn follow(&mut self, reached: &mut Reached<4>) -> Result<Option<Ending>, Refusal> {
+        self.must_have_been_held(&reached.y)?;
+        match reached.stop {
+            Stop::Boundary(ARREST) => return Ok(Some(Ending::Arrest)),
+            Stop::Boundary(JOINT) => {
+                let next = self.piece.map(|piece| piece + 1);
+                match next.filter(|next| *next < self.phase.faces.pieces()) {
+                    None => return Ok(Some(Ending::Perforation)),
+                    next => self.piece = next,
+                }
+                self.watch_joint();
+                if let Behind::Held(area) = &mut self.behind {
+                    *area = self.phase.faces.area(reached.y[0], self.piece);
+                }
+            }
+            Stop::Boundary(STOP) => self.meet_or_leave_stop(reached),
+            Stop::Boundary(PLATE_ZERO) => {
+                self.boundaries[PLATE_ZERO].slope[2] = 1f64.copysign(reached.y[3]);
+            }
+            Stop::Boundary(SPEED_ZERO) => {
+                let ahead = self.rate(reached.t, &reached.y)[3];
+                self.boundaries[SPEED_ZERO] = NEVER;
+                self.watch_speed(ahead);
+            }
+            Stop::Boundary(KNOT_ABOVE) => {
+                self.region = self.region.map(|region| region + 1);
+                self.watch_knots();
+            }
+            Stop::Boundary(KNOT_BELOW) => {
+                self.region = self.region.map(|region| region.saturating_sub(1));
+                self.watch_knots();
+            }
+            Stop::Boundary(_) | Stop::Until => return Err(Refusal::NoEnd),
+            Stop::StepBudget => return Err(Refusal::StepBudget),
+            Stop::StepUnderflow => return Err(Refusal::StepUnderflow),
+            Stop::NonFinite => return Err(Refusal::NonFinite),
+        }
+        // An arrest within rounding of another boundary would not be seen again.
+        Ok((reached.y[1] <= 0.0).then_some(Ending::Arrest))
+    }
+
+    fn meet_or_leave_stop(&mut self, reached: &mut Reached<4>) {
+        let Some(wall) = self.phase.wall else { return };
+        if self.behind != Behind::Room {
+            self.behind = Behind::Room;
+            self.watch_stop();
+            self.watch_turn();
+            return;
+        }
+        if let WallLaw::Rigid { restitution } = wall.law {
+            reached.y[2] = wall.x;
+            let before = reached.y[3];
+            let push = self.rate(reached.t, &[reached.y[0], reached.y[1], wall.x, 0.0])[3];
+            let mut after = -restitution * before;
+            let height = 0.5 * after * after / push;
+            if after.abs() <= REBOUND_MIN || (push > 0.0 && height <= UNSEEN * (1.0 + wall.x.abs()))
+            {
+                after = 0.0;
+            }
+            // The stop takes the plate's velocity, not the projectile's.
+            reached.y[3] = after;
+            reached.y[1] += (before - after) * self.phase.faces.cos;
+            if after < 0.0 || push < 0.0 {
+                self.watch_turn();
+                return;
+            }
+        }
+        self.lean_on(wall, reached.y[0]);
+    }
+
+    /// That the contact has pressed a resting plate against its stop all along: within a piece the area is least at one of its ends,
+    /// and the slip at the last.
+    fn must_have_been_held(&self, y: &[f64; 4]) -> Result<(), Refusal> {
+        let Behind::Held(from) = self.behind else { return Ok(()) };
+        let phase = self.phase;
+        let area = smaller(from, phase.faces.area(y[0], self.piece));
+        let least = area * (phase.sigma + phase.kappa * y[1] * y[1]) * phase.faces.cos;
+        let is_held = least >= phase.spring.force(y[2], self.region);
+        if is_held { Ok(()) } else { Err(Refusal::LeavesStop) }
+    }
+
+    /// The contact force and its derivatives by travel and slip.
+    pub(super) fn contact(&self, q: f64, u: f64) -> (f64, f64, f64) {
+        /// For a difference that is exact up to rounding: areas are of the second degree, but for oblique sections.
+        const APART: f64 = 1e-5;
+        let phase = self.phase;
+        let area = phase.faces.area(q, self.piece);
+        let slope = (phase.faces.area(q + APART, self.piece)
+            - phase.faces.area(q - APART, self.piece))
+            / (2.0 * APART);
+        let pressure = phase.sigma + phase.kappa * u * u;
+        (area * pressure, slope * pressure, 2.0 * area * phase.kappa * u)
+    }
+
+    /// The spring's force and tangent.
+    pub(super) fn spring(&self, x: f64) -> (f64, f64) {
+        (self.phase.spring.force(x, self.region), self.phase.spring.tangent(x, self.region))
+    }
+
+    /// Stiffness, damping and place of an elastic stop that is pressed; zeros without.
+    pub(super) fn pressed(&self) -> [f64; 3] {
+        match self.behind {
+            Behind::Elastic(stop) => stop,
+            Behind::Room | Behind::Held(_) => [0.0; 3],
+        }
+    }
+
+    /// Whether the plate cannot move.
+    pub(super) fn is_still(&self) -> bool {
+        self.phase.rigid || matches!(self.behind, Behind::Held(_))
+    }
+
+    /// Where it ends.
+    pub(super) fn ends(&self) -> &[Boundary<4>; 7] {
+        &self.boundaries
+    }
+}
+
+impl System<4> for Stretch<'_> {
+    fn rate(&mut self, _: f64, y: &[f64; 4]) -> [f64; 4] {
+        let (phase, [q, u, x, w]) = (self.phase, *y);
+        let area = phase.faces.area(q, self.piece);
+        let f = area * (phase.sigma + phase.kappa * u * u);
+        if self.is_still() {
+            return [u, -f, 0.0, 0.0];
+        }
+        let cos = phase.faces.cos;
+        let [stiffness, damping, stop_x] = self.pressed();
+        let held = phase.spring.force(x, self.region)
+            + phase.damper.force(w)
+            + (stiffness * (x - stop_x) + damping * w);
+        let plate = (f * cos - held) / phase.gamma;
+        [u, -f - cos * plate, w, plate]
+    }
+
+    fn boundaries(&self) -> &[Boundary<4>] {
+        &self.boundaries
+    }
+}
+
+fn plane(offset: f64, component: usize, weight: f64) -> Boundary<4> {
+    let mut slope = [0.0; 4];
+    slope[component] = weight;
+    Boundary { offset, slope }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::scene;
+    use super::super::{Answer, Phase, Scheme, exact};
+    use super::*;
+
+    const SCHEMES: [Scheme; 2] =
+        [Scheme::Dop853 { tolerance: 1e-12 }, Scheme::Radau { tolerance: 1e-11 }];
+
+    fn solve(pairs: &str, scheme: Scheme) -> Result<Answer, Refusal> {
+        Phase::of(&scene(pairs)).solve(scheme, 100_000)
+    }
+
+    #[test]
+    fn valid_a_stop_without_gap_is_a_rigid_mount() {
+        let mut rigid = scene("");
+        rigid.plate.mount = crate::model::scene::Mount::Rigid;
+        let closed = exact::solve(&rigid).unwrap();
+        for scheme in SCHEMES {
+            for pairs in ["k=1e5 x_stop=0", "x_stop=0 e=1"] {
+                let held = solve(pairs, scheme).unwrap();
+                assert!((held.depth_m / closed.depth_m - 1.0).abs() < 1e-9, "{pairs} {scheme:?}");
+                assert!((held.t_s / closed.t_s - 1.0).abs() < 1e-9, "{pairs} {scheme:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn valid_an_elastic_stop_tends_to_a_rigid_one_that_gives_all_speed_back() {
+        let rigid = solve("k=1e5 x_stop=0.001 e=1", SCHEMES[0]).unwrap();
+        let away = |stiffness: &str| {
+            let pairs = format!("k=1e5 x_stop=0.001 stop_kind=elastic k_stop={stiffness}");
+            let elastic = solve(&pairs, SCHEMES[0]).unwrap();
+            (elastic.depth_m / rigid.depth_m - 1.0).abs()
+        };
+        let (soft, hard) = (away("1e10"), away("1e14"));
+        assert!(hard < 0.05 * soft && hard < 1e-3, "{soft:e} {hard:e}");
+    }
+
+    #[test]
+    fn both_schemes_agree_on_every_kind_of_stop() {
+        for pairs in [
+            "k=1e5 x_stop=0.001",
+            "k=1e5 x_stop=0.001 e=0.5",
+            "k=1e5 x_stop=0.001 theta=30deg",
+            "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e9 b_stop=1e3",
+            "d=0.01 k=1e6 x_stop=-0.01 e=0.3",
+        ] {
+            let [explicit, implicit] = SCHEMES.map(|scheme| solve(pairs, scheme).unwrap());
+            assert_eq!(explicit.ending, implicit.ending, "{pairs}");
+            let depth = (explicit.depth_m / implicit.depth_m - 1.0).abs();
+            let time = (explicit.t_s / implicit.t_s - 1.0).abs();
+            assert!(depth < 1e-8 && time < 1e-8, "{pairs}: {depth:e} {time:e}");
+        }
+    }
+}

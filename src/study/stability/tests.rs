@@ -1,0 +1,23 @@
+//! What the rows of the battery are measured against.
+
+use super::*;
+
+#[test]
+fn a_row_is_judged_by_other_code_unless_what_follows_the_contact_decides() {
+    // Other methods are looked at elsewhere: here their time is up at once.
+    let clock = Clock { now_s: &|| 0.0, until_s: -1.0, stopped: &|| false };
+    let mut by_the_engine = Vec::new();
+    for case in cases::CASES {
+        let row = examine(case, clock).unwrap().unwrap();
+        assert!(row.others.iter().all(|verdict| *verdict == Verdict::CutOff));
+        match row.basis {
+            Basis::Stored | Basis::Dop853 | Basis::Radau => {}
+            Basis::Tighter => by_the_engine.push(case.name),
+            Basis::None => assert_eq!(row.run.outcome, Outcome::Moving, "{}", case.name),
+        }
+        assert!(row.stiffness.largest().is_finite(), "{}", case.name);
+    }
+    // And one whose plate swings through singular zeros of both laws, where Radau's answers differ.
+    let known = ["d 0.5, k 1e5, plastic", "gamma 0.8, plastic", "n 0.19, m 0.22, light"];
+    assert_eq!(by_the_engine, known);
+}
