@@ -73,6 +73,7 @@ pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
 /// Run one scene.
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if let Some(what) = arguments.compare {
+        arguments.table.check()?;
         let (page, rows) = compare::compute(&arguments.scene.load()?, what)?;
         return arguments.table.deliver(&page, &rows).map(|()| ExitCode::SUCCESS);
     }

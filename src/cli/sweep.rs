@@ -57,10 +57,10 @@ pub(super) struct SweepArguments {
     #[arg(long, value_enum, default_value = "factorial")]
     design: DesignWord,
     /// Points of --design lhs or sobol [default: as many as the full grid]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     points: Option<u64>,
     /// Chooses one of the many such designs [default: 0]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Results to compute, separated by commas; `all` for every key
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
@@ -69,8 +69,8 @@ pub(super) struct SweepArguments {
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: String,
     /// Threads [default: one a core]
-    #[arg(long, value_name = "N")]
-    threads: Option<std::num::NonZeroUsize>,
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -101,7 +101,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     }
     let mut crew = Crew::of_machine();
     if let Some(threads) = arguments.threads {
-        crew.threads = threads.get();
+        crew.threads = usize::from(threads);
     }
     let stop = interruptible();
     let job = Job { plan: &plan, shard, crew, stop: &stop, preset: &preset };

@@ -49,6 +49,14 @@ impl TableArguments {
         if self.force { Existing::Replace } else { Existing::Keep }
     }
 
+    /// Whether the table can be written where it is to go: asked before a long computation, not after it.
+    pub(super) fn check(&self) -> Result<(), CliError> {
+        match self.target() {
+            Target::None | Target::Stdout => Ok(()),
+            Target::File(path) => atomic::check(path, self.existing()).map_err(exists),
+        }
+    }
+
     /// Print the page or the rows, and write the file.
     pub(super) fn deliver(&self, page: &str, rows: &Rows) -> Result<(), CliError> {
         self.deliver_text(|| page.to_owned(), || rows.json(), || rows.csv())
@@ -71,15 +79,17 @@ impl TableArguments {
         object: impl FnOnce() -> String,
         table: impl FnOnce() -> Result<String, FileError>,
     ) -> Result<(), CliError> {
-        match self.target() {
-            Target::None => {}
+        let written = match self.target() {
+            Target::None => Ok(()),
             Target::Stdout => return output::print(&table()?),
             Target::File(path) => {
-                atomic::write(path, table()?.as_bytes(), self.existing()).map_err(exists)?;
-                output::note(&format!("wrote {}", path.display()));
+                let written = atomic::write(path, table()?.as_bytes(), self.existing());
+                written.map(|()| output::note(&format!("wrote {}", path.display())))
             }
-        }
-        output::print(&if self.json { object() } else { page() })
+        };
+        // A file that cannot be written must not cost what was computed.
+        output::print(&if self.json { object() } else { page() })?;
+        written.map_err(exists)
     }
 }
 

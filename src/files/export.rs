@@ -6,6 +6,7 @@
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use crate::files::atomic::{self, Existing};
@@ -82,11 +83,10 @@ pub fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
         return refuse("it ends like a scene file; name a CSV file, for example run.csv");
     }
-    let Ok(text) = fs::read(sidecar) else {
-        return Ok(());
-    };
-    if text.starts_with(MARK.as_bytes()) {
-        return Ok(());
+    match fs::metadata(sidecar) {
+        Err(_) => return Ok(()),
+        Ok(found) if found.is_file() && begins_with_mark(sidecar) => return Ok(()),
+        Ok(_) => {}
     }
     Err(FileError::Target {
         path: csv.to_owned(),
@@ -95,6 +95,13 @@ pub fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
             sidecar.display()
         ),
     })
+}
+
+/// No more of the file is read: it may be anything, of any size.
+fn begins_with_mark(path: &Path) -> bool {
+    let mut start = [0; MARK.len()];
+    fs::File::open(path).and_then(|mut file| file.read_exact(&mut start)).is_ok()
+        && start == *MARK.as_bytes()
 }
 
 /// The scene of a sweep as a file that makes it again; `again` is the command line for that.
