@@ -8,7 +8,7 @@ use std::thread;
 
 use crossterm::event::{self, Event, KeyEventKind, MouseButton, MouseEvent, MouseEventKind};
 
-use super::Incoming;
+use super::{Incoming, terminal};
 use crate::tui::message::Message;
 
 /// Start the thread. It says [`Incoming::InputLost`] when it ends, whatever the reason.
@@ -55,7 +55,10 @@ fn incoming_of(event: Event) -> Option<Incoming> {
         Event::Key(key) if key.kind == KeyEventKind::Release => return None,
         Event::Key(key) => Message::Key(key),
         Event::Paste(text) => Message::Paste(text),
-        Event::Resize(columns, rows) => Message::Resize(columns, rows),
+        Event::Resize(columns, rows) => {
+            let (columns, rows) = terminal::usable(columns, rows);
+            Message::Resize(columns, rows)
+        }
         Event::Mouse(mouse) => return pointing(mouse),
         Event::FocusGained | Event::FocusLost => return None,
     }))

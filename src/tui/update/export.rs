@@ -133,19 +133,7 @@ fn all_or_none(state: &mut Export) {
 
 /// `NAME.csv` becomes `NAME-2.csv`, and that `NAME-3.csv`.
 fn rename(state: &mut Export) {
-    let text = state.path.value();
-    let (stem, ending) = match text.rsplit_once('.') {
-        Some((stem, ending)) if !ending.contains('/') => (stem, format!(".{ending}")),
-        _ => (text, String::new()),
-    };
-    let next = match stem.rsplit_once('-') {
-        Some((front, number)) => match number.parse::<u32>() {
-            Ok(number) => format!("{front}-{}{ending}", number.saturating_add(1)),
-            Err(_) => format!("{stem}-2{ending}"),
-        },
-        None => format!("{stem}-2{ending}"),
-    };
-    state.path = Input::new(next);
+    state.path = Input::new(path::next_name(state.path.value()));
     state.row = ExportRow::Path;
     state.question = false;
 }

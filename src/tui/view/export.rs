@@ -6,7 +6,7 @@ use tui_input::Input;
 
 use super::Cursor;
 use super::popup::frame;
-use super::text::{Rows, first_row, put};
+use super::text::{Rows, first_row, put, window};
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Export, ExportRow, What};
 use crate::tui::app::status::{clip, wrap};
@@ -92,12 +92,9 @@ fn one(
         put(buffer, list, (column, at), &text, style);
         return;
     };
-    let room = usize::from(list.width.saturating_sub(column + 1));
-    let scroll = input.visual_scroll(room);
-    let shown: String = input.value().chars().skip(scroll).take(room).collect();
+    let (shown, place) = window(input, list.width.saturating_sub(column + 1));
     put(buffer, list, (column, at), &shown, app.theme.style(Role::Text));
     if here {
-        let place = u16::try_from(input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
         *cursor = Some((list.x + column + place, list.y + at));
     }
 }
