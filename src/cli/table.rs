@@ -3,12 +3,13 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use crate::cli::{CliError, output};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::rows::Rows;
+use crate::files::style::Style;
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Args)]
@@ -22,6 +23,20 @@ pub(super) struct TableArguments {
     /// Replace what exists
     #[arg(long, requires = "csv")]
     force: bool,
+    /// How the table is spelt
+    #[arg(long, value_enum, default_value = "plain", value_name = "STYLE", requires = "csv")]
+    csv_style: StyleWord,
+}
+
+/// The styles of a table, by the words of the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum StyleWord {
+    /// Commas between values, points in numbers, LF
+    Plain,
+    /// The same with CRLF at the end of lines
+    Crlf,
+    /// Semicolons, decimal commas, CRLF and a mark of UTF-8: for Excel where the comma is the decimal sign, and nothing else
+    ExcelEu,
 }
 
 /// Where a table is to go.
@@ -47,6 +62,15 @@ impl TableArguments {
     /// What may happen to a file that is there already.
     pub(super) fn existing(&self) -> Existing {
         if self.force { Existing::Replace } else { Existing::Keep }
+    }
+
+    /// How the table is to be spelt.
+    pub(super) fn style(&self) -> Style {
+        match self.csv_style {
+            StyleWord::Plain => Style::Plain,
+            StyleWord::Crlf => Style::Crlf,
+            StyleWord::ExcelEu => Style::ExcelEu,
+        }
     }
 
     /// Whether the table can be written where it is to go: asked before a long computation, not after it.
@@ -79,6 +103,7 @@ impl TableArguments {
         object: impl FnOnce() -> String,
         table: impl FnOnce() -> Result<String, FileError>,
     ) -> Result<(), CliError> {
+        let table = || self.style().file("", &table()?);
         let written = match self.target() {
             Target::None => Ok(()),
             Target::Stdout => return output::print(&table()?),

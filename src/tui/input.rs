@@ -2,6 +2,10 @@
 //!
 //! crossterm's reading never returns once the terminal is gone (crossterm issue 793: it retries for ever), so it has a thread
 //! of its own that nobody waits for: the loop notices a hang-up by itself, and leaving the process ends this thread.
+//!
+//! It waits by crossterm's feature `use-dev-tty`. Without it crossterm is woken by what is new only, takes a kilobyte at a time,
+//! and waits again with the rest unread: a long text that comes as keys (a paste in a terminal without bracketed paste) would
+//! fill the line, and no further key could ever get through.
 
 use std::sync::mpsc::Sender;
 use std::thread;

@@ -216,3 +216,50 @@ fn a_pipe_among_the_presets_is_not_waited_for() {
     let (_, error) = says("run", &["--csv", csv.to_str().unwrap()], 2);
     assert!(error.contains("out.toml`, which is there"), "{error}");
 }
+
+/// A sweep that is cut off keeps its rows and leaves nothing else behind; one that was told to outlive its terminal does.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_long_sweep_that_is_cut_off_keeps_what_it_has() {
+    use rustix::process::{Pid, Signal, kill_process};
+    for (signal, ignored) in
+        [(Signal::HUP, false), (Signal::INT, false), (Signal::TERM, false), (Signal::HUP, true)]
+    {
+        let place = tempfile::tempdir().unwrap();
+        let program = env!("CARGO_BIN_EXE_cmra");
+        let words = "sweep --over gamma=1..2:1000000000 --threads 2 --csv a.csv";
+        let trap = if ignored { "trap '' HUP;" } else { "" };
+        let mut child = std::process::Command::new("sh")
+            .args(["-c", &format!("{trap} exec '{program}' {words}")])
+            .current_dir(place.path())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        // It has begun when its rows go into a file beside the one that is wanted.
+        let names = || -> Vec<String> {
+            let found = fs::read_dir(place.path()).unwrap();
+            found.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
+        };
+        let is_long = |name: &String| {
+            fs::metadata(place.path().join(name)).is_ok_and(|found| found.len() > 10_000)
+        };
+        let deadline = std::time::Instant::now() + crate::pty::PATIENCE;
+        while !names().iter().any(is_long) {
+            assert!(std::time::Instant::now() < deadline, "nothing is written");
+            std::thread::yield_now();
+        }
+        let process = Pid::from_raw(child.id().try_into().unwrap()).unwrap();
+        kill_process(process, signal).unwrap();
+        if ignored {
+            std::thread::yield_now();
+            assert!(child.try_wait().unwrap().is_none(), "it was to go on");
+            kill_process(process, Signal::TERM).unwrap();
+        }
+        assert_eq!(child.wait().unwrap().code(), Some(1), "{signal:?}");
+        let mut names = names();
+        names.sort();
+        assert_eq!(names, ["a.csv", "a.toml"]);
+        let rows = fs::read_to_string(place.path().join("a.csv")).unwrap();
+        assert!(rows.lines().count() > 10 && rows.ends_with('\n'));
+    }
+}

@@ -169,3 +169,22 @@ fn leaving_takes_no_time_whatever_is_being_computed() {
         terminal.assert_restored();
     }
 }
+
+#[test]
+fn a_book_on_the_keyboard_fills_a_field_and_no_more() {
+    let mut terminal = started(Start::default());
+    terminal.send("jj\r");
+    terminal.settle(QUIET);
+    for _ in 0..20 {
+        terminal.send(&"1".repeat(1000));
+    }
+    terminal.settle(QUIET);
+    let asked = Instant::now();
+    terminal.send("\r");
+    terminal.wait_for("not a finite number");
+    assert!(asked.elapsed() < PROMPT, "{:?}", asked.elapsed());
+    terminal.send("\x1b");
+    terminal.settle(QUIET);
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
+}
