@@ -32,7 +32,7 @@ pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), File
 /// behind.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
     prepare(path, b"", existing).map(drop)
 }
