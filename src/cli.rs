@@ -122,8 +122,16 @@ pub(crate) enum Glyphs {
 /// # Errors
 /// [`CliError`], which knows its exit code; [`report`] prints it.
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
-    let arguments = match Arguments::try_parse_from(arguments) {
+    let written: Vec<OsString> = arguments.collect();
+    let arguments = match Arguments::try_parse_from(&written) {
         Ok(arguments) => arguments,
+        Err(error)
+            if written.iter().any(|word| word.to_string_lossy().contains(char::is_control)) =>
+        {
+            // The parser repeats what was written; a terminal would obey it.
+            output::note(error.render().to_string().trim_end());
+            return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
+        }
         Err(error) => {
             // Help and version go to standard output, errors to standard error; a closed pipe is nobody's concern.
             let _ = error.print();

@@ -21,6 +21,7 @@ pub mod seek;
 pub mod sensitivity;
 pub mod session;
 pub mod stability;
+pub mod style;
 pub mod sweep;
 pub mod thesis;
 pub mod validation;

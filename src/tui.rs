@@ -77,10 +77,10 @@ pub fn run(options: Options) -> Result<u8, TuiError> {
     terminal::hook::install(paths.as_ref().map(|paths| paths.state.clone()));
     let mut shell = Shell::start(options, paths, sender, inbox)?;
     let ending = shell.run();
-    let (summary, lost) = shell.leave(&ending);
-    if let Some(why) = lost {
+    let (summary, said) = shell.leave(&ending);
+    if let Some(text) = said {
         // As below.
-        let _ = writeln!(io::stderr().lock(), "the session was not kept: {why}");
+        let _ = writeln!(io::stderr().lock(), "{text}");
     }
     if let Some(text) = summary {
         // The reader of standard output may be gone; the workbench is over either way.

@@ -2,6 +2,7 @@
 
 mod page;
 
+use std::ffi::OsString;
 use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -20,7 +21,7 @@ use crate::study::accuracy::{Effort, compare};
 pub(super) struct AccuracyArguments {
     /// Presets' names or paths of TOML files [default: thesis-baseline]
     #[arg(value_name = "SCENE")]
-    scenes: Vec<String>,
+    scenes: Vec<OsString>,
     #[arg(
         long,
         value_name = "NAME=VALUE",
@@ -37,7 +38,8 @@ pub(super) struct AccuracyArguments {
 
 /// Compare the methods on each scene; exit status 1 when `auto` gave no answer somewhere.
 pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
-    let baseline = [bundled::BASELINE.to_owned()];
+    arguments.table.check()?;
+    let baseline = [OsString::from(bundled::BASELINE)];
     let names = if arguments.scenes.is_empty() { &baseline[..] } else { &arguments.scenes };
     let effort = if arguments.quick { Effort::QUICK } else { Effort::FULL };
     let mut presets = Vec::new();

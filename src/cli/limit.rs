@@ -28,13 +28,13 @@ pub(super) struct LimitArguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 leaves that out
-    #[arg(long, value_name = "PART", default_value = "0.02", value_parser = part)]
+    #[arg(long, value_name = "PART", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
     scatter: f64,
     /// Samples of scattered inputs
-    #[arg(long, value_name = "COUNT", default_value_t = 200)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 200)]
     samples: usize,
     /// Seed of the scatter: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
     #[command(flatten)]
     table: TableArguments,
@@ -71,6 +71,7 @@ fn part(text: &str) -> Result<f64, String> {
 
 /// Find the limit; that there is none is an answer, too.
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check()?;
     let effort = Effort { scattering: arguments.scattering()? };
     let preset = arguments.scene.load()?;
     let start = Instant::now();

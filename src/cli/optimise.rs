@@ -63,16 +63,16 @@ pub(super) struct OptimiseArguments {
     #[arg(long, value_enum, default_value = "both")]
     laws: Laws,
     /// Designs of a generation, even; the front has as many at the most
-    #[arg(long, value_name = "COUNT", default_value_t = 100)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     population: usize,
     /// Generations after the first
-    #[arg(long, value_name = "COUNT", default_value_t = 100)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     generations: usize,
     /// Seed: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
     /// Threads; the digits do not depend on it [default: one for each core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(flatten)]
     table: TableArguments,
@@ -129,6 +129,7 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
 
 /// Look; exit status 1 when no design keeps every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check()?;
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
     let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();

@@ -30,7 +30,7 @@ enum Action {
 pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
     match &arguments.action {
         None | Some(Action::List) => list(),
-        Some(Action::Show { name }) => output::print(&scene::named(name)?.text),
+        Some(Action::Show { name }) => output::print(&scene::named(name.as_ref())?.text),
     }?;
     Ok(ExitCode::SUCCESS)
 }

@@ -31,6 +31,7 @@ pub(super) struct ReproduceArguments {
 
 /// Check every claim; exit status 1 when a verdict differs from the stored one.
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check()?;
     let (shown, differences) = match &arguments.only {
         None => {
             let report = report(&thesis::claims().collect::<Vec<_>>());

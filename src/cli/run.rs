@@ -6,15 +6,15 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use crate::cli::compare::{self, Compare};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{TableArguments, Target, exists};
 use crate::cli::{CliError, Glyphs, json, output, plain, summary};
 use crate::files::atomic::Existing;
-use crate::files::csv::{self, NamedRun, Rows};
-use crate::files::export::{self, ExportRequest};
+use crate::files::csv::{NamedRun, Rows};
+use crate::files::export::{self, ExportRequest, Meta};
 use crate::files::preset::Preset;
 use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
@@ -39,9 +39,39 @@ pub(super) struct RunArguments {
     plain: bool,
     #[command(flatten)]
     table: TableArguments,
+    /// Where the scene goes that gave a table: into NAME.toml beside it, or into # lines at its head
+    #[arg(long, value_enum, default_value = "beside", value_name = "WHERE", requires = "csv")]
+    meta: MetaWord,
     /// The characters charts are drawn with
     #[arg(long, value_enum, default_value = "auto", value_name = "GLYPHS")]
     glyphs: Glyphs,
+}
+
+/// Where the scene of a table goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum MetaWord {
+    /// Into a scene file beside it
+    Beside,
+    /// Into comment lines at its head
+    Inline,
+}
+
+impl RunArguments {
+    /// The export to this file.
+    fn request(&self, computed: &Computed, path: &Path) -> ExportRequest {
+        ExportRequest {
+            path: path.to_owned(),
+            overwrite: self.table.existing() == Existing::Replace,
+            rows: Rows::Series,
+            runs: named(computed),
+            columns: Vec::new(),
+            style: self.table.style(),
+            meta: match self.meta {
+                MetaWord::Beside => Meta::Beside,
+                MetaWord::Inline => Meta::Inline,
+            },
+        }
+    }
 }
 
 /// A run with what the command line adds to it.
@@ -77,6 +107,7 @@ pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
 /// Run one scene.
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if let Some(what) = arguments.compare {
+        arguments.table.check()?;
         let (page, rows) = compare::compute(&arguments.scene.load()?, what)?;
         return arguments.table.deliver(&page, &rows).map(|()| ExitCode::SUCCESS);
     }
@@ -84,11 +115,14 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     match arguments.table.target() {
         Target::None => {}
         Target::Stdout => {
-            output::print(&csv::text(Rows::Series, &named(&computed), &[])?)?;
+            output::print(&export::text(&arguments.request(&computed, Path::new("-")))?)?;
             return Ok(exit_code(&computed.run));
         }
         Target::File(path) => {
-            write_csv(&computed, path, arguments.table.existing() == Existing::Replace)?;
+            let request = arguments.request(&computed, path);
+            for path in export::write(&request).map_err(exists)? {
+                output::note(&format!("wrote {}", path.display()));
+            }
         }
     }
     if arguments.table.json {
@@ -130,18 +164,4 @@ fn named(computed: &Computed) -> Vec<NamedRun> {
         .enumerate()
         .map(|(plate, run)| (stack.name(plate).replace(' ', "-"), Arc::clone(run)))
         .collect()
-}
-
-fn write_csv(computed: &Computed, path: &Path, force: bool) -> Result<(), CliError> {
-    let request = ExportRequest {
-        path: path.to_owned(),
-        overwrite: force,
-        rows: Rows::Series,
-        runs: named(computed),
-        columns: Vec::new(),
-    };
-    for path in export::write(&request).map_err(exists)? {
-        output::note(&format!("wrote {}", path.display()));
-    }
-    Ok(())
 }

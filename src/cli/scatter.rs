@@ -39,13 +39,13 @@ pub(super) struct ScatterArguments {
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
     /// Samples
-    #[arg(long, value_name = "COUNT", default_value_t = 10_000)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 10_000)]
     samples: usize,
     /// Seed: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
     /// Threads; the digits do not depend on it [default: one for each core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(flatten)]
     table: TableArguments,
@@ -79,6 +79,7 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 
 /// Draw; exit status 1 when a sample failed, or after an interrupt.
 pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check()?;
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
     say_if_long(&field(&preset.scene, &task)?, task.samples, task.threads);

@@ -1,5 +1,6 @@
 //! The scene a command works on: SCENE, then every `--set` in order.
 
+use std::ffi::{OsStr, OsString};
 use std::io;
 use std::path::Path;
 
@@ -18,7 +19,7 @@ use crate::model::variables;
 #[derive(Debug, Args)]
 pub(super) struct SceneArguments {
     /// A preset's name, the path of a TOML file, or `-` for standard input [default: thesis-baseline]
-    scene: Option<String>,
+    scene: Option<OsString>,
     /// Change a variable; may be repeated, and is applied in order.
     #[arg(
         long,
@@ -34,8 +35,8 @@ impl SceneArguments {
     /// The scene with every change made.
     pub(super) fn load(&self) -> Result<Preset, CliError> {
         let mut preset = match self.scene.as_deref() {
-            Some("-") => from_stdin()?,
-            name => named(name.unwrap_or(bundled::BASELINE))?,
+            Some(name) if name == "-" => from_stdin()?,
+            name => named(name.unwrap_or_else(|| OsStr::new(bundled::BASELINE)))?,
         };
         change(&mut preset.scene, &self.set)?;
         Ok(preset)
@@ -87,8 +88,12 @@ fn take_curve(scene: &mut Scene, second: bool, file: &str) -> Result<(), CliErro
 }
 
 /// A scene by name or path. Without a home directory there are just no own presets.
-pub(super) fn named(name: &str) -> Result<Preset, CliError> {
-    Ok(preset::resolve(name, Paths::of_user().ok().as_ref())?)
+pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {
+    Ok(match name.to_str() {
+        Some(name) => preset::resolve(name, Paths::of_user().ok().as_ref())?,
+        // Only a file can have such a name.
+        None => preset::from_file(Path::new(name))?,
+    })
 }
 
 fn from_stdin() -> Result<Preset, CliError> {

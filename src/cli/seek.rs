@@ -38,7 +38,7 @@ pub(super) struct SeekArguments {
     )]
     goal: String,
     /// Threads; the digits do not depend on it [default: one for each core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(flatten)]
     table: TableArguments,
@@ -60,6 +60,7 @@ impl SeekArguments {
 
 /// Seek; exit status 1 when nothing reaches the goal.
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check()?;
     let goal = arguments.goal()?;
     let preset = arguments.scene.load()?;
     let field = Field::new(&preset.scene, vec![goal.axis], &[&goal.measure], goal.threads)?;

@@ -29,16 +29,16 @@ pub(super) struct SensitivityArguments {
     #[arg(long, value_name = "NAME", default_value = "percent_of_baseline")]
     output: String,
     /// Rows of the design for Sobol's indices, a power of two; each costs a run a variable and two
-    #[arg(long, value_name = "COUNT", default_value_t = 1024)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 1024)]
     samples: usize,
     /// Trajectories for Morris's effects; each costs a run a variable and one
-    #[arg(long, value_name = "COUNT", default_value_t = 100)]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     trajectories: usize,
     /// Seed of the designs: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
     /// Threads; the digits do not depend on it [default: one for each core]
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(flatten)]
     table: TableArguments,
@@ -65,6 +65,7 @@ impl SensitivityArguments {
 
 /// Find out.
 pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check()?;
     let effort = arguments.effort()?;
     let preset = arguments.scene.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;

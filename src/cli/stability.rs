@@ -60,6 +60,7 @@ enum MapMethod {
 
 /// Run the battery, or draw the map.
 pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> {
+    arguments.rows.check()?;
     if let Some(axis) = arguments.map {
         return draw_map(arguments, axis);
     }

@@ -14,7 +14,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use crate::cli::scene::SceneArguments;
@@ -57,10 +57,10 @@ pub(super) struct SweepArguments {
     #[arg(long, value_enum, default_value = "factorial")]
     design: DesignWord,
     /// Points of --design lhs or sobol [default: as many as the full grid]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     points: Option<u64>,
     /// Chooses one of the many such designs [default: 0]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Results to compute, separated by commas; `all` for every key
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
@@ -69,8 +69,8 @@ pub(super) struct SweepArguments {
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: String,
     /// Threads [default: one a core]
-    #[arg(long, value_name = "N")]
-    threads: Option<std::num::NonZeroUsize>,
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -101,7 +101,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     }
     let mut crew = Crew::of_machine();
     if let Some(threads) = arguments.threads {
-        crew.threads = threads.get();
+        crew.threads = usize::from(threads);
     }
     let stop = interruptible();
     let job = Job { plan: &plan, shard, crew, stop: &stop, preset: &preset };
@@ -135,15 +135,24 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A flag that the first interrupt sets; the second one ends the process.
+/// A flag that the first interrupt, or a dropped connection, sets; the second one ends the process.
 pub(super) fn interruptible() -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
-    for signal in [SIGINT, SIGTERM] {
+    let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
+    for signal in [SIGINT, SIGTERM].into_iter().chain(hangup) {
         // In this order: the second finds the flag set. Where it cannot be done, the interrupt just ends the process.
         let _ = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop));
         let _ = flag::register(signal, Arc::clone(&stop));
     }
     stop
+}
+
+/// Whether whoever started this wants it to outlive a signal, as `nohup` does. Where the system does not tell, it is taken to be so.
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_none_or(|mask| mask >> (signal - 1) & 1 == 1)
 }
 
 /// A sweep and who makes it.
@@ -191,10 +200,18 @@ impl Job<'_> {
         let json = arguments.table.json && !matches!(target, Target::Stdout);
         let texts = Texts { csv: !matches!(target, Target::None), json };
         let sheet = Sheet::new(self.plan, &self.preset.name, columns, texts);
-        let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
+        let style = arguments.table.style();
+        if self.shard.is_first() && texts.csv {
             match &mut file {
-                Some(file) => file.add(csv)?,
-                None => output::print_bytes(csv)?,
+                Some(file) => file.add(style.head().as_bytes())?,
+                None => output::print_bytes(style.head().as_bytes())?,
+            }
+        }
+        let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
+            let csv = style.rows(csv)?;
+            match &mut file {
+                Some(file) => file.add(&csv)?,
+                None => output::print_bytes(&csv)?,
             }
             output::print_bytes(json.as_bytes())
         };

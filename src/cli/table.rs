@@ -3,12 +3,13 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use crate::cli::{CliError, output};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::rows::Rows;
+use crate::files::style::Style;
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Args)]
@@ -22,6 +23,20 @@ pub(super) struct TableArguments {
     /// Replace what exists
     #[arg(long, requires = "csv")]
     force: bool,
+    /// How the table is spelt
+    #[arg(long, value_enum, default_value = "plain", value_name = "STYLE", requires = "csv")]
+    csv_style: StyleWord,
+}
+
+/// The styles of a table, by the words of the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum StyleWord {
+    /// Commas between values, points in numbers, LF
+    Plain,
+    /// The same with CRLF at the end of lines
+    Crlf,
+    /// Semicolons, decimal commas, CRLF and a mark of UTF-8: for Excel where the comma is the decimal sign, and nothing else
+    ExcelEu,
 }
 
 /// Where a table is to go.
@@ -49,6 +64,23 @@ impl TableArguments {
         if self.force { Existing::Replace } else { Existing::Keep }
     }
 
+    /// How the table is to be spelt.
+    pub(super) fn style(&self) -> Style {
+        match self.csv_style {
+            StyleWord::Plain => Style::Plain,
+            StyleWord::Crlf => Style::Crlf,
+            StyleWord::ExcelEu => Style::ExcelEu,
+        }
+    }
+
+    /// Whether the table can be written where it is to go: asked before a long computation, not after it.
+    pub(super) fn check(&self) -> Result<(), CliError> {
+        match self.target() {
+            Target::None | Target::Stdout => Ok(()),
+            Target::File(path) => atomic::check(path, self.existing()).map_err(exists),
+        }
+    }
+
     /// Print the page or the rows, and write the file.
     pub(super) fn deliver(&self, page: &str, rows: &Rows) -> Result<(), CliError> {
         self.deliver_text(|| page.to_owned(), || rows.json(), || rows.csv())
@@ -71,15 +103,18 @@ impl TableArguments {
         object: impl FnOnce() -> String,
         table: impl FnOnce() -> Result<String, FileError>,
     ) -> Result<(), CliError> {
-        match self.target() {
-            Target::None => {}
+        let table = || self.style().file("", &table()?);
+        let written = match self.target() {
+            Target::None => Ok(()),
             Target::Stdout => return output::print(&table()?),
             Target::File(path) => {
-                atomic::write(path, table()?.as_bytes(), self.existing()).map_err(exists)?;
-                output::note(&format!("wrote {}", path.display()));
+                let written = atomic::write(path, table()?.as_bytes(), self.existing());
+                written.map(|()| output::note(&format!("wrote {}", path.display())))
             }
-        }
-        output::print(&if self.json { object() } else { page() })
+        };
+        // A file that cannot be written must not cost what was computed.
+        output::print(&if self.json { object() } else { page() })?;
+        written.map_err(exists)
     }
 }
 

@@ -20,6 +20,7 @@ pub(super) struct ValidateArguments {
 
 /// Compute every case; exit status 1 when the model gives nothing for one.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check()?;
     let report = validation::report()?;
     arguments.table.deliver(&page(&report), &validation::rows(&report))?;
     let missing: Vec<&str> =

@@ -1,5 +1,6 @@
 //! `cmra [SCENE]`: the workbench, or its plain text where there is no terminal.
 
+use std::ffi::{OsStr, OsString};
 use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 
@@ -16,7 +17,7 @@ use crate::tui::theme::{GlyphChoice, GlyphSet};
 #[derive(Debug, Args)]
 pub(super) struct WorkbenchArguments {
     /// A preset's name or the path of a TOML file; without one the last session is restored
-    scene: Option<String>,
+    scene: Option<OsString>,
     /// Start on the baseline instead of the last session
     #[arg(long, conflicts_with = "scene")]
     fresh: bool,
@@ -40,11 +41,11 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
 }
 
 /// The scene meant; a misspelt subcommand arrives here, too.
-fn scene_or_command(name: &str) -> Result<Preset, CliError> {
+fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     scene::named(name).map_err(|error| {
         let command = Arguments::command();
         let commands: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        match (error, did_you_mean(name, &commands)) {
+        match (error, did_you_mean(&name.to_string_lossy(), &commands)) {
             (CliError::File(FileError::UnknownScene { name, .. }), Some(nearest)) => {
                 let hint = nearest.replace("you mean", "you mean the subcommand");
                 CliError::File(FileError::UnknownScene { name, hint })
@@ -67,7 +68,7 @@ fn choice(glyphs: Glyphs) -> GlyphChoice {
 fn print_plain(preset: Option<Preset>, glyphs: Glyphs) -> Result<ExitCode, CliError> {
     let preset = match preset {
         Some(preset) => preset,
-        None => scene::named(bundled::BASELINE)?,
+        None => scene::named(bundled::BASELINE.as_ref())?,
     };
     output::note(
         "the workbench needs a terminal; without one, this is what `cmra run --plain` prints",

@@ -42,6 +42,7 @@ fn mass(option: &str, text: &str) -> Result<f64, CliError> {
 
 /// Compare; a mechanism that is not worth it is an answer, too.
 pub(super) fn run(arguments: &WorthArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check()?;
     let spring = arguments.spring_mass.as_deref();
     let masses = Masses {
         spring_kg: spring.map(|text| mass("--spring-mass", text)).transpose()?,

@@ -28,6 +28,29 @@ pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), File
     write_all(&[(path.to_owned(), content)], existing)
 }
 
+/// Whether a file could be written here now: its name is free or may be replaced, and its directory takes files. Nothing is left
+/// behind.
+///
+/// # Errors
+/// As [`write()`].
+pub fn check(path: &Path, existing: Existing) -> Result<(), FileError> {
+    prepare(path, b"", existing).map(drop)
+}
+
+/// Whether nothing but an ordinary file is or would be here: a device or a pipe may be waited for without end, or be the very
+/// terminal that is drawn on.
+///
+/// # Errors
+/// [`FileError::Special`].
+pub fn ordinary(path: &Path) -> Result<(), FileError> {
+    match fs::metadata(path) {
+        Ok(found) if !found.is_file() && !found.is_dir() => {
+            Err(FileError::Special { path: path.to_owned() })
+        }
+        Ok(_) | Err(_) => Ok(()),
+    }
+}
+
 /// Write files that belong together: all, or none.
 ///
 /// # Errors

@@ -3,6 +3,7 @@
 //! One header row, SI units named in the header, shortest digits that read back to the same float, an empty field where a
 //! quantity does not exist. Where the text goes is [`crate::files::export`]'s business.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::files::error::FileError;
@@ -42,12 +43,6 @@ const NUMBERS: [Column; 10] = [
     ("stop_force_n", |row| row.stop_force_n),
 ];
 
-/// A table before it becomes text.
-struct Table {
-    header: Vec<&'static str>,
-    rows: Vec<Vec<String>>,
-}
-
 /// The names of all columns a table of these rows has.
 pub fn columns(rows: Rows, several: bool) -> Vec<&'static str> {
     let mut names = match rows {
@@ -75,13 +70,44 @@ pub fn columns(rows: Rows, several: bool) -> Vec<&'static str> {
 /// # Errors
 /// [`FileError::Column`] when a wanted column does not exist; [`FileError::Csv`] should a row be malformed.
 pub fn text(rows: Rows, runs: &[NamedRun], wanted: &[String]) -> Result<String, FileError> {
-    let table = table(rows, runs);
-    let chosen = choose(&table.header, wanted)?;
+    head(rows, runs, wanted, usize::MAX)
+}
+
+/// The same, of each run no more than so many rows: what a table would look like, whatever its length.
+///
+/// # Errors
+/// As [`text`].
+pub fn head(
+    rows: Rows,
+    runs: &[NamedRun],
+    wanted: &[String],
+    most: usize,
+) -> Result<String, FileError> {
+    let header = columns(rows, runs.len() > 1);
+    let chosen = choose(&header, wanted)?;
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(chosen.iter().map(|at| table.header[*at]))?;
-    for row in &table.rows {
-        writer.write_record(chosen.iter().map(|at| row[*at].as_str()))?;
+    writer.write_record(chosen.iter().map(|at| header[*at]))?;
+    let mut outcome = Ok(());
+    for (name, run) in runs {
+        let mut left = most;
+        // Row by row: a table of a million rows is large enough as text.
+        each_row(rows, run, &mut |mut row| {
+            if header[0] == "run" {
+                row.insert(0, name.clone());
+            }
+            outcome = writer.write_record(chosen.iter().map(|at| row[*at].as_str()));
+            left -= 1;
+            if left > 0 && outcome.is_ok() {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
+        });
+        if outcome.is_err() {
+            break;
+        }
     }
+    outcome?;
     let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
@@ -99,30 +125,22 @@ fn choose(header: &[&'static str], wanted: &[String]) -> Result<Vec<usize>, File
     wanted.iter().map(place).collect()
 }
 
-fn table(rows: Rows, runs: &[NamedRun]) -> Table {
-    let several = runs.len() > 1;
-    let mut table = Table { header: columns(rows, several), rows: Vec::new() };
-    for (name, run) in runs {
-        let before = table.rows.len();
-        match rows {
-            Rows::Series => series_rows(&run.series, &run.events, &mut table.rows),
-            Rows::Grid(count) => {
-                series_rows(&grid(&run.series, count), &run.events, &mut table.rows);
-            }
-            Rows::Results => table.rows.push(result_row(run)),
-            Rows::Events => table.rows.extend(
-                run.events
-                    .iter()
-                    .map(|event| vec![number(event.t_s), event.kind.words().to_owned()]),
-            ),
-        }
-        if table.header[0] == "run" {
-            for row in &mut table.rows[before..] {
-                row.insert(0, name.clone());
-            }
-        }
-    }
-    table
+/// Takes one row after the other; `Break` has had enough.
+type Take<'t> = &'t mut dyn FnMut(Vec<String>) -> ControlFlow<()>;
+
+/// Give away the rows of one run.
+fn each_row(rows: Rows, run: &Run, take: Take<'_>) {
+    // Who has had enough is no news to anybody.
+    let _ = match rows {
+        Rows::Series => series_rows(run.series.iter(), &run.events, take),
+        Rows::Grid(count) => series_rows(grid(&run.series, count).iter(), &run.events, take),
+        Rows::Results => take(result_row(run)),
+        Rows::Events => run
+            .events
+            .iter()
+            .map(|event| vec![number(event.t_s), event.kind.words().to_owned()])
+            .try_for_each(take),
+    };
 }
 
 /// A number; an empty field for one that does not exist.
@@ -131,10 +149,15 @@ fn number(value: f64) -> String {
 }
 
 /// One text row per sample; an event stands in the first row at or after its time.
-fn series_rows(series: &[Sample], events: &[Event], rows: &mut Vec<Vec<String>>) {
+fn series_rows<'s>(
+    series: impl ExactSizeIterator<Item = &'s Sample>,
+    events: &[Event],
+    take: Take<'_>,
+) -> ControlFlow<()> {
     let mut waiting = events.iter().peekable();
-    for (index, sample) in series.iter().enumerate() {
-        let is_last = index + 1 == series.len();
+    let count = series.len();
+    for (index, sample) in series.enumerate() {
+        let is_last = index + 1 == count;
         let mut row: Vec<String> = NUMBERS.iter().map(|(_, get)| number(get(sample))).collect();
         row.insert(1, sample.mode.word().to_owned());
         let mut words: Vec<&str> = Vec::new();
@@ -142,8 +165,9 @@ fn series_rows(series: &[Sample], events: &[Event], rows: &mut Vec<Vec<String>>)
             words.push(event.kind.words());
         }
         row.push(words.join("; "));
-        rows.push(row);
+        take(row)?;
     }
+    ControlFlow::Continue(())
 }
 
 fn result_row(run: &Run) -> Vec<String> {
@@ -252,7 +276,10 @@ mod tests {
         ]
         .map(|(t_s, kind)| Event { t_s, kind });
         let mut rows = Vec::new();
-        series_rows(&jump(), &events, &mut rows);
+        let _ = series_rows(jump().iter(), &events, &mut |row| {
+            rows.push(row);
+            ControlFlow::Continue(())
+        });
         let words: Vec<&str> = rows.iter().map(|row| row.last().unwrap().as_str()).collect();
         assert_eq!(words, ["", "first arrest; nose buried", "", "greatest displacement"]);
     }

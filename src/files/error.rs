@@ -12,7 +12,7 @@ use crate::model::variables::edit_distance;
 #[derive(Debug, Error)]
 pub enum FileError {
     /// The file cannot be read.
-    #[error("cannot read `{}`: {}", .path.display(), reason(.source))]
+    #[error("cannot read `{}`: {}", shown(.path), reason(.source))]
     Read {
         /// The file.
         path: PathBuf,
@@ -20,7 +20,7 @@ pub enum FileError {
         source: io::Error,
     },
     /// The file cannot be written.
-    #[error("cannot write `{}`: {}", .path.display(), reason(.source))]
+    #[error("cannot write `{}`: {}", shown(.path), reason(.source))]
     Write {
         /// The file.
         path: PathBuf,
@@ -28,18 +28,24 @@ pub enum FileError {
         source: io::Error,
     },
     /// The file is far larger than any scene.
-    #[error("`{}` has more than {limit} bytes, which no scene has: is this the right file?", .path.display())]
+    #[error("`{}` has more than {limit} bytes, which no scene has: is this the right file?", shown(.path))]
     TooLarge {
         /// The file.
         path: PathBuf,
         /// What is accepted.
         limit: u64,
     },
+    /// The file is a device or a pipe where only an ordinary file will do: it may never end, or never begin.
+    #[error("`{}` is a device or a pipe, for which there would be no end of waiting: name an ordinary file", shown(.path))]
+    Special {
+        /// The file.
+        path: PathBuf,
+    },
     /// The file is no table of displacement and force: which, where, and the cure.
     #[error("{0}")]
     Curve(String),
     /// The file is not text.
-    #[error("`{}` is no text in UTF-8, as every scene is: is this the right file? if so, save it as UTF-8", .path.display())]
+    #[error("`{}` is no text in UTF-8, as every scene is: is this the right file? if so, save it as UTF-8", shown(.path))]
     NotText {
         /// The file.
         path: PathBuf,
@@ -48,7 +54,7 @@ pub enum FileError {
     #[error("{0}")]
     Scene(SceneErrors),
     /// Neither a preset nor a file.
-    #[error("`{name}` is neither a preset nor a file: {hint}")]
+    #[error("`{}` is neither a preset nor a file: {hint}", harmless(.name))]
     UnknownScene {
         /// What was written.
         name: String,
@@ -56,7 +62,7 @@ pub enum FileError {
         hint: String,
     },
     /// The file is there already and was left alone.
-    #[error("`{}` exists and was left alone: choose another name, or allow it to be replaced", .0.display())]
+    #[error("`{}` exists and was left alone: choose another name, or allow it to be replaced", shown(.0))]
     Exists(PathBuf),
     /// A preset cannot have this name.
     #[error("`{name}` cannot be a preset's name: {problem}")]
@@ -67,7 +73,7 @@ pub enum FileError {
         problem: String,
     },
     /// A preset is to be replaced whose file is no readable scene; what is in it would be lost.
-    #[error("`{}` was left alone, since it is no readable scene: mend it, remove it, or save under another name\n{problem}", .path.display())]
+    #[error("`{}` was left alone, since it is no readable scene: mend it, remove it, or save under another name\n{problem}", shown(.path))]
     Unmendable {
         /// The file.
         path: PathBuf,
@@ -75,7 +81,7 @@ pub enum FileError {
         problem: SceneErrors,
     },
     /// The target of an export cannot be used.
-    #[error("`{}` cannot be the target: {problem}", .path.display())]
+    #[error("`{}` cannot be the target: {problem}", shown(.path))]
     Target {
         /// The file.
         path: PathBuf,
@@ -110,6 +116,16 @@ impl FileError {
     }
 }
 
+/// A path for a line of text: what would break or command that line is replaced.
+fn shown(path: &Path) -> String {
+    harmless(&path.to_string_lossy())
+}
+
+/// A name without what would break or command a line of text.
+pub fn harmless(name: &str) -> String {
+    name.replace(char::is_control, "\u{fffd}")
+}
+
 /// What the system said, lower case and without its error number.
 fn reason(error: &io::Error) -> String {
     let text = error.to_string();
@@ -127,6 +143,8 @@ pub struct SceneErrors {
     pub file: String,
     /// What is wrong.
     pub problems: Vec<Problem>,
+    /// There is more that is not told.
+    pub more: bool,
 }
 
 /// One thing that is wrong with a scene file.
@@ -142,12 +160,16 @@ pub struct Problem {
 
 impl fmt::Display for SceneErrors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let file = harmless(&self.file);
         for (index, problem) in self.problems.iter().enumerate() {
             if index > 0 {
                 f.write_str("\n")?;
             }
             let Problem { line, column, text } = problem;
-            write!(f, "{}:{line}:{column}: {text}", self.file)?;
+            write!(f, "{file}:{line}:{column}: {text}")?;
+        }
+        if self.more {
+            write!(f, "\n{file}: and more: mend these first")?;
         }
         Ok(())
     }

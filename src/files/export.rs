@@ -6,16 +6,19 @@
 use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::fs;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use crate::files::atomic::{self, Existing};
 use crate::files::csv::{self, NamedRun, Rows};
 use crate::files::error::FileError;
+use crate::files::style::Style;
 use crate::files::write;
 use crate::model::results::RESULTS;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::units;
+use crate::model::variables::{VARIABLES, is_used};
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
@@ -33,6 +36,33 @@ pub struct ExportRequest {
     pub runs: Vec<NamedRun>,
     /// Names of the columns to write, in order; empty: all.
     pub columns: Vec<String>,
+    /// How the table is spelt.
+    pub style: Style,
+    /// Where the scene goes.
+    pub meta: Meta,
+}
+
+/// Where the scene of an export goes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Meta {
+    /// Into a scene file beside the table, which runs it again to the same digits.
+    #[default]
+    Beside,
+    /// Into comment lines at the head of the table.
+    Inline,
+}
+
+impl Meta {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Beside, Self::Inline];
+
+    /// What it is, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Beside => "beside it, as a .toml to run again",
+            Self::Inline => "in # lines at its head",
+        }
+    }
 }
 
 /// Write an export and give the files written, the CSV first.
@@ -41,11 +71,10 @@ pub struct ExportRequest {
 /// [`FileError`]; no file is new or changed then.
 pub fn write(request: &ExportRequest) -> Result<Vec<PathBuf>, FileError> {
     let existing = if request.overwrite { Existing::Replace } else { Existing::Keep };
-    let table = csv::text(request.rows, &request.runs, &request.columns)?;
-    let mut files = vec![(request.path.clone(), table)];
+    let mut files = vec![(request.path.clone(), text(request)?)];
     // A device or a pipe has no place beside it.
     let ordinary = fs::metadata(&request.path).map_or(true, |found| found.is_file());
-    if ordinary {
+    if ordinary && request.meta == Meta::Beside {
         for (index, (name, run)) in request.runs.iter().enumerate() {
             let path = sidecar_path(&request.path, (index > 0).then_some(name.as_str()));
             check_sidecar(&request.path, &path)?;
@@ -56,6 +85,49 @@ pub fn write(request: &ExportRequest) -> Result<Vec<PathBuf>, FileError> {
         files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
     atomic::write_all(&contents, existing)?;
     Ok(files.into_iter().map(|(path, _)| path).collect())
+}
+
+/// The table as it goes into the file.
+///
+/// # Errors
+/// As [`csv::text`].
+pub fn text(request: &ExportRequest) -> Result<String, FileError> {
+    let table = csv::text(request.rows, &request.runs, &request.columns)?;
+    let comments = match request.meta {
+        Meta::Beside => String::new(),
+        Meta::Inline => request.runs.iter().map(|(name, run)| inline(name, run)).collect(),
+    };
+    request.style.file(&comments, &table)
+}
+
+/// What gave a run and what came out, as comment lines `# key: value (unit)`.
+fn inline(name: &str, run: &Run) -> String {
+    let line = |text: &str| text.replace(|c: char| c.is_control(), "?");
+    let mut text = format!("{MARK} {}\n# run: {}\n", env!("CARGO_PKG_VERSION"), line(name));
+    if !run.scene.title.is_empty() {
+        let _ = writeln!(text, "# title: {}", line(&run.scene.title));
+    }
+    for variable in VARIABLES.iter().filter(|variable| is_used(variable, &run.scene)) {
+        let (value, unit) = (variable.show(&run.scene), variable.unit());
+        let unit = if unit == "-" { String::new() } else { format!(" ({unit})") };
+        let _ = writeln!(text, "# {}: {value}{unit}", variable.key);
+    }
+    text + &outcome(run, ":")
+}
+
+/// What came out of a run, as comment lines; the sign stands between a result's name and its value.
+fn outcome(run: &Run, sign: &str) -> String {
+    let mut text = format!("# outcome: {} ({})\n", run.outcome.word(), run.end.words());
+    for column in RESULTS {
+        if let Some(value) = column.value(run) {
+            let _ = writeln!(text, "# {}{sign} {}", column.name, units::shortest(value));
+        }
+    }
+    let _ = writeln!(text, "# method: {}", run.cost.method);
+    for warning in &run.warnings {
+        let _ = writeln!(text, "# warning: {warning}");
+    }
+    text
 }
 
 /// The sidecar of a CSV file: `NAME.csv` has `NAME.toml`, and `NAME-A.toml` for a further run called `A`.
@@ -82,11 +154,10 @@ pub fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     if csv.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml")) {
         return refuse("it ends like a scene file; name a CSV file, for example run.csv");
     }
-    let Ok(text) = fs::read(sidecar) else {
-        return Ok(());
-    };
-    if text.starts_with(MARK.as_bytes()) {
-        return Ok(());
+    match fs::metadata(sidecar) {
+        Err(_) => return Ok(()),
+        Ok(found) if found.is_file() && begins_with_mark(sidecar) => return Ok(()),
+        Ok(_) => {}
     }
     Err(FileError::Target {
         path: csv.to_owned(),
@@ -95,6 +166,13 @@ pub fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
             sidecar.display()
         ),
     })
+}
+
+/// No more of the file is read: it may be anything, of any size.
+fn begins_with_mark(path: &Path) -> bool {
+    let mut start = [0; MARK.len()];
+    fs::File::open(path).and_then(|mut file| file.read_exact(&mut start)).is_ok()
+        && start == *MARK.as_bytes()
 }
 
 /// The scene of a sweep as a file that makes it again; `again` is the command line for that.
@@ -113,16 +191,7 @@ pub fn sidecar(csv: &Path, run: &Run) -> String {
     };
     let version = env!("CARGO_PKG_VERSION");
     let mut text = format!("{MARK} {version} with {}\n", name(csv));
-    let _ = writeln!(text, "# outcome: {} ({})", run.outcome.word(), run.end.words());
-    for column in RESULTS {
-        if let Some(value) = column.value(run) {
-            let _ = writeln!(text, "# {} = {}", column.name, units::shortest(value));
-        }
-    }
-    let _ = writeln!(text, "# method: {}", run.cost.method);
-    for warning in &run.warnings {
-        let _ = writeln!(text, "# warning: {warning}");
-    }
+    text.push_str(&outcome(run, " ="));
     text.push('\n');
     text + &write::fresh(&run.scene)
 }

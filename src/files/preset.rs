@@ -78,6 +78,22 @@ pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<FileError>) {
 /// # Errors
 /// [`FileError`] when there is no such scene, or it cannot be read.
 pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
+    resolve_by(name, paths, from_file)
+}
+
+/// The same for a name that was kept: what has meanwhile become a pipe is not waited for.
+///
+/// # Errors
+/// As [`resolve`], and [`FileError::Special`].
+pub fn resolve_kept(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
+    resolve_by(name, paths, from_ordinary_file)
+}
+
+fn resolve_by(
+    name: &str,
+    paths: Option<&Paths>,
+    from_file: impl FnOnce(&Path) -> Result<Preset, FileError>,
+) -> Result<Preset, FileError> {
     if let Some(preset) = bundled::find(name) {
         return from_bundled(preset);
     }
@@ -90,10 +106,16 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
         }
     }
     let path = Path::new(name);
-    if fs::metadata(path).is_ok() {
-        return from_file(path);
+    match fs::metadata(path) {
+        Ok(_) => from_file(path),
+        // It is there, but something is in the way: a loop of links, a folder that may not be entered.
+        Err(source)
+            if fs::symlink_metadata(path).is_ok() || source.kind() != io::ErrorKind::NotFound =>
+        {
+            Err(FileError::read(path, source))
+        }
+        Err(_) => Err(FileError::UnknownScene { name: name.to_owned(), hint: hint(name, paths) }),
     }
-    Err(FileError::UnknownScene { name: name.to_owned(), hint: hint(name, paths) })
 }
 
 /// A scene in a file.
@@ -102,6 +124,15 @@ pub fn resolve(name: &str, paths: Option<&Paths>) -> Result<Preset, FileError> {
 /// [`FileError`] when it cannot be read.
 pub fn from_file(path: &Path) -> Result<Preset, FileError> {
     from_text(path.display().to_string(), Origin::File(path.to_owned()), read::text_file(path)?)
+}
+
+/// A scene in an ordinary file: for whoever cannot wait for a pipe.
+///
+/// # Errors
+/// As [`from_file`], and [`FileError::Special`].
+pub fn from_ordinary_file(path: &Path) -> Result<Preset, FileError> {
+    let text = read::ordinary_text_file(path, read::BYTES_MAX)?;
+    from_text(path.display().to_string(), Origin::File(path.to_owned()), text)
 }
 
 /// A scene in a text; `name` is used in errors.
@@ -155,7 +186,7 @@ pub fn save(
 pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), FileError> {
     variables::validate(scene)
         .map_err(|error| FileError::Target { path: path.to_owned(), problem: error.to_string() })?;
-    let text = match read::text_file(path) {
+    let text = match read::ordinary_text_file(path, read::BYTES_MAX) {
         Ok(_) if existing == Existing::Keep => return Err(FileError::Exists(path.to_owned())),
         Ok(old) => write::updated(&old, &path.display().to_string(), scene)
             .map_err(|problem| FileError::Unmendable { path: path.to_owned(), problem })?,
@@ -200,7 +231,7 @@ fn from_bundled(preset: Bundled) -> Result<Preset, FileError> {
 }
 
 fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
-    let text = read::text_file(&path)?;
+    let text = read::ordinary_text_file(&path, read::BYTES_MAX)?;
     from_text(name, Origin::Mine(path), text)
 }
 
@@ -231,6 +262,9 @@ fn hint(name: &str, paths: Option<&Paths>) -> String {
     let looks_like_path =
         name.contains(['/', '\\']) || Path::new(name).extension().is_some_and(|end| end == "toml");
     let list = "`cmra presets` lists the presets";
+    if name.is_empty() {
+        return format!("the name is empty; {list}");
+    }
     match did_you_mean(name.trim_end_matches(".toml"), &names) {
         Some(hint) => format!("{hint} ({list})"),
         None if looks_like_path => format!("no such file; check the path ({list})"),

@@ -21,7 +21,10 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 pub const FORMAT: i64 = 1;
 
 /// No scene is larger than this; a larger file is a mistake.
-const BYTES_MAX: u64 = 1 << 20;
+pub const BYTES_MAX: u64 = 1 << 20;
+
+/// Problems of one file that are told at most: a file that is something else altogether has one a line.
+const PROBLEMS_MAX: usize = 20;
 
 /// Read the scene in a file.
 ///
@@ -41,19 +44,37 @@ pub fn text_file(path: &Path) -> Result<String, FileError> {
     text_from(file, path)
 }
 
+/// The text of an ordinary file of at most so many bytes. A pipe may never have a writer, and a terminal would take the keys of
+/// whoever waits: neither is opened.
+///
+/// # Errors
+/// As [`text_file`], and [`FileError::Special`].
+pub fn ordinary_text_file(path: &Path, bytes_max: u64) -> Result<String, FileError> {
+    let found = fs::metadata(path).map_err(|source| FileError::read(path, source))?;
+    if !found.is_file() && !found.is_dir() {
+        return Err(FileError::Special { path: path.to_owned() });
+    }
+    let file = fs::File::open(path).map_err(|source| FileError::read(path, source))?;
+    text_up_to(file, path, bytes_max)
+}
+
 /// The text that a source of reasonable size gives; `path` is the name used in errors. A device may never end: no more is
 /// read than is accepted.
 ///
 /// # Errors
 /// As [`text_file`].
 pub fn text_from(source: impl Read, path: &Path) -> Result<String, FileError> {
+    text_up_to(source, path, BYTES_MAX)
+}
+
+fn text_up_to(source: impl Read, path: &Path, limit: u64) -> Result<String, FileError> {
     let mut bytes = Vec::new();
     source
-        .take(BYTES_MAX + 1)
+        .take(limit + 1)
         .read_to_end(&mut bytes)
         .map_err(|source| FileError::read(path, source))?;
-    if bytes.len() as u64 > BYTES_MAX {
-        return Err(FileError::TooLarge { path: path.to_owned(), limit: BYTES_MAX });
+    if bytes.len() as u64 > limit {
+        return Err(FileError::TooLarge { path: path.to_owned(), limit });
     }
     String::from_utf8(bytes).map_err(|_not_text| FileError::NotText { path: path.to_owned() })
 }
@@ -63,7 +84,7 @@ pub fn text_from(source: impl Read, path: &Path) -> Result<String, FileError> {
 /// # Errors
 /// [`SceneErrors`] with every problem found.
 pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
-    let mut reader = Reader { text, file, problems: Vec::new() };
+    let mut reader = Reader { text, file, problems: Vec::new(), more: false };
     let mut scene = Scene::default();
     match DeTable::parse(text) {
         Ok(document) => reader.document(&mut scene, document.get_ref()),
@@ -73,7 +94,7 @@ pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
         Ok(scene)
     } else {
         reader.problems.sort();
-        Err(SceneErrors { file: file.to_owned(), problems: reader.problems })
+        Err(SceneErrors { file: file.to_owned(), problems: reader.problems, more: reader.more })
     }
 }
 
@@ -87,6 +108,8 @@ pub(super) struct Reader<'t> {
     text: &'t str,
     file: &'t str,
     problems: Vec<Problem>,
+    /// There was more than is told.
+    more: bool,
 }
 
 impl Reader<'_> {
@@ -149,6 +172,9 @@ impl Reader<'_> {
         key_span: Range<usize>,
         value: &Spanned<DeValue<'_>>,
     ) {
+        if self.is_full() {
+            return;
+        }
         if read_table::KEYS.contains(&path) {
             return self.table(scene, path, value);
         }
@@ -274,8 +300,17 @@ impl Reader<'_> {
         self.file
     }
 
+    /// Whether enough is wrong: what else there may be is not looked for, and this is said.
+    pub(super) fn is_full(&mut self) -> bool {
+        self.more |= self.problems.len() >= PROBLEMS_MAX;
+        self.more
+    }
+
     /// Note a problem at a place of the text.
     pub(super) fn problem(&mut self, span: Range<usize>, text: String) {
+        if self.is_full() {
+            return;
+        }
         let before = self.text.get(..span.start).unwrap_or(self.text);
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);
         self.problems.push(Problem {

@@ -27,6 +27,9 @@ pub(super) fn layers(
     };
     let mut layers = Vec::new();
     for row in list {
+        if reader.is_full() {
+            break;
+        }
         let DeValue::Table(table) = row.get_ref() else {
             let text = format!(
                 "{KEY} has {} among its elements: write [[{KEY}]] above each element",

@@ -63,6 +63,9 @@ fn axes(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<SweepAxis>
     };
     let mut axes: Vec<SweepAxis> = Vec::new();
     for row in rows {
+        if reader.is_full() {
+            break;
+        }
         let Some(axis) = axis(reader, row) else {
             continue;
         };

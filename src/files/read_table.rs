@@ -6,7 +6,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use crate::files::error::FileError;
+use crate::files::error::{FileError, harmless};
 use crate::files::read::{self, Reader, kind_of, number};
 
 /// The key of a table of each spring.
@@ -36,7 +36,7 @@ pub(super) fn points(
                 )
             }),
             "file" => match value.get_ref() {
-                DeValue::String(file) => csv_points(&beside(reader.file(), file)),
+                DeValue::String(file) => ordinary_points(&beside(reader.file(), file)),
                 _ => Err(format!(
                     "{key}.file = {} is {}: it must be text; write the name of a CSV file in quotes",
                     reader.shown(value),
@@ -65,6 +65,14 @@ pub fn curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
     csv_points(path).map(Arc::from).map_err(FileError::Curve)
 }
 
+/// The same, of an ordinary file only: for whoever cannot wait for a pipe.
+///
+/// # Errors
+/// As [`curve`].
+pub fn ordinary_curve(path: &Path) -> Result<Arc<[[f64; 2]]>, FileError> {
+    ordinary_points(path).map(Arc::from).map_err(FileError::Curve)
+}
+
 /// The path of a file named in a scene: relative to the scene's own folder.
 fn beside(scene: &str, file: &str) -> PathBuf {
     Path::new(scene).parent().map_or_else(|| PathBuf::from(file), |folder| folder.join(file))
@@ -90,8 +98,19 @@ fn listed(value: &DeValue<'_>) -> Option<Vec<[f64; 2]>> {
 /// # Errors
 /// One line that names the file, the line, what is wrong and the cure.
 fn csv_points(path: &Path) -> Result<Vec<[f64; 2]>, String> {
-    let text = read::text_file(path).map_err(|error| error.to_string())?;
-    let shown = path.display();
+    points_in(&read::text_file(path).map_err(|error| error.to_string())?, path)
+}
+
+/// The same for a file that a scene names: nobody sees that it would be waited for.
+fn ordinary_points(path: &Path) -> Result<Vec<[f64; 2]>, String> {
+    let text =
+        read::ordinary_text_file(path, read::BYTES_MAX).map_err(|error| error.to_string())?;
+    points_in(&text, path)
+}
+
+fn points_in(text: &str, path: &Path) -> Result<Vec<[f64; 2]>, String> {
+    const SHOWN_MAX: usize = 80;
+    let shown = harmless(&path.to_string_lossy());
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -110,7 +129,14 @@ fn csv_points(path: &Path) -> Result<Vec<[f64; 2]>, String> {
                 return Err(format!(
                     "`{shown}`, line {line}: `{}` is no point: write displacement in m and force in N, separated by a comma, \
                      as in 0.01,1000",
-                    row.iter().collect::<Vec<_>>().join(",")
+                    harmless(
+                        &row.iter()
+                            .collect::<Vec<_>>()
+                            .join(",")
+                            .chars()
+                            .take(SHOWN_MAX)
+                            .collect::<String>()
+                    )
                 ));
             }
         }

@@ -17,6 +17,9 @@ use crate::model::scene::Scene;
 /// How many recent files are kept.
 const RECENT_MAX: usize = 10;
 
+/// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
+const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
+
 /// What the workbench had open.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Session {
@@ -39,6 +42,8 @@ pub struct Loaded {
     pub session: Option<Session>,
     /// What went wrong, and where the file was put, for the message row and the log.
     pub notice: Option<String>,
+    /// The file as it was read.
+    pub known: Known,
 }
 
 impl Session {
@@ -71,11 +76,43 @@ struct PinRow {
     scene: String,
 }
 
-/// Save the session, whole or not at all.
+/// What this program last read or wrote there: whoever else writes the same file is noticed by it.
+#[derive(Clone, Debug, PartialEq, Eq, Default)]
+pub struct Known(Option<String>);
+
+/// Save the session, whole or not at all. What another program has written there since `known` is put aside first, and where
+/// to is returned; a session that was saved like this before does not replace it.
 ///
 /// # Errors
-/// [`FileError::Write`].
-pub fn save(path: &Path, session: &Session) -> Result<(), FileError> {
+/// [`FileError`].
+pub fn save(
+    path: &Path,
+    session: &Session,
+    known: &mut Known,
+) -> Result<Option<PathBuf>, FileError> {
+    let text = text(path, session)?;
+    let there = read::ordinary_text_file(path, BYTES_MAX).ok();
+    let is_saved = known.0.as_ref() == Some(&text);
+    if is_saved && there.is_some() {
+        return Ok(None);
+    }
+    if let Some(directory) = path.parent() {
+        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
+    }
+    let aside = match there {
+        Some(there) if known.0.as_ref() != Some(&there) => {
+            let aside = path.with_file_name("session.other.toml");
+            atomic::write(&aside, there.as_bytes(), Existing::Replace)?;
+            Some(aside)
+        }
+        Some(_) | None => None,
+    };
+    atomic::write(path, text.as_bytes(), Existing::Replace)?;
+    known.0 = Some(text);
+    Ok(aside)
+}
+
+fn text(path: &Path, session: &Session) -> Result<String, FileError> {
     let failed = |text: String| FileError::Target { path: path.to_owned(), problem: text };
     let file = SessionFile {
         format: read::FORMAT,
@@ -91,11 +128,7 @@ pub fn save(path: &Path, session: &Session) -> Result<(), FileError> {
     };
     let body = toml::to_string_pretty(&file).map_err(|error| failed(error.to_string()))?;
     let version = env!("CARGO_PKG_VERSION");
-    let text = format!("# the last session of cmra {version}; written by the program\n{body}");
-    if let Some(directory) = path.parent() {
-        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
-    }
-    atomic::write(path, text.as_bytes(), Existing::Replace)
+    Ok(format!("# the last session of cmra {version}; written by the program\n{body}"))
 }
 
 /// Load the last session, if there is one. A file that is damaged is put aside with the ending `.broken`, and what can be read
@@ -104,15 +137,17 @@ pub fn load(path: &Path) -> Loaded {
     if fs::symlink_metadata(path).is_err() {
         return Loaded::default();
     }
-    let (session, problems) = match read::text_file(path) {
-        Ok(text) => parse(&text),
-        Err(error) => (None, vec![error.to_string()]),
+    let (text, (session, problems)) = match read::ordinary_text_file(path, BYTES_MAX) {
+        Ok(text) => {
+            let parsed = parse(&text);
+            (Some(text), parsed)
+        }
+        Err(error) => (None, (None, vec![error.to_string()])),
     };
     let notice = (!problems.is_empty()).then(|| {
-        let mut aside = path.as_os_str().to_owned();
-        aside.push(".broken");
+        let aside = free_name(path);
         let kept = match fs::rename(path, &aside) {
-            Ok(()) => format!("it was kept as `{}`", Path::new(&aside).display()),
+            Ok(()) => format!("it was kept as `{}`", aside.display()),
             Err(error) => format!("and it could not be put aside: {error}"),
         };
         let lost = if session.is_some() {
@@ -122,16 +157,33 @@ pub fn load(path: &Path) -> Loaded {
         };
         format!("{lost}; {kept}: {}", problems.join("; "))
     });
-    Loaded { session, notice }
+    // One that was put aside is not there any more.
+    let known = Known(text.filter(|_| notice.is_none()));
+    Loaded { session, notice, known }
+}
+
+/// Where a damaged session goes: beside it, over no earlier one as long as there are few.
+fn free_name(path: &Path) -> PathBuf {
+    let named = |ending: String| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(ending);
+        PathBuf::from(name)
+    };
+    let numbered = (2..=9).map(|number| format!(".broken-{number}"));
+    std::iter::once(".broken".to_owned())
+        .chain(numbered)
+        .map(named)
+        .find(|path| fs::symlink_metadata(path).is_err())
+        .unwrap_or_else(|| named(".broken".to_owned()))
 }
 
 /// Copy a session aside before another one takes its place.
 ///
 /// # Errors
-/// [`FileError::Write`].
+/// [`FileError`].
 pub fn put_aside(from: &Path, to: &Path) -> Result<(), FileError> {
-    let text = fs::read(from).map_err(|source| FileError::write(to, source))?;
-    atomic::write(to, &text, Existing::Replace)
+    let text = read::ordinary_text_file(from, BYTES_MAX)?;
+    atomic::write(to, text.as_bytes(), Existing::Replace)
 }
 
 /// What can be read of a session, and what cannot.
@@ -194,10 +246,55 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("state/session.toml");
         assert_eq!(load(&path), Loaded::default());
-        save(&path, &example()).unwrap();
+        save(&path, &example(), &mut Known::default()).unwrap();
         let loaded = load(&path);
         assert_eq!(loaded.notice, None);
         assert_eq!(loaded.session, Some(example()));
+    }
+
+    #[test]
+    fn what_another_program_has_kept_meanwhile_is_put_aside() {
+        let place = tempfile::tempdir().unwrap();
+        let (path, aside) =
+            (place.path().join("session.toml"), place.path().join("session.other.toml"));
+        let of = |ratio: f64| {
+            let mut session = example();
+            session.scene.plate.mass_ratio = ratio;
+            session
+        };
+        save(&path, &of(1.0), &mut Known::default()).unwrap();
+        let (mut first, mut second) = (load(&path).known, load(&path).known);
+        // The second one saves; the first one has done nothing since and leaves.
+        assert_eq!(save(&path, &of(2.0), &mut second).unwrap(), None);
+        assert_eq!(save(&path, &of(1.0), &mut first).unwrap(), None);
+        assert_eq!(load(&path).session, Some(of(2.0)));
+        assert!(!aside.exists());
+        // Both go on working.
+        assert_eq!(save(&path, &of(3.0), &mut first).unwrap(), Some(aside.clone()));
+        assert_eq!(load(&aside).session, Some(of(2.0)));
+        assert_eq!(save(&path, &of(4.0), &mut second).unwrap(), Some(aside.clone()));
+        assert_eq!(load(&aside).session, Some(of(3.0)));
+        assert_eq!(load(&path).session, Some(of(4.0)));
+        // Someone took the file away: it is written again.
+        fs::remove_file(&path).unwrap();
+        assert_eq!(save(&path, &of(4.0), &mut second).unwrap(), None);
+        assert_eq!(load(&path).session, Some(of(4.0)));
+    }
+
+    #[test]
+    fn a_session_of_nine_great_scenes_comes_back() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("session.toml");
+        let mut session = example();
+        session.scene.notes = "\"quoted\" ".repeat(100_000);
+        session.pins = ["A", "B", "C", "D", "E", "F", "G", "H"]
+            .map(|letter| (letter.to_owned(), session.scene.clone()))
+            .to_vec();
+        save(&path, &session, &mut Known::default()).unwrap();
+        assert!(fs::metadata(&path).unwrap().len() > 7 * read::BYTES_MAX);
+        let loaded = load(&path);
+        assert_eq!(loaded.notice, None);
+        assert_eq!(loaded.session, Some(session));
     }
 
     #[test]
@@ -210,14 +307,19 @@ mod tests {
         let notice = loaded.notice.unwrap();
         assert!(notice.contains("session.toml.broken"), "{notice}");
         assert!(!path.exists());
-        assert!(place.path().join("session.toml.broken").exists());
+        let broken = place.path().join("session.toml.broken");
+        assert!(broken.exists());
+        // A second one does not cost the first.
+        fs::write(&path, "format = 2\n").unwrap();
+        assert!(load(&path).notice.unwrap().contains("session.toml.broken-2"));
+        assert!(fs::read_to_string(broken).unwrap().contains("scene = 3"));
     }
 
     #[test]
     fn a_damaged_pin_does_not_cost_the_scene() {
         let place = tempfile::tempdir().unwrap();
         let path = place.path().join("session.toml");
-        save(&path, &example()).unwrap();
+        save(&path, &example(), &mut Known::default()).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         // The pin's own scene is the last one in the file.
         let at = text.rfind("mass_kg").unwrap();

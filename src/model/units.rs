@@ -136,7 +136,7 @@ pub enum QuantityError {
         example: String,
     },
     /// The text does not begin with a number.
-    #[error("`{text}` is not a number (column {column}): write for example `{example}`")]
+    #[error("`{}` is not a number (column {column}): write for example `{example}`", quoted(.text))]
     NotANumber {
         /// What was written.
         text: String,
@@ -146,7 +146,7 @@ pub enum QuantityError {
         example: String,
     },
     /// NaN, an infinity, or an overflow such as `1e999`.
-    #[error("`{text}` is not a finite number: write for example `{example}`")]
+    #[error("`{}` is not a finite number: write for example `{example}`", quoted(.text))]
     NotFinite {
         /// What was written.
         text: String,
@@ -155,7 +155,8 @@ pub enum QuantityError {
     },
     /// The suffix is no unit of this kind.
     #[error(
-        "`{unit}` is not a unit of this quantity (column {column}): use {accepted}, or no unit for {bare}"
+        "`{}` is not a unit of this quantity (column {column}): use {accepted}, or no unit for {bare}",
+        quoted(.unit)
     )]
     WrongUnit {
         /// The suffix.
@@ -167,6 +168,15 @@ pub enum QuantityError {
         /// The unit of a bare number.
         bare: &'static str,
     },
+}
+
+/// What was written, cut short where it would hide the rest of the sentence.
+fn quoted(text: &str) -> String {
+    const SHOWN_MAX: usize = 40;
+    match text.char_indices().nth(SHOWN_MAX) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
 }
 
 /// Which unit a number without one has.
@@ -491,6 +501,8 @@ mod tests {
         let cases = [
             ("", "empty"),
             ("abc", "column 1"),
+            (&"1".repeat(1000), "111...` is not a finite number"),
+            (&"x".repeat(1000), "xxx...` is not a number (column 1)"),
             ("12 kg", "`kg` is not a unit of this quantity (column 4): use m, mm"),
             ("NaN", "not a number"),
             ("inf", "not a number"),

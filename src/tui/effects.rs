@@ -20,7 +20,7 @@ use crate::files::export::{self, ExportRequest};
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::read_table;
-use crate::files::session::{self, Session};
+use crate::files::session::{self, Known, Session};
 use crate::files::sweep;
 use crate::model::scene::Scene;
 use crate::tui::complete;
@@ -28,6 +28,9 @@ use crate::tui::message::{EffectReport, ExportOutcome, Message, PresetEntry, Swe
 
 /// How long a changed session may stay unsaved.
 const SESSION_DELAY: Duration = Duration::from_secs(1);
+
+/// Whether the session was saved: where that of another workbench was put aside for it, or why it was not, in words.
+type Kept = Result<Option<PathBuf>, String>;
 
 /// Something to do with files.
 pub(super) enum Task {
@@ -54,13 +57,14 @@ pub(super) enum Task {
     /// The session has changed: it lies in [`Unsaved`].
     SessionChanged,
     /// Save the session now and say so.
-    Finish(Sender<Result<(), String>>),
+    Finish(Sender<Kept>),
 }
 
 /// The session that has yet to be saved. Whoever takes it out saves it.
 #[derive(Clone, Default)]
 pub(super) struct Unsaved {
     session: Arc<Mutex<Option<Box<Session>>>>,
+    known: Arc<Mutex<Known>>,
     paths: Option<Paths>,
 }
 
@@ -73,9 +77,10 @@ impl Unsaved {
     ///
     /// # Errors
     /// Why it was not saved, in words.
-    pub(super) fn save(&self) -> Option<Result<(), String>> {
+    pub(super) fn save(&self) -> Option<Kept> {
         let session = self.lock().take()?;
-        let saved = session::save(&self.paths.as_ref()?.session_file(), &session);
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let saved = session::save(&self.paths.as_ref()?.session_file(), &session, &mut known);
         Some(saved.map_err(|error| error.to_string()))
     }
 }
@@ -91,10 +96,20 @@ impl Clerk {
     ///
     /// # Errors
     /// When the system has no thread to give.
-    pub(super) fn spawn(paths: Option<Paths>, inbox: Sender<Incoming>) -> std::io::Result<Self> {
+    pub(super) fn spawn(
+        paths: Option<Paths>,
+        known: Known,
+        inbox: Sender<Incoming>,
+    ) -> std::io::Result<Self> {
         let (tasks, receive) = mpsc::channel();
-        let unsaved = Unsaved { session: Arc::default(), paths };
-        let desk = Desk { unsaved: unsaved.clone(), inbox, is_kept: Cell::new(true) };
+        let unsaved =
+            Unsaved { session: Arc::default(), known: Arc::new(Mutex::new(known)), paths };
+        let desk = Desk {
+            unsaved: unsaved.clone(),
+            inbox,
+            is_kept: Cell::new(true),
+            shares: Cell::new(false),
+        };
         thread::Builder::new().name("clerk".to_owned()).spawn(move || desk.serve(&receive))?;
         Ok(Self { tasks, unsaved })
     }
@@ -121,13 +136,13 @@ impl Clerk {
     ///
     /// # Errors
     /// Why the session was not saved, in words.
-    pub(super) fn finish(&self, patience: Duration) -> Result<(), String> {
+    pub(super) fn finish(&self, patience: Duration) -> Kept {
         let (done, wait) = mpsc::channel();
         let asked = self.tasks.send(Task::Finish(done)).is_ok();
         match wait.recv_timeout(patience) {
             Ok(saved) if asked => saved,
             // Stuck behind a slow task: the session comes first.
-            _ => self.unsaved.save().unwrap_or(Ok(())),
+            _ => self.unsaved.save().unwrap_or(Ok(None)),
         }
     }
 }
@@ -138,6 +153,8 @@ struct Desk {
     inbox: Sender<Incoming>,
     /// Whether the session could be saved the last time.
     is_kept: Cell<bool>,
+    /// Whether another workbench was found to save its session in the same place.
+    shares: Cell<bool>,
 }
 
 impl Desk {
@@ -155,7 +172,7 @@ impl Desk {
                 Ok(Task::Finish(done)) => {
                     session_due = None;
                     // The loop may have lost patience.
-                    let _ = done.send(self.unsaved.save().unwrap_or(Ok(())));
+                    let _ = done.send(self.unsaved.save().unwrap_or(Ok(None)));
                 }
                 Ok(task) => self.contained(task),
                 Err(RecvTimeoutError::Timeout) => {
@@ -173,9 +190,15 @@ impl Desk {
     /// Save the session; a person hears of it when that begins to fail, and when it works again.
     fn save(&self) {
         let Some(saved) = self.unsaved.save() else { return };
+        // The loop may be over already.
+        let tell = |report| drop(self.inbox.send(Incoming::Message(Message::Done(report))));
+        if let Ok(Some(aside)) = &saved
+            && !self.shares.replace(true)
+        {
+            tell(EffectReport::Warned(of_another(aside)));
+        }
         if self.is_kept.replace(saved.is_ok()) != saved.is_ok() {
-            // The loop may be over already.
-            let _ = self.inbox.send(Incoming::Message(Message::Done(EffectReport::Session(saved))));
+            tell(EffectReport::Session(saved.map(drop)));
         }
     }
 
@@ -204,12 +227,12 @@ impl Desk {
             }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
-                preset::from_file(&path)
+                preset::from_ordinary_file(&path)
                     .map(|found| (found.name, Box::new(found.scene)))
                     .map_err(|error| error.to_string()),
             ),
             Task::ReadCurve(second, path) => {
-                let points = read_table::curve(&path).map_err(|error| error.to_string());
+                let points = read_table::ordinary_curve(&path).map_err(|error| error.to_string());
                 EffectReport::Curve(second, path, points)
             }
             Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
@@ -218,6 +241,14 @@ impl Desk {
         };
         Some(report)
     }
+}
+
+/// What to say of the session that was found in the place of ours.
+pub(super) fn of_another(aside: &Path) -> String {
+    format!(
+        "another workbench has kept its session meanwhile: it was put aside as {}",
+        aside.display()
+    )
 }
 
 fn existing(overwrite: bool) -> Existing {
@@ -237,7 +268,7 @@ fn save_preset(
 }
 
 fn write_export(request: &ExportRequest) -> ExportOutcome {
-    match export::write(request) {
+    match atomic::ordinary(&request.path).and_then(|()| export::write(request)) {
         Ok(files) => ExportOutcome::Written(files),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
         Err(error) => ExportOutcome::Failed(error.to_string()),
@@ -245,7 +276,8 @@ fn write_export(request: &ExportRequest) -> ExportOutcome {
 }
 
 fn write_accuracy(path: PathBuf, overwrite: bool, found: &Named) -> ExportOutcome {
-    let written = accuracy::csv(std::slice::from_ref(found))
+    let written = atomic::ordinary(&path)
+        .and_then(|()| accuracy::csv(std::slice::from_ref(found)))
         .and_then(|table| atomic::write(&path, table.as_bytes(), existing(overwrite)));
     match written {
         Ok(()) => ExportOutcome::Written(vec![path]),
@@ -255,7 +287,8 @@ fn write_accuracy(path: PathBuf, overwrite: bool, found: &Named) -> ExportOutcom
 }
 
 fn write_sweep(export: SweepExport) -> ExportOutcome {
-    let written = sweep::grid_csv(&export.name, &export.grid)
+    let written = atomic::ordinary(&export.path)
+        .and_then(|()| sweep::grid_csv(&export.name, &export.grid))
         .and_then(|table| atomic::write(&export.path, &table, existing(export.overwrite)));
     match written {
         Ok(()) => ExportOutcome::Written(vec![export.path]),
@@ -265,7 +298,9 @@ fn write_sweep(export: SweepExport) -> ExportOutcome {
 }
 
 fn write_table(path: PathBuf, overwrite: bool, text: &str) -> ExportOutcome {
-    match atomic::write(&path, text.as_bytes(), existing(overwrite)) {
+    let written = atomic::ordinary(&path)
+        .and_then(|()| atomic::write(&path, text.as_bytes(), existing(overwrite)));
+    match written {
         Ok(()) => ExportOutcome::Written(vec![path]),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
         Err(error) => ExportOutcome::Failed(error.to_string()),
@@ -278,7 +313,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         log::warn!("{problem}");
     }
     // A recent file that is gone or broken is left out: loading it says why.
-    let recent = recent.iter().filter_map(|path| preset::from_file(path).ok());
+    let recent = recent.iter().filter_map(|path| preset::from_ordinary_file(path).ok());
     let entry = |found: Preset, origin| PresetEntry {
         origin,
         name: found.name,
@@ -324,7 +359,7 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         let (send, receive) = mpsc::channel();
-        let clerk = Clerk::spawn(Some(paths.clone()), send).unwrap();
+        let clerk = Clerk::spawn(Some(paths.clone()), Known::default(), send).unwrap();
         (place, paths, clerk, receive)
     }
 

@@ -2,13 +2,17 @@
 //!
 //! crossterm's reading never returns once the terminal is gone (crossterm issue 793: it retries for ever), so it has a thread
 //! of its own that nobody waits for: the loop notices a hang-up by itself, and leaving the process ends this thread.
+//!
+//! It waits by crossterm's feature `use-dev-tty`. Without it crossterm is woken by what is new only, takes a kilobyte at a time,
+//! and waits again with the rest unread: a long text that comes as keys (a paste in a terminal without bracketed paste) would
+//! fill the line, and no further key could ever get through.
 
 use std::sync::mpsc::Sender;
 use std::thread;
 
 use crossterm::event::{self, Event, KeyEventKind, MouseButton, MouseEvent, MouseEventKind};
 
-use super::Incoming;
+use super::{Incoming, terminal};
 use crate::tui::message::Message;
 
 /// Start the thread. It says [`Incoming::InputLost`] when it ends, whatever the reason.
@@ -55,7 +59,10 @@ fn incoming_of(event: Event) -> Option<Incoming> {
         Event::Key(key) if key.kind == KeyEventKind::Release => return None,
         Event::Key(key) => Message::Key(key),
         Event::Paste(text) => Message::Paste(text),
-        Event::Resize(columns, rows) => Message::Resize(columns, rows),
+        Event::Resize(columns, rows) => {
+            let (columns, rows) = terminal::usable(columns, rows);
+            Message::Resize(columns, rows)
+        }
         Event::Mouse(mouse) => return pointing(mouse),
         Event::FocusGained | Event::FocusLost => return None,
     }))

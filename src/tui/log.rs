@@ -89,7 +89,12 @@ fn open(path: &Path) -> std::io::Result<File> {
     if let Some(directory) = path.parent() {
         fs::create_dir_all(directory)?;
     }
-    if fs::metadata(path).is_ok_and(|about| about.len() > SIZE_MAX) {
+    let found = fs::metadata(path).ok();
+    if found.as_ref().is_some_and(|found| !found.is_file()) {
+        // A pipe would be waited for.
+        return Err(std::io::ErrorKind::InvalidInput.into());
+    }
+    if found.is_some_and(|found| found.len() > SIZE_MAX) {
         let mut old = path.as_os_str().to_owned();
         old.push(".old");
         fs::rename(path, old)?;

@@ -108,6 +108,8 @@ pub enum EffectReport {
     Copied(String),
     /// Something could not be done, and why.
     Refused(String),
+    /// Something a person should know of, in words.
+    Warned(String),
     /// The session cannot be kept any more, and why; or it can again.
     Session(Result<(), String>),
     /// Names that complete a path.

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use crossterm::clipboard::CopyToClipboard;
 use crossterm::event::{MouseEvent, MouseEventKind};
 
-use super::effects::{Clerk, Task};
+use super::effects::{self, Clerk, Task};
 use super::pace::Pace;
 use super::signals::{self, Signal, Watch};
 use super::terminal::{self, Guard};
@@ -99,9 +99,9 @@ impl Shell {
             // The loop may be over already.
             let _ = for_sweeps.send(Incoming::Message(Message::Sweep(report)));
         })?;
-        let (mut app, recent) = start::app(options, paths.as_ref());
+        let (mut app, recent, known) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
-        let clerk = Clerk::spawn(paths, sender.clone())?;
+        let clerk = Clerk::spawn(paths, known, sender.clone())?;
         let unsaved = clerk.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
             // Nobody is left to be told.
@@ -154,8 +154,8 @@ impl Shell {
         }
     }
 
-    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted, and why the
-    /// session was not saved, if it was not.
+    /// Leave: save the session, restore the terminal, and give the text for the main screen, if one is wanted, and what a
+    /// person should know of the session, if anything.
     pub(super) fn leave(self, ending: &Ending) -> (Option<String>, Option<String>) {
         let (patience, summary) = match ending {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
@@ -164,8 +164,11 @@ impl Shell {
         self.clerk.session_changed(start::session(&self.app, &self.recent));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
-        let lost = self.clerk.finish(patience).err();
-        (summary.then(|| self.app.summary()), lost)
+        let said = match self.clerk.finish(patience) {
+            Ok(aside) => aside.map(|aside| effects::of_another(&aside)),
+            Err(why) => Some(format!("the session was not kept: {why}")),
+        };
+        (summary.then(|| self.app.summary()), said)
     }
 
     /// Wait for something, deal with all that has come, and draw if it is time.
@@ -264,7 +267,7 @@ impl Shell {
                 self.note(report);
             }
             if let Message::Done(EffectReport::Loaded(Ok((name, _)))) = &message {
-                start::note_recent(&mut self.recent, Path::new(name));
+                start::note_recent(&mut self.recent, &self.app.directory, Path::new(name));
             }
             let effects = update::update(&mut self.app, message);
             self.pace.change();

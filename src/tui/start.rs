@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::Options;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
-use crate::files::session::{self, Session};
+use crate::files::session::{self, Known, Session};
 use crate::tui::app::charts::Window;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::{LETTERS, Pin, name_of};
@@ -20,8 +20,8 @@ const COLOURS: &str = "colours";
 const WINDOW: &str = "window";
 const AUTO_RUN: &str = "auto_run";
 
-/// The state to start with, and the files opened or saved lately.
-pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>) {
+/// The state to start with, the files opened or saved lately, and the session's file as it was found.
+pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>, Known) {
     let theme = Theme::detect(options.glyphs, environment);
     let directory = std::env::current_dir().unwrap_or_default();
     let mut loaded =
@@ -39,7 +39,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     let mut app = match (options.scene, loaded.session) {
         (Some(preset), _) => {
             if let preset::Origin::File(path) = &preset.origin {
-                note_recent(&mut recent, path);
+                note_recent(&mut recent, &directory, path);
             }
             App::new(base_of(preset), theme, directory)
         }
@@ -57,13 +57,16 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     if let Some((severity, text)) = kept {
         app.say(severity, text);
     }
-    (app, recent)
+    (app, recent, loaded.known)
 }
 
 /// Put the last session aside where another start would lose something of it: pins, or an edited scene. What to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
     let untouched = *base_of_session(last, Some(paths)).scene == last.scene
-        && last.preset.as_deref().is_some_and(|name| preset::resolve(name, Some(paths)).is_ok());
+        && last
+            .preset
+            .as_deref()
+            .is_some_and(|name| preset::resolve_kept(name, Some(paths)).is_ok());
     if untouched && last.pins.is_empty() {
         return None;
     }
@@ -103,17 +106,30 @@ pub(super) fn session(app: &App, recent: &[PathBuf]) -> Session {
     }
     Session {
         scene: (*app.scene).clone(),
-        preset: Some(app.base.name.clone()),
+        preset: Some(kept_name(app)),
         pins: app.pins.iter().map(|pin| (pin.letter.to_string(), (*pin.scene).clone())).collect(),
         view,
         recent: recent.to_vec(),
     }
 }
 
-/// Put a file at the head of those opened or saved lately.
-pub(super) fn note_recent(recent: &mut Vec<PathBuf>, path: &Path) {
+/// The name of what the scene came from. A path is kept whole: the next start may be in another directory, where a file of the
+/// same name is something else.
+fn kept_name(app: &App) -> String {
+    let name = &app.base.name;
+    let is_path =
+        name.contains('/') || Path::new(name).extension().is_some_and(|end| end == "toml");
+    if app.base.origin == Origin::Other && is_path {
+        app.directory.join(name).to_str().unwrap_or(name).to_owned()
+    } else {
+        name.clone()
+    }
+}
+
+/// Put a file at the head of those opened or saved lately; a relative path is one of this directory.
+pub(super) fn note_recent(recent: &mut Vec<PathBuf>, directory: &Path, path: &Path) {
     let mut session = Session { recent: std::mem::take(recent), ..Session::default() };
-    session.note_recent(path);
+    session.note_recent(&directory.join(path));
     *recent = session.recent;
 }
 
@@ -149,7 +165,7 @@ fn baseline() -> Base {
 /// The preset the session's scene came from; where it is gone, the scene itself.
 fn base_of_session(last: &Session, paths: Option<&Paths>) -> Base {
     let name = last.preset.as_deref();
-    name.and_then(|name| preset::resolve(name, paths).ok()).map_or_else(
+    name.and_then(|name| preset::resolve_kept(name, paths).ok()).map_or_else(
         || Base {
             name: name.unwrap_or("session").to_owned(),
             origin: Origin::Other,
@@ -241,6 +257,27 @@ mod tests {
     }
 
     #[test]
+    fn files_are_kept_by_their_whole_paths() {
+        let mut app = state();
+        app.directory = PathBuf::from("/somewhere");
+        let named = |app: &App| session(app, &[]).preset.unwrap();
+        assert_eq!(named(&app), "thesis-baseline");
+        app.base.origin = Origin::Other;
+        for (name, kept) in [
+            ("a.toml", "/somewhere/a.toml"),
+            ("/b/a.toml", "/b/a.toml"),
+            ("standard input", "standard input"),
+        ] {
+            app.base.name = name.to_owned();
+            assert_eq!(named(&app), kept);
+        }
+        let mut recent = Vec::new();
+        note_recent(&mut recent, &app.directory, Path::new("a.toml"));
+        note_recent(&mut recent, &app.directory, Path::new("/somewhere/a.toml"));
+        assert_eq!(recent, [PathBuf::from("/somewhere/a.toml")]);
+    }
+
+    #[test]
     fn another_start_keeps_a_session_that_would_be_lost() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
@@ -249,15 +286,15 @@ mod tests {
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));
         // Nothing in it that a preset does not have: nothing to keep.
-        session::save(&paths.session_file(), &last).unwrap();
-        let (state, recent) = app(fresh(), Some(&paths));
+        session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
+        let (state, recent, _) = app(fresh(), Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(recent, last.recent);
         assert!(!paths.previous_session_file().exists());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
-        session::save(&paths.session_file(), &last).unwrap();
-        let (state, _) = app(fresh(), Some(&paths));
+        session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
+        let (state, _, _) = app(fresh(), Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let said = state.log.last().unwrap().text.clone();
         assert!(said.contains("1 pinned run") && said.contains("session.previous.toml"), "{said}");

@@ -42,6 +42,14 @@ const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
 /// Size assumed where the terminal does not know its own.
 const UNKNOWN_SIZE: Size = Size { width: 80, height: 24 };
 
+/// The largest part of a window that is drawn on. Where someone has set an absurd size, every cell of it would take memory.
+const LARGEST: Size = Size { width: 1000, height: 500 };
+
+/// Columns and rows of a window of this size that are drawn on.
+pub(super) fn usable(columns: u16, rows: u16) -> (u16, u16) {
+    (columns.min(LARGEST.width), rows.min(LARGEST.height))
+}
+
 /// A terminal that restores itself when dropped.
 pub(super) struct Guard {
     terminal: Terminal<Screen>,
@@ -287,7 +295,7 @@ impl Backend for Screen {
         if size.ws_col == 0 || size.ws_row == 0 {
             return Ok(UNKNOWN_SIZE);
         }
-        Ok(Size { width: size.ws_col, height: size.ws_row })
+        Ok(usable(size.ws_col, size.ws_row).into())
     }
 
     fn window_size(&mut self) -> io::Result<WindowSize> {

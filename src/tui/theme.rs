@@ -5,6 +5,7 @@
 //! writes a character.
 
 use ratatui::style::{Color, Modifier, Style};
+use ratatui::text::Span;
 
 pub mod colours;
 pub mod glyphs;
@@ -13,6 +14,11 @@ pub mod pane;
 pub use colours::ColourDepth;
 pub use glyphs::{GlyphChoice, GlyphSet, Lines, ascii_pass, ascii_text};
 pub use pane::Pane;
+
+/// The columns a text takes on the screen: a wide character takes two, a mark on another one none.
+pub fn columns(text: &str) -> usize {
+    if text.is_ascii() { text.len() } else { Span::raw(text).width() }
+}
 
 /// What a piece of the screen means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -9,7 +9,7 @@ use cmra::model::scene::{Closure, Combination, ContactModel, Scene, Sweep, Sweep
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
-use crate::support::{files_in, in_repository};
+use crate::support::{files_in, in_repository, says};
 
 #[test]
 fn invalid_scenes_are_refused_with_place_and_cure() {
@@ -223,4 +223,46 @@ proptest! {
             prop_assert!(!errors.problems.is_empty());
         }
     }
+}
+
+#[test]
+fn a_table_is_spelt_as_asked_and_has_its_scene_beside_or_within() {
+    let table = |arguments: &[&str]| says("run", &[&["--csv", "-"], arguments].concat(), 0).0;
+    let plain = table(&[]);
+    assert!(plain.starts_with("time_s,mode,penetration_m,") && !plain.contains('\r'));
+    assert_eq!(table(&["--csv-style", "crlf"]), plain.replace('\n', "\r\n"));
+    // Reading decimal commas back gives the same numbers.
+    let excel = table(&["--csv-style", "excel-eu"]);
+    let body = excel.strip_prefix('\u{feff}').unwrap();
+    for (row, spelt) in plain.lines().zip(body.split("\r\n")) {
+        let spelt: Vec<String> = spelt.split(';').map(|field| field.replace(',', ".")).collect();
+        assert_eq!(spelt.join(","), row);
+    }
+    // The lines before the table say what was run; a reader that skips them finds the plain table.
+    let inline = table(&["--meta", "inline", "--set", "gamma=2"]);
+    let (comments, rows): (Vec<&str>, Vec<&str>) =
+        inline.lines().partition(|line| line.starts_with('#'));
+    assert_eq!(rows.join("\n") + "\n", table(&["--set", "gamma=2"]));
+    for start in [
+        "# plate.mass_ratio: 2",
+        "# projectile.velocity_m_s: 100 (m/s)",
+        "# outcome: arrested (",
+        "# first_arrest_penetration_m: 0.00",
+    ] {
+        let found = comments.iter().any(|line| line.starts_with(start));
+        assert!(found, "{start} is not in\n{}", comments.join("\n"));
+    }
+    // A file with its scene within has none beside it.
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("a.csv");
+    says("run", &["--meta", "inline", "--csv", path.to_str().unwrap()], 0);
+    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
+    // Sweeps are respelt as they are made.
+    let sweep = |style: &str| {
+        says("sweep", &["--over", "gamma=1..2:300", "--csv", "-", "--csv-style", style], 0).0
+    };
+    assert_eq!(sweep("crlf"), sweep("plain").replace('\n', "\r\n"));
+    let excel = sweep("excel-eu");
+    assert_eq!(excel.matches('\u{feff}').count(), 1);
+    assert_eq!(excel.lines().count(), 301);
 }

@@ -55,6 +55,8 @@ mod thesis;
 #[cfg(test)]
 mod tidy;
 #[cfg(test)]
+mod trouble;
+#[cfg(test)]
 mod validation;
 #[cfg(test)]
 mod worth;

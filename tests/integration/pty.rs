@@ -158,6 +158,11 @@ impl Terminal {
     /// Give the terminal another size.
     pub(crate) fn resize(&mut self, columns: u16, lines: u16) {
         self.parser.screen_mut().set_size(rows(lines), rows(columns));
+        self.claim_size(columns, lines);
+    }
+
+    /// Tell the program of a size that the emulator does not have.
+    pub(crate) fn claim_size(&self, columns: u16, lines: u16) {
         let size = PtySize { cols: columns, rows: lines, pixel_width: 0, pixel_height: 0 };
         let master = self.master.as_ref().expect("the terminal is there");
         master.resize(size).expect("it can be resized");

@@ -52,9 +52,8 @@ impl Crew {
             let mut lines = Vec::new();
             for first in 0..threads {
                 let (send, receive) = sync_channel(WAITING);
-                lines.push(receive);
                 let stride = usize::try_from(threads).unwrap_or(1);
-                scope.spawn(move || {
+                let work = move || {
                     let mut worker = hire();
                     for number in (first..pieces).step_by(stride) {
                         // Nobody takes any more: the work was broken off.
@@ -62,11 +61,19 @@ impl Crew {
                             return;
                         }
                     }
-                });
+                };
+                // A system that has no more threads to give leaves the rest of the work to this one.
+                let started = thread::Builder::new().spawn_scoped(scope, work);
+                lines.push(started.ok().map(|_| receive));
             }
+            let mut own = None;
             for (number, line) in (0..pieces).zip(lines.iter().cycle()) {
+                let result = match line {
+                    Some(line) => line.recv().ok(),
+                    None => Some(own.get_or_insert_with(hire)(at(number))),
+                };
                 // A thread that ended without its result panicked; leaving the scope passes that on.
-                let Ok(result) = line.recv() else { break };
+                let Some(result) = result else { break };
                 if take(at(number), result).is_break() {
                     drop(lines);
                     return ControlFlow::Break(());

@@ -2,6 +2,8 @@
 
 use tui_input::Input;
 
+use crate::files::export::Meta;
+use crate::files::style::Style;
 use crate::tui::message::{BINDINGS, Binding, Place, PresetEntry};
 
 /// The dialog on top.
@@ -100,6 +102,10 @@ pub struct Save {
 pub enum ExportRow {
     /// Which rows: four kinds.
     What,
+    /// How the table is spelt.
+    Style,
+    /// Where the scene goes.
+    Meta,
     /// Number of rows of a uniform grid.
     GridRows,
     /// A run, by its row in the table of runs.
@@ -136,13 +142,6 @@ impl What {
             Self::Events => "events with their times",
         }
     }
-
-    /// The kind by this many places further on, round and round.
-    #[must_use]
-    pub fn other(self, by: isize) -> Self {
-        let at = Self::ALL.iter().position(|one| *one == self).unwrap_or(0);
-        Self::ALL[wrap(at, by, Self::ALL.len())]
-    }
 }
 
 /// The export dialog.
@@ -158,6 +157,10 @@ pub struct Export {
     pub columns: Vec<(&'static str, bool)>,
     /// The file.
     pub path: Input,
+    /// How the table is spelt.
+    pub style: Style,
+    /// Where the scene goes.
+    pub meta: Meta,
     /// The selected row.
     pub row: ExportRow,
     /// The file exists: the answer to "overwrite?" is awaited.
@@ -179,7 +182,22 @@ impl Export {
         if matches!(self.what, What::Series | What::Grid) {
             rows.extend((0..self.columns.len()).map(ExportRow::Column));
         }
+        rows.extend([ExportRow::Style, ExportRow::Meta]);
         rows
+    }
+
+    /// Change what the selected row chooses, round and round; whether it chooses anything.
+    pub fn choose(&mut self, by: isize) -> bool {
+        match self.row {
+            ExportRow::What => self.what = around(&What::ALL, self.what, by),
+            ExportRow::Style => self.style = around(&Style::ALL, self.style, by),
+            ExportRow::Meta => self.meta = around(&Meta::ALL, self.meta, by),
+            ExportRow::GridRows | ExportRow::Run(_) | ExportRow::Column(_) | ExportRow::Path => {
+                return false;
+            }
+        }
+        self.error = None;
+        true
     }
 
     /// Move the selection, stopping at the ends.
@@ -188,6 +206,12 @@ impl Export {
         let here = rows.iter().position(|row| *row == self.row).unwrap_or(0);
         self.row = rows[here.saturating_add_signed(by).min(rows.len() - 1)];
     }
+}
+
+/// The one by this many places further on, round and round.
+fn around<T: Copy + PartialEq>(all: &[T], one: T, by: isize) -> T {
+    let at = all.iter().position(|other| *other == one).unwrap_or(0);
+    all[wrap(at, by, all.len())]
 }
 
 /// `at` moved by `by` within `0..count`, round and round.

@@ -15,6 +15,12 @@ pub struct Snapshot {
     pub base: Base,
 }
 
+/// Taken pins whose results are kept: a result is some 100 kB, and can be computed again.
+const RESULTS_KEPT: usize = 8;
+
+/// A result with more rows in its series is not kept at all.
+const ROWS_MAX: usize = 100_000;
+
 /// One edit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
@@ -41,7 +47,10 @@ pub struct History {
 
 impl History {
     /// Add an edit; what had been undone is forgotten. A further step of the same variable extends the last edit.
-    pub fn push(&mut self, edit: Edit) {
+    pub fn push(&mut self, mut edit: Edit) {
+        if let Some(pin) = &mut edit.unpinned {
+            pin.run.take_if(|run| run.series.len() > ROWS_MAX);
+        }
         self.edits.truncate(self.done);
         if let Some(last) = self.edits.last_mut()
             && edit.stepping.is_some()
@@ -53,6 +62,10 @@ impl History {
         }
         self.edits.push(edit);
         self.done = self.edits.len();
+        let taken = self.edits.iter_mut().rev().filter_map(|edit| edit.unpinned.as_mut());
+        if let Some(pin) = taken.skip(RESULTS_KEPT).find(|pin| pin.run.is_some()) {
+            pin.run = None;
+        }
     }
 
     /// Further steps start a new edit.
@@ -79,5 +92,38 @@ impl History {
         let edit = self.edits.get(self.done)?;
         self.done += 1;
         Some(edit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::impact::{Settings, simulate};
+    use crate::tui::app::Origin;
+
+    #[test]
+    fn results_of_taken_pins_are_kept_for_the_last_few_only() {
+        let scene = Arc::new(Scene::default());
+        let go_on = &mut |_| std::ops::ControlFlow::Continue(());
+        let run = Arc::new(simulate(&scene, &Settings::default(), go_on).unwrap());
+        let base = Base { name: String::new(), origin: Origin::Bundled, scene: Arc::clone(&scene) };
+        let at = Snapshot { scene: Arc::clone(&scene), base };
+        let mut history = History::default();
+        for _ in 0..100 {
+            let pin = Pin {
+                letter: 'A',
+                name: String::new(),
+                scene: Arc::clone(&scene),
+                run: Some(Arc::clone(&run)),
+                visible: true,
+                job: None,
+            };
+            let (before, after, label) = (at.clone(), at.clone(), String::new());
+            history.push(Edit { label, before, after, unpinned: Some(pin), stepping: None });
+        }
+        // The hundred edits are all there, and the pins; of the results the newest.
+        assert_eq!(history.unpinned(0..100).len(), 100);
+        assert_eq!(Arc::strong_count(&run), 1 + RESULTS_KEPT);
+        assert!(history.undo().is_some_and(|edit| edit.unpinned.as_ref().unwrap().run.is_some()));
     }
 }

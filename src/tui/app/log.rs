@@ -5,6 +5,7 @@ use super::notice::{Notice, Severity};
 use super::runs::engineering;
 use super::status::wrap;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run};
+use crate::tui::theme;
 
 /// What a line of the Log tab is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +50,7 @@ impl App {
         lines
             .flat_map(|line| {
                 let kind = line.kind;
-                let parts = if line.text.chars().count() > room {
+                let parts = if theme::columns(&line.text) > room {
                     wrap(&line.text, room)
                 } else {
                     vec![line.text]

@@ -7,6 +7,7 @@ use super::show_duration;
 use super::{App, Tab};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::tui::message::Place;
+use crate::tui::theme::columns;
 
 /// Most rows a message may take; the second on a screen lower than that.
 const MESSAGE_ROWS: (usize, usize) = (4, 2);
@@ -398,11 +399,22 @@ fn glued(text: &str) -> String {
 
 /// At most `width` characters; what is cut ends in `..`.
 pub fn clip(text: &str, width: usize) -> String {
-    if text.chars().count() <= width {
+    if columns(text) <= width {
         return text.to_owned();
     }
-    let kept: String = text.chars().take(width.saturating_sub(2)).collect();
+    let (kept, _) = text.split_at(fits(text, width.saturating_sub(2)));
     kept.trim_end().to_owned() + ".."
+}
+
+/// How many bytes of a text go into so many columns.
+fn fits(text: &str, width: usize) -> usize {
+    let mut taken = 0;
+    text.char_indices()
+        .find(|(at, letter)| {
+            taken += columns(&text[*at..at + letter.len_utf8()]);
+            taken > width
+        })
+        .map_or(text.len(), |(at, _)| at)
 }
 
 /// A result's title with shorter words, still told apart from every other.
@@ -419,7 +431,7 @@ pub fn shortened(title: &str) -> String {
 
 /// A result's title in so many columns: in shorter words where it is too long.
 pub fn fitted(title: &str, width: usize) -> String {
-    if title.chars().count() <= width { title.to_owned() } else { clip(&shortened(title), width) }
+    if columns(title) <= width { title.to_owned() } else { clip(&shortened(title), width) }
 }
 
 /// What a run could do without, in full and as a number.
@@ -436,13 +448,17 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
     let mut line = String::new();
     for word in text.split(' ') {
         let mut word = word.to_owned();
-        let needed = line.chars().count() + usize::from(!line.is_empty()) + word.chars().count();
+        let needed = columns(&line) + usize::from(!line.is_empty()) + columns(&word);
         if needed > width && !line.is_empty() {
             lines.push(std::mem::take(&mut line));
         }
-        while word.chars().count() > width {
-            let rest =
-                word.split_off(word.char_indices().nth(width).map_or(word.len(), |(at, _)| at));
+        while columns(&word) > width {
+            // A character that is wider than the line has one of its own.
+            let first = word.chars().next().map_or(0, char::len_utf8);
+            let rest = word.split_off(fits(&word, width).max(first));
+            if rest.is_empty() {
+                break;
+            }
             lines.push(std::mem::replace(&mut word, rest));
         }
         if !line.is_empty() {
@@ -452,4 +468,22 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
     }
     lines.push(line);
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wide_characters_take_two_columns() {
+        let wide = "\u{65e5}\u{672c}\u{8a9e}";
+        assert_eq!(columns(wide), 6);
+        assert_eq!(clip(wide, 6), wide);
+        assert_eq!(clip(wide, 5), "\u{65e5}..");
+        assert_eq!(wrap(wide, 4), ["\u{65e5}\u{672c}", "\u{8a9e}"]);
+        assert_eq!(wrap(&format!("a {wide} b"), 8), [format!("a {wide}"), "b".to_owned()]);
+        // Narrower than any of them: nothing is lost, and it ends.
+        assert_eq!(wrap(wide, 1).concat(), wide);
+        assert_eq!(wrap("one two", 3), ["one", "two"]);
+    }
 }

@@ -26,7 +26,8 @@ impl ColourDepth {
         let Some(term) = value("TERM") else {
             return Self::None;
         };
-        if value("NO_COLOR").is_some() || term == "dumb" {
+        let mono = term.ends_with("-m") || term.ends_with("-mono");
+        if value("NO_COLOR").is_some() || term == "dumb" || mono {
             return Self::None;
         }
         let few = ["linux", "vt", "ansi", "cons25"];
@@ -169,6 +170,8 @@ mod tests {
             (&[("TERM", "xterm"), ("COLORTERM", "yes")], D::Ansi256),
             (&[("TERM", "linux"), ("COLORTERM", "truecolor")], D::Sixteen),
             (&[("TERM", "vt220")], D::Sixteen),
+            (&[("TERM", "xterm-mono")], D::None),
+            (&[("TERM", "linux-m")], D::None),
             (&[("TERM", "xterm-16color")], D::Sixteen),
             (&[("TERM", "xterm"), ("NO_COLOR", "1")], D::None),
             (&[("TERM", "xterm"), ("NO_COLOR", "")], D::Ansi256),

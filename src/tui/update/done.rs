@@ -30,6 +30,7 @@ pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
             app.say(Severity::Error, text);
         }
         EffectReport::Session(kept) => session(app, &kept),
+        EffectReport::Warned(text) => app.say(Severity::Warning, text),
         EffectReport::Copied(text) => app.say(Severity::Note, text),
         EffectReport::Completions(names) => complete(app, names),
         EffectReport::Curve(second, path, points) => {
@@ -106,9 +107,15 @@ fn exported(app: &mut App, outcome: ExportOutcome) {
 
 /// One name: take it. Several: what they have in common, and the list.
 fn complete(app: &mut App, names: Vec<String>) {
-    if let Some(Dialog::Curve(_, save)) = &mut app.dialog {
+    if let Some(
+        Dialog::Curve(_, save)
+        | Dialog::ExportAccuracy(save)
+        | Dialog::ExportSweep(save)
+        | Dialog::ExportTable(_, save),
+    ) = &mut app.dialog
+    {
         match common_start(&names) {
-            Some(common) => save.input = Input::new(common),
+            Some(common) => (save.input, save.fresh) = (Input::new(common), false),
             None => save.error = Some("no file or directory begins like this".to_owned()),
         }
         return;

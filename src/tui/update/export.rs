@@ -7,7 +7,8 @@ use crossterm::event::{KeyCode, KeyEvent};
 use tui_input::Input;
 
 use crate::files::csv::{self, NamedRun, Rows};
-use crate::files::export::ExportRequest;
+use crate::files::export::{ExportRequest, Meta};
+use crate::files::style::Style;
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Export, ExportRow, What};
 use crate::tui::app::notice::Severity;
@@ -32,6 +33,8 @@ pub(super) fn open(app: &mut App) {
         runs: runs.into_iter().map(|(name, _)| (name, true)).collect(),
         columns: csv::columns(Rows::Series, false).into_iter().map(|name| (name, true)).collect(),
         path,
+        style: Style::default(),
+        meta: Meta::default(),
         row: ExportRow::Path,
         question: false,
         completions: Vec::new(),
@@ -66,12 +69,8 @@ pub(super) fn press(app: &mut App, mut state: Export, key: KeyEvent) -> Vec<Effe
         KeyCode::Down | KeyCode::Tab => state.move_by(1),
         KeyCode::Up | KeyCode::BackTab => state.move_by(-1),
         KeyCode::Char(c @ ('j' | 'k')) if !typing => state.move_by(if c == 'j' { 1 } else { -1 }),
-        KeyCode::Left | KeyCode::Char('h') if state.row == ExportRow::What => {
-            state.what = state.what.other(-1);
-        }
-        KeyCode::Right | KeyCode::Char('l' | ' ') if state.row == ExportRow::What => {
-            state.what = state.what.other(1);
-        }
+        KeyCode::Left | KeyCode::Char('h') if !typing && state.choose(-1) => {}
+        KeyCode::Right | KeyCode::Char('l' | ' ') if !typing && state.choose(1) => {}
         KeyCode::Char(' ') if !typing => toggle(&mut state),
         KeyCode::Char('a') if !typing => all_or_none(&mut state),
         _ => typed(&mut state, key),
@@ -87,7 +86,7 @@ pub(super) fn click(app: &mut App, row: usize) -> Vec<Effect> {
     let again = state.row == row;
     state.row = row;
     match row {
-        ExportRow::What if again => state.what = state.what.other(1),
+        ExportRow::What | ExportRow::Style | ExportRow::Meta if again => drop(state.choose(1)),
         ExportRow::Run(_) | ExportRow::Column(_) if again => toggle(state),
         _ => {}
     }
@@ -98,7 +97,11 @@ fn typed(state: &mut Export, key: KeyEvent) {
     let field = match state.row {
         ExportRow::Path => &mut state.path,
         ExportRow::GridRows => &mut state.grid,
-        ExportRow::What | ExportRow::Run(_) | ExportRow::Column(_) => return,
+        ExportRow::What
+        | ExportRow::Style
+        | ExportRow::Meta
+        | ExportRow::Run(_)
+        | ExportRow::Column(_) => return,
     };
     if input::press(field, &mut false, key) {
         state.question = false;
@@ -111,7 +114,11 @@ fn toggle(state: &mut Export) {
     match state.row {
         ExportRow::Run(at) => state.runs[at].1 = !state.runs[at].1,
         ExportRow::Column(at) => state.columns[at].1 = !state.columns[at].1,
-        ExportRow::What | ExportRow::GridRows | ExportRow::Path => {}
+        ExportRow::What
+        | ExportRow::Style
+        | ExportRow::Meta
+        | ExportRow::GridRows
+        | ExportRow::Path => {}
     }
     state.error = None;
 }
@@ -127,25 +134,17 @@ fn all_or_none(state: &mut Export) {
             let on = state.columns.iter().any(|(_, on)| !on);
             state.columns.iter_mut().for_each(|column| column.1 = on);
         }
-        ExportRow::What | ExportRow::GridRows | ExportRow::Path => {}
+        ExportRow::What
+        | ExportRow::Style
+        | ExportRow::Meta
+        | ExportRow::GridRows
+        | ExportRow::Path => {}
     }
 }
 
 /// `NAME.csv` becomes `NAME-2.csv`, and that `NAME-3.csv`.
 fn rename(state: &mut Export) {
-    let text = state.path.value();
-    let (stem, ending) = match text.rsplit_once('.') {
-        Some((stem, ending)) if !ending.contains('/') => (stem, format!(".{ending}")),
-        _ => (text, String::new()),
-    };
-    let next = match stem.rsplit_once('-') {
-        Some((front, number)) => match number.parse::<u32>() {
-            Ok(number) => format!("{front}-{}{ending}", number.saturating_add(1)),
-            Err(_) => format!("{stem}-2{ending}"),
-        },
-        None => format!("{stem}-2{ending}"),
-    };
-    state.path = Input::new(next);
+    state.path = Input::new(path::next_name(state.path.value()));
     state.row = ExportRow::Path;
     state.question = false;
 }
@@ -178,7 +177,7 @@ fn request(app: &App, state: &Export, overwrite: bool) -> Result<ExportRequest, 
     }
     let rows = match state.what {
         What::Series => Rows::Series,
-        What::Grid => Rows::Grid(grid_rows(state.grid.value())?),
+        What::Grid => Rows::Grid(grid_rows(state.grid.value(), runs.len())?),
         What::Results => Rows::Results,
         What::Events => Rows::Events,
     };
@@ -195,6 +194,8 @@ fn request(app: &App, state: &Export, overwrite: bool) -> Result<ExportRequest, 
         rows,
         runs,
         columns: if series && !all { names } else { Vec::new() },
+        style: state.style,
+        meta: state.meta,
     })
 }
 
@@ -202,14 +203,12 @@ fn path_in(app: &App, text: &str) -> PathBuf {
     app.directory.join(text)
 }
 
-fn grid_rows(text: &str) -> Result<usize, String> {
-    let refused = || {
-        format!(
-            "rows = `{}` is impossible: write a whole number from 2 to {}",
-            text.trim(),
-            GRID_ROWS.1
-        )
-    };
-    let rows: usize = text.trim().parse().map_err(|_ignored| refused())?;
-    if (2..=GRID_ROWS.1).contains(&rows) { Ok(rows) } else { Err(refused()) }
+/// The number of rows typed; all runs together have no more than [`GRID_ROWS`] allows, since a table is made in memory.
+fn grid_rows(text: &str, runs: usize) -> Result<usize, String> {
+    let most = GRID_ROWS.1 / runs.max(1);
+    let rows = text.trim().parse().ok().filter(|rows| (2..=most).contains(rows));
+    rows.ok_or_else(|| {
+        let of = if runs > 1 { format!(" for each of {runs} runs") } else { String::new() };
+        format!("rows = `{}` is impossible: write a whole number from 2 to {most}{of}", text.trim())
+    })
 }

@@ -10,6 +10,10 @@ use crate::tui::message::Effect;
 
 use super::dialogs;
 
+/// No field of the workbench takes a longer text: characters that nobody means to type (a paste that came as keys, a book on
+/// the keyboard) are dropped.
+const TEXT_MAX: usize = 1024;
+
 /// Put a key into a field; whether it was one for a field. While `fresh`, the whole text is selected.
 pub(super) fn press(input: &mut Input, fresh: &mut bool, key: KeyEvent) -> bool {
     let Some(request) = request(key) else {
@@ -23,7 +27,10 @@ pub(super) fn press(input: &mut Input, fresh: &mut bool, key: KeyEvent) -> bool 
         input.reset();
     }
     *fresh = false;
-    input.handle(request);
+    let adds = matches!(request, InputRequest::InsertChar(_));
+    if !adds || input.value().chars().count() < TEXT_MAX {
+        input.handle(request);
+    }
     true
 }
 
@@ -51,16 +58,13 @@ fn request(key: KeyEvent) -> Option<InputRequest> {
     }
 }
 
-/// No field of the workbench takes a longer text.
-const PASTE_MAX: usize = 1024;
-
 /// Pasted text goes into the open field, without line breaks and control characters; else it is ignored with a note.
 pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
     app.notice = None;
     let clean: String =
-        text.trim().chars().filter(|c| !c.is_control()).take(PASTE_MAX + 1).collect();
-    if clean.chars().count() > PASTE_MAX {
-        let text = format!("pasted text is ignored: it is longer than {PASTE_MAX} characters");
+        text.trim().chars().filter(|c| !c.is_control()).take(TEXT_MAX + 1).collect();
+    if clean.chars().count() > TEXT_MAX {
+        let text = format!("pasted text is ignored: it is longer than {TEXT_MAX} characters");
         app.say(Severity::Warning, text);
         return Vec::new();
     }

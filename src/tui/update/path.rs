@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crossterm::event::{KeyCode, KeyEvent};
+use tui_input::Input;
 
 use super::input;
 use crate::model::scene::Scene;
@@ -23,8 +24,13 @@ pub(super) fn press(
         KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Esc => return Vec::new(),
         KeyCode::Char('y' | 'o') if state.question => effects = write(app, &mut state, true),
+        KeyCode::Char('r') if state.question => {
+            state.input = Input::new(next_name(state.input.value()));
+            state.question = false;
+        }
         KeyCode::Enter if state.question => {}
         KeyCode::Enter => effects = write(app, &mut state, false),
+        KeyCode::Tab => effects = vec![Effect::Complete(state.input.value().to_owned())],
         _ => {
             if input::press(&mut state.input, &mut state.fresh, key) {
                 state.question = false;
@@ -46,6 +52,21 @@ pub(super) fn typed(app: &App, state: &mut Save, example: &str) -> Option<PathBu
     let path = app.directory.join(text);
     state.question = false;
     Some(path)
+}
+
+/// The next name of a series: `run.csv`, `run-2.csv`, `run-3.csv`.
+pub(super) fn next_name(text: &str) -> String {
+    let (stem, ending) = match text.rsplit_once('.') {
+        Some((stem, ending)) if !ending.contains('/') => (stem, format!(".{ending}")),
+        _ => (text, String::new()),
+    };
+    match stem.rsplit_once('-') {
+        Some((front, number)) => match number.parse::<u32>() {
+            Ok(number) => format!("{front}-{}{ending}", number.saturating_add(1)),
+            Err(_) => format!("{stem}-2{ending}"),
+        },
+        None => format!("{stem}-2{ending}"),
+    }
 }
 
 /// The first part of the name proposed for a file about a scene: the preset's, where the scene is still that.

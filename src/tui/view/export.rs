@@ -6,7 +6,8 @@ use tui_input::Input;
 
 use super::Cursor;
 use super::popup::frame;
-use super::text::{Rows, first_row, put};
+use super::text::{Rows, first_row, put, window};
+use crate::files::export::Meta;
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Export, ExportRow, What};
 use crate::tui::app::status::{clip, wrap};
@@ -66,6 +67,8 @@ fn one(
         ExportRow::Path => ("  file", String::new()),
         ExportRow::GridRows => ("  rows", String::new()),
         ExportRow::What => ("  what", format!("< {} >", state.what.words())),
+        ExportRow::Style => ("  style", format!("< {} >", state.style.words())),
+        ExportRow::Meta => ("  scene", format!("< {} >", state.meta.words())),
         ExportRow::Run(index) => {
             let (name, on) = &state.runs[index];
             let lead = if index == 0 { "  runs" } else { "" };
@@ -86,18 +89,19 @@ fn one(
     let input: Option<&Input> = match row {
         ExportRow::Path => Some(&state.path),
         ExportRow::GridRows => Some(&state.grid),
-        ExportRow::What | ExportRow::Run(_) | ExportRow::Column(_) => None,
+        ExportRow::What
+        | ExportRow::Style
+        | ExportRow::Meta
+        | ExportRow::Run(_)
+        | ExportRow::Column(_) => None,
     };
     let Some(input) = input else {
         put(buffer, list, (column, at), &text, style);
         return;
     };
-    let room = usize::from(list.width.saturating_sub(column + 1));
-    let scroll = input.visual_scroll(room);
-    let shown: String = input.value().chars().skip(scroll).take(room).collect();
+    let (shown, place) = window(input, list.width.saturating_sub(column + 1));
     put(buffer, list, (column, at), &shown, app.theme.style(Role::Text));
     if here {
-        let place = u16::try_from(input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
         *cursor = Some((list.x + column + place, list.y + at));
     }
 }
@@ -114,7 +118,10 @@ fn below(app: &App, state: &Export, area: Rect, buffer: &mut Buffer) {
     let dim = app.theme.style(Role::Dim);
     let text = format!("to {}", path.display());
     put(buffer, area, (0, 1), &clip(&text, width), app.theme.style(Role::Text));
-    let note = "and beside it a .toml that runs it again to the same digits";
+    let note = match state.meta {
+        Meta::Beside => "and beside it a .toml that runs it again to the same digits",
+        Meta::Inline => "with the scene in # lines at its head, which not every program skips",
+    };
     put(buffer, area, (0, 2), &clip(note, width), dim);
     let lines: Vec<(String, Role)> = if state.question {
         vec![(
@@ -148,17 +155,13 @@ fn preview(app: &App, state: &Export) -> Vec<String> {
     let Some(shown) = &app.shown else {
         return Vec::new();
     };
-    // A few rows are enough: a copy of the run with the head of its series only.
-    let mut head = (*shown.run).clone();
-    if state.what == What::Series {
-        head.series.truncate(3);
-    }
     let ticked = state.columns.iter().filter(|(_, on)| *on);
     let wanted: Vec<String> = match state.what {
         What::Series | What::Grid => ticked.map(|(name, _)| (*name).to_owned()).collect(),
         What::Results | What::Events => Vec::new(),
     };
-    let named = [("now".to_owned(), std::sync::Arc::new(head))];
-    let text = csv::text(rows, &named, &wanted).unwrap_or_default();
-    text.lines().take(3).map(str::to_owned).collect()
+    let named = [("now".to_owned(), std::sync::Arc::clone(&shown.run))];
+    let text = csv::head(rows, &named, &wanted, 2).and_then(|text| state.style.file("", &text));
+    let text = text.unwrap_or_default();
+    text.trim_start_matches(state.style.head()).lines().take(3).map(str::to_owned).collect()
 }

@@ -89,10 +89,10 @@ fn in_dialog(dialog: &Dialog) -> Keys {
         Dialog::ExportAccuracy(save) | Dialog::ExportSweep(save) | Dialog::ExportTable(_, save)
             if save.question =>
         {
-            &[("y", "overwrite"), ("n", "another name")]
+            &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]
         }
         Dialog::ExportAccuracy(_) | Dialog::ExportSweep(_) | Dialog::ExportTable(..) => {
-            &[("Enter", "write"), ("Esc", "close")]
+            &[("Enter", "write"), ("Tab", "complete path"), ("Esc", "close")]
         }
         Dialog::Curve(..) => &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")],
         Dialog::Save(_) => &[("Enter", "save"), ("Esc", "do not save")],

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::widgets::{Clear, Widget};
 
-use super::text::{Rows, put};
+use super::text::{Rows, put, window};
 use super::{Cursor, export, help, history, presets, save, words};
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Picker};
@@ -90,8 +90,8 @@ pub(super) fn filter(
 ) {
     if picker.typing {
         let end = put(buffer, area, (0, 0), "> ", app.theme.style(Role::Key));
-        put(buffer, area, (end, 0), picker.filter.value(), app.theme.style(Role::Text));
-        let at = u16::try_from(picker.filter.visual_cursor()).unwrap_or(0);
+        let (shown, at) = window(&picker.filter, area.width.saturating_sub(end));
+        put(buffer, area, (end, 0), &shown, app.theme.style(Role::Text));
         *cursor = Some((area.x + (end + at).min(area.width.saturating_sub(1)), area.y));
     } else {
         put(buffer, area, (0, 0), "/ to search", app.theme.style(Role::Dim));

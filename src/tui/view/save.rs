@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::Cursor;
 use super::popup::frame;
-use super::text::put;
+use super::text::{put, window};
 use crate::model::units;
 use crate::tui::app::App;
 use crate::tui::app::dialog::Save;
@@ -48,7 +48,7 @@ pub(super) fn path(
     field(app, state, ("file  ", inner), buffer, cursor);
     let target = app.directory.join(state.input.value().trim());
     let (text, role) = if state.question {
-        (format!("{} exists: overwrite it? y / n", target.display()), Role::Warning)
+        (format!("{} exists: [o]verwrite, [r]ename, Esc back", target.display()), Role::Warning)
     } else if let Some(error) = &state.error {
         (format!("x {error}"), Role::Error)
     } else {
@@ -105,12 +105,9 @@ fn field(
     cursor: &mut Cursor,
 ) {
     let lead = put(buffer, inner, (0, 1), name, app.theme.style(Role::Title));
-    let room = usize::from(inner.width.saturating_sub(lead + 1));
-    let scroll = state.input.visual_scroll(room);
-    let shown: String = state.input.value().chars().skip(scroll).take(room).collect();
+    let (shown, at) = window(&state.input, inner.width.saturating_sub(lead + 1));
     let style = app.theme.style(if state.fresh { Role::Selection } else { Role::Text });
     put(buffer, inner, (lead, 1), &shown, style);
-    let at = u16::try_from(state.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
     *cursor = Some((inner.x + lead + at, inner.y + 1));
 }
 

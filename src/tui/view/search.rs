@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Cursor;
-use super::text::{columns, first_row, paint_row, put};
+use super::text::{columns, first_row, paint_row, put, window};
 use crate::model::results::ResultColumn;
 use crate::study::search::front::{Candidate, Design};
 use crate::study::search::seek;
@@ -116,8 +116,7 @@ fn open(
     let wide = matches!(field.row, Row::Result | Row::Output);
     let start = if wide { LABEL } else { VALUE };
     let room = area.width.saturating_sub(start + 1);
-    let scroll = field.input.visual_scroll(usize::from(room.saturating_sub(1)));
-    let shown: String = field.input.value().chars().skip(scroll).take(usize::from(room)).collect();
+    let (shown, place) = window(&field.input, room);
     let style = app.theme.style(match (field.error.is_some(), field.fresh) {
         (true, _) => Role::Error,
         (false, true) => Role::Selection,
@@ -127,8 +126,7 @@ fn open(
     put(buffer, area, (start - 1, at), "[", app.theme.style(Role::Focus));
     put(buffer, area, (start, at), &shown, style);
     put(buffer, area, (start + room, at), "]", app.theme.style(Role::Focus));
-    let place = u16::try_from(field.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
-    *cursor = Some((area.x + start + place.min(room), area.y + at));
+    *cursor = Some((area.x + start + place, area.y + at));
 }
 
 /// What stands where nothing has been found yet.

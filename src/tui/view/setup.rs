@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Cursor;
-use super::text::{columns, first_row, paint_row, put};
+use super::text::{columns, first_row, paint_row, put, window};
 use crate::model::variables::{self, VARIABLES};
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
@@ -90,8 +90,7 @@ fn open(
 ) {
     let start = if field.row == SetupRow::Output { LABEL } else { VALUE };
     let room = area.width.saturating_sub(start + 1);
-    let scroll = field.input.visual_scroll(usize::from(room.saturating_sub(1)));
-    let shown: String = field.input.value().chars().skip(scroll).take(usize::from(room)).collect();
+    let (shown, place) = window(&field.input, room);
     let style = app.theme.style(match (field.error.is_some(), field.fresh) {
         (true, _) => Role::Error,
         (false, true) => Role::Selection,
@@ -105,6 +104,5 @@ fn open(
     if field.error.is_some() {
         put(buffer, area, (0, at), "x", app.theme.style(Role::Error));
     }
-    let place = u16::try_from(field.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
-    *cursor = Some((area.x + start + place.min(room), area.y + at));
+    *cursor = Some((area.x + start + place, area.y + at));
 }

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 
 use super::Cursor;
 use super::save::extent;
-use super::text::{columns, paint_row, put};
+use super::text::{columns, paint_row, put, window};
 use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
@@ -149,8 +149,7 @@ fn open_field(
     let text = field.input.value();
     let long = columns(text) >= VALUE_WIDTH;
     let room = if long { list.width.saturating_sub(VALUE + 1) } else { VALUE_WIDTH };
-    let scroll = field.input.visual_scroll(usize::from(room.saturating_sub(1)));
-    let shown: String = text.chars().skip(scroll).take(usize::from(room)).collect();
+    let (shown, at) = window(&field.input, room);
     let style = app.theme.style(match (field.error.is_some(), field.fresh) {
         (true, _) => Role::Error,
         (false, true) => Role::Selection,
@@ -171,8 +170,7 @@ fn open_field(
             app.theme.style(Role::Dim),
         );
     }
-    let at = u16::try_from(field.input.visual_cursor().saturating_sub(scroll)).unwrap_or(0);
-    *cursor = Some((list.x + VALUE + at.min(room), list.y + row));
+    *cursor = Some((list.x + VALUE + at, list.y + row));
 }
 
 /// `[--|----]`: where the value stands in the range the thesis searched; `<` and `>` outside it.

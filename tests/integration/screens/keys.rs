@@ -7,6 +7,8 @@ use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
 use cmra::files::csv::Rows;
+use cmra::files::export::Meta;
+use cmra::files::style::Style;
 use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
 use cmra::tui::app::Tab;
 use cmra::tui::app::charts::Window;
@@ -541,6 +543,25 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Written(vec!["a.csv".into()]))));
     assert!(bench.app.dialog.is_none());
     assert!(bench.message().contains("written: a.csv"));
+}
+
+#[test]
+fn an_export_is_spelt_as_chosen_with_its_scene_where_chosen() {
+    let mut bench = bench();
+    bench.press("e");
+    // The last two rows: style, and where the scene goes.
+    bench.press(&"<Down>".repeat(30));
+    assert!(bench.screen().contains("scene    < beside it"), "{}", bench.screen());
+    bench.press("l<Up>hl l");
+    assert!(bench.screen().contains("style    < for Excel"), "{}", bench.screen());
+    assert!(bench.screen().contains("time_s;mode;penetration_m"), "{}", bench.screen());
+    bench.press("<Enter>");
+    let request = bench.effects.iter().find_map(|effect| match effect {
+        Effect::Export(request) => Some(request),
+        _ => None,
+    });
+    let request = request.unwrap();
+    assert_eq!((request.style, request.meta), (Style::ExcelEu, Meta::Inline));
 }
 
 #[test]

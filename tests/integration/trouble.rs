@@ -1,0 +1,190 @@
+//! The workbench where the world is against it: pipes in the place of its files, another workbench beside it, absurd windows,
+//! devices as targets, and a person who leaves in the middle of everything.
+
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use crate::hostile::pipe;
+use crate::pty::{PATIENCE, Start, Terminal};
+
+/// Longest quiet time within one answer of the program.
+const QUIET: Duration = Duration::from_millis(300);
+
+/// How long the prompt may take to come back, on a busy machine.
+const PROMPT: Duration = Duration::from_secs(2);
+
+/// The status row of a finished run of the baseline.
+const DONE: &str = "arrested";
+
+fn started(start: Start<'_>) -> Terminal {
+    let mut terminal = Terminal::start_with(start);
+    terminal.wait_for(DONE);
+    terminal.settle(QUIET);
+    terminal
+}
+
+/// Give the impact velocity, the third of the variables, another value.
+fn shoot_at(terminal: &mut Terminal, speed: &str) {
+    terminal.send(&format!("gjj\r{speed}\r"));
+    let there = format!(" {speed} m/s");
+    terminal.wait_until("the new velocity", |screen| {
+        screen.hide_cursor() && screen.contents().contains(&there)
+    });
+}
+
+/// Wait until a file holds this text.
+fn wait_for_text(path: &Path, text: &str) {
+    let deadline = Instant::now() + PATIENCE;
+    while !fs::read_to_string(path).is_ok_and(|found| found.contains(text)) {
+        assert!(Instant::now() < deadline, "no `{text}` in {}", path.display());
+        std::thread::yield_now();
+    }
+}
+
+#[test]
+fn pipes_in_the_place_of_its_own_files_do_not_hold_it_up() {
+    let home = tempfile::tempdir().unwrap();
+    for name in [
+        "state/cmra/session.toml",
+        "state/cmra/cmra.log",
+        "state/cmra/clipboard.txt",
+        "data/cmra/presets/stuck.toml",
+    ] {
+        pipe(&home.path().join(name));
+    }
+    let environment = &[("CMRA_LOG", "bogus")];
+    let mut terminal = started(Start { home: Some(home), environment, ..Start::default() });
+    assert!(terminal.screen().contents().contains("session cannot be read"));
+    shoot_at(&mut terminal, "150");
+    // The list of presets comes all the same.
+    terminal.send("p");
+    terminal.wait_for("Baseline of chapter 9");
+    terminal.send("\x1b");
+    terminal.settle(QUIET);
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
+    terminal.assert_restored();
+    let kept = fs::read_to_string(terminal.session_file()).expect("an ordinary file by now");
+    assert!(kept.contains("150"), "{kept}");
+}
+
+#[test]
+fn two_workbenches_at_once_lose_nothing_of_each_other() {
+    let shared = tempfile::tempdir().unwrap();
+    let state = shared.path().to_str().unwrap();
+    let session = shared.path().join("cmra/session.toml");
+    let other = shared.path().join("cmra/session.other.toml");
+    let environment = &[("XDG_STATE_HOME", state)];
+    let mut first = started(Start { environment, ..Start::default() });
+    let mut second = started(Start { environment, ..Start::default() });
+    shoot_at(&mut first, "150");
+    wait_for_text(&session, "150.0");
+    shoot_at(&mut second, "125");
+    second.send("q");
+    assert_eq!(second.wait_exit(PATIENCE).exit_code(), 0);
+    wait_for_text(&session, "125.0");
+    wait_for_text(&other, "150.0");
+    // The first one goes on, and says what it has found.
+    shoot_at(&mut first, "175");
+    first.wait_for("another workbench");
+    wait_for_text(&session, "175.0");
+    wait_for_text(&other, "125.0");
+    first.send("q");
+    assert_eq!(first.wait_exit(PATIENCE).exit_code(), 0);
+}
+
+#[test]
+fn a_window_of_absurd_size_is_drawn_on_in_part() {
+    let mut terminal = started(Start::default());
+    terminal.claim_size(u16::MAX, u16::MAX);
+    terminal.settle(QUIET);
+    let status = fs::read_to_string(format!("/proc/{}/status", terminal.process())).unwrap();
+    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).unwrap();
+    let kilobytes: u64 = peak.trim().trim_end_matches(" kB").parse().unwrap();
+    assert!(kilobytes < 400_000, "{peak}");
+    terminal.resize(80, 24);
+    terminal.wait_for(DONE);
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
+    terminal.assert_restored();
+}
+
+#[test]
+fn the_terminal_itself_is_no_target_of_an_export() {
+    let mut terminal = started(Start::default());
+    terminal.send("e\x15/dev/tty\r");
+    terminal.wait_for("is a device or a pipe");
+    // Nor a scene to be read, which would take the keys.
+    terminal.send("\x1b");
+    terminal.settle(QUIET);
+    terminal.send("p/");
+    terminal.settle(QUIET);
+    terminal.send("/dev/tty\r");
+    terminal.wait_for("`/dev/tty` is a device or a pipe");
+    terminal.send("\x1b");
+    terminal.settle(QUIET);
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
+    terminal.assert_restored();
+}
+
+#[test]
+fn a_table_is_renamed_where_its_name_is_taken_and_paths_are_completed() {
+    let mut terminal = started(Start::default());
+    fs::write(terminal.file("taken.csv"), "mine").unwrap();
+    // The Limit tab has a table of shots.
+    terminal.send("8");
+    terminal.wait_for("V50");
+    terminal.settle(QUIET);
+    terminal.send("e\x15tak\t");
+    terminal.wait_for("taken.csv");
+    terminal.send("\r");
+    terminal.wait_for("[r]ename");
+    terminal.send("r\r");
+    terminal.wait_for("written: ");
+    assert_eq!(fs::read_to_string(terminal.file("taken.csv")).unwrap(), "mine");
+    assert!(fs::read_to_string(terminal.file("taken-2.csv")).unwrap().lines().count() > 2);
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
+}
+
+#[test]
+fn leaving_takes_no_time_whatever_is_being_computed() {
+    // Tabs that compute by themselves, the battery, and every search.
+    let starts = ["2", "3", "4", "5", "5\t", "7", "8", "9r", "9vr", "9vvr", "9vvvr", "9vvvvr"];
+    for keys in starts {
+        let mut terminal = started(Start::default());
+        for key in keys.chars() {
+            terminal.send(&key.to_string());
+            terminal.settle(Duration::from_millis(30));
+        }
+        // Whoever leaves hammers on the keys.
+        for _ in 0..200 {
+            terminal.send("j");
+        }
+        let asked = Instant::now();
+        terminal.send("q");
+        assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0, "{keys}: {:?}", asked.elapsed());
+        terminal.assert_restored();
+    }
+}
+
+#[test]
+fn a_book_on_the_keyboard_fills_a_field_and_no_more() {
+    let mut terminal = started(Start::default());
+    terminal.send("jj\r");
+    terminal.settle(QUIET);
+    for _ in 0..20 {
+        terminal.send(&"1".repeat(1000));
+    }
+    terminal.settle(QUIET);
+    let asked = Instant::now();
+    terminal.send("\r");
+    terminal.wait_for("not a finite number");
+    assert!(asked.elapsed() < PROMPT, "{:?}", asked.elapsed());
+    terminal.send("\x1b");
+    terminal.settle(QUIET);
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
+}
