@@ -19,8 +19,11 @@ mod draw;
 const SCENES: u64 = 10_000;
 /// Greatest relative energy residual.
 const RESIDUAL_MAX: f64 = 1e-8;
-/// Steps a run may take besides those that its swings and events ask for.
-const STEPS_MAX: usize = 2_500;
+/// Steps a run may take besides those that its swings and events ask for, and how they grow with the tolerance: the implicit
+/// method's, whose estimate of order 4 is asked for the tolerance to the power 2/3, grow fastest.
+const STEPS_MAX: f64 = 2_500.0;
+const STEPS_AT: f64 = 1e-9;
+const STEPS_POWER: f64 = 1.0 / 6.0;
 /// Steps after which a run is not followed any further here.
 const FOLLOWED: usize = 100_000;
 /// The engine's Taylor steps: their order, their local tolerance per tolerance, and how close, relative to a swing, they come to
@@ -28,10 +31,11 @@ const FOLLOWED: usize = 100_000;
 const ORDER: f64 = 16.0;
 const LOCAL: f64 = 1e-4;
 const CLOSE: [f64; 2] = [1e-6, 1e-9];
-/// Every so many scenes are run at two tolerances.
-const COMPARED: u64 = 20;
-/// How far the two may differ, relative, unless the error estimate says so.
+/// Each is run at its own tolerance and at this one. How far the two may differ, relative; and how far where the error estimate
+/// says so.
+const TIGHT: f64 = 1e-11;
 const DIFFERENCE_MAX: f64 = 1e-7;
+const TOLD_MAX: f64 = 1e-5;
 
 /// In what a run falls short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +44,7 @@ enum Class {
     NotFinite,
     /// Two tolerances give different outcomes, or results further apart than the estimate says.
     SilentlyWrong,
-    /// Two tolerances differ, and the estimate says so.
+    /// Two tolerances differ by far, and the estimate says so.
     ToldWrong,
     Energy,
     TimeRunsBack,
@@ -105,13 +109,14 @@ fn steps_per_turn(scene: &Scene) -> f64 {
 fn is_bounded(course: &Course) -> bool {
     let cost = &course.run.cost;
     let asked = (cost.turns + cost.events) as f64 * steps_per_turn(&course.run.scene);
-    course.steps as f64 <= STEPS_MAX as f64 + asked
+    let besides = STEPS_MAX * (STEPS_AT / course.run.scene.run.tolerance).powf(STEPS_POWER);
+    course.steps as f64 <= besides + asked
 }
 
-fn estimate_of(scene: &Arc<Scene>) -> f64 {
+fn estimate_of(scene: &Arc<Scene>) -> Option<f64> {
     let settings = Settings { series: false, estimate: true };
     let run = simulate(scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
-    run.error_estimate.map_or(0.0, |estimate| estimate.relative)
+    run.error_estimate.map(|estimate| estimate.relative)
 }
 
 /// Final depth, or exit time; nothing while undecided.
@@ -167,10 +172,10 @@ fn class_of(course: &Course) -> Option<Class> {
 /// Two tolerances must agree, or the estimate must say that they do not.
 fn compare(scene: &Arc<Scene>, run: &Run) -> Option<(Class, String)> {
     let mut tight = Scene::clone(scene);
-    tight.run.tolerance = 1e-11;
+    tight.run.tolerance = TIGHT;
     let second = course_of(&Arc::new(tight));
-    if let Some(class) = class_of_end(&second) {
-        return Some((class, "at 1e-11".to_owned()));
+    if let Some(class) = class_of(&second) {
+        return Some((class, format!("at {TIGHT:e}")));
     }
     let second = second.run;
     if [run.end, second.end].contains(&EndReason::Swings) {
@@ -178,16 +183,20 @@ fn compare(scene: &Arc<Scene>, run: &Run) -> Option<(Class, String)> {
         return None;
     }
     if second.outcome != run.outcome {
-        return Some((Class::SilentlyWrong, format!("{} at 1e-11", second.outcome)));
+        return Some((Class::SilentlyWrong, format!("{} at {TIGHT:e}", second.outcome)));
     }
     let difference = (measure(run)? / measure(&second)? - 1.0).abs();
     if difference <= DIFFERENCE_MAX {
         return None;
     }
     let estimate = estimate_of(scene);
-    let told = 10.0 * estimate >= difference;
+    // Where no estimate can be given, that is said.
+    let told = estimate.is_none_or(|estimate| 10.0 * estimate >= difference);
+    if told && difference <= TOLD_MAX {
+        return None;
+    }
     let class = if told { Class::ToldWrong } else { Class::SilentlyWrong };
-    Some((class, format!("differ by {difference:.1e}, estimate {estimate:.1e}")))
+    Some((class, format!("differ by {difference:.1e}, estimate {estimate:?}")))
 }
 
 fn check(index: u64) -> Option<Shortfall> {
@@ -207,8 +216,7 @@ fn check(index: u64) -> Option<Shortfall> {
         );
         return short(class, detail);
     }
-    let (class, detail) =
-        index.is_multiple_of(COMPARED).then(|| compare(&scene, &run)).flatten()?;
+    let (class, detail) = compare(&scene, &run)?;
     short(class, detail)
 }
 
@@ -275,6 +283,22 @@ fn plates_on_a_stop_far_from_the_springs_zero_come_to_rest() {
             assert!(class.is_none() && steps < 4_000, "{index}: {class:?}, {steps} steps");
             assert_ne!(course.run.end, EndReason::Swings, "{index} at {tolerance:e}");
         }
+    }
+}
+
+/// A foil whose area law changes within the first moments, at a singular start; a projectile that is through and would be back
+/// within one long implicit step; a nose drawn out past the edge of an oblique section, at whose other side the equations hold
+/// again: at every tolerance the same end.
+#[test]
+fn nothing_is_stepped_over_whatever_the_steps() {
+    for index in [8_468, 8_626, 4_581, 6_024] {
+        let ends = [1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12].map(|tolerance| {
+            let mut scene = Scene::clone(&draw::scene(&draw::changes(index)));
+            scene.run.tolerance = tolerance;
+            measure(&course_of(&Arc::new(scene)).run).unwrap()
+        });
+        let widest = ends.iter().map(|end| (end / ends[5] - 1.0).abs()).fold(0.0, f64::max);
+        assert!(widest < 1e-8, "{index}: {ends:?}");
     }
 }
 

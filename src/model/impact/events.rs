@@ -36,7 +36,7 @@ impl Track<'_> {
                 self.state.travel_m = piece.map_or(0.0, |piece| piece.from_m);
             }
             Trigger::HoleBottom => self.state.travel_m = self.deepest_m,
-            Trigger::SlipZero => self.state.slip_m_s = 0.0,
+            Trigger::SlipZero | Trigger::SlipHeld => self.state.slip_m_s = 0.0,
             Trigger::Recontact => self.state.travel_m = 0.0,
             Trigger::PlateZero if self.spring_is_whole() => self.state.plate_m = 0.0,
             Trigger::KnotAhead => self.state.plate_m = self.spring_ends().1,
@@ -71,6 +71,10 @@ impl Track<'_> {
             Trigger::PieceStart => self.piece_start(),
             Trigger::HoleBottom => self.deepen(),
             Trigger::SlipZero => self.common_velocity(),
+            Trigger::SlipHeld => {
+                self.record.event(self.t_s, EventKind::Arrest);
+                self.mode = Mode::Fused;
+            }
             Trigger::Recontact => {
                 self.record.event(self.t_s, EventKind::Recontact);
                 self.mode = if self.deepest_m > 0.0 { Mode::Closing } else { Mode::Penetrating };

@@ -14,6 +14,8 @@ pub(super) enum Trigger {
     HoleBottom,
     /// Common velocity.
     SlipZero,
+    /// The slip would go the other way at once: what had moved the interface is gone.
+    SlipHeld,
     /// A projectile that had left touches again.
     Recontact,
     /// The plate's displacement changes sign (or comes so close to zero that its power law is left out for a moment).
@@ -54,6 +56,7 @@ impl Trigger {
             | Self::KnotBehind => false,
             Self::HoleBottom
             | Self::SlipZero
+            | Self::SlipHeld
             | Self::Recontact
             | Self::StopReached
             | Self::StopCleared
@@ -103,12 +106,8 @@ impl Guards {
 }
 
 impl Form {
-    /// The form along an expansion, as a series, and what rounding may have left of a start value that is zero.
-    pub(super) fn along<const N: usize>(
-        &self,
-        motion: &Motion<'_>,
-        e: &Expansion<N>,
-    ) -> ([f64; N], f64) {
+    /// The form along an expansion, as it is watched.
+    pub(super) fn along<const N: usize>(&self, motion: &Motion<'_>, e: &Expansion<N>) -> [f64; N] {
         let mut sum = [0.0; N];
         let terms = [
             (self.travel, &e.travel),
@@ -125,20 +124,21 @@ impl Form {
                 }
             }
         }
-        sum[0] += self.offset;
-        // Positions and speeds are put exactly on their event; forces are not.
-        let noise = if self.has_force() {
-            let forces_n = (e.contact[0], e.mechanism[0], e.damper[0]);
-            self.rounding_of(motion, &e.state(0.0), forces_n)
-        } else {
-            0.0
-        };
-        (sum, noise)
+        let forces_n = (e.contact[0], e.mechanism[0], e.damper[0]);
+        sum[0] += self.offset + self.spared(motion, &e.state(0.0), forces_n);
+        sum
     }
 
-    /// Whether forces are in it.
-    pub(super) fn has_force(&self) -> bool {
-        self.contact != 0.0 || self.mechanism != 0.0
+    /// The form at a state, as it is watched: positions and speeds are put exactly on their event, but one of forces has fallen only
+    /// where it is below zero by more than rounding. Forces that have died down, or hold each other, are of either sign.
+    pub(super) fn watched(&self, motion: &Motion<'_>, state: &State) -> f64 {
+        self.at(motion, state) + self.spared(motion, state, self.forces_n(motion, state))
+    }
+
+    /// By how much it may be below zero without having fallen.
+    fn spared(&self, motion: &Motion<'_>, state: &State, forces_n: (f64, f64, f64)) -> f64 {
+        let has_force = self.contact != 0.0 || self.mechanism != 0.0;
+        if has_force { self.rounding_of(motion, state, forces_n) } else { 0.0 }
     }
 
     /// What rounding may leave of the form at a state where it is zero.

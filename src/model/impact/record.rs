@@ -214,7 +214,7 @@ fn greatest<const N: usize>(c: &[f64; N], span: f64) -> f64 {
     let mut best = c[0];
     let end = evaluate(c, span);
     best = if end > best { end } else { best };
-    if let Some(s) = first_fall(&slope(c), span, 0.0) {
+    if let Some(s) = first_fall(&slope(c), span) {
         let top = evaluate(c, s);
         best = if top > best { top } else { best };
     }

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use crate::model::impact::guard::{Form, Trigger};
 use crate::model::impact::track::{Track, is_finite};
-use crate::model::motion::{Motion, State};
+use crate::model::motion::State;
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::implicit::{ImplicitSystem, Step, WEIGHTS, interpolate, step, step_factor};
 use crate::numerics::root::in_bracket;
@@ -96,12 +96,14 @@ impl Track<'_> {
 
     /// A step from whichever guess leads anywhere.
     fn solve(&self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) -> Option<Step<4>> {
-        let from =
-            |guess| step::<4, 12>(system, y, h, guess).filter(|step| self.is_possible(system, step));
-        from(system.guess(y, h)).or_else(|| from([*y; 3])).or_else(|| {
-            let rides = matches!(system.spring, Carrier::Force(_));
-            rides.then(|| from(system.riding(y, h))).flatten()
-        })
+        let from = |guess| {
+            step::<4, 12>(system, y, h, guess).filter(|step| self.is_possible(system, step))
+        };
+        let by_force = matches!(system.spring, Carrier::Force(_));
+        let others = || from(system.riding(y, h)).or_else(|| from(system.coasting(y, h)));
+        from(system.guess(y, h))
+            .or_else(|| from([*y; 3]))
+            .or_else(|| if by_force { others() } else { None })
     }
 
     /// Whether the plate has no more energy than there is: far from the solution Newton's method may settle anywhere.
@@ -182,8 +184,8 @@ impl Track<'_> {
             let end = system.state(&solved.stages[2]);
             let has_fallen = |(trigger, form): &&(Trigger, Form)| {
                 fired != Some(*trigger)
-                    && guarded(form, motion, &self.state) > 0.0
-                    && guarded(form, motion, &end) <= 0.0
+                    && form.watched(motion, &self.state) > 0.0
+                    && form.watched(motion, &end) <= 0.0
             };
             let Some((trigger, form)) = guards.iter().find(has_fallen) else {
                 break;
@@ -193,7 +195,7 @@ impl Track<'_> {
                 let trial = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
                 let at =
                     trial.map_or_else(|| interpolate(y, &solved, part), |trial| trial.stages[2]);
-                guarded(form, motion, &system.state(&at))
+                form.watched(motion, &system.state(&at))
             };
             let part = in_bracket(1e-12, 1.0, value);
             let landed = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
@@ -262,11 +264,4 @@ impl Track<'_> {
         }
         self.record = record;
     }
-}
-
-/// A guard at a state. One of forces has fallen where it is below zero by more than rounding: forces that have died down, or hold
-/// each other, are of either sign.
-fn guarded(form: &Form, motion: &Motion<'_>, state: &State) -> f64 {
-    let noise = if form.has_force() { form.rounding(motion, state) } else { 0.0 };
-    form.at(motion, state) + noise
 }

@@ -41,6 +41,8 @@ const USUALLY_FINER: f64 = 1_000.0;
 const DIFFERENCE_ROUNDING: f64 = 3e-14;
 /// The least path of a stride on an elastic stop, relative to the displacement: the stop's force is known to the displacement's rounding.
 const OF_STOP: f64 = 1e-3;
+/// Part of its greatest value on a stretch from which on a guard that starts from zero shows its sign.
+const SEEN: f64 = 1e-9;
 /// How far from zero a guard may be where it has fallen, relative to its value at the start, and how often it is aimed at.
 const LANDED: f64 = 1e-9;
 const LANDINGS: usize = 6;
@@ -157,7 +159,7 @@ impl Track<'_> {
     /// The way to where a guard falls, between two parts of a stretch. The polynomial through the points of the whole is not exact
     /// enough: new ways end closer and closer to the fall.
     fn landed(&self, clock: &Clock<'_>, stretch: &Stretch, fall: &Fall) -> Option<Stretch> {
-        let value = |state: &State| fall.form.at(clock.motion, state);
+        let value = |state: &State| fall.form.watched(clock.motion, state);
         let place = |part: f64| stretch.graded.between(part).0;
         let mut aim = place(fall.part);
         let seen = TICKS * f64::EPSILON * self.t_s * clock.pace().abs();
@@ -218,13 +220,17 @@ impl Track<'_> {
         fits.then_some(Stretch { graded, states, end, fired: None })
     }
 
-    /// Whether a guard that is zero at the start is below zero at the first point: it may have risen and fallen in between.
+    /// Whether a guard that is zero at the start is below zero as soon as it is anything but rounding: it may have risen and fallen
+    /// in between, or have fallen from the start.
     fn falls_at_once(&self, clock: &Clock<'_>, guards: &Guards, stretch: &Stretch) -> bool {
-        let value = |form: &Form, state: &State| form.at(clock.motion, state);
         guards.iter().any(|(trigger, form)| {
-            *trigger != clock.own_trigger()
-                && value(form, &self.state) == 0.0
-                && value(form, &stretch.states[0]) < 0.0
+            let value = |state: &State| form.watched(clock.motion, state);
+            if *trigger == clock.own_trigger() || value(&self.state) != 0.0 {
+                return false;
+            }
+            let values = stretch.states.each_ref().map(value);
+            let most = values.iter().fold(0.0, |most, value| larger(value.abs(), most));
+            values.iter().find(|value| value.abs() > SEEN * most).is_some_and(|first| *first < 0.0)
         })
     }
 
@@ -236,7 +242,7 @@ impl Track<'_> {
             if *trigger == clock.own_trigger() {
                 continue;
             }
-            let value = |state: &State| form.at(clock.motion, state);
+            let value = |state: &State| form.watched(clock.motion, state);
             let between = |part: f64| {
                 let (z, y) = graded.between(part);
                 value(&clock.state(z, &y))

@@ -63,15 +63,20 @@ impl Track<'_> {
             }
             return ControlFlow::Continue(None);
         }
-        let left = (self.until_s() - self.t_s) / h;
-        let mut span = self.checked(&motion, &e, smaller(left, trusted));
-        let mut fired = None;
-        for (trigger, form) in self.guards().iter() {
-            let (series, noise) = form.along(&motion, &e);
-            if let Some(s) = first_fall(&series, span, noise) {
-                (span, fired) = (s, Some(*trigger));
-            }
+        if self.is_held(&e) {
+            return ControlFlow::Continue(Some(Trigger::SlipHeld));
         }
+        let left = (self.until_s() - self.t_s) / h;
+        let mut reach = self.checked(&motion, &e, smaller(left, trusted));
+        let (span, fired) = loop {
+            let (span, fired) = self.first_event(&motion, &e, reach);
+            // An expansion that solves the equations again at its end, back on another piece, need not have done so on the way.
+            let checked = if fired.is_some() { self.checked(&motion, &e, span) } else { span };
+            if checked >= span {
+                break (span, fired);
+            }
+            reach = checked;
+        };
         let state = e.state(span);
         if !is_finite(&state) {
             return ControlFlow::Break(EndReason::NonFinite);
@@ -92,6 +97,34 @@ impl Track<'_> {
         self.count_turns(e.plate_speed[1]);
         self.arrive(t_s, state, &motion, fired);
         ControlFlow::Continue(fired)
+    }
+
+    /// Whether a slip that is to begin would go the wrong way: the force that made the interface give way has changed its sign in
+    /// the same moment.
+    fn is_held<const N: usize>(&self, e: &Expansion<N>) -> bool {
+        let way = match self.mode {
+            Mode::Penetrating | Mode::Closing => 1.0,
+            Mode::Withdrawing => -1.0,
+            Mode::Fused | Mode::FreeFlight | Mode::Perforated => return false,
+        };
+        let first = e.slip[1..].iter().find(|c| **c != 0.0);
+        e.slip[0] == 0.0 && first.is_some_and(|c| c * way < 0.0)
+    }
+
+    /// How far the expansion goes up to the first event before `reach`, in its time unit, and which event that is.
+    fn first_event<const N: usize>(
+        &self,
+        motion: &Motion<'_>,
+        e: &Expansion<N>,
+        reach: f64,
+    ) -> (f64, Option<Trigger>) {
+        let (mut span, mut fired) = (reach, None);
+        for (trigger, form) in self.guards().iter() {
+            if let Some(s) = first_fall(&form.along(motion, e), span) {
+                (span, fired) = (s, Some(*trigger));
+            }
+        }
+        (span, fired)
     }
 
     /// A plate that creeps against its damper, or rides on its spring without swinging: the steps follow the decay rate, or the

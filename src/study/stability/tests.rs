@@ -17,7 +17,5 @@ fn a_row_is_judged_by_other_code_unless_what_follows_the_contact_decides() {
         }
         assert!(row.stiffness.largest().is_finite(), "{}", case.name);
     }
-    // And one whose plate swings through singular zeros of both laws, where Radau's answers differ.
-    let known = ["d 0.5, k 1e5, plastic", "gamma 0.8, plastic", "n 0.19, m 0.22, light"];
-    assert_eq!(by_the_engine, known);
+    assert_eq!(by_the_engine, ["d 0.5, k 1e5, plastic", "gamma 0.8, plastic"]);
 }

@@ -152,6 +152,19 @@ impl<'a> Unknowns<'a> {
         })
     }
 
+    /// Stages of a plate that goes on at its velocity: where the spring's force is next to nothing its displacement's slope is, too, and
+    /// from there Newton's method would come to the force of where the plate will be by a part of it at a time.
+    pub(super) fn coasting(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+        let state = self.state(y);
+        NODES.map(|node| {
+            let mut stage = *y;
+            stage[0] += y[1] * node * h;
+            let x = self.datum_m + self.spring.unfold(y[2]).0 + state.plate_m_s * node * h;
+            stage[2] = self.spring.unknown(x, 0.0);
+            stage
+        })
+    }
+
     /// dA/dq, by a central difference within the piece.
     fn area_slope(&self, q: f64) -> f64 {
         match self.motion.area {
