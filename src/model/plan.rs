@@ -18,12 +18,12 @@ const SLOWEST: f64 = 6.0;
 /// spring yields at most to where its energy equals the work, k x^(n+1)/(n+1) = F x, and the damper at most at the speed
 /// (F/b)^(1/m).
 pub fn holds_still(rigid: &Passage<'_>, mechanism: &Mechanism, start_m: f64) -> bool {
-    if start_m != 0.0 || mechanism.stop_at_m <= 0.0 {
-        return false;
-    }
     let (geometry, v) = (rigid.geometry, rigid.velocity_m_s);
     let radius = geometry.nose.radius_m;
     let pressure = rigid.strength_pa + rigid.drag_kg_m3 * v * v;
+    if start_m != 0.0 || (mechanism.stop_at_m <= 0.0 && pressure > 0.0) {
+        return false;
+    }
     let force = PI * radius * radius * pressure * geometry.nose.cos;
     let Some(spring) = mechanism.spring.power() else {
         return false;
@@ -75,6 +75,20 @@ mod tests {
         assert!(!still(spring(1e6, 0.3)));
         assert!(!still(spring(1e8, 1.0)));
         assert!(!still(|_| {}));
+    }
+
+    #[test]
+    fn a_plate_that_nothing_pushes_holds_still_on_whatever_it_stands() {
+        let pushed_by = |strength_pa: f64| {
+            move |scene: &mut Scene| {
+                scene.target.flow_strength_pa = strength_pa;
+                scene.target.drag_coefficient = 0.0;
+                scene.mechanism.spring.coefficient = 1e6;
+                scene.mechanism.stop.position_m = Some(0.0);
+            }
+        };
+        assert!(still(pushed_by(0.0)));
+        assert!(!still(pushed_by(1e9)));
     }
 
     #[test]

@@ -290,7 +290,9 @@ impl Track<'_> {
         let State { travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w } = self.state;
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
-        if rigid_stop && x >= problem.mechanism.stop_at_m && w > 0.0 {
+        // So close that the clock, or the displacement's digits, do not tell it from the stop.
+        let presses = || w == 0.0 && self.motion().accelerations(&self.state).1 > 0.0;
+        if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
             return Some(Trigger::StopReached);
         }
         let (behind, ahead) = self.spring_ends();
