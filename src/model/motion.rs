@@ -94,6 +94,16 @@ pub struct Expansion<const N: usize> {
 }
 
 impl<const N: usize> Expansion<N> {
+    /// The state it starts from.
+    pub fn start(&self) -> State {
+        State {
+            travel_m: self.travel[0],
+            slip_m_s: self.slip[0],
+            plate_m: self.plate[0],
+            plate_m_s: self.plate_speed[0],
+        }
+    }
+
     /// The state at s.
     pub fn state(&self, s: f64) -> State {
         State {

@@ -125,14 +125,15 @@ impl Form {
             }
         }
         let forces_n = (e.contact[0], e.mechanism[0], e.damper[0]);
-        sum[0] += self.offset + self.spared(motion, &e.state(0.0), forces_n);
+        sum[0] += self.offset + self.spared(motion, &e.start(), forces_n);
         sum
     }
 
     /// The form at a state, as it is watched: positions and speeds are put exactly on their event, but one of forces has fallen only
     /// where it is below zero by more than rounding. Forces that have died down, or hold each other, are of either sign.
     pub(super) fn watched(&self, motion: &Motion<'_>, state: &State) -> f64 {
-        self.at(motion, state) + self.spared(motion, state, self.forces_n(motion, state))
+        let forces_n = self.forces_n(motion, state);
+        self.value(state, forces_n) + self.spared(motion, state, forces_n)
     }
 
     /// By how much it may be below zero without having fallen.
@@ -166,7 +167,10 @@ impl Form {
 
     /// The form at a state.
     pub(super) fn at(&self, motion: &Motion<'_>, state: &State) -> f64 {
-        let (contact_n, mechanism_n, _) = self.forces_n(motion, state);
+        self.value(state, self.forces_n(motion, state))
+    }
+
+    fn value(&self, state: &State, (contact_n, mechanism_n, _): (f64, f64, f64)) -> f64 {
         self.offset
             + self.travel * state.travel_m
             + self.slip * state.slip_m_s

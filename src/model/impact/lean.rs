@@ -70,6 +70,11 @@ pub struct Contact {
 const SPRING_POWERS: usize = 3;
 const DAMPER_POWERS: usize = 2;
 
+/// Whether a law is linear, or none at all.
+fn is_linear(law: PowerLaw) -> bool {
+    matches!(law.kind(), PowerKind::Absent | PowerKind::Linear)
+}
+
 /// Whether a law, compiled as products up to that power, cannot be expanded at its zero.
 fn is_singular(law: PowerLaw, powers: usize) -> bool {
     match law.kind() {
@@ -287,8 +292,11 @@ impl Contact {
     /// The damper and spring of a plate that follows the forces at once, if they are such.
     fn as_slaved(&self, tolerance: f64) -> Option<Slaved> {
         let (spring, damper) = (self.spring, self.damper);
-        let linear = |law: PowerLaw| matches!(law.kind(), PowerKind::Absent | PowerKind::Linear);
-        if !(linear(spring) && linear(damper) && self.start_m == 0.0 && damper.coefficient > 0.0) {
+        if !(is_linear(spring)
+            && is_linear(damper)
+            && self.start_m == 0.0
+            && damper.coefficient > 0.0)
+        {
             return None;
         }
         let slaved = Slaved { damper_n_s_m: damper.coefficient, spring_n_m: spring.coefficient };
@@ -325,7 +333,7 @@ mod tests {
     use std::ops::ControlFlow;
     use std::sync::Arc;
 
-    fn scene(pairs: &str) -> Scene {
+    pub(super) fn scene(pairs: &str) -> Scene {
         let mut scene = Scene::default();
         scene.mechanism.spring.coefficient = 0.0;
         for pair in pairs.split_whitespace() {

@@ -13,7 +13,7 @@ use crate::model::impact::lean::law::{Law, Linear, Power};
 use crate::model::impact::lean::ride::{Rider, ride_abreast};
 use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
 use crate::model::impact::lean::{
-    Contact, ContactEnd, SPRING_POWERS, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_singular,
+    Contact, ContactEnd, SPRING_POWERS, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_linear, is_singular,
 };
 use crate::model::mechanism::PowerKind;
 use crate::numerics::wide::Wide;
@@ -92,7 +92,7 @@ struct Job<'c> {
 impl Contact {
     /// Among which its plain steps are; `None` where they have no lanes.
     fn class(&self, walk: &Walk) -> Option<usize> {
-        if !matches!(self.damper.kind(), PowerKind::Absent | PowerKind::Linear) {
+        if !is_linear(self.damper) {
             return None;
         }
         let spring = if is_singular(self.spring, SPRING_POWERS) {

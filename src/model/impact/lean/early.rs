@@ -10,8 +10,10 @@ use crate::model::impact::lean::expansion::{Clock, Constants, Series, trusted};
 use crate::model::impact::lean::law::{Damping, Linear, RootFromRest};
 use crate::model::impact::lean::start;
 use crate::model::impact::lean::way::{Outset, Seen, Track, Walk, minded_m};
-use crate::model::impact::lean::{Contact, GRADED_UNIT, TERMS, TERMS_LOOSE, TERMS_TIGHT};
-use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::impact::lean::{
+    Contact, GRADED_UNIT, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_linear,
+};
+use crate::model::mechanism::PowerLaw;
 use crate::numerics::smaller;
 
 /// Power of time above which a force vanishes fast enough against a push that grows with the first.
@@ -78,16 +80,15 @@ impl Contact {
 
     fn early_by<const N: usize>(&self, tolerance: f64) -> Option<Outset> {
         let (spring, damper) = (self.spring, self.damper);
-        let is_plain = |law: PowerLaw| matches!(law.kind(), PowerKind::Absent | PowerKind::Linear);
-        let is_root = damper.exponent.to_bits() == ROOT.to_bits() && !is_plain(damper);
+        let is_root = damper.exponent.to_bits() == ROOT.to_bits() && !is_linear(damper);
         let left_out = [
-            (!is_plain(spring)).then_some(LeftOut { law: spring, argument: 3.0 }),
-            (!is_plain(damper) && !is_root).then_some(LeftOut { law: damper, argument: 2.0 }),
+            (!is_linear(spring)).then_some(LeftOut { law: spring, argument: 3.0 }),
+            (!is_linear(damper) && !is_root).then_some(LeftOut { law: damper, argument: 2.0 }),
         ];
         let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
         let mut track = self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? });
         let until = self.matters_at(&left_out, tolerance)?;
-        let kept = |law: PowerLaw| if is_plain(law) { law.coefficient } else { 0.0 };
+        let kept = |law: PowerLaw| if is_linear(law) { law.coefficient } else { 0.0 };
         let series = if is_root {
             let root = RootFromRest::<N>::new(damper.coefficient);
             self.first(kept(spring), root, &track)?
@@ -190,18 +191,10 @@ impl Contact {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scene::Scene;
-    use crate::model::units::Bare;
-    use crate::model::variables::set_by_name;
+    use crate::model::impact::lean::tests::scene;
 
     fn contact(pairs: &str) -> Contact {
-        let mut scene = Scene::default();
-        scene.mechanism.spring.coefficient = 0.0;
-        for pair in pairs.split_whitespace() {
-            let (name, value) = pair.split_once('=').unwrap();
-            set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-        }
-        Contact::of(&scene)
+        Contact::of(&scene(pairs))
     }
 
     fn track(outset: Option<&Outset>) -> Track {

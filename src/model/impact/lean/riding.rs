@@ -11,8 +11,8 @@ use crate::model::impact::lean::expansion::{Clock, Constants, Series};
 use crate::model::impact::lean::law::{Law as _, Power, product_before, square_before};
 use crate::model::impact::lean::ride::Ride;
 use crate::model::impact::lean::way::{Track, Walk};
-use crate::model::impact::lean::{Contact, free};
-use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::impact::lean::{Contact, free, is_linear};
+use crate::model::mechanism::PowerLaw;
 use crate::numerics::wide::Real;
 use crate::numerics::{larger, smaller};
 
@@ -320,9 +320,12 @@ impl Contact {
     /// The spring of a plate that rides on it from first contact, if it is such.
     pub(super) fn as_riding(&self) -> Option<Riding> {
         let (spring, damper) = (self.spring, self.damper);
-        let linear = matches!(damper.kind(), PowerKind::Absent | PowerKind::Linear);
         let rides = spring.coefficient > 0.0 && spring.exponent < RIDES_BELOW;
-        if !(linear && rides && self.start_m == 0.0 && self.constants.plate_mobility > 0.0) {
+        if !(is_linear(damper)
+            && rides
+            && self.start_m == 0.0
+            && self.constants.plate_mobility > 0.0)
+        {
             return None;
         }
         Some(Riding {
