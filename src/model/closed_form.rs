@@ -6,6 +6,9 @@
 //! v² = (S/c) (exp(2 c V/mu) - 1) with V the volume of the whole passage. Time is one quadrature. Model page, section 2.
 
 use crate::model::contact::Geometry;
+use crate::model::mechanism::moving_plate_kg;
+use crate::model::scene::Scene;
+use crate::numerics::exponential::ln_one_plus;
 use crate::numerics::quadrature::gauss;
 
 /// One-body penetration with a reduced mass.
@@ -13,8 +16,8 @@ use crate::numerics::quadrature::gauss;
 pub struct Passage<'a> {
     /// Depth and area laws.
     pub geometry: &'a Geometry,
-    /// mu, kg.
-    pub mass_kg: f64,
+    /// 1/mu, 1/kg.
+    pub mobility_per_kg: f64,
     /// `S_y`, Pa.
     pub strength_pa: f64,
     /// c, kg/m³.
@@ -38,7 +41,25 @@ pub enum Ending {
     },
 }
 
-impl Passage<'_> {
+impl<'a> Passage<'a> {
+    /// A scene's shot on a rigid mount.
+    pub fn rigid(scene: &Scene, geometry: &'a Geometry) -> Self {
+        Self::unsprung(scene, geometry, false)
+    }
+
+    /// The same on a plate that moves freely, or not at all.
+    pub fn unsprung(scene: &Scene, geometry: &'a Geometry, moves: bool) -> Self {
+        let cos = geometry.nose.cos;
+        let plate = if moves { cos * cos / moving_plate_kg(scene) } else { 0.0 };
+        Self {
+            geometry,
+            mobility_per_kg: 1.0 / scene.projectile.mass_kg + plate,
+            strength_pa: scene.flow_strength_pa(),
+            drag_kg_m3: scene.drag_kg_m3(),
+            velocity_m_s: scene.projectile.velocity_m_s,
+        }
+    }
+
     /// Volume that stops the shot, m³; `None` when nothing stops it (no strength).
     pub fn stopping_volume_m3(&self) -> Option<f64> {
         let (s, c, v) = (self.strength_pa, self.drag_kg_m3, self.velocity_m_s);
@@ -46,9 +67,9 @@ impl Passage<'_> {
             return None;
         }
         if c == 0.0 {
-            return Some(0.5 * self.mass_kg * v * v / s);
+            return Some(0.5 * v * v / (s * self.mobility_per_kg));
         }
-        Some(0.5 * self.mass_kg / c * (c * v * v / s).ln_1p())
+        Some(0.5 / (c * self.mobility_per_kg) * ln_one_plus(c * v * v / s))
     }
 
     /// Where it ends.
@@ -60,14 +81,20 @@ impl Passage<'_> {
         )
     }
 
+    /// 2 c V/mu of a swept volume: what the drag takes.
+    #[inline]
+    pub fn exponent(&self, volume_m3: f64) -> f64 {
+        2.0 * self.drag_kg_m3 * self.mobility_per_kg * volume_m3
+    }
+
     /// The ballistic limit, m/s: relative impact velocities above it perforate.
     pub fn limit_velocity_m_s(&self) -> f64 {
         let volume = self.geometry.swept_m3(self.geometry.exit_m);
         let (s, c) = (self.strength_pa, self.drag_kg_m3);
         if c == 0.0 {
-            return (2.0 * s * volume / self.mass_kg).sqrt();
+            return (2.0 * s * volume * self.mobility_per_kg).sqrt();
         }
-        (s / c * (2.0 * c * volume / self.mass_kg).exp_m1()).sqrt()
+        (s / c * self.exponent(volume).exp_m1()).sqrt()
     }
 
     /// u² at travel `q_m`, m²/s², from the start; negative beyond the arrest.
@@ -75,9 +102,9 @@ impl Passage<'_> {
         let (s, c, v) = (self.strength_pa, self.drag_kg_m3, self.velocity_m_s);
         let volume = self.geometry.swept_m3(q_m);
         if c == 0.0 {
-            return v * v - 2.0 * s * volume / self.mass_kg;
+            return v * v - 2.0 * s * volume * self.mobility_per_kg;
         }
-        let shrink = (-2.0 * c * volume / self.mass_kg).exp_m1();
+        let shrink = (-self.exponent(volume)).exp_m1();
         v * v + (s / c + v * v) * shrink
     }
 
@@ -94,9 +121,9 @@ impl Passage<'_> {
         }
         let (s, c) = (self.strength_pa, self.drag_kg_m3);
         if c == 0.0 {
-            return 2.0 * s * volume / self.mass_kg;
+            return 2.0 * s * volume * self.mobility_per_kg;
         }
-        s / c * (2.0 * c * volume / self.mass_kg).exp_m1()
+        s / c * self.exponent(volume).exp_m1()
     }
 
     /// Times, s, and slips, m/s, at increasing travels from 0 to the end: `per_piece` points on each stretch between two
@@ -166,13 +193,12 @@ pub struct Moment {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::scene::Scene;
 
     fn passage(geometry: &Geometry, gamma: f64) -> Passage<'_> {
         let mass = 0.0295;
         Passage {
             geometry,
-            mass_kg: if gamma.is_finite() { mass * gamma / (1.0 + gamma) } else { mass },
+            mobility_per_kg: (1.0 + 1.0 / gamma) / mass,
             strength_pa: 1.52e8,
             drag_kg_m3: 0.5 * 0.5 * 2710.0,
             velocity_m_s: 100.0,
@@ -219,7 +245,7 @@ mod tests {
         shot.velocity_m_s = 400.0;
         let limit = shot.limit_velocity_m_s();
         let volume = geometry.swept_m3(geometry.exit_m);
-        let shrink = (-2.0 * shot.drag_kg_m3 * volume / shot.mass_kg).exp();
+        let shrink = (-2.0 * shot.drag_kg_m3 * volume * shot.mobility_per_kg).exp();
         let exact = ((400.0f64.powi(2) - limit * limit) * shrink).sqrt();
         let Ending::Exit { velocity_m_s } = shot.ending() else { panic!("arrested") };
         assert!((velocity_m_s / exact - 1.0).abs() < 1e-12);

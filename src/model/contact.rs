@@ -9,8 +9,9 @@
 use std::f64::consts::PI;
 
 use crate::model::scene::Scene;
-use crate::numerics::larger;
+use crate::numerics::crossing::rise;
 use crate::numerics::quadrature::gauss;
+use crate::numerics::{larger, smaller};
 
 /// Part of the window of partial engagement, at each end, in which the neighbouring closed form is used: the section
 /// differs from it by the 5/2 power of this, far below rounding, and its derivatives are singular there.
@@ -101,6 +102,27 @@ pub enum Section {
     Full,
 }
 
+/// Depths between which a face is taken as crossing both hemisphere and cylinder; one depth at normal impact.
+#[derive(Clone, Copy)]
+struct Joints {
+    cap_to_m: f64,
+    full_from_m: f64,
+}
+
+impl Joints {
+    fn section(self, p_m: f64) -> Section {
+        if p_m <= 0.0 {
+            Section::None
+        } else if p_m < self.cap_to_m {
+            Section::Cap
+        } else if p_m < self.full_from_m {
+            Section::Partial
+        } else {
+            Section::Full
+        }
+    }
+}
+
 impl Nose {
     /// The nose of a scene's projectile.
     pub fn of(scene: &Scene) -> Self {
@@ -124,17 +146,13 @@ impl Nose {
 
     /// The closed form that holds at depth `p_m`.
     pub fn section(&self, p_m: f64) -> Section {
+        self.joints().section(p_m)
+    }
+
+    fn joints(&self) -> Joints {
         let (from, to) = (self.cap_end_m(), self.full_from_m());
         let joint = if self.is_normal() { 0.5 } else { JOINT } * (to - from);
-        if p_m <= 0.0 {
-            Section::None
-        } else if p_m < from + joint {
-            Section::Cap
-        } else if p_m < to - joint {
-            Section::Partial
-        } else {
-            Section::Full
-        }
+        Joints { cap_to_m: from + joint, full_from_m: to - joint }
     }
 
     /// Projected area, m², of the nose behind a face it has passed by the depth `p_m`.
@@ -251,34 +269,37 @@ impl Geometry {
 
     /// Cut the passage where a face meets the tip, the cylinder or the end of the nose, or the plate its own rear face.
     fn cut(&mut self) {
-        let (from, to) = (self.nose.cap_end_m(), self.nose.full_from_m());
-        let joint = if self.nose.is_normal() { 0.5 } else { JOINT } * (to - from);
-        let end = self.thickness_m + to;
-        // At normal impact tip and cylinder are met at one and the same depth.
-        let met = if self.nose.is_normal() { 2 } else { 3 };
-        let mut travels = [0.0; PIECES_MAX + 1];
-        let mut count = 0;
-        for face in [0.0, self.thickness_m] {
-            for depth in [face, face + from + joint, face + to - joint].into_iter().take(met) {
-                if depth <= end {
-                    travels[count] = self.travel_m(depth);
-                    count += 1;
-                }
-            }
-        }
-        travels[count] = self.travel_m(end);
-        travels[..=count].sort_unstable_by(f64::total_cmp);
-        for pair in travels[..=count].windows(2).filter(|pair| pair[1] > pair[0]) {
-            self.pieces[self.count] =
-                Piece { from_m: pair[0], to_m: pair[1], law: self.law(pair[0], pair[1]) };
-            self.count += 1;
+        let joints = self.nose.joints();
+        let (h, end) = (self.thickness_m, self.thickness_m + self.nose.full_from_m());
+        if self.nose.is_normal() {
+            // Tip and cylinder are met at one and the same depth.
+            let r = joints.cap_to_m;
+            self.cut_at(&joints, &[0.0, smaller(r, h), larger(r, h), end]);
+        } else {
+            let (r, f) = (joints.cap_to_m, joints.full_from_m);
+            let mut depths = [0.0, r, f, h, h + r, h + f, end];
+            depths.sort_unstable_by(f64::total_cmp);
+            self.cut_at(&joints, &depths);
         }
     }
 
-    fn law(&self, from_m: f64, to_m: f64) -> AreaLaw {
+    fn cut_at(&mut self, joints: &Joints, depths: &[f64]) {
+        let mut from_m = 0.0;
+        for depth in &depths[1..] {
+            let to_m = self.travel_m(*depth);
+            if to_m > from_m {
+                let law = self.law(joints, from_m, to_m);
+                self.pieces[self.count] = Piece { from_m, to_m, law };
+                self.count += 1;
+                from_m = to_m;
+            }
+        }
+    }
+
+    fn law(&self, joints: &Joints, from_m: f64, to_m: f64) -> AreaLaw {
         let middle = self.depth_m(0.5 * (from_m + to_m));
         let nose = &self.nose;
-        let (entry, exit) = (nose.section(middle), nose.section(middle - self.thickness_m));
+        let (entry, exit) = (joints.section(middle), joints.section(middle - self.thickness_m));
         let rate = if 0.5 * (from_m + to_m) <= self.bend_m { self.slope } else { 1.0 };
         if entry == Section::Partial || exit == Section::Partial {
             return AreaLaw::Partial {
@@ -316,9 +337,16 @@ impl Geometry {
 }
 
 impl Piece {
-    /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`: Newton's method, whose slope is
-    /// the area itself, kept inside the bracket by bisection.
+    /// Where the volume swept since the piece began is `volume_m3`, less than its `whole`.
     fn travel_at_volume_m(&self, nose: &Nose, volume_m3: f64, whole_m3: f64) -> f64 {
+        if let Some([c1, c2, c3]) = self.law.ahead(self.from_m) {
+            return self.from_m + rise(&[0.0, c1, c2, c3], volume_m3, self.to_m - self.from_m);
+        }
+        self.travel_by_newton_m(nose, volume_m3, whole_m3)
+    }
+
+    /// The same for any area: Newton's method, whose slope is the area itself, kept inside the bracket by bisection.
+    fn travel_by_newton_m(&self, nose: &Nose, volume_m3: f64, whole_m3: f64) -> f64 {
         let (mut low, mut high) = (self.from_m, self.to_m);
         let mut q = low + (high - low) * (volume_m3 / whole_m3);
         for _ in 0..100 {
@@ -344,24 +372,38 @@ impl Piece {
     }
 
     /// Integral of the area over the last `width` before `to_m`, m³: exact in `width` however small it is.
+    #[inline]
     pub fn swept_before_m3(&self, nose: &Nose, to_m: f64, width: f64) -> f64 {
-        let area = |q: f64| self.law.area_m2(nose, q);
-        let from_m = to_m - width;
-        match self.law {
-            AreaLaw::None => 0.0,
-            // Simpson's rule is exact for a quadratic.
-            AreaLaw::Quadratic { .. } => {
-                width / 6.0 * (area(from_m) + 4.0 * area(from_m + 0.5 * width) + area(to_m))
-            }
-            // q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
-            AreaLaw::Partial { .. } => gauss(0.0, 1.0, 4, |s| {
-                area(from_m + width * s * s * (3.0 - 2.0 * s)) * width * 6.0 * s * (1.0 - s)
-            }),
+        if let Some([c1, c2, c3]) = self.law.behind(to_m) {
+            return width * (c1 + width * (c2 + width * c3));
         }
+        self.swept_by_rule_m3(nose, to_m - width, width)
+    }
+
+    /// The same for any area: q = from + width (3 s² - 2 s³) flattens the half powers at the joints.
+    fn swept_by_rule_m3(&self, nose: &Nose, from_m: f64, width: f64) -> f64 {
+        gauss(0.0, 1.0, 4, |s| {
+            let q_m = from_m + width * s * s * (3.0 - 2.0 * s);
+            self.law.area_m2(nose, q_m) * width * 6.0 * s * (1.0 - s)
+        })
     }
 }
 
 impl AreaLaw {
+    /// The volume swept over a length after the travel `from_m`, where the area is a quadratic: a cubic in the length, without
+    /// a constant.
+    pub fn ahead(&self, from_m: f64) -> Option<[f64; 3]> {
+        let Self::Quadratic { origin_m, a } = *self else { return None };
+        let s = from_m - origin_m;
+        Some([a[0] + s * (a[1] + s * a[2]), 0.5 * a[1] + s * a[2], a[2] / 3.0])
+    }
+
+    /// The same over the last length before the travel `to_m`.
+    pub fn behind(&self, to_m: f64) -> Option<[f64; 3]> {
+        let [c1, c2, c3] = self.ahead(to_m)?;
+        Some([c1, -c2, c3])
+    }
+
     /// The area at travel `q_m`, m².
     pub fn area_m2(&self, nose: &Nose, q_m: f64) -> f64 {
         match *self {

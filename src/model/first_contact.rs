@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::contact_phase::{Ending, Refusal};
-use crate::model::impact::lean::Contact;
+use crate::model::impact::lean::contact_end;
 use crate::model::impact::{Settings, simulate};
 use crate::model::scene::Scene;
 
@@ -49,7 +49,7 @@ impl Kernel {
 /// # Errors
 /// [`Refusal::EndedEarly`] when neither arrest nor perforation is found, or the scene makes no physical sense.
 pub fn first_contact(scene: &Arc<Scene>) -> Result<FirstContact, Refusal> {
-    if let Some(end) = Contact::of(scene).run(scene.run.tolerance) {
+    if let Some(end) = contact_end(scene, scene.run.tolerance) {
         let ending = if end.arrested { Ending::Arrest } else { Ending::Perforation };
         let (t_s, depth_m) = (end.t_s, end.penetration_m);
         return Ok(FirstContact { ending, t_s, depth_m, kernel: Kernel::Lean });

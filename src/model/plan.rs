@@ -52,13 +52,7 @@ mod tests {
         scene.mechanism.spring.coefficient = 0.0;
         change(&mut scene);
         let geometry = Geometry::of(&scene);
-        let rigid = Passage {
-            geometry: &geometry,
-            mass_kg: scene.projectile.mass_kg,
-            strength_pa: scene.flow_strength_pa(),
-            drag_kg_m3: scene.drag_kg_m3(),
-            velocity_m_s: scene.projectile.velocity_m_s,
-        };
+        let rigid = Passage::rigid(&scene, &geometry);
         holds_still(&rigid, &Mechanism::of(&scene), 0.0 - scene.plate.cocking_m)
     }
 

@@ -436,7 +436,8 @@ impl Run {
         if self.outcome == Outcome::Perforated {
             return None;
         }
-        Some(100.0 * self.final_penetration_m? / self.baseline_penetration_m?)
+        // The quotient first: what is equal is 100 %.
+        Some(100.0 * (self.final_penetration_m? / self.baseline_penetration_m?))
     }
 
     /// Greatest displacement plus cocking distance: the space the mechanism needs, m.

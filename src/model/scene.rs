@@ -297,6 +297,14 @@ impl Mechanism {
             && spring.own_mass == OwnMass::Ignored
             && spring.is_single()
     }
+
+    /// Whether it is plain and neither spring, damper nor stop is there.
+    pub fn is_nothing(&self) -> bool {
+        self.is_plain()
+            && self.spring.coefficient == 0.0
+            && self.damper.coefficient == 0.0
+            && self.stop.position_m.is_none()
+    }
 }
 
 impl Scene {

@@ -11,7 +11,7 @@ use crate::model::contact::Geometry;
 use crate::model::contact_phase::Ending;
 use crate::model::first_contact::first_contact;
 use crate::model::impact::{Settings, simulate};
-use crate::model::mechanism::{Mechanism, moving_plate_kg};
+use crate::model::mechanism::Mechanism;
 use crate::model::run::Outcome;
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::{self, VariableError};
@@ -344,15 +344,7 @@ pub fn closed_form(scene: &Scene) -> Option<f64> {
         return None;
     }
     let geometry = Geometry::of(scene);
-    let cos = scene.cos_obliquity();
-    let plate = if rigid { 0.0 } else { cos * cos / moving_plate_kg(scene) };
-    let passage = Passage {
-        geometry: &geometry,
-        mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
-        strength_pa: scene.flow_strength_pa(),
-        drag_kg_m3: scene.drag_kg_m3(),
-        velocity_m_s: scene.projectile.velocity_m_s,
-    };
+    let passage = Passage::unsprung(scene, &geometry, !rigid);
     Some(passage.limit_velocity_m_s())
 }
 

@@ -3,7 +3,7 @@
 use crate::model::closed_form::{self, Passage};
 use crate::model::contact::Geometry;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
-use crate::model::mechanism::{Mechanism, moving_plate_kg};
+use crate::model::mechanism::Mechanism;
 use crate::model::scene::{Mount, Scene};
 
 /// Points on each stretch of the quadrature that gives the time.
@@ -22,15 +22,7 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
         return Err(Refusal::NoClosedForm);
     }
     let geometry = Geometry::of(scene);
-    let cos = scene.cos_obliquity();
-    let plate = if rigid { 0.0 } else { cos * cos / moving_plate_kg(scene) };
-    let passage = Passage {
-        geometry: &geometry,
-        mass_kg: 1.0 / (1.0 / scene.projectile.mass_kg + plate),
-        strength_pa: scene.flow_strength_pa(),
-        drag_kg_m3: scene.drag_kg_m3(),
-        velocity_m_s: scene.projectile.velocity_m_s,
-    };
+    let passage = Passage::unsprung(scene, &geometry, !rigid);
     let found = passage.ending();
     let (ending, travel_m) = match found {
         closed_form::Ending::Arrest { travel_m } => (Ending::Arrest, travel_m),

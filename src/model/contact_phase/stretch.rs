@@ -16,6 +16,8 @@ const PLATE_ZERO: usize = 3;
 const SPEED_ZERO: usize = 4;
 const KNOT_BELOW: usize = 5;
 const KNOT_ABOVE: usize = 6;
+const PRESSED: usize = 7;
+const BOUNDARIES: usize = 8;
 
 /// A boundary that is never met.
 const NEVER: Boundary<4> = Boundary { offset: 1.0, slope: [0.0; 4] };
@@ -50,6 +52,13 @@ impl Wall {
         };
         stop.position_m.map(|x| Self { x: x / r, law })
     }
+
+    /// What an elastic stop pushes with (or, times -1, lacks to push again); a rigid one never does.
+    fn force(&self, sign: f64) -> Boundary<4> {
+        let WallLaw::Elastic { stiffness, damping } = self.law else { return NEVER };
+        let slope = [0.0, 0.0, sign * stiffness, sign * damping];
+        Boundary { offset: -sign * stiffness * self.x, slope }
+    }
 }
 
 /// What the plate has behind it.
@@ -73,7 +82,7 @@ pub(super) struct Stretch<'a> {
     /// The stretch of the spring's curve to stay on, or to look up each time.
     region: Option<usize>,
     behind: Behind,
-    boundaries: [Boundary<4>; 7],
+    boundaries: [Boundary<4>; BOUNDARIES],
 }
 
 impl<'a> Stretch<'a> {
@@ -81,7 +90,8 @@ impl<'a> Stretch<'a> {
         let region = phase.spring.region(phase.start_x).filter(|_| located && !phase.rigid);
         let piece = located.then_some(0);
         let behind = Behind::Room;
-        let mut stretch = Self { phase, located, piece, region, behind, boundaries: [NEVER; 7] };
+        let mut stretch =
+            Self { phase, located, piece, region, behind, boundaries: [NEVER; BOUNDARIES] };
         stretch.watch_knots();
         stretch.boundaries[ARREST] = plane(0.0, 1, 1.0);
         stretch.watch_joint();
@@ -132,13 +142,12 @@ impl<'a> Stretch<'a> {
     fn lean_on(&mut self, wall: Wall, q: f64) {
         (self.behind, self.boundaries[STOP]) = match wall.law {
             WallLaw::Rigid { .. } => (Behind::Held(self.phase.faces.area(q, self.piece)), NEVER),
+            // It is left where its force has come down to zero.
             WallLaw::Elastic { stiffness, damping } => {
-                // It is left where its force has come down to zero.
-                let slope = [0.0, 0.0, stiffness, damping];
-                let force = Boundary { offset: -stiffness * wall.x, slope };
-                (Behind::Elastic([stiffness, damping, wall.x]), force)
+                (Behind::Elastic([stiffness, damping, wall.x]), wall.force(1.0))
             }
         };
+        self.boundaries[PRESSED] = NEVER;
     }
 
     /// What follows the end of a stretch: an ending, or (nothing) the next stretch from what was reached.
@@ -158,6 +167,12 @@ impl<'a> Stretch<'a> {
                 }
             }
             Stop::Boundary(STOP) => self.meet_or_leave_stop(reached),
+            Stop::Boundary(PRESSED) => {
+                self.boundaries[PRESSED] = NEVER;
+                if let Some(wall) = self.phase.wall.filter(|wall| reached.y[2] > wall.x) {
+                    self.lean_on(wall, reached.y[0]);
+                }
+            }
             Stop::Boundary(PLATE_ZERO) => {
                 self.boundaries[PLATE_ZERO].slope[2] = 1f64.copysign(reached.y[3]);
             }
@@ -189,6 +204,10 @@ impl<'a> Stretch<'a> {
             self.behind = Behind::Room;
             self.watch_stop();
             self.watch_turn();
+            if let WallLaw::Elastic { .. } = wall.law {
+                // A plate that turns before it is clear of the stop is pressed again.
+                self.boundaries[PRESSED] = wall.force(-1.0);
+            }
             return;
         }
         if let WallLaw::Rigid { restitution } = wall.law {
@@ -255,7 +274,7 @@ impl<'a> Stretch<'a> {
     }
 
     /// Where it ends.
-    pub(super) fn ends(&self) -> &[Boundary<4>; 7] {
+    pub(super) fn ends(&self) -> &[Boundary<4>; BOUNDARIES] {
         &self.boundaries
     }
 }
@@ -335,6 +354,8 @@ mod tests {
             "k=1e5 x_stop=0.001 theta=30deg",
             "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e9 b_stop=1e3",
             "d=0.01 k=1e6 x_stop=-0.01 e=0.3",
+            // It lets go of the plate, and presses it again before it is clear.
+            "k=1e4 x_stop=0.000169 stop_kind=elastic k_stop=1.28e8 b_stop=342 v_i=300 h=0.05",
         ] {
             let [explicit, implicit] = SCHEMES.map(|scheme| solve(pairs, scheme).unwrap());
             assert_eq!(explicit.ending, implicit.ending, "{pairs}");

@@ -95,7 +95,7 @@ impl Track<'_> {
         }
         let slip_energy =
             problem.velocity_m_s * problem.velocity_m_s - last.slip_m_s * last.slip_m_s;
-        self.record.work.penetration_j = 0.5 * passage.mass_kg * slip_energy;
+        self.record.work.penetration_j = 0.5 * slip_energy / passage.mobility_per_kg;
         self.record.peak_contact_n = peak_n(&passage, &moments);
         if matches!(ending, Ending::Arrest { .. }) {
             if answer == Answer::Immobile {
@@ -163,7 +163,7 @@ fn peak_n(passage: &Passage<'_>, moments: &[Moment]) -> f64 {
         let h = 1e-6 * (to - piece.from_m);
         let turning = |q: f64| {
             let slope = (area(q + h) - area(q - h)) / (2.0 * h);
-            slope - 2.0 * passage.drag_kg_m3 * area(q) * area(q) / passage.mass_kg
+            slope - 2.0 * passage.drag_kg_m3 * area(q) * area(q) * passage.mobility_per_kg
         };
         let inside = in_bracket(piece.from_m + h, to - h, turning);
         for q in [piece.from_m, inside, to] {

@@ -48,6 +48,7 @@ impl Track<'_> {
             | Trigger::PlateClear
             | Trigger::PlateSpeedClear
             | Trigger::StopCleared
+            | Trigger::StopPressed
             | Trigger::StopRelease
             | Trigger::PushLimit
             | Trigger::PullLimit => {}
@@ -93,6 +94,10 @@ impl Track<'_> {
             }
             Trigger::StopReached => self.hit_stop(),
             Trigger::StopCleared => self.stop_touches = false,
+            // Behind its place there is nothing to press on.
+            Trigger::StopPressed => {
+                self.stop_touches = self.state.plate_m > self.problem.mechanism.stop_at_m;
+            }
             Trigger::StopRelease => self.release(),
             Trigger::PushLimit => self.push_limit(),
             Trigger::PullLimit => self.pull_limit(),
@@ -295,6 +300,9 @@ impl Track<'_> {
         if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
             return Some(Trigger::StopReached);
         }
+        if self.is_beyond_stop() && self.stop_presses() {
+            return Some(Trigger::StopPressed);
+        }
         let (behind, ahead) = self.spring_ends();
         if !self.is_still() && (x > ahead || (x >= ahead && w > 0.0)) {
             return Some(Trigger::KnotAhead);
@@ -318,6 +326,20 @@ impl Track<'_> {
             | Mode::Fused
             | Mode::Perforated => None,
         }
+    }
+
+    /// Whether the plate is where an elastic stop that has let go of it would press it again.
+    pub(super) fn is_beyond_stop(&self) -> bool {
+        let mechanism = &self.problem.mechanism;
+        let lets_go = mechanism.elastic_stop().is_some() && !self.stop_touches;
+        lets_go && !self.is_still() && self.state.plate_m > mechanism.stop_at_m
+    }
+
+    /// Whether an elastic stop would push by more than rounding, if it touched.
+    fn stop_presses(&self) -> bool {
+        let form = self.stop_force();
+        let motion = self.motion();
+        form.at(&motion, &self.state) > form.rounding(&motion, &self.state)
     }
 
     /// The plate meets its stop.

@@ -34,6 +34,8 @@ pub(super) enum Trigger {
     StopReached,
     /// The elastic stop lets go.
     StopCleared,
+    /// It presses again a plate that had not left its place.
+    StopPressed,
     /// Nothing presses the plate on its stop any more.
     StopRelease,
     /// The interface is pushed beyond its strength.
@@ -60,6 +62,7 @@ impl Trigger {
             | Self::Recontact
             | Self::StopReached
             | Self::StopCleared
+            | Self::StopPressed
             | Self::StopRelease
             | Self::PushLimit
             | Self::PullLimit => true,

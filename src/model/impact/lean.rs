@@ -12,7 +12,7 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::{AreaLaw, Geometry, Piece};
-use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring, moving_plate_kg};
+use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
 use crate::model::plan::holds_still;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
@@ -32,7 +32,6 @@ mod law;
 mod plain;
 mod ride;
 mod riding;
-mod root;
 mod slaved;
 mod start;
 mod way;
@@ -84,6 +83,12 @@ fn is_singular(law: PowerLaw, powers: usize) -> bool {
     }
 }
 
+/// The contact of a valid scene to the relative accuracy `tolerance`, prepared no further than it needs; `None` where the full
+/// track is needed.
+pub fn contact_end(scene: &Scene, tolerance: f64) -> Option<ContactEnd> {
+    free::contact_end(scene, tolerance).or_else(|| Contact::of(scene).run(tolerance))
+}
+
 /// How a contact ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactEnd {
@@ -110,13 +115,7 @@ impl Contact {
         let mut mechanism = Mechanism::of(scene);
         let cos = geometry.nose.cos;
         let start_m = 0.0 - scene.plate.cocking_m;
-        let rigid = Passage {
-            geometry: &geometry,
-            mass_kg: scene.projectile.mass_kg,
-            strength_pa: scene.flow_strength_pa(),
-            drag_kg_m3: scene.drag_kg_m3(),
-            velocity_m_s: scene.projectile.velocity_m_s,
-        };
+        let rigid = Passage::rigid(scene, &geometry);
         let still = !mechanism.is_absent() && holds_still(&rigid, &mechanism, start_m);
         if still {
             mechanism.spring = Spring::NONE;
@@ -124,19 +123,11 @@ impl Contact {
         }
         let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
         let moves = scene.plate.mount == Mount::Sprung && !still;
-        let plate_mobility = if moves { 1.0 / moving_plate_kg(scene) } else { 0.0 };
         let mut contact = Self {
             geometry,
             spring: mechanism.spring.power().unwrap_or(none),
             damper: mechanism.damper,
-            constants: Constants {
-                strength_pa: scene.flow_strength_pa(),
-                drag_kg_m3: scene.drag_kg_m3(),
-                slip_mobility: 1.0 / scene.projectile.mass_kg + cos * cos * plate_mobility,
-                plate_mobility,
-                cos,
-                velocity_m_s: scene.projectile.velocity_m_s,
-            },
+            constants: Constants::of(scene, cos, moves),
             start_m: if moves { start_m } else { 0.0 },
             scale_s: None,
             left_to_others: mechanism.spring.curve().is_some()

@@ -110,7 +110,7 @@ impl Problem {
     pub(super) fn passage(&self, plate_moves: bool) -> Passage<'_> {
         Passage {
             geometry: &self.geometry,
-            mass_kg: 1.0 / self.slip_mobility(plate_moves),
+            mobility_per_kg: self.slip_mobility(plate_moves),
             strength_pa: self.strength_pa,
             drag_kg_m3: self.drag_kg_m3,
             velocity_m_s: self.velocity_m_s,

@@ -103,16 +103,27 @@ impl Track<'_> {
         }
         let at = mechanism.stop_at_m;
         if self.stop_touches {
-            let stop = mechanism.elastic_stop().unwrap_or_default();
-            let form = Form {
-                offset: -stop.stiffness_n_m * at,
-                plate: stop.stiffness_n_m,
-                plate_speed: stop.damping_n_s_m,
-                ..Form::default()
-            };
-            guards.watch(Trigger::StopCleared, form);
+            guards.watch(Trigger::StopCleared, self.stop_force());
         } else if at.is_finite() {
             guards.watch(Trigger::StopReached, Form { offset: at, plate: -1.0, ..Form::default() });
+            if self.is_beyond_stop() {
+                let Form { offset, plate, plate_speed, .. } = self.stop_force();
+                let (offset, plate, plate_speed) = (-offset, -plate, -plate_speed);
+                let form = Form { offset, plate, plate_speed, ..Form::default() };
+                guards.watch(Trigger::StopPressed, form);
+            }
+        }
+    }
+
+    /// What an elastic stop pushes back with while it touches, N; it never pulls.
+    pub(super) fn stop_force(&self) -> Form {
+        let mechanism = &self.problem.mechanism;
+        let stop = mechanism.elastic_stop().unwrap_or_default();
+        Form {
+            offset: -stop.stiffness_n_m * mechanism.stop_at_m,
+            plate: stop.stiffness_n_m,
+            plate_speed: stop.damping_n_s_m,
+            ..Form::default()
         }
     }
 

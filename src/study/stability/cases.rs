@@ -136,6 +136,11 @@ pub const CASES: &[Case] = &[
         "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e12",
         "a wall with a frequency of its own",
     ),
+    case(
+        "damped elastic stop",
+        "k=1e4 x_stop=0.000169 stop_kind=elastic k_stop=1.28e8 b_stop=342 v_i=300 h=0.05",
+        "lets go, presses again at once",
+    ),
     case("gamma 0.8, plastic", "gamma=0.8 k=7.5e6 interface=plastic", "pulls out on the rebound"),
     case("k 1e9, plastic", "k=1e9 interface=plastic", "interface gives way at every swing"),
     case(

@@ -48,7 +48,7 @@ impl Answer {
             "first_arrest_plate_displacement_m" => Some(arrest?.plate_displacement_m),
             "first_arrest_plate_velocity_m_s" => Some(arrest?.plate_velocity_m_s),
             "final_penetration_m" => Some(end.penetration_m),
-            "percent_of_baseline" => Some(100.0 * arrest?.penetration_m / self.baseline_m?),
+            "percent_of_baseline" => Some(100.0 * (arrest?.penetration_m / self.baseline_m?)),
             "baseline_penetration_m" => self.baseline_m,
             "max_plate_displacement_m" => self.farthest_m,
             STROKE => Some(self.farthest_m? + self.start_m.abs()),
@@ -155,13 +155,7 @@ impl<'p> Quick<'p> {
 
 /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
 fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
-    let rigid = Passage {
-        geometry,
-        mass_kg: scene.projectile.mass_kg,
-        strength_pa: scene.flow_strength_pa(),
-        drag_kg_m3: scene.drag_kg_m3(),
-        velocity_m_s: scene.projectile.velocity_m_s,
-    };
+    let rigid = Passage::rigid(scene, geometry);
     match rigid.ending() {
         Ending::Arrest { travel_m } => Some(geometry.depth_m(travel_m)),
         Ending::Exit { .. } => None,

@@ -265,14 +265,7 @@ pub(super) fn near(value: f64, stated: f64, relative: f64) -> bool {
 /// The ballistic limit of a plate that is fixed, m/s.
 pub(super) fn limit_m_s(scene: &Scene) -> f64 {
     let geometry = Geometry::of(scene);
-    Passage {
-        geometry: &geometry,
-        mass_kg: scene.projectile.mass_kg,
-        strength_pa: scene.flow_strength_pa(),
-        drag_kg_m3: scene.drag_kg_m3(),
-        velocity_m_s: scene.projectile.velocity_m_s,
-    }
-    .limit_velocity_m_s()
+    Passage::rigid(scene, &geometry).limit_velocity_m_s()
 }
 
 /// Four figures.

@@ -18,13 +18,7 @@ pub fn thickness_of_limit_m(scene: &Scene, limit_m_s: f64) -> Option<f64> {
         geometry.swept_m3(geometry.exit_m)
     };
     let geometry = Geometry::of(scene);
-    let passage = Passage {
-        geometry: &geometry,
-        mass_kg: scene.projectile.mass_kg,
-        strength_pa: scene.flow_strength_pa(),
-        drag_kg_m3: scene.drag_kg_m3(),
-        velocity_m_s: limit_m_s,
-    };
+    let passage = Passage { velocity_m_s: limit_m_s, ..Passage::rigid(scene, &geometry) };
     // At the limit the whole passage takes just the volume that stops the shot, which does not depend on the thickness.
     let volume = passage.stopping_volume_m3()?;
     let (mut thin, mut thick) = (scene.target.thickness_m, scene.target.thickness_m);

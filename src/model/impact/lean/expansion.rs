@@ -7,6 +7,8 @@
 //! so that the steps grow from the singular start several times as fast.
 
 use crate::model::impact::lean::law::{Damping, Law, product_before, square_at, square_before};
+use crate::model::mechanism::moving_plate_kg;
+use crate::model::scene::Scene;
 use crate::numerics::larger;
 use crate::numerics::taylor::rough_root;
 use crate::numerics::wide::Real;
@@ -64,6 +66,21 @@ pub(super) struct Constants<R = f64> {
     pub(super) plate_mobility: R,
     pub(super) cos: R,
     pub(super) velocity_m_s: R,
+}
+
+impl Constants {
+    /// Those of a scene whose plate moves or stays where it is.
+    pub(super) fn of(scene: &Scene, cos: f64, moves: bool) -> Self {
+        let plate_mobility = if moves { 1.0 / moving_plate_kg(scene) } else { 0.0 };
+        Self {
+            strength_pa: scene.flow_strength_pa(),
+            drag_kg_m3: scene.drag_kg_m3(),
+            slip_mobility: 1.0 / scene.projectile.mass_kg + cos * cos * plate_mobility,
+            plate_mobility,
+            cos,
+            velocity_m_s: scene.projectile.velocity_m_s,
+        }
+    }
 }
 
 /// Time along a step.

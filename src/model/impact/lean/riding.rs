@@ -303,7 +303,7 @@ impl Contact {
         let c = &self.constants;
         let passage = Passage {
             geometry: &self.geometry,
-            mass_kg: 1.0 / (c.slip_mobility - c.cos * c.cos * c.plate_mobility),
+            mobility_per_kg: c.slip_mobility - c.cos * c.cos * c.plate_mobility,
             strength_pa: c.strength_pa,
             drag_kg_m3: c.drag_kg_m3,
             velocity_m_s: c.velocity_m_s,

@@ -7,8 +7,8 @@ use crate::model::contact::AreaLaw;
 use crate::model::impact::lean::expansion::{Clock, Series, trusted};
 use crate::model::impact::lean::ride::Ride;
 use crate::model::impact::lean::riding::eased;
-use crate::model::impact::lean::root::{dips, fall, rise};
 use crate::model::impact::lean::{Contact, ContactEnd};
+use crate::numerics::crossing::{dips, fall, rise};
 use crate::numerics::larger;
 use crate::numerics::series::evaluate;
 

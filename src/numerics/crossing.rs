@@ -1,0 +1,138 @@
+//! Where a series that crosses a level once on a stretch does so, and whether one may touch zero within it.
+
+use crate::numerics::series::evaluate_slope;
+
+/// Rounds at the most.
+const ROUNDS_MAX: usize = 60;
+/// A relative move of Halley's method after which what is left is less than rounding.
+const SETTLED: f64 = 1e-6;
+/// The cubic term moves a guess by this part of it at the most.
+const MOVED_MOST: f64 = 0.2;
+
+/// Where a rising series reaches `level`, between 0 and `end`.
+pub fn rise<const N: usize>(c: &[f64; N], level: f64, end: f64) -> f64 {
+    let mut c = *c;
+    c[0] -= level;
+    crossing(&c, end)
+}
+
+/// Where a falling series reaches zero, between 0 and `end`.
+pub fn fall<const N: usize>(c: &[f64; N], end: f64) -> f64 {
+    crossing(c, end)
+}
+
+/// Whether a series that is positive at both ends may have touched zero between them.
+pub fn dips<const N: usize>(c: &[f64; N], end: f64) -> bool {
+    let mut below = c[0];
+    let mut power = 1.0;
+    for c in &c[1..] {
+        power *= end;
+        below -= c.abs() * power;
+    }
+    below <= 0.0 && c[1] < 0.0 && evaluate_slope(c, end) > 0.0
+}
+
+/// The zero between 0 and `end`, where the series has opposite signs: Halley's method from a guess, kept inside the bracket by
+/// bisection.
+fn crossing<const N: usize>(c: &[f64; N], end: f64) -> f64 {
+    let (mut low, mut high) = (0.0, end);
+    let mut s = guess(c);
+    if !(s > low && s < high) {
+        s = middle(end);
+    }
+    for _ in 0..ROUNDS_MAX {
+        let (value, slope, half_bend) = jet(c, s);
+        if (value > 0.0) == (c[0] > 0.0) {
+            low = s;
+        } else {
+            high = s;
+        }
+        let halley = s - value * slope / (slope * slope - value * half_bend);
+        // The method triples the digits: a move this small leaves rounding alone.
+        if (halley - s).abs() <= SETTLED * s {
+            return halley;
+        }
+        s = if halley > low && halley < high { halley } else { 0.5 * (low + high) };
+    }
+    s
+}
+
+/// Out of line, so that a good guess is not kept waiting by its own check.
+#[cold]
+#[inline(never)]
+fn middle(end: f64) -> f64 {
+    0.5 * end
+}
+
+/// The parabola's zero, moved by what the cubic term changes to second order: exactly so where the slope at 0 is zero, nearly
+/// elsewhere; NaN where the parabola has no zero.
+fn guess<const N: usize>(c: &[f64; N]) -> f64 {
+    // The parabola's slope at its zero.
+    let slope = (c[1] * c[1] - 4.0 * c[0] * c[2]).sqrt().copysign(c[1]);
+    let zero = -2.0 * c[0] / (c[1] + slope);
+    let moved = -c[3] / slope * (zero * zero);
+    if moved.abs() < MOVED_MOST { zero * (1.0 + moved * (1.0 + 2.5 * moved)) } else { zero }
+}
+
+/// The series, its slope and half its second derivative at `s`.
+fn jet<const N: usize>(c: &[f64; N], s: f64) -> (f64, f64, f64) {
+    let (mut value, mut slope, mut half_bend) = (c[N - 1], 0.0, 0.0);
+    for (j, c) in c.iter().enumerate().rev().skip(1) {
+        // Terms that are still nothing are not waited for.
+        half_bend = if j + 3 < N { half_bend * s + slope } else { slope };
+        slope = if j + 2 < N { slope * s + value } else { value };
+        value = value * s + c;
+    }
+    (value, slope, half_bend)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cubic_rises_to_its_level_wherever_that_is() {
+        // s (3 - s²) rises on (0, 1): with s = 2 sin(a) its value is 2 sin(3 a).
+        for i in 1..=1000 {
+            let third = std::f64::consts::FRAC_PI_6 * f64::from(i) / 1001.0;
+            let found = rise(&[0.0, 3.0, 0.0, -1.0], 2.0 * (3.0 * third).sin(), 1.0);
+            let exact = 2.0 * third.sin();
+            // Digits go where the slope does.
+            let lost = 1.0 / (1.0 - exact * exact);
+            assert!((found / exact - 1.0).abs() < 8e-16 * lost, "{i}: {found} {exact}");
+        }
+    }
+
+    #[test]
+    fn a_series_without_a_slope_at_zero_rises_too() {
+        for level in [1e-30, 1e-9, 0.3, 0.999] {
+            let found = rise(&[0.0, 0.0, 0.75, 0.25], level, 1.0);
+            let back = found * found * (0.75 + 0.25 * found);
+            assert!((back / level - 1.0).abs() < 1e-15, "{level}: {found}");
+        }
+        // A triple zero behind it: the level is known to a third of the digits.
+        let found = rise(&[0.0, 3.0, -3.0, 1.0], 1.0 - 1e-12, 1.0);
+        assert!((found - (1.0 - 1e-4)).abs() < 1e-7, "{found}");
+    }
+
+    #[test]
+    fn a_jet_is_the_polynomials_values() {
+        // (1 + s)^6 and its derivatives.
+        let s: f64 = 0.3;
+        let (value, slope, half_bend) = jet(&[1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0], s);
+        assert!((value - (1.0 + s).powi(6)).abs() < 1e-14, "{value}");
+        assert!((slope - 6.0 * (1.0 + s).powi(5)).abs() < 1e-13, "{slope}");
+        assert!((half_bend - 15.0 * (1.0 + s).powi(4)).abs() < 1e-13, "{half_bend}");
+        let (value, slope, half_bend) = jet(&[1.0, 3.0, 3.0, 1.0], s);
+        assert!((value - (1.0 + s).powi(3)).abs() < 1e-15, "{value}");
+        assert!((slope - 3.0 * (1.0 + s).powi(2)).abs() < 1e-14, "{slope}");
+        assert!((half_bend - 3.0 * (1.0 + s)).abs() < 1e-14, "{half_bend}");
+    }
+
+    #[test]
+    fn a_fall_is_found_and_a_dip_suspected() {
+        assert!((fall(&[2.0, -1.0, -1.0, 0.0], 3.0) - 1.0).abs() < 1e-15);
+        assert!(dips(&[1.0, -4.0, 4.0, 0.0], 1.0));
+        assert!(!dips(&[1.0, -0.5, 0.4, 0.0], 1.0) && !dips(&[1.0, 1.0, 1.0, 0.0], 1.0));
+    }
+}
