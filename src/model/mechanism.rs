@@ -108,7 +108,8 @@ impl PowerLaw {
         if self.coefficient == 0.0 {
             return f64::INFINITY;
         }
-        (force.abs() / self.coefficient).powf(1.0 / self.exponent)
+        let power = force.abs() / self.coefficient;
+        if self.exponent == 1.0 { power } else { power.powf(1.0 / self.exponent) }
     }
 
     /// The |z| at which the integral is `integral`; infinite when there is no law.
