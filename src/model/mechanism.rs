@@ -109,7 +109,7 @@ impl PowerLaw {
             return f64::INFINITY;
         }
         let power = force.abs() / self.coefficient;
-        if self.exponent == 1.0 { power } else { power.powf(1.0 / self.exponent) }
+        if self.kind() == PowerKind::Linear { power } else { power.powf(1.0 / self.exponent) }
     }
 
     /// The |z| at which the integral is `integral`; infinite when there is no law.
