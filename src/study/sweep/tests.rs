@@ -77,7 +77,7 @@ fn a_bad_plan_is_refused_before_anything_runs() {
         (plan(&base, vec![gamma()], full, &["depth"]), &["output depth", "the usual ones are"]),
         (
             plan(&base, vec![gamma()], full, &["percent_of_baselin"]),
-            &["did you mean percent_of_baseline?"],
+            &["did you mean `percent_of_baseline`?"],
         ),
     ];
     for (text, fragments) in cases {
