@@ -6,15 +6,15 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use crate::cli::compare::{self, Compare};
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::{TableArguments, Target, exists};
+use crate::cli::table::{MetaWord, TableArguments, Target, exists};
 use crate::cli::{CliError, Glyphs, json, output, plain, summary};
 use crate::files::atomic::Existing;
 use crate::files::csv::{NamedRun, Rows};
-use crate::files::export::{self, ExportRequest, Meta};
+use crate::files::export::{self, ExportRequest};
 use crate::files::preset::Preset;
 use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
@@ -47,15 +47,6 @@ pub(super) struct RunArguments {
     glyphs: Glyphs,
 }
 
-/// Where the scene of a table goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum MetaWord {
-    /// Into a scene file beside it
-    Beside,
-    /// Into comment lines at its head
-    Inline,
-}
-
 impl RunArguments {
     /// The export to this file.
     fn request(&self, computed: &Computed, path: &Path) -> ExportRequest {
@@ -66,10 +57,7 @@ impl RunArguments {
             runs: named(computed),
             columns: Vec::new(),
             style: self.table.style(),
-            meta: match self.meta {
-                MetaWord::Beside => Meta::Beside,
-                MetaWord::Inline => Meta::Inline,
-            },
+            meta: self.meta.meta(),
         }
     }
 }

@@ -18,11 +18,12 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::{TableArguments, Target, exists};
+use crate::cli::table::{MetaWord, TableArguments, Target, exists};
 use crate::cli::{CliError, output};
 use crate::files::atomic::Growing;
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
+use crate::model::results;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use axes::{Asked, DesignWord};
@@ -39,12 +40,16 @@ const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Without --over the [sweep] of the scene is made, for example `cmra sweep figure-9.7`.\n\
-    Columns: the axes' values, then every key of `cmra run --json` but run_time_s (which would make no two files equal); \
-    with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point keeps \
-    its row and says why.\n\
-    Shards: part I of N is a contiguous block of rows, and only part 1 has the header line, so that `cat part1.csv part2.csv \
-    ...` is the whole file."
+    after_help = format!(
+        "Without --over the [sweep] of the scene is made, for example `cmra sweep figure-9.7`.\n\
+        Columns: the axes' values, then every key of `cmra run --json` but run_time_s (which would make no two files equal); \
+        with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point \
+        keeps its row and says why.\n\
+        Shards: part I of N is a contiguous block of rows, and only part 1 has the header line, so that `cat part1.csv \
+        part2.csv ...` is the whole file.\n\n\
+        --outputs takes any of these:\n{}",
+        results::listing()
+    )
 )]
 pub(super) struct SweepArguments {
     #[command(flatten)]
@@ -73,6 +78,9 @@ pub(super) struct SweepArguments {
     threads: Option<u16>,
     #[command(flatten)]
     table: TableArguments,
+    /// Where the scene goes that gave a table: into NAME.toml beside it, or into # lines at its head
+    #[arg(long, value_enum, default_value = "beside", value_name = "WHERE", requires = "csv")]
+    meta: MetaWord,
 }
 
 /// Sweep; exit status 1 when a point failed or the sweep was interrupted.
@@ -189,9 +197,13 @@ impl Job<'_> {
     /// Write rows as they are made.
     fn rows(&self, arguments: &SweepArguments, columns: Columns) -> Result<Summary, CliError> {
         let (existing, target) = (arguments.table.existing(), arguments.table.target());
+        let made = sidecar::Made { plan: self.plan, columns, shard: &arguments.shard };
+        let beside = arguments.meta == MetaWord::Beside;
         let mut file = match target {
             Target::File(path) => {
-                sidecar::check(path, existing).map_err(exists)?;
+                if beside {
+                    sidecar::check(path, existing).map_err(exists)?;
+                }
                 Some(Growing::begin(path, existing).map_err(exists)?)
             }
             Target::None | Target::Stdout => None,
@@ -202,9 +214,11 @@ impl Job<'_> {
         let sheet = Sheet::new(self.plan, &self.preset.name, columns, texts);
         let style = arguments.table.style();
         if self.shard.is_first() && texts.csv {
+            let comments = if beside { String::new() } else { sidecar::inline(self.preset, &made) };
+            let head = style.file(&comments, "")?;
             match &mut file {
-                Some(file) => file.add(style.head().as_bytes())?,
-                None => output::print_bytes(style.head().as_bytes())?,
+                Some(file) => file.add(head.as_bytes())?,
+                None => output::print_bytes(head.as_bytes())?,
             }
         }
         let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
@@ -229,9 +243,10 @@ impl Job<'_> {
         if let (Some(file), Target::File(path)) = (file, target) {
             file.finish(existing).map_err(exists)?;
             output::note(&format!("wrote {}", path.display()));
-            let made = sidecar::Made { plan: self.plan, columns, shard: &arguments.shard };
-            if let Some(beside) = sidecar::write(path, &self.preset.scene, &made, existing)? {
-                output::note(&format!("wrote {}", beside.display()));
+            let scene = &self.preset.scene;
+            let scene = if beside { sidecar::write(path, scene, &made, existing)? } else { None };
+            if let Some(scene) = scene {
+                output::note(&format!("wrote {}", scene.display()));
             }
         }
         Ok(summary)

@@ -1,5 +1,5 @@
 //! Where a table of rows goes: to a file beside the page, to standard output instead of it, or as JSON. The one declaration of
-//! `--json`, `--csv` and `--force`.
+//! `--json`, `--csv` and `--force`, and of the words of `--meta`.
 
 use std::path::{Path, PathBuf};
 
@@ -8,6 +8,7 @@ use clap::{Args, ValueEnum};
 use crate::cli::{CliError, output};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
+use crate::files::export::Meta;
 use crate::files::rows::Rows;
 use crate::files::style::Style;
 
@@ -37,6 +38,25 @@ enum StyleWord {
     Crlf,
     /// Semicolons, decimal commas, CRLF and a mark of UTF-8: for Excel where the comma is the decimal sign, and nothing else
     ExcelEu,
+}
+
+/// Where the scene of a table goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum MetaWord {
+    /// Into a scene file beside it
+    Beside,
+    /// Into comment lines at its head
+    Inline,
+}
+
+impl MetaWord {
+    /// The same for an export.
+    pub(super) fn meta(self) -> Meta {
+        match self {
+            Self::Beside => Meta::Beside,
+            Self::Inline => Meta::Inline,
+        }
+    }
 }
 
 /// Where a table is to go.

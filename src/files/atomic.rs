@@ -6,10 +6,15 @@
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use tempfile::NamedTempFile;
 
 use crate::files::error::FileError;
+
+/// How the names of temporary files begin and end.
+const PREFIX: &str = ".cmra-";
+const SUFFIX: &str = ".tmp";
 
 /// What to do about a file that is there already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,6 +80,25 @@ pub fn write_all(files: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), F
         named.push(path);
     }
     Ok(())
+}
+
+/// Take away the temporary files that a program killed in the middle of writing has left in a directory of this program's own.
+/// Younger ones are left alone: another program may be about to name them.
+pub fn clear_leftovers(directory: &Path, younger: Duration) {
+    let Ok(entries) = fs::read_dir(directory) else { return };
+    for entry in entries.flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        if !(name.starts_with(PREFIX) && name.ends_with(SUFFIX)) {
+            continue;
+        }
+        let modified = entry.metadata().ok().filter(fs::Metadata::is_file);
+        let age = modified.and_then(|found| found.modified().ok()?.elapsed().ok());
+        if age.is_some_and(|age| age >= younger) {
+            // Where it cannot be taken away it does no harm.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// A file that grows piece by piece and takes its name when it is finished; until then it is a temporary one beside it.
@@ -155,7 +179,7 @@ fn prepare<'c>(path: &Path, content: &'c [u8], existing: Existing) -> Result<Rea
     }
     let directory = directory_of(&target);
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".cmra-").suffix(".tmp");
+    builder.prefix(PREFIX).suffix(SUFFIX);
     match found {
         Some(found) => {
             builder.permissions(found.permissions());
@@ -266,6 +290,21 @@ mod tests {
         drop(Growing::begin(&path, Existing::Replace).unwrap());
         assert_eq!(fs::read(&path).unwrap(), b"one two");
         assert_eq!(names(place.path()), ["a.csv"]);
+    }
+
+    #[test]
+    fn what_a_killed_program_left_is_taken_away_and_nothing_else() {
+        let place = tempfile::tempdir().unwrap();
+        let (left, mine) = (place.path().join(".cmra-Ab12.tmp"), place.path().join("mine.tmp"));
+        fs::write(&left, "half a sess").unwrap();
+        fs::write(&mine, "1").unwrap();
+        fs::create_dir(place.path().join(".cmra-folder.tmp")).unwrap();
+        // Another program may be about to name it.
+        clear_leftovers(place.path(), Duration::from_secs(3600));
+        assert_eq!(names(place.path()), [".cmra-Ab12.tmp", ".cmra-folder.tmp", "mine.tmp"]);
+        clear_leftovers(place.path(), Duration::ZERO);
+        assert_eq!(names(place.path()), [".cmra-folder.tmp", "mine.tmp"]);
+        clear_leftovers(&place.path().join("absent"), Duration::ZERO);
     }
 
     #[test]

@@ -18,7 +18,7 @@ use crate::model::results::RESULTS;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::units;
-use crate::model::variables::{VARIABLES, is_used};
+use crate::model::variables::{VARIABLES, Variable, is_used};
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
@@ -102,17 +102,34 @@ pub fn text(request: &ExportRequest) -> Result<String, FileError> {
 
 /// What gave a run and what came out, as comment lines `# key: value (unit)`.
 fn inline(name: &str, run: &Run) -> String {
+    inline_scene(("run", name), &run.scene, |_| true) + &outcome(run, ":")
+}
+
+/// A scene as comment lines `# key: value (unit)`, after what the table is (`run`, `sweep of`) and its name. Only those of its
+/// variables that are wanted.
+pub fn inline_scene(
+    (what, name): (&str, &str),
+    scene: &Scene,
+    wanted: impl Fn(&Variable) -> bool,
+) -> String {
     let line = |text: &str| text.replace(|c: char| c.is_control(), "?");
-    let mut text = format!("{MARK} {}\n# run: {}\n", env!("CARGO_PKG_VERSION"), line(name));
-    if !run.scene.title.is_empty() {
-        let _ = writeln!(text, "# title: {}", line(&run.scene.title));
+    let mut text = format!("{MARK} {}\n# {what}: {}\n", env!("CARGO_PKG_VERSION"), line(name));
+    if !scene.title.is_empty() {
+        let _ = writeln!(text, "# title: {}", line(&scene.title));
     }
-    for variable in VARIABLES.iter().filter(|variable| is_used(variable, &run.scene)) {
-        let (value, unit) = (variable.show(&run.scene), variable.unit());
-        let unit = if unit == "-" { String::new() } else { format!(" ({unit})") };
+    for variable in VARIABLES.iter().filter(|one| is_used(one, scene) && wanted(one)) {
+        let (value, unit) = (variable.show(scene), unit_behind(variable));
         let _ = writeln!(text, "# {}: {value}{unit}", variable.key);
     }
-    text + &outcome(run, ":")
+    text
+}
+
+/// A variable's unit behind its value: ` (kg)`; nothing for a pure number.
+pub fn unit_behind(variable: &Variable) -> String {
+    match variable.unit() {
+        "-" => String::new(),
+        unit => format!(" ({unit})"),
+    }
 }
 
 /// What came out of a run, as comment lines; the sign stands between a result's name and its value.

@@ -251,7 +251,6 @@ fn outputs(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<String>
         reader.problem(value.span(), text);
         return Vec::new();
     };
-    let names: Vec<&str> = results::RESULTS.iter().map(|column| column.name).collect();
     let mut outputs = Vec::new();
     for row in rows {
         match row.get_ref() {
@@ -261,8 +260,7 @@ fn outputs(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<String>
             other => {
                 let shown = reader.shown(row);
                 let bare = shown.trim_matches(['"', '\'']);
-                let hint = did_you_mean(bare, &names)
-                    .unwrap_or_else(|| format!("the results are {}", names.join(", ")));
+                let hint = results::nearest(bare, &[]);
                 let kind = match other {
                     DeValue::String(_) => "is not a result of a run".to_owned(),
                     other => format!("is {}, not the name of a result", kind_of(other)),

@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
@@ -19,6 +20,9 @@ const RECENT_MAX: usize = 10;
 
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
 const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
+
+/// No write takes so long: a temporary file beside the session that is older belongs to a program that was killed.
+const LEFTOVER: Duration = Duration::from_secs(600);
 
 /// What the workbench had open.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -134,6 +138,9 @@ fn text(path: &Path, session: &Session) -> Result<String, FileError> {
 /// Load the last session, if there is one. A file that is damaged is put aside with the ending `.broken`, and what can be read
 /// of it is kept.
 pub fn load(path: &Path) -> Loaded {
+    if let Some(directory) = path.parent() {
+        atomic::clear_leftovers(directory, LEFTOVER);
+    }
     if fs::symlink_metadata(path).is_err() {
         return Loaded::default();
     }

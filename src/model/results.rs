@@ -5,6 +5,7 @@
 
 use crate::model::run::Run;
 use crate::model::units::{self, Engineering};
+use crate::model::variables::edit_distance;
 
 /// One number a run comes down to.
 #[derive(Clone, Copy, Debug)]
@@ -108,11 +109,76 @@ pub fn find(name: &str) -> Option<&'static ResultColumn> {
     RESULTS.iter().find(|column| column.name == name)
 }
 
+/// The results asked for most.
+const USUAL: [&str; 6] = [
+    "final_penetration_m",
+    "percent_of_baseline",
+    "max_plate_displacement_m",
+    "stroke_m",
+    "peak_contact_force_n",
+    "residual_velocity_m_s",
+];
+/// The most names in a hint.
+const NEAREST_MAX: usize = 4;
+/// Columns of a line of the listing.
+const WIDTH: usize = 78;
+
+/// A hint for a name that no result has: the results spelled most like it, of these and of `further` ones that are known where it
+/// was asked for; else those asked for most.
+pub fn nearest(name: &str, further: &[&'static str]) -> String {
+    let lower = name.trim().to_lowercase();
+    let limit = (lower.chars().count() / 3).max(1);
+    let names = RESULTS.iter().map(|column| column.name).chain(further.iter().copied());
+    let mut ranked: Vec<(usize, &str)> = names
+        .map(|candidate| (distance(&lower, candidate), candidate))
+        .filter(|(distance, _)| *distance <= limit)
+        .collect();
+    // Of those as near as each other the ones asked for most come first.
+    ranked.sort_by_key(|(distance, name)| (*distance, !USUAL.contains(name)));
+    let close: Vec<String> =
+        ranked.iter().take(NEAREST_MAX).map(|(_, name)| format!("`{name}`")).collect();
+    if !close.is_empty() && !lower.is_empty() {
+        return format!("did you mean {}?", close.join(" or "));
+    }
+    let usual = [&USUAL[..], further].concat().join(", ");
+    format!("the usual ones are {usual}; `cmra sweep --help` lists all")
+}
+
+/// How far a name is from a result's, or from some words of it that stand together.
+fn distance(name: &str, result: &str) -> usize {
+    let words: Vec<&str> = result.split('_').collect();
+    let parts = (0..words.len()).flat_map(|from| {
+        let words = &words;
+        (from + 1..=words.len()).map(move |to| words[from..to].join("_"))
+    });
+    // A single letter is a unit's, and near to everything.
+    let parts = parts.filter(|part| part.len() > 2);
+    // Whoever types three letters or more of the beginning of a word means that word.
+    let begun = |part: &str| name.len() > 2 && part.starts_with(name);
+    let off = |part: &str| if begun(part) { 0 } else { edit_distance(name, part) };
+    let nearest = parts.map(|part| off(&part) + usize::from(part != result)).min();
+    nearest.unwrap_or(usize::MAX)
+}
+
+/// The names of all results in lines that fit a screen, for people.
+pub fn listing() -> String {
+    let mut text = String::new();
+    let mut line = String::new();
+    for column in RESULTS {
+        if line.len() + 2 + column.name.len() > WIDTH {
+            text = text + &line + "\n";
+            line.clear();
+        }
+        line = line + "  " + column.name;
+    }
+    text + &line + "\n"
+}
+
 #[cfg(test)]
 mod tests {
     use std::collections::HashSet;
 
-    use super::{RESULTS, find};
+    use super::{RESULTS, USUAL, WIDTH, find, listing, nearest};
 
     #[test]
     fn names_are_unique_and_found() {
@@ -133,5 +199,29 @@ mod tests {
         assert_eq!(of("stroke_m"), expect("stroke", "m"));
         assert_eq!(of("residual_velocity_m_s"), expect("residual velocity", "m/s"));
         assert_eq!(of("steps"), expect("steps", ""));
+    }
+
+    #[test]
+    fn a_name_that_no_result_has_is_told_the_nearest_ones_in_a_line_that_can_be_read() {
+        assert!(USUAL.iter().all(|name| find(name).is_some()));
+        assert_eq!(nearest("stroke", &[]), "did you mean `stroke_m`?");
+        assert_eq!(nearest("percnt", &[]), "did you mean `percent_of_baseline`?");
+        assert_eq!(nearest("percent_of_basline", &[]), "did you mean `percent_of_baseline`?");
+        assert!(nearest("penetration", &[]).starts_with("did you mean `final_penetration_m` or "));
+        assert_eq!(nearest("sistem_mass", &["system_mass_kg"]), "did you mean `system_mass_kg`?");
+        for strange in ["foo", "", "quux_quux"] {
+            let hint = nearest(strange, &[]);
+            assert!(hint.contains(&USUAL.join(", ")) && hint.len() < 200, "{strange}: {hint}");
+        }
+        assert!(nearest("foo", &["system_mass_kg"]).contains("system_mass_kg"));
+    }
+
+    #[test]
+    fn the_listing_has_every_result_once_in_lines_that_fit() {
+        let listing = listing();
+        assert!(listing.lines().all(|line| line.chars().count() <= WIDTH), "{listing}");
+        let listed: Vec<&str> = listing.split_whitespace().collect();
+        let all: Vec<&str> = RESULTS.iter().map(|column| column.name).collect();
+        assert_eq!(listed, all);
     }
 }

@@ -164,7 +164,8 @@ impl Report {
     }
 }
 
-/// Asked before each shot with the shots done and about how many there are; `Break` stops, and keeps what there is.
+/// Asked before each shot, and now and then within a long one, with the shots done and about how many there are; `Break` stops,
+/// and keeps what there is.
 pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 
 /// Find the limit of a scene, its residual-velocity curve, and the scatter asked for.
@@ -212,6 +213,9 @@ pub fn alone(scene: &Arc<Scene>, watch: Watch<'_>) -> Result<Limit, VariableErro
     Ok(Range::new(scene, SCAN + 40, watch).limit(RANGE_M_S, SCAN, WIDTH))
 }
 
+/// Steps of a shot between two questions whether to go on.
+const LOOK: usize = 64;
+
 /// The firing range: shots at a scene, counted.
 struct Range<'s, 'w> {
     scene: &'s Arc<Scene>,
@@ -238,11 +242,35 @@ impl<'s, 'w> Range<'s, 'w> {
 
     /// A shot at this velocity; `None` when stopped.
     fn shoot(&mut self, impact_m_s: f64) -> Option<Shot> {
-        self.goes_on().then(|| shoot(self.scene, impact_m_s))
+        if !self.goes_on() {
+            return None;
+        }
+        let (done, total, watch) = (self.done.min(self.total), self.total, &mut *self.watch);
+        let (mut steps, mut stopped) = (0_usize, false);
+        let shot = shoot(self.scene, impact_m_s, &mut |_t_s| {
+            steps += 1;
+            // A run on the plastic law may have millions of steps.
+            stopped = stopped || (steps.is_multiple_of(LOOK) && watch(done, total).is_break());
+            if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        self.stopped = stopped;
+        (!stopped).then_some(shot)
     }
 
+    /// Whether a shot goes through; `None` when stopped. What is fused at the first arrest stays: there the first contact alone
+    /// decides.
     fn perforates(&mut self, impact_m_s: f64) -> Option<bool> {
-        self.goes_on().then(|| perforates(self.scene, impact_m_s))
+        let scene = self.scene;
+        let decided = scene.interface.law == InterfaceLaw::Fused
+            && scene.contact.model == ContactModel::Hydrodynamic;
+        if !decided {
+            return self.shoot(impact_m_s).map(|shot| shot.outcome == Outcome::Perforated);
+        }
+        let through = || {
+            let end = first_contact(&aimed(scene, impact_m_s));
+            end.is_ok_and(|end| end.ending == Ending::Perforation)
+        };
+        self.goes_on().then(through)
     }
 
     /// The limit within a range, looked for with so many points, to a relative width.
@@ -311,21 +339,11 @@ fn aimed(scene: &Scene, impact_m_s: f64) -> Arc<Scene> {
     Arc::new(own)
 }
 
-/// Whether a shot goes through. What is fused at the first arrest stays: there the first contact alone decides.
-fn perforates(scene: &Scene, impact_m_s: f64) -> bool {
-    let decided = scene.interface.law == InterfaceLaw::Fused
-        && scene.contact.model == ContactModel::Hydrodynamic;
-    if !decided {
-        return shoot(scene, impact_m_s).outcome == Outcome::Perforated;
-    }
-    first_contact(&aimed(scene, impact_m_s)).is_ok_and(|end| end.ending == Ending::Perforation)
-}
-
 /// A shot at a scene with another impact velocity.
-fn shoot(scene: &Scene, impact_m_s: f64) -> Shot {
+fn shoot(scene: &Scene, impact_m_s: f64, observer: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Shot {
     let settings = Settings { series: false, estimate: false };
     let own = aimed(scene, impact_m_s);
-    let run = simulate(&own, &settings, &mut |_| ControlFlow::Continue(()));
+    let run = simulate(&own, &settings, observer);
     // The scene has been found valid, and so is any velocity above zero.
     run.map_or(Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, |run| Shot {
         impact_m_s,

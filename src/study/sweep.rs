@@ -19,7 +19,7 @@ pub mod summary;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::model::results::{self, RESULTS, ResultColumn};
+use crate::model::results::{self, ResultColumn};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables;
@@ -240,20 +240,12 @@ impl Plan {
 /// # Errors
 /// [`SweepError::Output`] with the nearest names.
 pub fn output(name: &str) -> Result<&'static ResultColumn, SweepError> {
-    results::find(name.trim()).ok_or_else(|| {
-        let names = RESULTS.iter().map(|column| column.name);
-        let near = |other: &&str| {
-            other.contains(name.trim())
-                || variables::edit_distance(other, name.trim()) <= name.len() / 3
-        };
-        let close: Vec<&str> = names.clone().filter(near).take(3).collect();
-        let hint = if close.is_empty() || name.trim().is_empty() {
-            format!("the results are {}", names.collect::<Vec<_>>().join(", "))
-        } else {
-            format!("did you mean {}?", close.join(" or "))
-        };
-        SweepError::Output { name: name.to_owned(), hint }
-    })
+    results::find(name.trim()).ok_or_else(|| no_output(name, &[]))
+}
+
+/// Why a name is refused that neither a result nor one of `further` has.
+pub(in crate::study) fn no_output(name: &str, further: &[&'static str]) -> SweepError {
+    SweepError::Output { name: name.to_owned(), hint: results::nearest(name, further) }
 }
 
 fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {

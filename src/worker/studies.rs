@@ -184,7 +184,7 @@ fn serve(asked: &Receiver<Asked>, sink: &impl Fn(StudyReport)) {
     }
 }
 
-fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyBody {
+fn make(study: &Study, stop: &Arc<AtomicBool>, sink: &impl Fn(StudyReport)) -> StudyBody {
     let start = Instant::now();
     let mut told = start;
     let mut tell = |done: usize, total: usize, part: &dyn Fn() -> Finding| {
@@ -221,7 +221,7 @@ fn make(study: &Study, stop: &AtomicBool, sink: &impl Fn(StudyReport)) -> StudyB
             }
         }
         StudyKind::Battery => battery(&now_s, stop, &mut tell),
-        StudyKind::Thesis => Ok(claims(&mut tell)),
+        StudyKind::Thesis => Ok(claims(&mut tell, stop)),
         StudyKind::Limit(effort) => ballistic(study, *effort, &mut tell),
         StudyKind::Search(request) => search(study, request, &mut tell),
     };
@@ -252,10 +252,11 @@ fn battery(
 }
 
 /// The claims, one after the other; what there is when it is stopped is kept.
-fn claims(tell: Tell<'_>) -> Finding {
-    let rows = thesis::reproduce(&mut |rows, total| {
+fn claims(tell: Tell<'_>, stop: &Arc<AtomicBool>) -> Finding {
+    let watch = &mut |rows: &[thesis::Row], total| {
         tell(rows.len(), total, &|| Finding::Thesis(Arc::new(rows.to_vec()), false))
-    });
+    };
+    let rows = thesis::reproduce(watch, stop);
     let all = rows.len() == thesis::claims().count();
     Finding::Thesis(Arc::new(rows), all)
 }

@@ -266,3 +266,57 @@ fn a_table_is_spelt_as_asked_and_has_its_scene_beside_or_within() {
     assert_eq!(excel.matches('\u{feff}').count(), 1);
     assert_eq!(excel.lines().count(), 301);
 }
+
+#[test]
+fn a_sweep_says_at_its_head_what_was_held_and_what_varied() {
+    let table = |meta: &[&str]| {
+        let over = ["--over", "gamma=1..2:3", "--over", "k=1e3..1e5:2:log", "--set", "d=0.01"];
+        says("sweep", &[&over[..], &["--outputs", "stroke_m", "--csv", "-"], meta].concat(), 0).0
+    };
+    let inline = table(&["--meta", "inline"]);
+    let (comments, rows): (Vec<&str>, Vec<&str>) =
+        inline.lines().partition(|line| line.starts_with('#'));
+    assert_eq!(rows.join("\n") + "\n", table(&[]));
+    for line in [
+        "# sweep of: thesis-baseline",
+        "# plate.cocking_m: 0.01 (m)",
+        "# over plate.mass_ratio: 1..2:3",
+        "# over mechanism.spring.coefficient: 1000..1e5:2:log (N/m^n)",
+        "# design: factorial",
+    ] {
+        assert!(comments.contains(&line), "{line} is not in\n{}", comments.join("\n"));
+    }
+    // What varies has no one value.
+    assert!(!comments.iter().any(|line| line.starts_with("# plate.mass_ratio")));
+    // Only the first part has a head; a file with its scene within has none beside it.
+    let second = table(&["--meta", "inline", "--shard", "2/2"]);
+    assert!(!second.contains('#') && !second.is_empty(), "{second}");
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("a.csv");
+    let path = path.to_str().unwrap();
+    says("sweep", &["--over", "d=0..0.1:2", "--meta", "inline", "--csv", path], 0);
+    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_result_that_does_not_exist_is_told_the_nearest_in_a_line_that_can_be_read() {
+    for (command, arguments, hint) in [
+        ("sweep", ["--over", "d=0..1:2", "--outputs", "foo"], "`cmra sweep --help` lists all"),
+        ("sweep", ["--over", "d=0..1:2", "--outputs", "strok"], "did you mean `stroke_m`?"),
+        (
+            "seek",
+            ["--over", "d=0..1", "--goal", "percnt=60"],
+            "did you mean `percent_of_baseline`?",
+        ),
+        ("seek", ["--over", "d=0..1", "--goal", "sistem_mass=1"], "did you mean `system_mass_kg`?"),
+        ("seek", ["--over", "d=0..1", "--goal", "foo=60"], "plate_mass_kg"),
+    ] {
+        let said = says(command, &arguments, 2).1;
+        assert!(said.contains(hint), "{hint} is not in {said}");
+        assert!(said.lines().count() == 1 && said.len() < 320, "{}: {said}", said.len());
+    }
+    let help = says("sweep", &["--help"], 0).0;
+    for column in cmra::model::results::RESULTS {
+        assert!(help.contains(column.name), "{} is not in the help", column.name);
+    }
+}

@@ -188,7 +188,10 @@ fn bad_sweeps_are_refused_before_anything_runs() {
         ("--over k=0..1e6:5 --over k=0..1:3 --csv x.csv", &["axis k", "twice"]),
         ("--over x_stop=-1..1:5 --csv x.csv", &["x_stop=-1", "behind the plate's start"]),
         ("--over gamma=1..2:5 --shard 3/2 --csv x.csv", &["shard 3/2", "I/N"]),
-        ("--over gamma=1..2:5 --outputs depth --csv x.csv", &["output depth", "results are"]),
+        (
+            "--over gamma=1..2:5 --outputs depth --csv x.csv",
+            &["output depth", "the usual ones are"],
+        ),
         ("--over gamma=1..2:5 --points 9 --csv x.csv", &["--points", "--design lhs or sobol"]),
     ] {
         let done = sweep(place.path(), arguments);

@@ -1,4 +1,4 @@
-//! The scene beside a sweep's CSV: a scene file whose `[sweep]` makes the same rows again.
+//! The scene beside a sweep's CSV, a scene file whose `[sweep]` makes the same rows again, or in comment lines at its head.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export;
+use crate::files::preset::Preset;
 use crate::files::sweep::Columns;
 use crate::model::scene::{Scene, Sweep, SweepAxis};
+use crate::model::units;
 use crate::study::sweep::{Design, Plan, Spacing};
 
 /// What was made.
@@ -61,6 +63,34 @@ pub(super) fn write(
     let text = export::sweep_sidecar(csv, &scene, &again);
     atomic::write(&beside, text.as_bytes(), existing)?;
     Ok(Some(beside))
+}
+
+/// The held variables and the axes as comment lines `# key: value (unit)`.
+pub(super) fn inline(preset: &Preset, made: &Made<'_>) -> String {
+    let axes = made.plan.axes();
+    let held = |key: &str| axes.iter().all(|axis| axis.variable().key != key);
+    let mut text =
+        export::inline_scene(("sweep of", &preset.name), &preset.scene, |one| held(one.key));
+    for axis in axes {
+        let ((from, to), count) = (axis.ends(), axis.count());
+        let log = if axis.spacing() == Spacing::Log { ":log" } else { "" };
+        let (from, to) = (units::shortest(from), units::shortest(to));
+        let unit = export::unit_behind(axis.variable());
+        let _ = writeln!(text, "# over {}: {from}..{to}:{count}{log}{unit}", axis.variable().key);
+    }
+    let design = made.plan.design();
+    let _ = match design {
+        Design::Factorial => writeln!(text, "# design: {}", design.word()),
+        Design::LatinHypercube { seed, .. } | Design::Sobol { seed, .. } => {
+            writeln!(
+                text,
+                "# design: {}, {} points, seed {seed}",
+                design.word(),
+                made.plan.points()
+            )
+        }
+    };
+    text
 }
 
 /// A device or a pipe has no place beside it.

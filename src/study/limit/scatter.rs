@@ -62,9 +62,10 @@ pub(super) fn scatter(
             return None;
         }
         let sample = Arc::new(scattered(scene, scattering.deviation, &mut random));
-        // Shots within a sample are not counted: a sample is one piece of work.
-        let go_on = &mut |_, _| std::ops::ControlFlow::Continue(());
-        let mut own = Range::new(&sample, 1, go_on);
+        // Shots within a sample are not counted: a sample is one piece of work. It can be stopped all the same.
+        let (done, total) = (range.done.min(range.total), range.total);
+        let mut watch = |_: usize, _: usize| (range.watch)(done, total);
+        let mut own = Range::new(&sample, 1, &mut watch);
         let around = (nominal_m_s / WITHIN, nominal_m_s * WITHIN);
         match own.limit(around, POINTS, WIDTH) {
             Limit::Found { velocity_m_s, .. } => {
@@ -76,7 +77,8 @@ pub(super) fn scatter(
                 without += 1;
                 through += usize::from(own_m_s > around.0);
             }
-            Limit::Never | Limit::Unknown => without += 1,
+            Limit::Unknown => return None,
+            Limit::Never => without += 1,
         }
     }
     limits.sort_by(f64::total_cmp);

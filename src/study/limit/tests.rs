@@ -130,3 +130,19 @@ fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
     let expected = 0.03 * all.iter().map(|s| s * s).sum::<f64>().sqrt() * 232.295_378;
     assert!((found.deviation_m_s / expected - 1.0).abs() < 0.15, "{found:?} {expected}");
 }
+
+/// Not only between two shots: one on the plastic law may take a minute.
+#[test]
+fn a_long_shot_is_stopped_within_it() {
+    let mut own = Scene::clone(&scene("k=1e5"));
+    own.interface.law = InterfaceLaw::Plastic;
+    own.run.horizon_s = Some(1e6);
+    let mut asked = 0;
+    let report = find(&Arc::new(own), PLAIN, &mut |done, _| {
+        asked += 1;
+        assert!(asked <= 500, "{done} shots");
+        if asked == 500 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    let report = report.unwrap();
+    assert_eq!((report.limit, report.is_complete), (Limit::Unknown, false));
+}

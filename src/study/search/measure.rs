@@ -1,7 +1,7 @@
 //! What designs are judged by: every result of a run, and what a mechanism weighs and puts into its mount.
 
 use crate::model::mechanism::Mechanism;
-use crate::model::results::{RESULTS, ResultColumn};
+use crate::model::results::{self, RESULTS, ResultColumn};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, Quantity};
 use crate::numerics::larger;
@@ -39,18 +39,7 @@ pub(super) enum Way {
 /// [`SweepError::Output`] with the nearest names.
 pub fn measure(name: &str) -> Result<&'static ResultColumn, SweepError> {
     let own = DESIGN_MEASURES.iter().find(|column| column.name == name.trim());
-    own.map_or_else(
-        || {
-            sweep::output(name).map_err(|error| match error {
-                SweepError::Output { name, hint } => SweepError::Output {
-                    hint: format!("{hint}; also {}", own_names().join(", ")),
-                    name,
-                },
-                other => other,
-            })
-        },
-        Ok,
-    )
+    own.or_else(|| results::find(name.trim())).ok_or_else(|| sweep::no_output(name, &own_names()))
 }
 
 /// Read a value of a measure: SI, or with a unit (`45mm`, `20 kN`); percentages as they are shown (`60` or `60 %`).

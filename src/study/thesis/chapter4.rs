@@ -56,7 +56,9 @@ fn momentum(lab: &Lab, scene: &Scene) -> (f64, f64) {
         .copied()
         .filter(|row| row.contact_force_n > 0.0 || row.t_s < end_s)
         .collect();
-    let (first, last) = (inside[0], inside[inside.len() - 1]);
+    let (Some(first), Some(last)) = (inside.first(), inside.last()) else {
+        return (f64::NAN, f64::NAN);
+    };
     let lost = 0.0295 * (first.projectile_velocity_m_s - last.projectile_velocity_m_s);
     (lost, inside.windows(2).map(part).sum())
 }

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
@@ -56,6 +57,8 @@ pub(super) struct Lab {
     runs: Cell<usize>,
     /// The last rigid mount's depth, and what it belongs to.
     baseline: Cell<Option<(Shot, f64)>>,
+    /// Once it is set every run ends at its next step: what is found from then on is not kept.
+    stop: Arc<AtomicBool>,
 }
 
 /// The scene of chapter 9's figures: gamma = 1, k = 1e5, n = 1, nothing else.
@@ -104,6 +107,16 @@ pub(super) fn listing_material(scene: Scene) -> Scene {
 }
 
 impl Lab {
+    /// A bench that can be stopped from outside.
+    pub(super) fn stopped_by(stop: &Arc<AtomicBool>) -> Self {
+        Self { stop: Arc::clone(stop), ..Self::default() }
+    }
+
+    /// Whether it was stopped: then nothing found on it counts.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
     /// Run a scene by a law; series only where asked for.
     pub(super) fn run_with(&self, law: Law, scene: &Scene, series: bool) -> Run {
         let mut own = scene.clone();
@@ -113,7 +126,10 @@ impl Lab {
         self.runs.set(self.runs.get() + 1);
         let settings = Settings { series, estimate: false };
         let own = Arc::new(own);
-        impact::simulate(&own, &settings, &mut |_| ControlFlow::Continue(()))
+        let watch = &mut |_t_s: f64| {
+            if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        impact::simulate(&own, &settings, watch)
             .expect("the scenes of this study make physical sense")
     }
 
@@ -180,7 +196,8 @@ impl Lab {
                 let own = changed(scene.clone(), &[(name, value)]);
                 (value, self.measure(law, measure, &own))
             })
-            .filter(|(_, measured)| measured.is_finite())
+            // Of a stopped bench nothing is kept, so nobody need expect a curve without points.
+            .filter(|(_, measured)| measured.is_finite() || self.is_stopped())
             .collect()
     }
 

@@ -1,10 +1,16 @@
 //! What the charts show: quantities, the time range, the crosshair, and the points of every curve. No drawing.
 
+use std::ops::Range;
+use std::sync::Arc;
+
 use super::App;
 use super::quantity::Quantity;
 use super::runs::RunView;
 use crate::model::run::Run;
 use crate::tui::chart::scale::Scale;
+use coarse::Coarse;
+
+pub mod coarse;
 
 /// Which part of the time is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +53,8 @@ pub struct Charts {
     pub value_scales: [Scale; 3],
     /// Curves are differences to the first pinned run.
     pub difference: bool,
+    /// What the curves of runs with long series are drawn from.
+    pub coarse: Vec<Coarse>,
 }
 
 impl Default for Charts {
@@ -66,6 +74,7 @@ impl Default for Charts {
             time_scale: Scale::Linear,
             value_scales: [Scale::Linear; 3],
             difference: false,
+            coarse: Vec::new(),
         }
     }
 }
@@ -82,6 +91,9 @@ pub struct Curve {
     /// Time, s, and value; a gap where the value is not a number.
     pub points: Vec<(f64, f64)>,
 }
+
+/// How far beyond the range in view curves are given, as a share of it.
+const BEYOND: f64 = 0.02;
 
 /// How far the zoom goes in.
 const NARROWEST_S: f64 = 1e-12;
@@ -117,7 +129,53 @@ impl App {
             .reference_pin()
             .filter(|_| self.charts.difference)
             .and_then(|pin| pin.run.as_deref());
-        self.visible_runs().iter().map(|view| curve(view, quantity, reference)).collect()
+        self.visible_runs().iter().map(|view| self.curve(view, quantity, reference)).collect()
+    }
+
+    /// The points of a run that are in view, and one on either side of it; of a long series no more than a screen can show.
+    fn curve(&self, view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
+        let seen = self.samples_seen(view.run);
+        let point = |index: usize| {
+            let sample = &view.run.series[index];
+            let value = quantity.drawn(sample);
+            let value = reference
+                .map_or(value, |run| value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN));
+            (sample.t_s, value)
+        };
+        // What is extreme in a run need not be so in its difference to another.
+        let coarse = self.charts.coarse.iter().find(|one| one.is_of(view.run));
+        let few = coarse
+            .filter(|_| reference.is_none())
+            .and_then(|coarse| coarse.of_those(quantity, &seen));
+        let points = match few {
+            Some(indices) => indices.iter().copied().map(point).collect(),
+            None => seen.map(point).collect(),
+        };
+        Curve { letter: view.letter, index: view.index, old: view.old, points }
+    }
+
+    /// Which samples of a run its curves are drawn from.
+    fn samples_seen(&self, run: &Run) -> Range<usize> {
+        let all = 0..run.series.len();
+        if self.charts.fit == Fit::Everything {
+            return all;
+        }
+        let (from, to) = self.time_range_s();
+        // The outermost dots of a chart stand for times a little beyond its range.
+        let beyond = BEYOND * (to - from);
+        let (from, to) = (from - beyond, to + beyond);
+        let before = run.series.partition_point(|sample| sample.t_s < from);
+        let within = run.series.partition_point(|sample| sample.t_s <= to);
+        before.saturating_sub(1)..all.end.min(within + 1)
+    }
+
+    /// A result has landed: from here on its curves cost a frame little, however long its series.
+    pub fn note_run(&mut self, run: &Arc<Run>) {
+        let coarse = &mut self.charts.coarse;
+        coarse.retain(Coarse::is_wanted);
+        if !coarse.iter().any(|one| one.is_of(run)) {
+            coarse.extend(Coarse::of(run));
+        }
     }
 
     /// The curve of the second axis of a chart: the current run's where it is drawn, else the last visible one's.
@@ -247,14 +305,4 @@ impl App {
         }
         (begin, end)
     }
-}
-
-fn curve(view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
-    let points = view.run.series.iter().map(|sample| {
-        let value = quantity.drawn(sample);
-        let value =
-            reference.map_or(value, |run| value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN));
-        (sample.t_s, value)
-    });
-    Curve { letter: view.letter, index: view.index, old: view.old, points: points.collect() }
 }

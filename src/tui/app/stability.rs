@@ -166,7 +166,7 @@ impl App {
             return parts;
         }
         if tab.mapping.is_some() {
-            parts.push(same(Severity::Note, "drawing up the map".to_owned()));
+            parts.push(same(Severity::Note, "drawing up the map (Esc stops)".to_owned()));
         } else if self.map_is_old() {
             parts.push(same(Severity::Warning, "old: r maps the changed scene".to_owned()));
         }

@@ -230,7 +230,7 @@ impl App {
     fn state_words(&self) -> (Severity, String, String) {
         let same = |severity, text: &str| (severity, text.to_owned(), text.to_owned());
         if let Some(job) = &self.jobs.current
-            && (self.jobs.overdue || self.shown.is_none())
+            && (self.jobs.overdue || self.shown.as_ref().is_none_or(|shown| shown.took.is_none()))
         {
             let text = job.reached.map_or_else(
                 || "running".to_owned(),

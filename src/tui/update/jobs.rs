@@ -128,6 +128,7 @@ fn current(app: &mut App, body: ReportBody) -> Vec<Effect> {
             return Vec::new();
         }
         ReportBody::Part(run) => {
+            app.note_run(&run);
             app.shown = Some(Shown { run, took: None });
             return Vec::new();
         }
@@ -175,6 +176,7 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
             app.notice = kept;
         }
     }
+    app.note_run(&run);
     app.shown = Some(Shown { run, took });
 }
 
@@ -186,16 +188,20 @@ fn pin(app: &mut App, letter: char, id: u64, body: ReportBody) {
     match body {
         ReportBody::Started | ReportBody::Progress { .. } | ReportBody::Part(_) => {}
         ReportBody::Done { run, .. } => {
-            pin.run = Some(run);
+            pin.run = Some(Arc::clone(&run));
             pin.job = None;
+            app.note_run(&run);
         }
         ReportBody::Failed(text) => {
             pin.job = None;
             app.say(Severity::Error, format!("pinned run {letter}: {text}"));
         }
         ReportBody::Cancelled { partial } => {
-            pin.run = partial;
+            pin.run.clone_from(&partial);
             pin.job = None;
+            if let Some(run) = &partial {
+                app.note_run(run);
+            }
         }
     }
 }

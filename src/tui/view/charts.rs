@@ -23,6 +23,8 @@ const READOUT_ROWS: u16 = 2;
 /// How the curve of a second axis is told from the runs.
 const SECOND: char = '~';
 const SECOND_COLOUR: usize = 9;
+/// Where the readouts of further runs have no room.
+const MORE: &str = "  ..";
 /// Most event lines in one chart.
 const EVENT_LINES: usize = 24;
 
@@ -187,12 +189,18 @@ fn readout(app: &App, area: Rect, buffer: &mut Buffer) {
     let views = app.visible_runs();
     let line = |lead: String, value: &dyn Fn(&RunView<'_>) -> String| {
         let mut spans = vec![Span::styled(format!(" {lead}"), app.theme.style(Role::Text))];
-        for view in views.iter().rev() {
-            spans.push(Span::styled(
-                format!("  {} ", short_name(view)),
-                app.theme.style(Role::Curve(view.index)),
-            ));
-            spans.push(Span::raw(value(view)));
+        let mut left = usize::from(area.width).saturating_sub(lead.chars().count() + 1);
+        for (place, view) in views.iter().rev().enumerate() {
+            let (name, value) = (format!("  {} ", short_name(view)), value(view));
+            let width = name.chars().count() + value.chars().count();
+            let room = if place + 1 < views.len() { MORE.len() } else { 0 };
+            if width + room > left {
+                spans.push(Span::styled(MORE, app.theme.style(Role::Dim)));
+                break;
+            }
+            left -= width;
+            spans.push(Span::styled(name, app.theme.style(Role::Curve(view.index))));
+            spans.push(Span::raw(value));
         }
         Line::from(spans)
     };
@@ -228,6 +236,7 @@ fn events_in_view(app: &App, width: usize) -> String {
     let events = run.into_iter().flat_map(|run| run.events.iter().enumerate());
     let words: Vec<String> = events
         .filter(|(_, event)| (from..=to).contains(&event.t_s))
+        .take(EVENT_LINES)
         .map(|(index, event)| format!("{} {}", event_tag(index), event.kind.words()))
         .collect();
     let text = words.join("  ");

@@ -87,6 +87,21 @@ fn a_battery_is_stopped_within_a_scene() {
     assert!(asked.into_inner() < 2000);
 }
 
+/// Not only between two claims: the longest take most of a second.
+#[test]
+fn the_claims_are_stopped_within_a_claim() {
+    let stop = Arc::new(AtomicBool::new(false));
+    let mut asked = 0;
+    // The claim after the third is begun, and stopped while it runs.
+    let tell = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| {
+        asked += 1;
+        stop.store(asked > 3, Ordering::Relaxed);
+        ControlFlow::Continue(())
+    };
+    let Finding::Thesis(rows, false) = claims(tell, &stop) else { panic!("all the claims") };
+    assert_eq!(rows.len(), 3);
+}
+
 #[test]
 fn an_impossible_scene_is_refused_in_words() {
     let (studies, reports) = spawned();
