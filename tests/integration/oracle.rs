@@ -283,7 +283,7 @@ fn valid_a_plate_pressed_on_an_elastic_stop_swings_to_its_far_end() {
 
 /// Where the stop's place is the spring's zero, the plate that leaves it passes two marks at once.
 #[test]
-fn valid_an_elastic_stop_at_the_zero_of_the_spring_does_not_pull() {
+fn valid_an_elastic_stop_at_the_zero_of_the_spring_pushes_and_never_pulls() {
     for pairs in [
         "n=2 k=1.39e9 gamma=0.441 v_i=462 h=0.00218 g=0.844 k_stop=9.03e8",
         "n=2 k=1e9 d=0.002 k_stop=1e8",
@@ -291,6 +291,7 @@ fn valid_an_elastic_stop_at_the_zero_of_the_spring_does_not_pull() {
         "n=1 k=1e6 d=0.002 k_stop=1e8",
         "n=1.5 k=1e7 m=0.5 b=20 k_stop=3e7",
         "n=2 k=1e9 d=0.002 k_stop=1e8 b_stop=100",
+        "n=2 k=1.16e8 m=0.5 b=133 d=0.000165 gamma=2.11 v_i=123 h=0.0117 k_stop=1.12e8 b_stop=562",
     ] {
         for law in ["plastic", "fused"] {
             let pairs =
@@ -298,6 +299,18 @@ fn valid_an_elastic_stop_at_the_zero_of_the_spring_does_not_pull() {
             let (found, _, _) = compare(&pairs);
             assert!(found.is_empty(), "{pairs}: {found:?}");
         }
+    }
+}
+
+/// Without grip the projectile stays behind where the spring's force changes its sign.
+#[test]
+fn valid_nothing_pulls_a_projectile_without_grip() {
+    for pairs in [
+        "n=2 k=1.73e8 m=1.58 d=0.0011 gamma=6 v_i=116 h=0.00394 run.horizon_s=3e-3",
+        "gamma=0.327 v_i=36.5 h=0.0163 mechanism.spring.kind=bistable mechanism.spring.bistable.second_m=0.01 mechanism.spring.bistable.unstable_m=0.004 mechanism.spring.bistable.barrier_n=8000 run.horizon_s=4.29e-4",
+    ] {
+        let (found, _, _) = compare(&format!("{pairs} interface=plastic g=0"));
+        assert!(found.is_empty(), "{pairs}: {found:?}");
     }
 }
 

@@ -308,8 +308,8 @@ impl Track<'_> {
         if self.is_beyond_stop() && self.stop_presses() {
             return Some(Trigger::StopPressed);
         }
-        if self.stop_touches && !self.is_still() && self.stop_lets_go() {
-            return Some(Trigger::StopCleared);
+        if let Some(trigger) = self.overdue_on_place() {
+            return Some(trigger);
         }
         let (behind, ahead) = self.spring_ends();
         if !self.is_still() && (x > ahead || (x >= ahead && w > 0.0)) {
@@ -350,8 +350,37 @@ impl Track<'_> {
         form.at(&motion, &self.state) > form.rounding(&motion, &self.state)
     }
 
-    /// Whether an elastic stop's force is zero and about to pull: another event may have put the plate on its place, where no guard
-    /// falls any more.
+    /// An event at the very place on which another one has put the plate: its guard is zero there and falls no more.
+    fn overdue_on_place(&self) -> Option<Trigger> {
+        let State { plate_m: x, plate_m_s: w, .. } = self.state;
+        if self.is_still() {
+            return None;
+        }
+        let mechanism = &self.problem.mechanism;
+        if self.stop_touches && self.stop_lets_go() {
+            return Some(Trigger::StopCleared);
+        }
+        let reaches = x >= mechanism.stop_at_m && w > 0.0;
+        let untouched = mechanism.elastic_stop().is_some() && !self.stop_touches;
+        if untouched && reaches && !self.stop_lets_go() {
+            return Some(Trigger::StopReached);
+        }
+        // Without any strength the interface gives way where the spring's force changes its sign.
+        let sprung = !mechanism.spring.is_absent() && x == 0.0;
+        if !(self.mode == Mode::Fused && self.problem.plastic && sprung)
+            || self.motion().mechanism_force(&self.state) != 0.0
+        {
+            return None;
+        }
+        let (push, pull) = self.interface_limits_n();
+        if w < 0.0 && pull == 0.0 {
+            Some(Trigger::PullLimit)
+        } else {
+            (w > 0.0 && push == 0.0).then_some(Trigger::PushLimit)
+        }
+    }
+
+    /// Whether an elastic stop's force is zero and about to pull.
     fn stop_lets_go(&self) -> bool {
         let form = self.stop_force();
         let motion = self.motion();
