@@ -21,6 +21,8 @@ mod models;
 #[cfg(test)]
 mod optimise;
 #[cfg(test)]
+mod oracle;
+#[cfg(test)]
 mod physics;
 #[cfg(test)]
 mod plans;

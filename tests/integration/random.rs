@@ -12,7 +12,7 @@ pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     /// Uniform on [0, 1).
-    fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -20,17 +20,19 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn log(&mut self, low: f64, high: f64) -> f64 {
+    /// Between two positive numbers, evenly in the logarithm.
+    pub(crate) fn log(&mut self, low: f64, high: f64) -> f64 {
         let value = low * (high / low).powf(self.unit());
         format!("{value:.4e}").parse().unwrap()
     }
 
     /// Zero with a chance, else as `log`.
-    fn log_or_zero(&mut self, chance: f64, low: f64, high: f64) -> f64 {
+    pub(crate) fn log_or_zero(&mut self, chance: f64, low: f64, high: f64) -> f64 {
         if self.unit() < chance { 0.0 } else { self.log(low, high) }
     }
 
-    fn of<T: Copy>(&mut self, list: &[T]) -> T {
+    /// One of a list.
+    pub(crate) fn of<T: Copy>(&mut self, list: &[T]) -> T {
         let place = self.unit() * list.len() as f64;
         let index = (0..list.len()).rfind(|index| *index as f64 <= place).unwrap();
         list[index]

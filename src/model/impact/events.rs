@@ -156,6 +156,14 @@ impl Track<'_> {
     fn settle(&mut self) {
         self.state.slip_m_s = 0.0;
         self.mode = Mode::Fused;
+        if !self.gives_way() && self.problem.plastic && !self.is_still() {
+            self.count_slips();
+            self.take_last_slips();
+        }
+    }
+
+    /// Whether the interface of the joined body gives way at once, which it then does.
+    fn gives_way(&mut self) -> bool {
         let motion = self.motion();
         let carried = if self.is_still() {
             0.0
@@ -169,11 +177,8 @@ impl Track<'_> {
             self.pull_out();
         } else {
             self.note_excess(carried, push, pull);
-            if self.problem.plastic && !self.is_still() {
-                self.count_slips();
-                self.take_last_slips();
-            }
         }
+        self.mode != Mode::Fused
     }
 
     /// Count how often the interface gave way without a noticeably deeper hole.
@@ -303,6 +308,9 @@ impl Track<'_> {
         if self.is_beyond_stop() && self.stop_presses() {
             return Some(Trigger::StopPressed);
         }
+        if let Some(trigger) = self.overdue_on_place() {
+            return Some(trigger);
+        }
         let (behind, ahead) = self.spring_ends();
         if !self.is_still() && (x > ahead || (x >= ahead && w > 0.0)) {
             return Some(Trigger::KnotAhead);
@@ -342,12 +350,55 @@ impl Track<'_> {
         form.at(&motion, &self.state) > form.rounding(&motion, &self.state)
     }
 
+    /// An event at the very place on which another one has put the plate: its guard is zero there and falls no more.
+    fn overdue_on_place(&self) -> Option<Trigger> {
+        let State { plate_m: x, plate_m_s: w, .. } = self.state;
+        if self.is_still() {
+            return None;
+        }
+        let mechanism = &self.problem.mechanism;
+        if self.stop_touches && self.stop_lets_go() {
+            return Some(Trigger::StopCleared);
+        }
+        let reaches = x >= mechanism.stop_at_m && w > 0.0;
+        let untouched = mechanism.elastic_stop().is_some() && !self.stop_touches;
+        if untouched && reaches && !self.stop_lets_go() {
+            return Some(Trigger::StopReached);
+        }
+        // Without any strength the interface gives way where the spring's force changes its sign.
+        let sprung = !mechanism.spring.is_absent() && x == 0.0;
+        if !(self.mode == Mode::Fused && self.problem.plastic && sprung)
+            || self.motion().mechanism_force(&self.state) != 0.0
+        {
+            return None;
+        }
+        let (push, pull) = self.interface_limits_n();
+        if w < 0.0 && pull == 0.0 {
+            Some(Trigger::PullLimit)
+        } else {
+            (w > 0.0 && push == 0.0).then_some(Trigger::PushLimit)
+        }
+    }
+
+    /// Whether an elastic stop's force is zero and about to pull.
+    fn stop_lets_go(&self) -> bool {
+        let form = self.stop_force();
+        let motion = self.motion();
+        let (_, rate) = motion.accelerations(&self.state);
+        form.at(&motion, &self.state) <= form.rounding(&motion, &self.state)
+            && form.plate * self.state.plate_m_s + form.plate_speed * rate < 0.0
+    }
+
     /// The plate meets its stop.
     fn hit_stop(&mut self) {
         self.record.reach(self.t_s, self.state.plate_m);
         let Some(stop) = self.problem.mechanism.rigid_stop() else {
             self.record.event(self.t_s, EventKind::StopHit);
             self.stop_touches = true;
+            // Its damper pushes at once: no guard falls where the force jumps.
+            if self.mode == Mode::Fused {
+                self.gives_way();
+            }
             return;
         };
         let joined = self.mode == Mode::Fused && !self.problem.plastic;

@@ -229,8 +229,8 @@ impl Track<'_> {
                 return false;
             }
             let values = stretch.states.each_ref().map(value);
-            let most = values.iter().fold(0.0, |most, value| larger(value.abs(), most));
-            values.iter().find(|value| value.abs() > SEEN * most).is_some_and(|first| *first < 0.0)
+            let unseen = unseen(&values);
+            values.iter().find(|value| value.abs() > unseen).is_some_and(|first| *first < 0.0)
         })
     }
 
@@ -248,9 +248,17 @@ impl Track<'_> {
                 value(&clock.state(z, &y))
             };
             let mut before = (0.0, value(&self.state));
+            // One that rises from zero is of either sign until it is seen.
+            let from_zero = before.1 == 0.0;
+            let mut unseen =
+                if from_zero { unseen(&states.each_ref().map(value)) } else { f64::NEG_INFINITY };
             let places = states.iter().enumerate().map(|(i, state)| (part_at(i), state));
             for (part, state) in places.chain([(1.0, end)]) {
                 let now = value(state);
+                if now.abs() <= unseen {
+                    continue;
+                }
+                unseen = f64::NEG_INFINITY;
                 if before.1 > 0.0 && now <= 0.0 {
                     let between_parts = (before.0, part);
                     let part = in_bracket(before.0, part, between);
@@ -321,4 +329,9 @@ impl Track<'_> {
         self.unit_s = larger(took_s, f64::MIN_POSITIVE);
         self.arrive(self.t_s + took_s, *end, motion, *fired);
     }
+}
+
+/// What a guard that starts from zero must exceed on a stretch to show its sign.
+fn unseen(values: &[f64; POINTS]) -> f64 {
+    SEEN * values.iter().fold(0.0, |most, value| larger(value.abs(), most))
 }

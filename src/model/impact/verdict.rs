@@ -189,7 +189,12 @@ impl Track<'_> {
         let from = larger(mechanism.stop_at_m, 0.0);
         let beyond = from + (2.0 * energy / stop.stiffness_n_m).sqrt();
         let far = smaller(spring, beyond + (from - mechanism.stop_at_m));
-        in_bracket(mechanism.stop_at_m, far, |x| self.potential_j(x) - energy)
+        // Of the two places with this potential the farther one: beyond where spring and stop hold each other.
+        let pull =
+            |x: f64| mechanism.spring.force(x) + stop.stiffness_n_m * (x - mechanism.stop_at_m);
+        let near = larger(self.state.plate_m, mechanism.stop_at_m);
+        let lowest = if pull(near) < 0.0 { in_bracket(near, far, pull) } else { near };
+        in_bracket(lowest, far, |x| self.potential_j(x) - energy)
     }
 
     /// The greatest displacement, as far as it is known. Only once the outcome is decided.

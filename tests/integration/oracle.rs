@@ -1,0 +1,330 @@
+//! Whole runs against an independent reading of the law, which knows no modes, no events and no Taylor series (`oracle/law.rs`).
+//!
+//! Random moderate scenes, which equal tiny steps resolve, are stepped from first contact to a horizon, at two step sizes. The
+//! program has to be where they are at its own times, within a few times their difference, and what it says of all time to come, run
+//! without a horizon, must not be contradicted up to there.
+
+use cmra::model::impact::{Settings, simulate};
+use cmra::model::run::{EndReason, EventKind, Outcome, Run, Sample};
+use cmra::model::scene::Scene;
+use law::Shot;
+
+use crate::random::Random;
+use crate::support::scene;
+
+mod law;
+
+/// The coarser step, s; the finer is half as long.
+const STEP_S: f64 = 4e-8;
+/// Differences of the two step sizes that the finer is taken to be off by.
+const OFF: f64 = 5.0;
+/// What is never a disagreement, m, and relative.
+const FLOOR_M: f64 = 3e-8;
+const FLOOR: f64 = 1e-6;
+/// A scene whose steps differ by more than this says little, m.
+const BLUNT_M: f64 = 1e-6;
+/// Scenes drawn.
+const SCENES: usize = 250;
+/// Rows of the program's series that are compared.
+const ROWS: usize = 50;
+
+/// What one step size gives.
+struct Stepped<'a> {
+    /// Depth, displacement of the projectile and of the plate at each time asked for, m.
+    rows: Vec<[f64; 3]>,
+    shot: Shot<'a>,
+    /// It came to the last of the times.
+    arrived: bool,
+}
+
+impl<'a> Stepped<'a> {
+    fn new(scene: &'a Scene, step_s: f64, times: &[f64]) -> Self {
+        let mut shot = Shot::new(scene, step_s);
+        let start = shot.place()[2];
+        let mut arrived = true;
+        let rows = times.iter().map(|t_s| {
+            arrived = shot.go_to(*t_s);
+            let [depth, travel, plate] = shot.place();
+            [depth, travel + (plate - start) * scene.cos_obliquity(), plate]
+        });
+        let rows = rows.collect();
+        Self { rows, shot, arrived }
+    }
+}
+
+/// A horizon's run of the program beside both step sizes.
+struct Beside<'a> {
+    run: Run,
+    /// The rows of the run that are compared.
+    rows: Vec<Sample>,
+    coarse: Stepped<'a>,
+    fine: Stepped<'a>,
+    /// Greatest difference of the two step sizes, m.
+    blunt_m: f64,
+}
+
+fn program(scene: &Scene) -> Run {
+    let settings = Settings { series: true, estimate: false };
+    let goes_on = &mut |_| std::ops::ControlFlow::Continue(());
+    simulate(&std::sync::Arc::new(scene.clone()), &settings, goes_on).unwrap()
+}
+
+/// Rows where nothing jumps, evenly among all.
+fn quiet_rows(run: &Run) -> Vec<Sample> {
+    let quiet =
+        run.series.windows(3).filter(|rows| rows[0].t_s < rows[1].t_s && rows[1].t_s < rows[2].t_s);
+    let quiet: Vec<Sample> = quiet.map(|rows| rows[1]).collect();
+    (0..ROWS).filter_map(|i| quiet.get(i * quiet.len() / ROWS)).copied().collect()
+}
+
+impl<'a> Beside<'a> {
+    fn new(scene: &'a Scene) -> Self {
+        let run = program(scene);
+        let rows = quiet_rows(&run);
+        let mut times: Vec<f64> = rows.iter().map(|row| row.t_s).collect();
+        times.push(scene.run.horizon_s.unwrap());
+        let [coarse, fine] =
+            [STEP_S, 0.5 * STEP_S].map(|step_s| Stepped::new(scene, step_s, &times));
+        let pairs = coarse.rows.iter().flatten().zip(fine.rows.iter().flatten());
+        let blunt_m = pairs.map(|(coarse, fine)| (coarse - fine).abs()).fold(0.0, f64::max);
+        Self { run, rows, coarse, fine, blunt_m }
+    }
+
+    /// Whether a value of the program is what the steps give, of which the same is read from both.
+    fn agrees(&self, value: f64, of: impl Fn(&Shot<'_>) -> f64) -> bool {
+        let (coarse, fine) = (of(&self.coarse.shot), of(&self.fine.shot));
+        (value - fine).abs() <= OFF * (coarse - fine).abs() + FLOOR * fine.abs() + self.room_m()
+    }
+
+    fn room_m(&self) -> f64 {
+        FLOOR_M + OFF * self.blunt_m
+    }
+
+    /// Everything in which the two differ.
+    fn complaints(&self) -> Vec<String> {
+        let mut found = Vec::new();
+        let mut off_m: f64 = 0.0;
+        for ((row, coarse), fine) in self.rows.iter().zip(&self.coarse.rows).zip(&self.fine.rows) {
+            let told = [row.penetration_m, row.projectile_displacement_m, row.plate_displacement_m];
+            let pairs = coarse.iter().zip(fine);
+            off_m = pairs.map(|(coarse, fine)| (coarse - fine).abs()).fold(off_m, f64::max);
+            let missed = told.iter().zip(fine).map(|(told, fine)| (told - fine).abs());
+            if missed.fold(0.0, f64::max) > FLOOR_M + OFF * off_m {
+                found.push(format!(
+                    "at {:e} s, {}: {told:?}, not {fine:?}",
+                    row.t_s,
+                    row.mode.word()
+                ));
+                break;
+            }
+        }
+        self.compare_milestones(&mut found);
+        self.compare_ends(&self.run, "", &mut found);
+        if !self.run.end.is_complete() {
+            found.push(format!("{:?}", self.run.end));
+        }
+        found
+    }
+
+    /// First arrest and exit: whether, when, where, how fast.
+    fn compare_milestones(&self, found: &mut Vec<String>) {
+        let (run, shot) = (&self.run, &self.fine.shot);
+        let both = |of: fn(&Shot<'_>) -> bool| of(&self.coarse.shot) && of(shot);
+        if run.first_arrest.is_some() != shot.first_arrest.is_some() {
+            found.push(format!("first arrest {:?}, not {:?}", run.first_arrest, shot.first_arrest));
+        } else if let Some(arrest) =
+            run.first_arrest.filter(|_| both(|shot| shot.first_arrest.is_some()))
+        {
+            let fits = self.agrees(arrest.t_s, |shot| shot.first_arrest.unwrap().0)
+                && self.agrees(arrest.penetration_m, |shot| {
+                    shot.depth_m(shot.first_arrest.unwrap().1[0])
+                })
+                && self.agrees(arrest.plate_displacement_m, |shot| shot.first_arrest.unwrap().1[2]);
+            if !fits {
+                found.push(format!("first arrest {arrest:?}, not {:?}", shot.first_arrest));
+            }
+        }
+        if run.exit_time_s.is_some() != shot.exit.is_some() {
+            found.push(format!("exit {:?}, not {:?}", run.exit_time_s, shot.exit));
+        } else if let Some(t_s) = run.exit_time_s.filter(|_| both(|shot| shot.exit.is_some())) {
+            let left = run.residual_velocity_m_s.unwrap();
+            let fits = self.agrees(t_s, |shot| shot.exit.unwrap().0)
+                && (self.agrees(left, |shot| shot.velocity_m_s(shot.exit.unwrap().1))
+                    || left.abs() < 1e-3);
+            if !fits {
+                found.push(format!("exit {t_s} {left}, not {:?}", shot.exit));
+            }
+        }
+    }
+
+    /// The outcome, the hole and the greatest displacement, as a run tells them for the horizon or for good.
+    fn compare_ends(&self, run: &Run, when: &str, found: &mut Vec<String>) {
+        let shot = &self.fine.shot;
+        let (deepest, farthest) = (shot.depth_m(shot.deepest_m), shot.farthest_m);
+        if shot.exit.is_some() && matches!(run.outcome, Outcome::Arrested | Outcome::Separated) {
+            found.push(format!("{when}{}, not perforated", run.outcome));
+        } else if let Some(depth) = run.final_penetration_m.filter(|_| shot.exit.is_none())
+            && run.outcome != Outcome::Perforated
+            && depth < deepest - self.room_m()
+        {
+            found.push(format!("{when}{depth} deep, not {deepest}"));
+        }
+        if run.max_plate_displacement_m.is_some_and(|far| far < farthest - self.room_m()) {
+            found.push(format!("{when}{:?} far, not {farthest}", run.max_plate_displacement_m));
+        }
+    }
+}
+
+/// In what the program, on its way to the horizon and for good, differs from the steps; whether these say much; and the run.
+fn compare(pairs: &str) -> (Vec<String>, bool, Run) {
+    let own = scene(pairs);
+    let beside = Beside::new(&own);
+    if !(beside.coarse.arrived && beside.fine.arrived) {
+        return (Vec::new(), false, beside.run);
+    }
+    let mut found = beside.complaints();
+    let mut open = own.clone();
+    open.run.horizon_s = None;
+    let for_good = program(&open);
+    if for_good.end == EndReason::Decided {
+        beside.compare_ends(&for_good, "for good: ", &mut found);
+    }
+    (found, beside.blunt_m < BLUNT_M, beside.run)
+}
+
+/// A moderate scene, as a person would type it.
+fn draw(random: &mut Random) -> String {
+    let exponent = |random: &mut Random, most: f64| {
+        if random.unit() < 0.5 { random.of(&[0.5, 1.0, 1.5, 2.0]) } else { random.log(0.5, most) }
+    };
+    let chance = |random: &mut Random, part: f64| random.unit() < part;
+    let (n, m) = (exponent(random, 3.0), exponent(random, 2.0));
+    // Forces of either law at 5 mm and at 10 m/s.
+    let k = random.log_or_zero(0.15, 1e3, 1e5) / 0.005_f64.powf(n);
+    let b = random.log_or_zero(0.4, 10.0, 1e4) / 10_f64.powf(m);
+    let d = random.log_or_zero(0.4, 1e-4, 0.02);
+    let g = random.of(&[0.0, 0.1, 0.3, 0.6, 1.0]);
+    let law = if chance(random, 0.65) { "plastic" } else { "fused" };
+    let (gamma, v, h) = (random.log(0.2, 8.0), random.log(30.0, 500.0), random.log(2e-3, 0.05));
+    let horizon_s = random.log(3e-4, 2e-3);
+    let mut words = vec![format!(
+        "n={n} m={m} k={k:.3e} b={b:.3e} d={d} gamma={gamma} v_i={v} h={h} interface={law} g={g} run.horizon_s={horizon_s:e}"
+    )];
+    if chance(random, 0.2) {
+        words.push(format!("theta={:.1}deg", 60.0 * random.unit()));
+    }
+    if chance(random, 0.1) {
+        words.push("dishing=false".to_owned());
+    }
+    if chance(random, 0.04) {
+        words.push("mount=rigid".to_owned());
+    } else if chance(random, 0.7) {
+        let gap = if chance(random, 0.1) { 0.0 } else { random.log(1e-5, 0.01 + d) };
+        words.push(format!("x_stop={:e}", gap - d));
+        if chance(random, 0.5) {
+            words.push(format!("stop_kind=rigid e={}", random.of(&[0.0, 0.2, 0.5, 0.8, 1.0])));
+        } else {
+            let damping = random.log_or_zero(0.3, 1.0, 1e5);
+            words.push(format!(
+                "stop_kind=elastic k_stop={} b_stop={damping}",
+                random.log(1e5, 1e9)
+            ));
+        }
+    }
+    words.join(" ")
+}
+
+#[test]
+fn valid_random_scenes_against_tiny_steps_of_the_law_itself() {
+    let mut random = Random(2_007);
+    let (mut sharp, mut told) = (0, Vec::new());
+    let mut kinds = std::collections::HashSet::new();
+    for _ in 0..SCENES {
+        let pairs = draw(&mut random);
+        let (found, is_sharp, run) = compare(&pairs);
+        sharp += usize::from(is_sharp);
+        kinds.extend(run.events.iter().map(|event| event.kind.words()));
+        for complaint in found {
+            told.push(format!("{pairs}\n    {complaint}\n"));
+        }
+    }
+    assert!(told.is_empty(), "{}", told.concat());
+    assert!(100 * sharp > 95 * SCENES, "{sharp} of {SCENES} say something");
+    assert!(kinds.len() >= 13, "{kinds:?}");
+}
+
+/// A stop's damper pushes at once with what the interface of the joined body may be unable to carry.
+#[test]
+fn valid_a_damped_stop_resumes_penetration_at_once() {
+    for pairs in [
+        "n=1.5 k=12900 d=0.000214 gamma=0.316 v_i=38.3 h=0.0076 g=0.954 x_stop=0.00452 k_stop=2.1e8 b_stop=1560",
+        "k=0 m=1.22 b=11.3 gamma=1.08 v_i=45 h=0.0126 g=1 x_stop=0.00182 k_stop=5.93e6 b_stop=59100",
+        "n=2 k=443000 m=1.89 b=0.259 d=0.000375 gamma=1.24 v_i=31.6 h=0.0321 g=0.516 x_stop=0.00308 k_stop=7.53e8 b_stop=1800",
+    ] {
+        let pairs = format!("{pairs} interface=plastic stop_kind=elastic run.horizon_s=1e-3");
+        let (found, _, run) = compare(&pairs);
+        assert!(found.is_empty(), "{pairs}: {found:?}");
+        assert!(run.events.iter().any(|event| event.kind == EventKind::Resumption), "{pairs}");
+    }
+}
+
+/// A spring that presses the plate forward on an elastic stop: the swing about where they hold each other has two ends.
+#[test]
+fn valid_a_plate_pressed_on_an_elastic_stop_swings_to_its_far_end() {
+    for pairs in [
+        "n=2.32 k=3.03e9 m=0.5 b=140 d=0.000995 gamma=4.25 v_i=32.5 h=0.00237 x_stop=-0.000404 k_stop=135000 b_stop=7630",
+        "n=1.23 k=1.29e6 d=0.0128 gamma=0.555 v_i=377 h=0.00418 dishing=false x_stop=-0.0128 k_stop=595000 b_stop=54.2",
+    ] {
+        let pairs = format!("{pairs} stop_kind=elastic run.horizon_s=8e-4");
+        let (found, _, _) = compare(&pairs);
+        assert!(found.is_empty(), "{pairs}: {found:?}");
+    }
+}
+
+/// Where the stop's place is the spring's zero, the plate that leaves it passes two marks at once.
+#[test]
+fn valid_an_elastic_stop_at_the_zero_of_the_spring_pushes_and_never_pulls() {
+    for pairs in [
+        "n=2 k=1.39e9 gamma=0.441 v_i=462 h=0.00218 g=0.844 k_stop=9.03e8",
+        "n=2 k=1e9 d=0.002 k_stop=1e8",
+        "n=0.5 k=2e5 d=0.002 k_stop=1e8",
+        "n=1 k=1e6 d=0.002 k_stop=1e8",
+        "n=1.5 k=1e7 m=0.5 b=20 k_stop=3e7",
+        "n=2 k=1e9 d=0.002 k_stop=1e8 b_stop=100",
+        "n=2 k=1.16e8 m=0.5 b=133 d=0.000165 gamma=2.11 v_i=123 h=0.0117 k_stop=1.12e8 b_stop=562",
+    ] {
+        for law in ["plastic", "fused"] {
+            let pairs =
+                format!("{pairs} interface={law} x_stop=0 stop_kind=elastic run.horizon_s=5e-4");
+            let (found, _, _) = compare(&pairs);
+            assert!(found.is_empty(), "{pairs}: {found:?}");
+        }
+    }
+}
+
+/// Without grip the projectile stays behind where the spring's force changes its sign.
+#[test]
+fn valid_nothing_pulls_a_projectile_without_grip() {
+    for pairs in [
+        "n=2 k=1.73e8 m=1.58 d=0.0011 gamma=6 v_i=116 h=0.00394 run.horizon_s=3e-3",
+        "gamma=0.327 v_i=36.5 h=0.0163 mechanism.spring.kind=bistable mechanism.spring.bistable.second_m=0.01 mechanism.spring.bistable.unstable_m=0.004 mechanism.spring.bistable.barrier_n=8000 run.horizon_s=4.29e-4",
+    ] {
+        let (found, _, _) = compare(&format!("{pairs} interface=plastic g=0"));
+        assert!(found.is_empty(), "{pairs}: {found:?}");
+    }
+}
+
+/// A plate that its spring takes off a rigid stop, with a damper that cannot be expanded at zero velocity.
+#[test]
+fn a_plate_that_leaves_a_rigid_stop_does_not_hit_it_at_once() {
+    for pairs in [
+        "n=1.02 k=2.38e6 m=1.5 b=95.2 gamma=0.266 v_i=172 h=0.0151 interface=plastic g=0.238 x_stop=0.0000276 e=0",
+        "n=0.5 k=202000 m=0.61 b=177 gamma=6.43 v_i=66.8 h=0.0449 interface=plastic g=0.663 x_stop=0.0000479 e=0.177",
+        "m=1.82 k=7.14e6 b=263 gamma=7.39 v_i=149 h=0.00797 interface=plastic g=0.581 x_stop=0.000215 e=0",
+        "m=1.2 k=4.98e6 b=628 d=0.000351 gamma=0.519 v_i=55.8 h=0.00368 x_stop=0.000377 e=0.203",
+    ] {
+        let (found, _, run) = compare(&format!("{pairs} run.horizon_s=6e-4"));
+        assert!(found.is_empty(), "{pairs}: {found:?}");
+        assert!(run.cost.events < 100, "{pairs}: {} events", run.cost.events);
+    }
+}

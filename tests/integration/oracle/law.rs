@@ -1,0 +1,367 @@
+//! The law of an impact, read off the equations once more: classical Runge-Kutta in tiny equal steps from first contact on.
+//!
+//! It keeps no mode from one step to the next. What the interface does is read off the state at the start of every step: u > 0 at
+//! the bottom of the hole deepens it, u > 0 above the bottom closes the gap, u < 0 pulls out, and at u = 0 the bodies stay together
+//! unless the greatest push or pull would part them. Whether the plate rests on a rigid stop, and what an elastic one pushes with,
+//! follows from the state as well. A step is cut, by bisection, where the sign of something changes that the law asks for. Nothing
+//! of the engine is used but the oblique section's area and the force of a spring that is no power law.
+
+use std::f64::consts::PI;
+
+use cmra::model::contact::Geometry;
+use cmra::model::mechanism::{Spring, moving_plate_kg};
+use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, Stop, StopKind};
+
+/// A plate that meets its rigid stop more slowly than this stays there, m/s.
+const STAYS_M_S: f64 = 2e-5;
+/// Changes after which a scene is given up: a plate that rattles, for instance.
+const CHANGES_MAX: usize = 3_000;
+
+/// Travel and slip of the projectile against the plate, displacement and velocity of the plate: q, u, x, w.
+pub(crate) type State = [f64; 4];
+
+/// What the interface does during a step.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Interface {
+    Deepens,
+    Closes,
+    PullsOut,
+    Holds,
+    Gone,
+}
+
+/// What holds during a step, as its first moment has it.
+#[derive(Clone, Copy)]
+struct Now {
+    interface: Interface,
+    /// The plate is pressed against its rigid stop, at rest.
+    held: bool,
+    /// The plate is beyond the place of its elastic stop.
+    beyond: bool,
+}
+
+/// A shot on its way.
+pub(crate) struct Shot<'a> {
+    scene: &'a Scene,
+    geometry: Geometry,
+    curve: Option<Spring>,
+    plate_kg: f64,
+    step_s: f64,
+    pub(crate) t_s: f64,
+    pub(crate) state: State,
+    /// Greatest travel so far.
+    pub(crate) deepest_m: f64,
+    /// Together for good: the fused law.
+    fused: bool,
+    /// Time and state at the first moment of common velocity.
+    pub(crate) first_arrest: Option<(f64, State)>,
+    /// Time and state when the nose was clear of the rear face.
+    pub(crate) exit: Option<(f64, State)>,
+    /// Time and state when the nose was last clear of the entry face.
+    pub(crate) separation: Option<(f64, State)>,
+    /// Greatest displacement so far.
+    pub(crate) farthest_m: f64,
+    /// Times a step was cut.
+    changes: usize,
+}
+
+impl<'a> Shot<'a> {
+    pub(crate) fn new(scene: &'a Scene, step_s: f64) -> Self {
+        let sprung = scene.plate.mount == Mount::Sprung;
+        let start_m = if sprung { -scene.plate.cocking_m } else { 0.0 };
+        let plain = scene.mechanism.spring.kind == SpringKind::PowerLaw;
+        Self {
+            scene,
+            geometry: Geometry::of(scene),
+            curve: (!plain).then(|| Spring::of(&scene.mechanism)),
+            plate_kg: moving_plate_kg(scene),
+            step_s,
+            t_s: 0.0,
+            state: [0.0, scene.projectile.velocity_m_s, start_m, 0.0],
+            deepest_m: 0.0,
+            fused: false,
+            first_arrest: None,
+            exit: None,
+            separation: None,
+            farthest_m: start_m,
+            changes: 0,
+        }
+    }
+
+    /// Depth now, travel, and the plate's displacement, m.
+    pub(crate) fn place(&self) -> [f64; 3] {
+        let [q, _, x, _] = self.state;
+        [self.depth_m(q), q, x]
+    }
+
+    /// The projectile's velocity in a state, m/s.
+    pub(crate) fn velocity_m_s(&self, [_, u, _, w]: State) -> f64 {
+        u + w * self.cos()
+    }
+
+    /// Go on to a time; false where that takes too many steps.
+    pub(crate) fn go_to(&mut self, t_s: f64) -> bool {
+        while self.t_s < t_s {
+            let left_s = t_s - self.t_s;
+            let whole_s = self.step_s / (1.0 + self.step_s * self.fastest_per_s() * 5.0);
+            let last = left_s <= whole_s;
+            if self.advance(if last { left_s } else { whole_s }) && last {
+                self.t_s = t_s;
+            }
+            if self.changes > CHANGES_MAX {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// One step, or the part of it up to where something changes; whether it was whole.
+    fn advance(&mut self, dt_s: f64) -> bool {
+        let now = self.with(self.interface());
+        let from = self.state;
+        let mut dt_s = dt_s;
+        let mut to = self.moved(from, dt_s, now);
+        let changes = self.changes(now, to);
+        if changes {
+            self.changes += 1;
+            let mut before_s = 0.0;
+            for _ in 0..60 {
+                let middle_s = 0.5 * (before_s + dt_s);
+                let middle = self.moved(from, middle_s, now);
+                if self.changes(now, middle) {
+                    (dt_s, to) = (middle_s, middle);
+                } else {
+                    before_s = middle_s;
+                }
+            }
+        }
+        self.t_s += dt_s;
+        if from[0] > 0.0 && to[0] <= 0.0 {
+            self.separation = Some((self.t_s, to));
+        }
+        self.state = to;
+        if changes {
+            self.settle(now);
+        }
+        if now.interface == Interface::Deepens && self.state[0] > self.deepest_m {
+            self.deepest_m = self.state[0];
+        }
+        if self.state[2] > self.farthest_m {
+            self.farthest_m = self.state[2];
+        }
+        !changes
+    }
+
+    /// What follows where a step was cut: the state is a hair beyond the change.
+    fn settle(&mut self, now: Now) {
+        let [q, u, x, w] = self.state;
+        match now.interface {
+            Interface::Deepens if q >= self.exit_m() => self.exit = Some((self.t_s, self.state)),
+            Interface::Deepens | Interface::Closes if u <= 0.0 => self.meet(),
+            Interface::PullsOut if u >= 0.0 => self.meet(),
+            Interface::Closes if q >= self.deepest_m => self.state[0] = self.deepest_m,
+            _ => {}
+        }
+        let Some(stop) = self.rigid_stop() else { return };
+        if !now.held && x > stop.position_m.unwrap() {
+            let back = if w < STAYS_M_S { 0.0 } else { -stop.restitution * w };
+            self.state[2] = stop.position_m.unwrap();
+            self.state[3] = back;
+            if !self.fused {
+                self.state[1] += (w - back) * self.cos();
+            }
+        }
+    }
+
+    /// Common velocity.
+    fn meet(&mut self) {
+        self.state[1] = 0.0;
+        if self.first_arrest.is_none() {
+            self.first_arrest = Some((self.t_s, self.state));
+            self.fused = self.scene.interface.law == InterfaceLaw::Fused;
+        }
+    }
+
+    /// Whether something that the law asks for changes on the way to a state.
+    fn changes(&self, now: Now, to: State) -> bool {
+        let from = self.state;
+        let interface_changes = match now.interface {
+            Interface::Deepens => to[1] <= 0.0 || to[0] >= self.exit_m(),
+            Interface::Closes => to[1] <= 0.0 || to[0] >= self.deepest_m,
+            Interface::PullsOut => to[1] >= 0.0,
+            Interface::Holds | Interface::Gone => false,
+        };
+        let passes = |z: f64| (from[2] > z) != (to[2] > z);
+        let stop = self.scene.mechanism.stop;
+        let meets_stop = stop.position_m.is_some_and(|z| match stop.kind {
+            StopKind::Rigid => !now.held && to[2] > z,
+            StopKind::Elastic => passes(z),
+        });
+        let turns = from[3] != 0.0 && from[3] * to[3] <= 0.0;
+        interface_changes || meets_stop || passes(0.0) || turns
+    }
+
+    /// What the interface does at the present state.
+    fn interface(&self) -> Interface {
+        let [q, u, ..] = self.state;
+        let forward = if q >= self.deepest_m { Interface::Deepens } else { Interface::Closes };
+        if self.exit.is_some() {
+            Interface::Gone
+        } else if self.fused {
+            Interface::Holds
+        } else if u > 0.0 {
+            forward
+        } else if u < 0.0 {
+            Interface::PullsOut
+        } else if self.parts(forward) > 0.0 {
+            forward
+        } else if self.parts(Interface::PullsOut) < 0.0 {
+            Interface::PullsOut
+        } else {
+            Interface::Holds
+        }
+    }
+
+    /// du/dt with what the interface would do.
+    fn parts(&self, interface: Interface) -> f64 {
+        self.rates(self.state, self.with(interface))[1]
+    }
+
+    /// What holds at the present state with what the interface does.
+    fn with(&self, interface: Interface) -> Now {
+        let [_, _, x, w] = self.state;
+        let at = self.scene.mechanism.stop.position_m;
+        let free = Now { interface, held: false, beyond: at.is_some_and(|at| x > at) };
+        let rests = self.rigid_stop().is_some() && at.is_some_and(|at| x >= at) && w == 0.0;
+        Now { held: rests && self.rates(self.state, free)[3] >= 0.0, ..free }
+    }
+
+    /// The equations of motion.
+    fn rates(&self, state: State, now: Now) -> State {
+        let [_, u, x, w] = state;
+        let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos());
+        let force = self.contact_n(state, now.interface);
+        let back =
+            self.spring_n(x) + self.damper_n(w) + if now.beyond { self.stop_n(x, w) } else { 0.0 };
+        let still = now.held || self.scene.plate.mount == Mount::Rigid;
+        let plate = match now.interface {
+            _ if still => 0.0,
+            Interface::Holds => -back / (m_2 + m_p * cos * cos),
+            _ => (force * cos - back) / m_2,
+        };
+        let slip = match now.interface {
+            Interface::Holds => 0.0,
+            _ => -force / m_p - plate * cos,
+        };
+        [u, slip, if still { 0.0 } else { w }, plate]
+    }
+
+    fn moved(&self, from: State, dt_s: f64, now: Now) -> State {
+        let rates = |state| self.rates(state, now);
+        let along = |s: f64, rate: State| std::array::from_fn(|i| from[i] + s * rate[i]);
+        let a = rates(from);
+        let b = rates(along(0.5 * dt_s, a));
+        let c = rates(along(0.5 * dt_s, b));
+        let d = rates(along(dt_s, c));
+        along(dt_s, std::array::from_fn(|i| (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0))
+    }
+
+    /// Force between projectile and plate along the projectile's axis, positive apart.
+    fn contact_n(&self, [q, u, ..]: State, interface: Interface) -> f64 {
+        let strength = self.scene.flow_strength_pa();
+        let grip = self.scene.interface.grip * strength;
+        let pressure = match interface {
+            Interface::Deepens => strength + self.scene.drag_kg_m3() * u * u,
+            Interface::Closes => grip,
+            Interface::PullsOut => -grip,
+            Interface::Holds | Interface::Gone => 0.0,
+        };
+        if pressure == 0.0 { 0.0 } else { self.area_m2(q) * pressure }
+    }
+
+    pub(crate) fn depth_m(&self, q: f64) -> f64 {
+        let h = self.scene.effective_thickness_m();
+        let lag =
+            if self.scene.target.dishing { 2.0 * self.scene.projectile.tip_radius_m } else { 0.0 };
+        if q <= h + lag { q * h / (h + lag) } else { q - lag }
+    }
+
+    fn area_m2(&self, q: f64) -> f64 {
+        if self.scene.projectile.obliquity_deg > 0.0 {
+            return self.geometry.area_m2(q);
+        }
+        let r = self.scene.projectile.tip_radius_m;
+        let nose = |p: f64| {
+            if p <= 0.0 {
+                0.0
+            } else if p < r {
+                PI * p * (2.0 * r - p)
+            } else {
+                PI * r * r
+            }
+        };
+        let p = self.depth_m(q);
+        nose(p) - nose(p - self.scene.effective_thickness_m())
+    }
+
+    /// Travel at which the nose is clear of the rear face.
+    fn exit_m(&self) -> f64 {
+        let (r, sin) = (self.scene.projectile.tip_radius_m, (1.0 - self.cos().powi(2)).sqrt());
+        let lag = if self.scene.target.dishing { 2.0 * r } else { 0.0 };
+        self.scene.effective_thickness_m() + r * (1.0 + sin) / self.cos() + lag
+    }
+
+    fn spring_n(&self, x: f64) -> f64 {
+        let spring = &self.scene.mechanism.spring;
+        self.curve
+            .as_ref()
+            .map_or_else(|| power(spring.coefficient, spring.exponent, x), |curve| curve.force(x))
+    }
+
+    fn damper_n(&self, w: f64) -> f64 {
+        let damper = self.scene.mechanism.damper;
+        power(damper.coefficient, damper.exponent, w)
+    }
+
+    /// A one-sided spring and damper: beyond its place it pushes the plate back, and never pulls.
+    fn stop_n(&self, x: f64, w: f64) -> f64 {
+        let stop = self.scene.mechanism.stop;
+        if stop.kind == StopKind::Rigid {
+            return 0.0;
+        }
+        let beyond = stop.position_m.map_or(0.0, |at| x - at);
+        let push = stop.stiffness_n_m * beyond + stop.damping_n_s_m * w;
+        if push > 0.0 { push } else { 0.0 }
+    }
+
+    fn rigid_stop(&self) -> Option<Stop> {
+        let stop = self.scene.mechanism.stop;
+        let acts = stop.position_m.is_some()
+            && stop.kind == StopKind::Rigid
+            && self.scene.plate.mount == Mount::Sprung;
+        acts.then_some(stop)
+    }
+
+    /// How fast the fastest of dampers and stop answers, 1/s: steps stay well below.
+    fn fastest_per_s(&self) -> f64 {
+        let Stop { position_m, kind, stiffness_n_m, damping_n_s_m, .. } = self.scene.mechanism.stop;
+        let damper = self.scene.mechanism.damper;
+        let w = self.state[3].abs() + 1.0;
+        let mut slope = damper.coefficient * damper.exponent * w.powf(damper.exponent - 1.0);
+        let mut rate = 0.0;
+        if position_m.is_some_and(|at| self.state[2] > at - 1e-5) && kind == StopKind::Elastic {
+            slope += damping_n_s_m;
+            rate = (stiffness_n_m / self.plate_kg).sqrt();
+        }
+        rate + slope / self.plate_kg
+    }
+
+    fn cos(&self) -> f64 {
+        self.scene.cos_obliquity()
+    }
+}
+
+/// c |z|^exponent sgn z.
+fn power(c: f64, exponent: f64, z: f64) -> f64 {
+    if c == 0.0 { 0.0 } else { c * z.abs().powf(exponent) * if z < 0.0 { -1.0 } else { 1.0 } }
+}
