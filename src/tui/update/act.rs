@@ -2,6 +2,7 @@
 
 use crate::model::units;
 use crate::study::accuracy::method::Method;
+use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Dialog, Picker};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::steps::Size;
@@ -262,19 +263,46 @@ fn auto_run(app: &mut App) -> Vec<Effect> {
     if app.is_stale() { jobs::run_now(app) } else { Vec::new() }
 }
 
+/// What a tab may be waiting for on the studies' thread.
+fn studies_of(app: &App, tab: Tab) -> [Option<&Measuring>; 2] {
+    match tab {
+        Tab::Accuracy => [app.accuracy.measuring.as_ref(), None],
+        Tab::Stability => [app.stability.mapping.as_ref(), app.stability.running.as_ref()],
+        Tab::Thesis => [app.thesis.running.as_ref(), None],
+        Tab::Limit => [app.limit.finding.as_ref(), None],
+        Tab::Search => [app.searching.running.as_ref(), None],
+        Tab::Run | Tab::Sweep | Tab::Surface | Tab::Log => [None, None],
+    }
+}
+
+/// Whether anything under way has been so for so long that leaving it asks twice.
+fn is_long(app: &App) -> bool {
+    app.jobs.current.as_ref().is_some_and(|job| job.long)
+        || Tab::ALL.into_iter().flat_map(|tab| studies_of(app, tab)).flatten().any(|it| it.long)
+        || app.sweeping.computing.as_ref().is_some_and(|it| it.long)
+}
+
+/// What Esc stops: what the tab says it stops, before anything that goes on elsewhere.
+fn to_stop(app: &App) -> Option<Effect> {
+    let is_studying = |tab: Tab| studies_of(app, tab).iter().any(Option::is_some);
+    let sweeps = app.sweeping.computing.is_some();
+    if sweeps && matches!(app.tab, Tab::Sweep | Tab::Surface) {
+        Some(Effect::CancelSweep)
+    } else if is_studying(app.tab) {
+        Some(Effect::CancelStudy)
+    } else if app.jobs.current.is_some() {
+        Some(Effect::CancelJob)
+    } else if sweeps {
+        Some(Effect::CancelSweep)
+    } else {
+        Tab::ALL.into_iter().any(is_studying).then_some(Effect::CancelStudy)
+    }
+}
+
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let quit = |summary| vec![Effect::SaveSession, Effect::Quit { summary }];
-    let running = app.jobs.current.is_some();
-    let (accuracy, stability) = (&app.accuracy, &app.stability);
-    let (thesis, limit) = (&app.thesis.running, &app.limit.finding);
-    let (mapping, battery) = (&stability.mapping, &stability.running);
-    let search = &app.searching.running;
-    let studies = [&accuracy.measuring, mapping, battery, thesis, limit, search];
-    let studying = studies.iter().any(|study| study.is_some());
-    let sweeping = app.sweeping.computing.as_ref();
-    let long = app.jobs.current.as_ref().is_some_and(|job| job.long)
-        || studies.iter().any(|study| study.as_ref().is_some_and(|it| it.long))
-        || sweeping.is_some_and(|it| it.long);
+    let long = is_long(app);
+    let stopped = to_stop(app);
     match action {
         Action::Quit | Action::QuitWithSummary if long && !app.jobs.asked_to_quit => {
             app.jobs.asked_to_quit = true;
@@ -294,9 +322,7 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
             );
             Vec::new()
         }
-        Action::Cancel | Action::Back if running => vec![Effect::CancelJob],
-        Action::Cancel | Action::Back if sweeping.is_some() => vec![Effect::CancelSweep],
-        Action::Cancel | Action::Back if studying => vec![Effect::CancelStudy],
+        Action::Cancel | Action::Back if stopped.is_some() => stopped.into_iter().collect(),
         Action::Back => {
             if app.full_pane {
                 app.full_pane = false;

@@ -158,6 +158,21 @@ fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
 }
 
 #[test]
+fn esc_stops_what_the_tab_says_it_stops_before_the_run() {
+    let mut bench = open(GlyphSet::Ascii, (80, 24));
+    bench.keys("1");
+    bench.press("r");
+    assert!(bench.app.jobs.current.is_some());
+    bench.press("9");
+    bench.press("v");
+    assert_eq!(studies(&mut bench).len(), 1);
+    assert!(bench.screen().contains("(Esc stops)"), "{}", bench.screen());
+    bench.keys("<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
+    assert!(!bench.effects.iter().any(|effect| matches!(effect, Effect::CancelJob)));
+}
+
+#[test]
 fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
