@@ -385,7 +385,7 @@ impl Track<'_> {
         let form = self.stop_force();
         let motion = self.motion();
         let (_, rate) = motion.accelerations(&self.state);
-        form.at(&motion, &self.state) <= form.rounding(&motion, &self.state)
+        form.at(&motion, &self.state) <= 0.0
             && form.plate * self.state.plate_m_s + form.plate_speed * rate < 0.0
     }
 
