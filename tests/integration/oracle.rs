@@ -268,6 +268,29 @@ fn valid_a_damped_stop_resumes_penetration_at_once() {
     }
 }
 
+/// What it lets go of and meets again before that is clear of it, at a twentieth of the other tests' steps.
+#[test]
+fn valid_a_damped_elastic_stop_presses_again_a_plate_that_turns_before_it_is_clear() {
+    for pairs in [
+        "k=1e4 x_stop=0.000169 k_stop=1.28e8 b_stop=342 v_i=300 h=0.05",
+        "k=1e4 gamma=0.3 x_stop=0.00124 k_stop=5.88e8 b_stop=2.02e3 v_i=300 h=0.05",
+        "k=1e4 x_stop=0.00129 k_stop=1.7e8 b_stop=1.45e3 h=0.05",
+        "k=1e5 x_stop=0.001 k_stop=1e9 b_stop=30",
+        "k=1e5 x_stop=0 k_stop=1e8 b_stop=1e4",
+    ] {
+        let own = scene(&format!("{pairs} stop_kind=elastic"));
+        let run = program(&own);
+        let arrest = run.first_arrest.unwrap();
+        let mut shot = Shot::new(&own, 2e-9);
+        assert!(shot.go_to(1.001 * arrest.t_s), "{pairs}");
+        let (t_s, state) = shot.first_arrest.unwrap();
+        let near = |value: f64, exact: f64| (value / exact - 1.0).abs() <= 1e-6;
+        assert!(near(arrest.penetration_m, shot.depth_m(state[0])), "{pairs}: {arrest:?}");
+        assert!(near(arrest.t_s, t_s), "{pairs}: {arrest:?}, not {t_s}");
+        assert!(run.ledger.residual().abs() < 1e-12, "{pairs}");
+    }
+}
+
 /// A spring that presses the plate forward on an elastic stop: the swing about where they hold each other has two ends.
 #[test]
 fn valid_a_plate_pressed_on_an_elastic_stop_swings_to_its_far_end() {
