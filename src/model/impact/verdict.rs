@@ -180,21 +180,29 @@ impl Track<'_> {
     fn reach_with(&self, energy: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
         let spring = mechanism.spring.forward(self.state.plate_m, energy);
-        if mechanism.rigid_stop().is_some() {
-            return smaller(spring, mechanism.stop_at_m);
+        smaller(spring, mechanism.stop_at_m + self.pressed_with(energy))
+    }
+
+    /// How far the plate can press its elastic stop with this energy, m; zero where it does not come so far. It is found by
+    /// itself: as a difference of displacements it would keep few digits far from the spring's zero.
+    fn pressed_with(&self, energy: f64) -> f64 {
+        let mechanism = &self.problem.mechanism;
+        let Some(stop) = mechanism.elastic_stop() else { return 0.0 };
+        let spring_reach = mechanism.spring.forward(self.state.plate_m, energy);
+        if spring_reach <= mechanism.stop_at_m {
+            return 0.0;
         }
-        let Some(stop) = mechanism.elastic_stop().filter(|_| spring > mechanism.stop_at_m) else {
-            return spring;
+        let at = mechanism.stop_at_m;
+        let stiffness = stop.stiffness_n_m;
+        let pull = |pressed: f64| mechanism.spring.force(at + pressed) + stiffness * pressed;
+        let missing = |pressed: f64| {
+            mechanism.spring.energy(at + pressed) + 0.5 * stiffness * pressed * pressed - energy
         };
-        let from = larger(mechanism.stop_at_m, 0.0);
-        let beyond = from + (2.0 * energy / stop.stiffness_n_m).sqrt();
-        let far = smaller(spring, beyond + (from - mechanism.stop_at_m));
+        let far = smaller(spring_reach - at, (2.0 * energy / stiffness).sqrt());
         // Of the two places with this potential the farther one: beyond where spring and stop hold each other.
-        let pull =
-            |x: f64| mechanism.spring.force(x) + stop.stiffness_n_m * (x - mechanism.stop_at_m);
-        let near = larger(self.state.plate_m, mechanism.stop_at_m);
+        let near = larger(self.state.plate_m - at, 0.0);
         let lowest = if pull(near) < 0.0 { in_bracket(near, far, pull) } else { near };
-        in_bracket(lowest, far, |x| self.potential_j(x) - energy)
+        in_bracket(lowest, far, missing)
     }
 
     /// The greatest displacement, as far as it is known. Only once the outcome is decided.
@@ -282,7 +290,7 @@ impl Track<'_> {
         let reach = self.reach_with(energy_j);
         let spring = mechanism.spring.greatest_push(self.state.plate_m, energy_j, reach);
         let stop = mechanism.elastic_stop().map_or(0.0, |stop| {
-            let pressed = larger(reach - mechanism.stop_at_m, 0.0);
+            let pressed = self.pressed_with(energy_j);
             if pressed > 0.0 || self.stop_touches {
                 stop.stiffness_n_m * pressed + stop.damping_n_s_m * speed
             } else {
