@@ -345,9 +345,9 @@ impl Track<'_> {
 
     /// Whether an elastic stop would push by more than rounding, if it touched.
     fn stop_presses(&self) -> bool {
-        let form = self.stop_force();
+        let form = self.stop_force(-1.0);
         let motion = self.motion();
-        form.at(&motion, &self.state) > form.rounding(&motion, &self.state)
+        form.at(&motion, &self.state) < -form.rounding(&motion, &self.state)
     }
 
     /// An event at the very place on which another one has put the plate: its guard is zero there and falls no more.
@@ -382,7 +382,7 @@ impl Track<'_> {
 
     /// Whether an elastic stop's force is zero and about to pull.
     fn stop_lets_go(&self) -> bool {
-        let form = self.stop_force();
+        let form = self.stop_force(1.0);
         let motion = self.motion();
         let (_, rate) = motion.accelerations(&self.state);
         form.at(&motion, &self.state) <= 0.0

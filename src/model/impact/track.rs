@@ -384,9 +384,12 @@ impl<'a> Track<'a> {
         if !(self.stiff && steep) || self.is_still() || self.spring_omitted {
             return;
         }
-        if x * w < 0.0 && x.abs() <= self.near_zero_m() {
-            let (spring, damper) = (self.spring(), self.problem.mechanism.damper);
-            if !self.is_unfelt()
+        let (spring, damper) = (self.spring(), self.problem.mechanism.damper);
+        // The velocity of a plate that only follows the contact's force may be what a step has left of it.
+        let unfelt = self.is_unfelt();
+        let rides = unfelt && 0.5 * self.problem.plate_kg * w * w < spring.integral(x);
+        if x * w < 0.0 && x.abs() <= self.near_zero_m() && !rides {
+            if !unfelt
                 && damper.exponent * damper.force(w).abs() <= SWINGS_TO * spring.force(x).abs()
             {
                 self.stiff = false;

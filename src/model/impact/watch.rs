@@ -21,6 +21,8 @@ const LEAST: f64 = 1e-13;
 const FINEST: f64 = 1e-12;
 /// Time unit of the first expansion without the law, in times it takes to leave the neighbourhood.
 const UNIT_PER_CROSSING: f64 = 4.0;
+/// Part of the other forces on the plate below which one is lost in their rounding.
+const DROWNED: f64 = 8.0 * f64::EPSILON;
 /// The neighbourhood takes at least this part of the time reached to cross: the clock has no finer ticks.
 const CLOCK: f64 = 1e-13;
 
@@ -103,28 +105,36 @@ impl Track<'_> {
         }
         let at = mechanism.stop_at_m;
         if self.stop_touches {
-            guards.watch(Trigger::StopCleared, self.stop_force());
+            guards.watch(Trigger::StopCleared, self.stop_force(1.0));
         } else if at.is_finite() {
             guards.watch(Trigger::StopReached, Form { offset: at, plate: -1.0, ..Form::default() });
             if self.is_beyond_stop() {
-                let Form { offset, plate, plate_speed, .. } = self.stop_force();
-                let (offset, plate, plate_speed) = (-offset, -plate, -plate_speed);
-                let form = Form { offset, plate, plate_speed, ..Form::default() };
-                guards.watch(Trigger::StopPressed, form);
+                guards.watch(Trigger::StopPressed, self.stop_force(-1.0));
             }
         }
     }
 
-    /// What an elastic stop pushes back with while it touches, N; it never pulls.
-    pub(super) fn stop_force(&self) -> Form {
+    /// What an elastic stop pushes back with while it touches (or, times -1, what it lacks to push again), N, and what nothing feels
+    /// besides.
+    pub(super) fn stop_force(&self, sign: f64) -> Form {
         let mechanism = &self.problem.mechanism;
         let stop = mechanism.elastic_stop().unwrap_or_default();
         Form {
-            offset: -stop.stiffness_n_m * mechanism.stop_at_m,
-            plate: stop.stiffness_n_m,
-            plate_speed: stop.damping_n_s_m,
+            offset: self.unfelt_n() - sign * stop.stiffness_n_m * mechanism.stop_at_m,
+            plate: sign * stop.stiffness_n_m,
+            plate_speed: sign * stop.damping_n_s_m,
             ..Form::default()
         }
+    }
+
+    /// A force on the plate that drowns in the rounding of the others, N: a stop beside a plate that rides on a spring infinitely
+    /// steep at zero would let go and press again at every step.
+    fn unfelt_n(&self) -> f64 {
+        let (motion, state) = (self.motion(), &self.state);
+        let contact_n = motion.coupling * motion.contact_force(state);
+        let spring_n = motion.spring.force(state.plate_m);
+        let damper_n = motion.damper.force(state.plate_m_s);
+        DROWNED * (contact_n.abs() + spring_n.abs() + damper_n.abs())
     }
 
     /// The ends of the stretch of the spring's law.
