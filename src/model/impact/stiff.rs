@@ -122,7 +122,11 @@ impl Track<'_> {
         let held_n =
             motion.damper.force(state.plate_m_s).abs() + motion.spring.force(state.plate_m).abs();
         let net_n = (system.rate(y)[3] / motion.plate_mobility).abs();
-        let swings = radians < SWINGING_STEP && net_n > SWINGING * held_n;
+        let damping = motion.damper.tangent(state.plate_m_s).abs() + motion.stop.damping_n_s_m;
+        let faded = damping * motion.plate_mobility * h;
+        // About a place where large forces hold each other the one that is left says little.
+        let is_free = faded < SWINGING_STEP || net_n > SWINGING * held_n;
+        let swings = radians < SWINGING_STEP && is_free;
         self.creeping_steps = if swings { self.creeping_steps + 1 } else { 0 };
         if self.creeping_steps > SWINGING_STEPS {
             self.creeping_steps = 0;

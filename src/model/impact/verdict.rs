@@ -270,7 +270,8 @@ impl Track<'_> {
             * self.problem.strength_pa
             * self.problem.geometry.swept_m3(self.state.travel_m);
         let negligible = larger(NEGLIGIBLE * self.problem.scene.run.tolerance, UNSEEN);
-        if energy < negligible * depth * strength && energy < pull_out {
+        let is_nothing = |energy: f64| energy < negligible * depth * strength && energy < pull_out;
+        if is_nothing(energy) {
             return true;
         }
         if self.slips_since_deeper > RATTLES && energy < pull_out {
@@ -278,7 +279,11 @@ impl Track<'_> {
         }
         let returns = !mechanism.spring.is_absent() || self.state.plate_m_s > 0.0;
         if mechanism.rigid_stop().is_some() && returns && self.reach_m() >= mechanism.stop_at_m {
-            return false;
+            // Only what the spring does not hold when the plate meets its stop is left to the projectile.
+            let on_arrival = energy - mechanism.spring.energy(mechanism.stop_at_m);
+            if !is_nothing(on_arrival) {
+                return false;
+            }
         }
         self.push_at(energy) <= push && self.pull_at(energy) <= pull
     }
