@@ -19,6 +19,7 @@ mod limit;
 mod man;
 mod optimise;
 mod output;
+mod pace;
 mod paths;
 mod plain;
 mod presets;

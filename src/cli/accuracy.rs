@@ -3,7 +3,6 @@
 mod page;
 
 use std::ffi::OsString;
-use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Instant;
@@ -11,6 +10,7 @@ use std::time::Instant;
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::pace::Pace;
 use crate::cli::scene;
 use crate::cli::table::TableArguments;
 use crate::files::accuracy::{self as rows, Named};
@@ -51,16 +51,18 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let start = Instant::now();
     let mut clock = || start.elapsed().as_secs_f64();
     let mut reports: Vec<Named> = Vec::new();
+    let mut pace = Pace::begin();
     for preset in presets {
-        let watch = &mut |_done, _total| ControlFlow::Continue(());
+        let watch = &mut |done, total| pace.count(done, total, "points");
         let report = compare(&Arc::new(preset.scene), effort, &mut clock, watch)?;
+        let whole = report.is_complete;
         reports.push((preset.name, report));
+        if !whole {
+            break;
+        }
     }
+    pace.clear();
     let (page, json) = (|| page::text(&reports), || rows::json(&reports));
     arguments.table.deliver_text(page, json, || rows::csv(&reports))?;
-    Ok(if reports.iter().all(|(_, report)| rows::auto_answers(report)) {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    })
+    Ok(pace.exit_code(reports.iter().all(|(_, report)| rows::auto_answers(report))))
 }

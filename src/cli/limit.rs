@@ -2,24 +2,19 @@
 
 mod page;
 
-use std::io::IsTerminal as _;
-use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use clap::Args;
 
+use crate::cli::CliError;
+use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
 use crate::files::limit as rows;
 use crate::study::limit::scatter::Scattering;
 use crate::study::limit::{Effort, find};
 
-/// How long it may take before progress is shown, and how often then.
-const PATIENCE: Duration = Duration::from_millis(500);
-const EVERY: Duration = Duration::from_millis(200);
 /// Samples at the most.
 const SAMPLES_MAX: usize = 1_000_000;
 
@@ -69,27 +64,18 @@ fn part(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Find the limit; that there is none is an answer, too.
+/// Find the limit; that there is none is an answer, too. Exit status 1 after an interrupt.
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
     let effort = Effort { scattering: arguments.scattering()? };
     let preset = arguments.scene.load()?;
-    let start = Instant::now();
-    let mut told = start;
-    let is_shown = std::io::stderr().is_terminal();
-    let report = find(&Arc::new(preset.scene), effort, &mut |done, total| {
-        if is_shown && start.elapsed() > PATIENCE && told.elapsed() > EVERY {
-            told = Instant::now();
-            output::progress(&format!("{done} of about {total} shots"));
-        }
-        ControlFlow::Continue(())
-    })?;
-    if told > start {
-        output::progress("");
-    }
+    let mut pace = Pace::begin();
+    let watch = &mut |done, total| pace.count(done, total, "shots or so");
+    let report = find(&Arc::new(preset.scene), effort, watch)?;
+    pace.clear();
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || rows::json(name, &report);
     arguments.table.deliver_report(page, object, &rows::shots(name, &report))?;
-    Ok(ExitCode::SUCCESS)
+    Ok(pace.exit_code(true))
 }

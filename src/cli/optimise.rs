@@ -7,8 +7,9 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use crate::cli::CliError;
+use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Pace, bounds, say_if_long, threads};
+use crate::cli::search::{bounds, say_if_long, threads};
 use crate::cli::table::TableArguments;
 use crate::files::front as files;
 use crate::model::scene::{InterfaceLaw, Scene};
@@ -139,12 +140,13 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?.limited(STEPS_MAX);
     say_if_long(&field, task.runs(), task.threads);
     let mut pace = Pace::begin();
-    let fronts = optimise(&preset.scene, &task, &mut |done, total, _| pace.watch(done, total))?;
-    let stopped = pace.end();
+    let fronts =
+        optimise(&preset.scene, &task, &mut |done, total, _| pace.count(done, total, "runs"))?;
+    pace.clear();
     let name = preset.name.as_str();
     let json = || files::json(name, &task, &fronts);
     let page = || page::text(name, &task, &fronts);
     arguments.table.deliver_text(page, json, || files::csv(name, &task, &fronts))?;
-    let found = fronts.iter().all(|front| !front.designs.is_empty()) && !stopped;
-    Ok(if found { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let found = fronts.iter().all(|front| !front.designs.is_empty());
+    Ok(pace.exit_code(found))
 }

@@ -9,7 +9,9 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use crate::cli::compare::{self, Compare};
+use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
+use crate::cli::sweep::page::duration;
 use crate::cli::table::{MetaWord, TableArguments, Target, exists};
 use crate::cli::{CliError, Glyphs, json, output, plain, summary};
 use crate::files::atomic::Existing;
@@ -18,6 +20,7 @@ use crate::files::export::{self, ExportRequest};
 use crate::files::preset::Preset;
 use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
+use crate::model::units::Engineering;
 use crate::model::variables::{self, VariableError};
 
 #[derive(Debug, Args)]
@@ -81,14 +84,30 @@ pub(super) enum Charts {
     With(Glyphs),
 }
 
+/// Steps after which it is shown again how far a run is: a look at the clock costs a part of a step.
+const LOOK: u64 = 64;
+
 /// Compute a scene, and measure the time of the computation alone. The series is always kept: it costs little, and every
 /// output of one scene then shows the digits and events of one and the same computation.
 pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
     let scene = Arc::new(preset.scene.clone());
     let settings = Settings { series: true, estimate: true };
+    let mut pace = Pace::begin();
+    let mut steps = 0_u64;
+    let mut observer = |t_s: f64| {
+        steps += 1;
+        if !steps.is_multiple_of(LOOK) {
+            return ControlFlow::Continue(());
+        }
+        pace.watch(|gone_s| {
+            let at = Engineering { value: t_s, unit: "s", digits: 4 };
+            format!("t = {at} after {}, {steps} steps", duration(gone_s))
+        })
+    };
     let start = Instant::now();
-    let run = impact::simulate(&scene, &settings, &mut |_t_s| ControlFlow::Continue(()))?;
+    let run = impact::simulate(&scene, &settings, &mut observer)?;
     let took = start.elapsed();
+    pace.clear();
     Ok(Computed { preset, run: Arc::new(run), took })
 }
 

@@ -6,8 +6,9 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Pace, say_if_long, threads};
+use crate::cli::search::{say_if_long, threads};
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::scatter as files;
@@ -84,8 +85,8 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     let task = arguments.task(&preset.scene)?;
     say_if_long(&field(&preset.scene, &task)?, task.samples, task.threads);
     let mut pace = Pace::begin();
-    let report = scatter(&preset.scene, &task, &mut |done, total| pace.watch(done, total))?;
-    let stopped = pace.end();
+    let report = scatter(&preset.scene, &task, &mut |done, total| pace.count(done, total, "runs"))?;
+    pace.clear();
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
@@ -94,6 +95,6 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     if report.census[4] > 0 {
         output::note(&format!("{} samples failed and are left out", report.census[4]));
     }
-    let good = report.census[4] == 0 && !stopped;
-    Ok(if good { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let good = report.census[4] == 0;
+    Ok(pace.exit_code(good))
 }

@@ -1,14 +1,9 @@
-//! What the commands that look for designs have in common: reading bounds, saying how far they are and how long it will take,
-//! and ending early with what there is.
+//! What the commands that look for designs have in common: reading bounds, and saying how long it will take.
 
-use std::io::IsTerminal as _;
 use std::ops::ControlFlow;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::cli::sweep::axes::over;
-use crate::cli::sweep::interruptible;
 use crate::cli::sweep::page::duration;
 use crate::cli::{CliError, output};
 use crate::model::scene::Scene;
@@ -17,9 +12,6 @@ use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Axis, COUNTS};
 
-/// How long a search may take before progress is shown, and how often then.
-const PATIENCE: Duration = Duration::from_millis(500);
-const EVERY: Duration = Duration::from_millis(200);
 /// A search expected to take longer says so before it begins.
 const LONG: Duration = Duration::from_secs(60);
 /// Designs tried for that, and how long they may take.
@@ -27,49 +19,6 @@ const TRIED: usize = 32;
 const TRYING: Duration = Duration::from_millis(250);
 /// At the most one run for so many is tried: a search of fewer is not asked how long it will take.
 const SPARED: usize = 4;
-
-/// A search under way, seen from outside.
-pub(super) struct Pace {
-    start: Instant,
-    told: Instant,
-    shown: bool,
-    stop: Arc<AtomicBool>,
-}
-
-impl Pace {
-    /// It begins now; the first interrupt stops it, the second ends the process.
-    pub(super) fn begin() -> Self {
-        let now = Instant::now();
-        Self { start: now, told: now, shown: false, stop: interruptible() }
-    }
-
-    /// After so many runs of about so many: show it now and then; `Break` after an interrupt.
-    pub(super) fn watch(&mut self, done: usize, total: usize) -> ControlFlow<()> {
-        let wanted = self.start.elapsed() > PATIENCE && self.told.elapsed() > EVERY;
-        if wanted && std::io::stderr().is_terminal() {
-            self.told = Instant::now();
-            self.shown = true;
-            output::progress(&format!("{done} of {total} runs"));
-        }
-        if self.stop.load(Ordering::Relaxed) {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    }
-
-    /// Take the progress line away; whether the search was interrupted, which is then said.
-    pub(super) fn end(&self) -> bool {
-        if self.shown {
-            output::progress("");
-        }
-        let stopped = self.stop.load(Ordering::Relaxed);
-        if stopped {
-            output::note("interrupted: what was finished is shown");
-        }
-        stopped
-    }
-}
 
 /// The threads asked for, or one for each core.
 pub(super) fn threads(asked: Option<u16>) -> usize {

@@ -7,8 +7,9 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Pace, say_if_long, threads};
+use crate::cli::search::{say_if_long, threads};
 use crate::cli::sweep::axes::over;
 use crate::cli::table::TableArguments;
 use crate::files::seek as files;
@@ -66,13 +67,13 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let field = Field::new(&preset.scene, vec![goal.axis], &[&goal.measure], goal.threads)?;
     say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), goal.threads);
     let mut pace = Pace::begin();
-    let report = seek(&preset.scene, &goal, &mut |done, total| pace.watch(done, total))?;
-    let stopped = pace.end();
+    let report = seek(&preset.scene, &goal, &mut |done, total| pace.count(done, total, "runs"))?;
+    pace.clear();
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
     arguments.table.deliver_report(page, object, &rows)?;
-    let found = !report.solutions.is_empty() && !stopped;
-    Ok(if found { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let found = !report.solutions.is_empty();
+    Ok(pace.exit_code(found))
 }

@@ -7,8 +7,9 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Pace, bounds, say_if_long, threads};
+use crate::cli::search::{bounds, say_if_long, threads};
 use crate::cli::table::TableArguments;
 use crate::files::sensitivity as files;
 use crate::study::search::field::Field;
@@ -74,13 +75,13 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
         say_if_long(&field, effort.runs(axes.len()), effort.threads);
     }
     let mut pace = Pace::begin();
-    let watch = &mut |done: usize, total: usize| pace.watch(done, total);
+    let watch = &mut |done: usize, total: usize| pace.count(done, total, "runs");
     let report = study(&preset.scene, axes, &arguments.output, effort, watch)?;
-    let stopped = pace.end();
+    pace.clear();
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
     arguments.table.deliver_report(page, object, &rows)?;
-    Ok(if stopped { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+    Ok(pace.exit_code(true))
 }

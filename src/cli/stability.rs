@@ -2,12 +2,13 @@
 
 use std::ops::ControlFlow;
 use std::process::ExitCode;
-use std::sync::atomic::AtomicBool;
+use std::sync::Arc;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 
 use crate::cli::CliError;
+use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::files::stability as values;
@@ -64,24 +65,19 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     if let Some(axis) = arguments.map {
         return draw_map(arguments, axis);
     }
+    let (cases, stop) = (stability::battery(arguments.quick), interruptible());
+    let mut pace = Pace::stopped_by(Arc::clone(&stop));
+    let tell = &mut |done, total, _: &dyn Fn() -> Vec<Row>| pace.count(done, total, "scenes");
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let start = Instant::now();
-    let rows = rows(arguments.quick)?;
+    let now_s = || start.elapsed().as_secs_f64();
+    let rows = battery::run(cases, threads, (&now_s, &stop), tell)?;
     let took_s = start.elapsed().as_secs_f64();
+    pace.clear();
     let page = || table::battery(&rows, took_s, table::width());
     arguments.rows.deliver_text(page, || values::json(&rows), || values::csv(&rows))?;
     let short = rows.iter().any(|row| row.shortfall.is_some());
-    Ok(if short { ExitCode::FAILURE } else { ExitCode::SUCCESS })
-}
-
-/// The rows, computed on all cores, in the order of the battery.
-fn rows(quick: bool) -> Result<Vec<Row>, CliError> {
-    let start = Instant::now();
-    let now_s = || start.elapsed().as_secs_f64();
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let go_on = &mut |_, _, _: &dyn Fn() -> Vec<Row>| ControlFlow::Continue(());
-    let never = AtomicBool::new(false);
-    let cases = stability::battery(quick);
-    Ok(battery::run(cases, threads, (&now_s, &never), go_on)?)
+    Ok(pace.exit_code(!short))
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, CliError> {

@@ -6,7 +6,6 @@ pub(super) mod axes;
 pub(super) mod page;
 mod sidecar;
 
-use std::io::{self, IsTerminal as _};
 use std::ops::{ControlFlow, Range};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -14,9 +13,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
-use signal_hook::flag;
 
+use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{MetaWord, TableArguments, Target, exists};
 use crate::cli::{CliError, output};
@@ -35,8 +33,6 @@ const TRIED: u64 = 48;
 const TRYING: Duration = Duration::from_millis(250);
 /// At the most every so manieth point is tried: a sweep of fewer points is not asked how long it will take.
 const SPARED: u64 = 4;
-/// Least time between two looks of the progress line.
-const BETWEEN_LOOKS: Duration = Duration::from_millis(200);
 
 #[derive(Debug, Args)]
 #[command(
@@ -143,32 +139,12 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A flag that the first interrupt, or a dropped connection, sets; the second one ends the process.
-pub(super) fn interruptible() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
-    for signal in [SIGINT, SIGTERM].into_iter().chain(hangup) {
-        // In this order: the second finds the flag set. Where it cannot be done, the interrupt just ends the process.
-        let _ = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop));
-        let _ = flag::register(signal, Arc::clone(&stop));
-    }
-    stop
-}
-
-/// Whether whoever started this wants it to outlive a signal, as `nohup` does. Where the system does not tell, it is taken to be so.
-fn is_ignored(signal: i32) -> bool {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
-    mask.is_none_or(|mask| mask >> (signal - 1) & 1 == 1)
-}
-
 /// A sweep and who makes it.
 struct Job<'a> {
     plan: &'a Plan,
     shard: Shard,
     crew: Crew,
-    stop: &'a AtomicBool,
+    stop: &'a Arc<AtomicBool>,
     preset: &'a Preset,
 }
 
@@ -260,7 +236,8 @@ impl Job<'_> {
     ) -> Result<Summary, CliError> {
         let mut summary = Summary::new(self.plan.outputs().len());
         let mut problem = None;
-        let mut look = Look::new(self.points());
+        let mut pace = Pace::stopped_by(Arc::clone(self.stop));
+        let all = self.points().end - self.points().start;
         let hire = || {
             let mut evaluator = Evaluator::new(self.plan, self.stop);
             move |points: Range<u64>| sheet.piece(&mut evaluator, points)
@@ -272,18 +249,18 @@ impl Job<'_> {
                 take(points, &piece)?;
                 Ok(whole)
             });
-            look.show(summary.points());
             // A piece that goes the quick way is done before it looks whether it should stop.
+            let goes_on = pace.watch(|gone_s| so_far(summary.points(), all, gone_s));
             match taken {
-                Ok(true) if !self.stop.load(Ordering::Relaxed) => ControlFlow::Continue(()),
-                Ok(_) => ControlFlow::Break(()),
+                Ok(true) => goes_on,
+                Ok(false) => ControlFlow::Break(()),
                 Err(error) => {
                     problem = Some(error);
                     ControlFlow::Break(())
                 }
             }
         });
-        look.end();
+        pace.clear();
         problem.map_or(Ok(summary), Err)
     }
 
@@ -315,44 +292,10 @@ impl Job<'_> {
     }
 }
 
-/// The progress line, on a terminal only.
-struct Look {
-    total: u64,
-    start: Instant,
-    last: Instant,
-    shown: bool,
-    wanted: bool,
-}
-
-impl Look {
-    fn new(points: Range<u64>) -> Self {
-        let now = Instant::now();
-        let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
-        Self {
-            total: points.end - points.start,
-            start: now,
-            last: now,
-            shown: false,
-            wanted: io::stderr().is_terminal() && !dumb,
-        }
-    }
-
-    fn show(&mut self, done: u64) {
-        if !self.wanted || done == 0 || self.last.elapsed() < BETWEEN_LOOKS {
-            return;
-        }
-        self.last = Instant::now();
-        self.shown = true;
-        let gone_s = self.start.elapsed().as_secs_f64();
-        let left_s = gone_s * (self.total - done) as f64 / done as f64;
-        let percent = 100.0 * done as f64 / self.total as f64;
-        let left = page::duration(left_s);
-        output::progress(&format!("{percent:.0} %: {done} of {} points, {left} left", self.total));
-    }
-
-    fn end(&self) {
-        if self.shown {
-            output::progress("");
-        }
-    }
+/// How far a sweep is, and how long it will yet take at this pace.
+fn so_far(done: u64, total: u64, gone_s: f64) -> String {
+    let percent = 100.0 * done as f64 / total as f64;
+    let left_s = gone_s * (total - done) as f64 / done.max(1) as f64;
+    let left = page::duration(left_s);
+    format!("{percent:.0} %: {done} of {total} points, {left} left")
 }

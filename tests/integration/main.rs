@@ -23,6 +23,8 @@ mod optimise;
 #[cfg(test)]
 mod oracle;
 #[cfg(test)]
+mod pace;
+#[cfg(test)]
 mod physics;
 #[cfg(test)]
 mod plans;

@@ -1,0 +1,96 @@
+//! How far a long computation is, and whether somebody wants it to end.
+//!
+//! After half a second there is one line on standard error, on a terminal only, taken away when the result comes. The first
+//! interrupt, or a dropped connection, keeps what is finished; the second ends the process.
+
+use std::io::{self, IsTerminal as _};
+use std::ops::ControlFlow;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::flag;
+
+use crate::cli::output;
+
+/// How long a computation may take before it is shown how far it is, and how often then.
+const PATIENCE: Duration = Duration::from_millis(500);
+const EVERY: Duration = Duration::from_millis(200);
+
+/// A computation under way, seen from outside.
+pub(super) struct Pace {
+    start: Instant,
+    told: Instant,
+    shown: bool,
+    wanted: bool,
+    stop: Arc<AtomicBool>,
+}
+
+impl Pace {
+    /// It begins now.
+    pub(super) fn begin() -> Self {
+        Self::stopped_by(interruptible())
+    }
+
+    /// It begins now, and ends when this flag is set.
+    pub(super) fn stopped_by(stop: Arc<AtomicBool>) -> Self {
+        let now = Instant::now();
+        let dumb = std::env::var("TERM").is_ok_and(|term| term == "dumb");
+        let wanted = io::stderr().is_terminal() && !dumb;
+        Self { start: now, told: now, shown: false, wanted, stop }
+    }
+
+    /// Show how far it is, now and then, by a text made of the seconds gone; `Break` after an interrupt.
+    pub(super) fn watch(&mut self, text: impl FnOnce(f64) -> String) -> ControlFlow<()> {
+        if self.wanted && self.start.elapsed() > PATIENCE && self.told.elapsed() > EVERY {
+            self.told = Instant::now();
+            self.shown = true;
+            output::progress(&text(self.start.elapsed().as_secs_f64()));
+        }
+        let stopped = self.stop.load(Ordering::Relaxed);
+        if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// The same after so many of about so many things.
+    pub(super) fn count(&mut self, done: usize, total: usize, what: &str) -> ControlFlow<()> {
+        self.watch(|_| format!("{done} of {total} {what}"))
+    }
+
+    /// Take the line away.
+    pub(super) fn clear(&self) {
+        if self.shown {
+            output::progress("");
+        }
+    }
+
+    /// 0 where all is well, 1 where not, or after an interrupt, which is then said below the result.
+    pub(super) fn exit_code(&self, good: bool) -> ExitCode {
+        let stopped = self.stop.load(Ordering::Relaxed);
+        if stopped {
+            output::note("interrupted: what was finished is shown");
+        }
+        if good && !stopped { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    }
+}
+
+/// A flag that the first interrupt, or a dropped connection, sets; the second one ends the process.
+pub(super) fn interruptible() -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
+    for signal in [SIGINT, SIGTERM].into_iter().chain(hangup) {
+        // In this order: the second finds the flag set. Where it cannot be done, the interrupt just ends the process.
+        let _ = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop));
+        let _ = flag::register(signal, Arc::clone(&stop));
+    }
+    stop
+}
+
+/// Whether whoever started this wants it to outlive a signal, as `nohup` does. Where the system does not tell, it is taken to be so.
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_none_or(|mask| mask >> (signal - 1) & 1 == 1)
+}

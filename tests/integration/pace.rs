@@ -1,0 +1,56 @@
+//! A person at a terminal sees how far a long command is, and an interrupt keeps what is finished.
+
+use std::time::Duration;
+
+use rustix::process::Signal;
+
+use crate::pty::{PATIENCE, Start, Terminal};
+
+/// What a command says that is interrupted as soon as it tells how far it is, in these words.
+#[track_caller]
+fn interrupted(arguments: &[&str], words: &str) -> (String, Terminal) {
+    let mut terminal = Terminal::start_with(Start { arguments, ..Start::default() });
+    let line = terminal.wait_for(words);
+    assert_eq!(line.trim().lines().count(), 1, "one line, in its own place: {line}");
+    terminal.signal(Signal::INT);
+    let status = terminal.wait_exit(PATIENCE);
+    assert_eq!(status.exit_code(), 1);
+    let page = terminal.screen().contents();
+    assert!(!page.contains(words), "the line is taken away: {page}");
+    (page, terminal)
+}
+
+#[test]
+fn a_long_run_tells_the_time_it_has_reached_and_keeps_it() {
+    let words = "run --set k=1e9 --set n=1.5 --set run.horizon_s=1000 --csv long.csv";
+    let arguments: Vec<&str> = words.split(' ').collect();
+    let (page, terminal) = interrupted(&arguments, " s after ");
+    assert!(page.contains("the run is incomplete: cancelled: what was finished is kept"), "{page}");
+    let rows = std::fs::read_to_string(terminal.file("long.csv")).unwrap();
+    assert!(rows.lines().count() > 1_000 && rows.ends_with('\n'));
+}
+
+#[test]
+fn whatever_takes_long_tells_how_far_it_is() {
+    for (words, said) in [
+        ("limit --samples 1000000", " shots or so"),
+        ("accuracy --set interface=plastic", " points"),
+        ("scatter --samples 1000000 --set n=0.7", " runs"),
+    ] {
+        let arguments: Vec<&str> = words.split(' ').collect();
+        let (page, _) = interrupted(&arguments, said);
+        assert!(page.contains("interrupted: what was finished is shown"), "{words}: {page}");
+    }
+}
+
+#[test]
+fn a_dumb_terminal_gets_no_line_that_would_have_to_be_taken_away() {
+    let arguments = ["run", "--set", "k=1e9", "--set", "n=1.5", "--set", "run.horizon_s=1000"];
+    let environment = [("TERM", "dumb")];
+    let start = Start { arguments: &arguments, environment: &environment, ..Start::default() };
+    let mut terminal = Terminal::start_with(start);
+    // Well beyond the time after which others get one.
+    assert_eq!(terminal.settle(Duration::from_secs(1)), 0);
+    terminal.signal(Signal::INT);
+    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 1);
+}
