@@ -18,6 +18,7 @@ mod json;
 mod limit;
 mod man;
 mod optimise;
+mod outlook;
 mod output;
 mod pace;
 mod paths;

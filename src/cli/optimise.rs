@@ -138,8 +138,8 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
     let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?.limited(STEPS_MAX);
-    say_if_long(&field, task.runs(), task.threads);
     let mut pace = Pace::begin();
+    say_if_long(&field, task.runs(), task.threads);
     let fronts =
         optimise(&preset.scene, &task, &mut |done, total, _| pace.count(done, total, "runs"))?;
     pace.clear();

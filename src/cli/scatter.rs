@@ -83,8 +83,8 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
-    say_if_long(&field(&preset.scene, &task)?, task.samples, task.threads);
     let mut pace = Pace::begin();
+    say_if_long(&field(&preset.scene, &task)?, task.samples, task.threads);
     let report = scatter(&preset.scene, &task, &mut |done, total| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();

@@ -65,8 +65,8 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let goal = arguments.goal()?;
     let preset = arguments.scene.load()?;
     let field = Field::new(&preset.scene, vec![goal.axis], &[&goal.measure], goal.threads)?;
-    say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), goal.threads);
     let mut pace = Pace::begin();
+    say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), goal.threads);
     let report = seek(&preset.scene, &goal, &mut |done, total| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();

@@ -70,11 +70,11 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let effort = arguments.effort()?;
     let preset = arguments.scene.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
+    let mut pace = Pace::begin();
     if let Ok(field) = Field::new(&preset.scene, axes.clone(), &[&arguments.output], effort.threads)
     {
         say_if_long(&field, effort.runs(axes.len()), effort.threads);
     }
-    let mut pace = Pace::begin();
     let watch = &mut |done: usize, total: usize| pace.count(done, total, "runs");
     let report = study(&preset.scene, axes, &arguments.output, effort, watch)?;
     pace.clear();

@@ -10,14 +10,14 @@ use std::ops::{ControlFlow, Range};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use clap::Args;
 
 use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{MetaWord, TableArguments, Target, exists};
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, outlook, output};
 use crate::files::atomic::Growing;
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
@@ -25,14 +25,6 @@ use crate::model::results;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use axes::{Asked, DesignWord};
-
-/// A sweep expected to take longer says so before it begins.
-const LONG: Duration = Duration::from_secs(60);
-/// Points tried for that, and how long they may take.
-const TRIED: u64 = 48;
-const TRYING: Duration = Duration::from_millis(250);
-/// At the most every so manieth point is tried: a sweep of fewer points is not asked how long it will take.
-const SPARED: u64 = 4;
 
 #[derive(Debug, Args)]
 #[command(
@@ -268,27 +260,21 @@ impl Job<'_> {
     fn say_if_long(&self) {
         let points = self.points();
         let count = points.end - points.start;
-        let most = TRIED.min(count / SPARED);
-        if most == 0 {
-            return;
-        }
-        let mut evaluator = Evaluator::new(self.plan, self.stop);
-        let start = Instant::now();
-        let mut tried = 0;
-        while tried < most && start.elapsed() < TRYING {
+        let alone = Crew { threads: 1, piece: 1 };
+        outlook::say_if_long((count, "points"), self.crew.threads, |tried, most, go_on| {
             let index = points.start + tried * (count / most) + count / (2 * most);
-            evaluator.rows(index..index + 1);
-            tried += 1;
-        }
-        let each_s = start.elapsed().as_secs_f64() / tried as f64;
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let takes_s = each_s * count as f64 / self.crew.threads.min(cores) as f64;
-        if takes_s > LONG.as_secs_f64() {
-            output::note(&format!(
-                "{count} points will take about {} (estimated from {tried} of them); an interrupt keeps what is finished",
-                page::duration(takes_s)
-            ));
-        }
+            let stop = AtomicBool::new(false);
+            let hire = || {
+                let mut evaluator = Evaluator::new(self.plan, &stop);
+                move |point: Range<u64>| drop(evaluator.rows(point))
+            };
+            alone.work_heard(index..index + 1, hire, |news| {
+                let cut_short = news.is_none() && go_on().is_break();
+                stop.fetch_or(cut_short, Ordering::Relaxed);
+                ControlFlow::Continue(())
+            })?;
+            if stop.into_inner() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
     }
 }
 

@@ -2,13 +2,13 @@
 
 mod page;
 
-use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
 
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::files::worth as files;
@@ -50,11 +50,14 @@ pub(super) fn run(arguments: &WorthArguments) -> Result<ExitCode, CliError> {
     };
     let preset = arguments.scene.load()?;
     let scene = Arc::new(preset.scene);
-    let report = compare(&scene, masses, &mut |_, _| ControlFlow::Continue(()))?;
+    let mut pace = Pace::begin();
+    let watch = &mut |done, total| pace.count(done, total, "candidates");
+    let report = compare(&scene, masses, watch)?;
+    pace.clear();
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
     let page = || page::text(name, &scene, &report, arguments.spring_mass.is_some());
     let object = || files::json(name, &report);
     arguments.table.deliver_report(page, object, &rows)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(pace.exit_code(true))
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use crate::model::impact::{Settings, simulate};
 use crate::model::mechanism::Mechanism;
-use crate::model::run::{Outcome, Run};
+use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
@@ -157,6 +157,9 @@ impl Report {
     }
 }
 
+/// Steps of a run after which it is asked again.
+const LOOK: u32 = 64;
+
 /// Asked now and then with candidates done and how many there are; `Break` stops, and keeps what there is.
 pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 
@@ -172,7 +175,8 @@ pub fn compare(
     variables::validate(scene)?;
     variables::require_single(scene)?;
     let face_m2 = scene.plate_mass_kg() / plate_areal(scene);
-    let own = run(scene)?;
+    let total = Candidate::ALL.len();
+    let own = run(scene, &mut || watch(0, total))?;
     let spring_energy_j = spring_energy_j(scene, own.start_m(), own.max_plate_displacement_m);
     let spring_kg = masses
         .spring_kg
@@ -188,7 +192,9 @@ pub fn compare(
         entries: Vec::new(),
         is_complete: false,
     };
-    let total = Candidate::ALL.len();
+    if own.end == EndReason::Cancelled {
+        return Ok(report);
+    }
     for (done, candidate) in Candidate::ALL.into_iter().enumerate() {
         let mechanism = spring_kg.map(|kg| (kg + mount_kg) / face_m2);
         let Some((made, areal_kg_m2)) = make(scene, candidate, mechanism) else { continue };
@@ -197,7 +203,11 @@ pub fn compare(
         if limit == Limit::Unknown || watch(done, total).is_break() {
             return Ok(report);
         }
-        report.entries.push(entry(candidate, made, limit, areal_kg_m2)?);
+        let run = run(&made, &mut || watch(done, total))?;
+        if run.end == EndReason::Cancelled {
+            return Ok(report);
+        }
+        report.entries.push(entry(candidate, (made, &run), limit, areal_kg_m2));
     }
     report.is_complete = true;
     Ok(report)
@@ -242,24 +252,30 @@ fn make(
     Some((own, areal))
 }
 
-/// One run with its series.
-fn run(scene: &Arc<Scene>) -> Result<Run, VariableError> {
+/// One run with its series, as far as it is wanted.
+fn run(
+    scene: &Arc<Scene>,
+    go_on: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Run, VariableError> {
     let settings = Settings { series: true, estimate: false };
-    simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
+    let mut steps = 0_u32;
+    simulate(scene, &settings, &mut |_| {
+        steps = steps.wrapping_add(1);
+        if steps.is_multiple_of(LOOK) { go_on() } else { ControlFlow::Continue(()) }
+    })
 }
 
 fn entry(
     candidate: Candidate,
-    scene: Arc<Scene>,
+    (scene, run): (Arc<Scene>, &Run),
     limit: Limit,
     areal_kg_m2: Option<f64>,
-) -> Result<Entry, VariableError> {
-    let run = run(&scene)?;
+) -> Entry {
     let stays = run.outcome == Outcome::Arrested || run.outcome == Outcome::Separated;
     let velocity = limit.velocity_m_s();
     let equivalent_m = velocity.and_then(|velocity| thickness_of_limit_m(&scene, velocity));
     let equal_areal = equivalent_m.map(|thickness| thickness * scene.target.density_kg_m3);
-    Ok(Entry {
+    Entry {
         candidate,
         outcome: run.outcome,
         limit,
@@ -270,11 +286,11 @@ fn entry(
         mass_efficiency: equal_areal.zip(areal_kg_m2).map(|(equal, own)| equal / own),
         stroke_m: run.stroke_m(),
         back_face_m: run.max_plate_displacement_m,
-        mount_force_n: load::peak_n(&run),
-        impulse_n_s: load::impulse_n_s(&run),
+        mount_force_n: load::peak_n(run),
+        impulse_n_s: load::impulse_n_s(run),
         preload_j: (!Mechanism::of(&scene).is_absent()).then_some(run.ledger.initial_spring_j),
         scene,
-    })
+    }
 }
 
 /// Greatest energy in the spring, J: cocked, from where it starts, or at the greatest displacement, m.

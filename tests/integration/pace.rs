@@ -43,6 +43,28 @@ fn whatever_takes_long_tells_how_far_it_is() {
     }
 }
 
+/// One run of these takes minutes: the word to stop does not wait for its end.
+#[test]
+fn a_search_is_stopped_within_a_run() {
+    let scene = "--set k=1e9 --set n=1.5 --set interface=plastic --set run.horizon_s=1000";
+    for (command, said) in [
+        ("seek --over gamma=1..3:9 --goal stroke_m=1mm", "0 of 49 runs"),
+        ("scatter", "0 of 10000 runs"),
+        ("optimise", " of 20200 runs"),
+        ("sweep --over gamma=1..3:9", "more than"),
+        ("worth", "0 of 4 candidates"),
+    ] {
+        let words = format!("{command} {scene}");
+        let arguments: Vec<&str> = words.split(' ').collect();
+        let mut terminal =
+            Terminal::start_with(Start { arguments: &arguments, ..Start::default() });
+        terminal.wait_for(said);
+        terminal.signal(Signal::INT);
+        assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 1, "{command}");
+        assert!(terminal.screen().contents().contains("interrupted: "), "{command}");
+    }
+}
+
 #[test]
 fn a_dumb_terminal_gets_no_line_that_would_have_to_be_taken_away() {
     let arguments = ["run", "--set", "k=1e9", "--set", "n=1.5", "--set", "run.horizon_s=1000"];

@@ -164,11 +164,13 @@ impl Field {
             let (plan, stop) = (&plan, &stop);
             move |points: Range<u64>| self.piece(plan, stop, &mut evaluator, points)
         };
-        let ended = crew.work(0..designs.len() as u64, hire, |points, found: Vec<Found>| {
-            let whole = found.len() as u64 == points.end - points.start;
-            all.extend(found);
-            if !whole {
-                return ControlFlow::Break(());
+        let ended = crew.work_heard(0..designs.len() as u64, hire, |news| {
+            if let Some((points, found)) = news {
+                let whole = found.len() as u64 == points.end - points.start;
+                all.extend(found);
+                if !whole {
+                    return ControlFlow::Break(());
+                }
             }
             let go_on = watch(all.len());
             if go_on.is_break() {

@@ -271,7 +271,8 @@ impl Search<'_> {
             let designs = Self::designs(&best, &state.known);
             state.front.designs = designs;
         }
-        let mut candidates = self.candidates();
+        let whole = state.borrow().front.is_complete;
+        let mut candidates = self.candidates(whole);
         for candidate in &mut candidates {
             self.challenge(candidate, &state);
         }
@@ -379,20 +380,25 @@ impl Search<'_> {
         }
     }
 
-    fn candidates(&self) -> Vec<Candidate> {
+    /// What the front is compared with; of a search that was stopped, what comes at once.
+    fn candidates(&self, whole: bool) -> Vec<Candidate> {
         let own = ("the scene itself", "as it is", Some(self.scene.clone()));
         let thesis = RECOMMENDED
             .iter()
             .map(|it| (it.name, it.source, recommended::scene_of(it, self.scene)));
         let all = std::iter::once(own).chain(thesis);
-        all.map(|(name, source, scene)| {
-            let found = scene.as_ref().and_then(|scene| self.evaluate(scene));
+        all.filter_map(|(name, source, scene)| {
+            let found = scene.as_ref().and_then(|scene| self.evaluate(scene, whole));
+            if scene.is_some() && found.is_none() && !whole {
+                return None;
+            }
             let none = || vec![None; self.field.measures().len()];
             let (scene, fate, measures) = match found {
                 Some(found) => (scene, Some(found.fate), found.values),
                 None => (None, None, none()),
             };
-            Candidate { name, source, scene, fate, measures, standing: Standing::Impossible }
+            let standing = Standing::Impossible;
+            Some(Candidate { name, source, scene, fate, measures, standing })
         })
         .collect()
     }
@@ -454,12 +460,13 @@ impl Search<'_> {
     }
 
     /// The measures of any scene, by a field of one point.
-    fn evaluate(&self, scene: &Scene) -> Option<Found> {
+    fn evaluate(&self, scene: &Scene, whole: bool) -> Option<Found> {
         let axis = *self.field.axes().first()?;
         let names: Vec<&str> = self.field.measures().iter().map(|column| column.name).collect();
         let field = Field::new(scene, vec![axis], &names, 1).ok()?;
         let value = (axis.number().get)(scene).unwrap_or(f64::NAN);
-        let ended = field.evaluate(&[vec![value]], &mut |_| ControlFlow::Continue(()));
+        let go_on = if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+        let ended = field.evaluate(&[vec![value]], &mut |_| go_on);
         let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
         found.into_iter().next()
     }

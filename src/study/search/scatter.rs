@@ -171,7 +171,8 @@ pub fn scatter(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Report, S
         is_complete: true,
     };
     let own: Vec<f64> = task.tolerances.iter().map(|it| it.nominal(scene)).collect();
-    let ended = field.evaluate(&[own], &mut |_| ControlFlow::Continue(()));
+    let ended = field.evaluate(&[own], &mut |_| watch(0, task.samples));
+    report.is_complete = ended.is_continue();
     let (ControlFlow::Continue(nominal) | ControlFlow::Break(nominal)) = ended;
     let nominal = nominal.into_iter().next();
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); field.measures().len()];
