@@ -78,3 +78,27 @@ fn what_swings_on_undecided_ends_as_moving_unless_a_horizon_is_asked() {
     assert_eq!((asked.outcome, asked.end), (Outcome::Moving, EndReason::Horizon));
     assert_near(asked.series.last().unwrap().t_s, 1e-4, 1e-12);
 }
+
+/// On a spring with n < 1 a damped plate swings ever faster while it dies down: without end in a finite time. It rests once its energy
+/// is below the rounding of all others, so that a horizon far beyond is reached, and the energies still balance.
+#[test]
+fn a_plate_that_dies_down_in_ever_faster_swings_reaches_its_horizon() {
+    const HORIZON_S: f64 = 0.01;
+    let told = "n=0.5 k=4.88e5 b=246 d=0.00944 gamma=0.313 v_i=226 interface=plastic g=0.12 \
+        run.horizon_s=0.01";
+    for (thickness, outcome) in [("h=0.00645", Outcome::Perforated), ("h=0.05", Outcome::Arrested)]
+    {
+        let found = run(scene(&format!("{told} {thickness}")));
+        assert_eq!((found.outcome, found.end), (outcome, EndReason::Decided), "{thickness}");
+        let last = found.series.last().unwrap();
+        assert_near(last.t_s, HORIZON_S, 1e-12);
+        assert!(last.plate_displacement_m == 0.0 && last.plate_velocity_m_s == 0.0);
+        assert!(found.ledger.residual().abs() < 1e-12, "{:e}", found.ledger.residual());
+        assert!(found.cost.steps < 100_000, "{} steps", found.cost.steps);
+        // It has swung until nothing was left: both ways, with ever smaller greatest displacements.
+        let farthest = found.max_plate_displacement_m.unwrap();
+        let late = found.series.iter().filter(|row| row.t_s > 0.1 * HORIZON_S);
+        let most = late.map(|row| row.plate_displacement_m.abs()).fold(0.0, f64::max);
+        assert!(most > 0.0 && most < 0.1 * farthest, "{most:e} {farthest:e}");
+    }
+}

@@ -18,7 +18,9 @@ const NEGLIGIBLE: f64 = 1e-3;
 /// Nor does one below this part of the depth, however tight the tolerance.
 const UNSEEN: f64 = 1e-12;
 /// Energy below this part of the projectile's at first contact counts as none: velocities of 1e-12 of the impact's.
-const DEAD: f64 = 1e-24;
+pub(super) const DEAD: f64 = 1e-24;
+/// The same for what nobody asks about any more: below the rounding of the energies.
+pub(super) const FAINT: f64 = 1e-18;
 /// Slips in a row, none of which deepened the hole noticeably, after which a projectile that cannot be pulled out counts
 /// as arrested: an undamped mount rattles for ever.
 const RATTLES: usize = 24;
@@ -165,10 +167,15 @@ impl Track<'_> {
 
     /// Whether what still moves has no energy worth the name: less than rounding leaves of that at the start, squared.
     pub(super) fn has_died_down(&self) -> bool {
+        self.has_less_than(DEAD)
+    }
+
+    /// Whether what still moves has no more than this part of the projectile's energy at first contact.
+    pub(super) fn has_less_than(&self, part: f64) -> bool {
         let problem = self.problem;
         let v = problem.velocity_m_s;
         let at_start = 0.5 * problem.projectile_kg * v * v;
-        self.energy_j() <= DEAD * at_start
+        self.energy_j() <= part * at_start
     }
 
     /// How far forward the plate could still go, m; infinite when nothing stops it.
