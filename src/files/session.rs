@@ -6,7 +6,8 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +21,9 @@ const RECENT_MAX: usize = 10;
 
 /// No session is larger than this: nine scenes of the greatest size, and what quoting them takes.
 const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
+
+/// What stands before the writer's name in the head of the file.
+const WRITER: &str = "written by workbench ";
 
 /// No write takes so long: a temporary file beside the session that is older belongs to a program that was killed.
 const LEFTOVER: Duration = Duration::from_secs(600);
@@ -80,11 +84,14 @@ struct PinRow {
     scene: String,
 }
 
-/// What this program last read or wrote there: whoever else writes the same file is noticed by it.
+/// What this workbench last read or wrote there, by which it notices whoever else writes the same file, and its own name there.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
-pub struct Known(Option<String>);
+pub struct Known {
+    text: Option<String>,
+    writer: Option<String>,
+}
 
-/// Save the session, whole or not at all. What another program has written there since `known` is put aside first, and where
+/// Save the session, whole or not at all. What another workbench has written there since `known` is put aside first, and where
 /// to is returned; a session that was saved like this before does not replace it.
 ///
 /// # Errors
@@ -94,9 +101,11 @@ pub fn save(
     session: &Session,
     known: &mut Known,
 ) -> Result<Option<PathBuf>, FileError> {
-    let text = text(path, session)?;
+    let writer = known.writer.get_or_insert_with(new_writer).clone();
+    let text = text(path, session, &writer)?;
     let there = read::ordinary_text_file(path, BYTES_MAX).ok();
-    let is_saved = known.0.as_ref() == Some(&text);
+    // Only the head tells who wrote it.
+    let is_saved = known.text.as_deref().map(body) == Some(body(&text));
     if is_saved && there.is_some() {
         return Ok(None);
     }
@@ -104,19 +113,19 @@ pub fn save(
         fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
     }
     let aside = match there {
-        Some(there) if known.0.as_ref() != Some(&there) => {
-            let aside = path.with_file_name("session.other.toml");
+        Some(there) if known.text.as_ref() != Some(&there) => {
+            let aside = aside(path, &there, &writer);
             atomic::write(&aside, there.as_bytes(), Existing::Replace)?;
             Some(aside)
         }
         Some(_) | None => None,
     };
     atomic::write(path, text.as_bytes(), Existing::Replace)?;
-    known.0 = Some(text);
+    known.text = Some(text);
     Ok(aside)
 }
 
-fn text(path: &Path, session: &Session) -> Result<String, FileError> {
+fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileError> {
     let failed = |text: String| FileError::Target { path: path.to_owned(), problem: text };
     let file = SessionFile {
         format: read::FORMAT,
@@ -132,7 +141,7 @@ fn text(path: &Path, session: &Session) -> Result<String, FileError> {
     };
     let body = toml::to_string_pretty(&file).map_err(|error| failed(error.to_string()))?;
     let version = env!("CARGO_PKG_VERSION");
-    Ok(format!("# the last session of cmra {version}; written by the program\n{body}"))
+    Ok(format!("# the last session of cmra {version}; {WRITER}{writer}\n{body}"))
 }
 
 /// Load the last session, if there is one. A file that is damaged is put aside with the ending `.broken`, and what can be read
@@ -165,23 +174,58 @@ pub fn load(path: &Path) -> Loaded {
         format!("{lost}; {kept}: {}", problems.join("; "))
     });
     // One that was put aside is not there any more.
-    let known = Known(text.filter(|_| notice.is_none()));
+    let known = Known { text: text.filter(|_| notice.is_none()), writer: None };
     Loaded { session, notice, known }
+}
+
+/// A name that no other workbench has: by the process, the time, and the number of those of this process.
+fn new_writer() -> String {
+    static NUMBER: AtomicUsize = AtomicUsize::new(1);
+    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+    format!("{}-{}-{number}", std::process::id(), since.as_micros())
+}
+
+fn writer_of(text: &str) -> Option<&str> {
+    Some(text.lines().next()?.split_once(WRITER)?.1)
+}
+
+/// All but the head.
+fn body(text: &str) -> &str {
+    text.split_once('\n').map_or(text, |(_, body)| body)
+}
+
+/// Where the session of another workbench goes: over an older one of the same, or of this one, which is about to keep a newer; else
+/// where there is none, and over the oldest when there are many.
+fn aside(path: &Path, there: &str, own: &str) -> PathBuf {
+    let theirs = writer_of(there);
+    let is_outdated = |path: &&PathBuf| {
+        let text = read::ordinary_text_file(path, BYTES_MAX).ok();
+        let writer = text.as_deref().and_then(writer_of);
+        writer.is_some() && (writer == theirs || writer == Some(own))
+    };
+    let age = |path: &PathBuf| fs::symlink_metadata(path).and_then(|found| found.modified()).ok();
+    let names = numbered(|ending| path.with_file_name(format!("session.other{ending}.toml")));
+    let free = || names.iter().find(|path| fs::symlink_metadata(path).is_err());
+    let chosen = names.iter().find(is_outdated).or_else(free);
+    let chosen = chosen.or_else(|| names.iter().min_by_key(|path| age(path)));
+    chosen.unwrap_or(&names[0]).clone()
+}
+
+/// Names with an ending from none to nine.
+fn numbered(named: impl Fn(&str) -> PathBuf) -> [PathBuf; 9] {
+    ["", "-2", "-3", "-4", "-5", "-6", "-7", "-8", "-9"].map(named)
 }
 
 /// Where a damaged session goes: beside it, over no earlier one as long as there are few.
 fn free_name(path: &Path) -> PathBuf {
-    let named = |ending: String| {
+    let names = numbered(|ending| {
         let mut name = path.as_os_str().to_owned();
-        name.push(ending);
+        name.push(format!(".broken{ending}"));
         PathBuf::from(name)
-    };
-    let numbered = (2..=9).map(|number| format!(".broken-{number}"));
-    std::iter::once(".broken".to_owned())
-        .chain(numbered)
-        .map(named)
-        .find(|path| fs::symlink_metadata(path).is_err())
-        .unwrap_or_else(|| named(".broken".to_owned()))
+    });
+    let free = names.iter().find(|path| fs::symlink_metadata(path).is_err());
+    free.unwrap_or(&names[0]).clone()
 }
 
 /// Copy a session aside before another one takes its place.
@@ -282,6 +326,20 @@ mod tests {
         assert_eq!(save(&path, &of(4.0), &mut second).unwrap(), Some(aside.clone()));
         assert_eq!(load(&aside).session, Some(of(3.0)));
         assert_eq!(load(&path).session, Some(of(4.0)));
+        // A third one: nothing of the other two is lost.
+        let mut third = load(&path).known;
+        assert_eq!(save(&path, &of(5.0), &mut third).unwrap(), None);
+        assert_eq!(
+            save(&path, &of(6.0), &mut second).unwrap(),
+            Some(aside.with_file_name("session.other-2.toml"))
+        );
+        let kept = |name: &str| load(&place.path().join(name)).session;
+        assert_eq!(
+            (kept("session.other.toml"), kept("session.other-2.toml")),
+            (Some(of(3.0)), Some(of(5.0)))
+        );
+        assert_eq!(load(&path).session, Some(of(6.0)));
+        save(&path, &of(4.0), &mut second).unwrap();
         // Someone took the file away: it is written again.
         fs::remove_file(&path).unwrap();
         assert_eq!(save(&path, &of(4.0), &mut second).unwrap(), None);
