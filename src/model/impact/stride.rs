@@ -91,6 +91,10 @@ impl Track<'_> {
         if clock.heading == 0.0 || !room.is_finite() {
             return None;
         }
+        let strode_to = &mut self.strode_to[law as usize];
+        if *strode_to * clock.heading < 0.0 {
+            *strode_to = 0.0;
+        }
         if clock.now() * clock.heading < 0.0 {
             self.stride_in(&clock, room)
         } else {
@@ -121,7 +125,10 @@ impl Track<'_> {
 
     /// From the zero, or from close to it, as far as there is room.
     fn stride_out(&mut self, clock: &Clock<'_>, room: f64) -> Option<Taken> {
-        if self.stride_refused[clock.law as usize] == GIVEN_UP {
+        // Ordinary steps follow a velocity only as far as it is felt: it may seem to have come back towards the zero it has left.
+        let now = clock.now() * clock.heading;
+        let has_left = now > 0.0 && now < self.strode_to[clock.law as usize].abs();
+        if has_left || self.stride_refused[clock.law as usize] == GIVEN_UP {
             return None;
         }
         let mut far = room;
@@ -134,6 +141,7 @@ impl Track<'_> {
             }
             if let Some(stretch) = self.stretch(clock, clock.heading * far) {
                 self.go(clock, &stretch);
+                self.strode_to[clock.law as usize] = clock.shown(&self.state);
                 return Some(Taken(stretch.fired));
             }
             far *= SHORTER;

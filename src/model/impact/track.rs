@@ -67,6 +67,8 @@ pub(super) struct Track<'a> {
     pub(super) side_w: f64,
     /// Where a stride through the zero of the spring, and of the damper, was refused last on this way in, m and m/s.
     pub(super) stride_refused: [f64; 2],
+    /// Where the last stride out of each zero ended, m and m/s; 0 once the way is another one.
+    pub(super) strode_to: [f64; 2],
     /// What strides that the depth depends on may be off by, relative.
     pub(super) stride_error: f64,
     /// What rounding has left out of the displacement, m, as far as the last step knew.
@@ -136,6 +138,7 @@ impl<'a> Track<'a> {
             clear_m_s: 0.0,
             left_out_m: 0.0,
             stride_refused: [f64::INFINITY; 2],
+            strode_to: [0.0; 2],
             stride_error: 0.0,
             side_x: if problem.start_m < 0.0 { -1.0 } else { 1.0 },
             side_w: if pull < 0.0 { -1.0 } else { 1.0 },

@@ -39,9 +39,14 @@ impl<'a> Clock<'a> {
 
     /// What the clock shows at the start.
     pub(super) fn now(&self) -> f64 {
+        self.shown(&self.from)
+    }
+
+    /// What the clock shows at a state.
+    pub(super) fn shown(&self, state: &State) -> f64 {
         match self.law {
-            Law::Spring => self.from.plate_m,
-            Law::Damper => self.from.plate_m_s,
+            Law::Spring => state.plate_m,
+            Law::Damper => state.plate_m_s,
         }
     }
 
