@@ -85,8 +85,8 @@ impl Kind {
 
     fn count(self, app: &App, typed: &str) -> usize {
         match self {
-            Self::Help => dialog::help_rows(app.place(), typed).len(),
-            Self::Palette => dialog::palette_rows(typed).len(),
+            Self::Help => dialog::help_rows(app, typed).len(),
+            Self::Palette => dialog::palette_rows(app, typed).len(),
             Self::Presets => dialog::preset_rows(&app.presets, typed).len(),
             Self::History => app.history.edits.len() + 1,
             Self::Words => app.editor.variable().words().len(),
@@ -178,11 +178,11 @@ fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
     let typed = picker.filter.value();
     match kind {
         Kind::Help => {
-            let rows = dialog::help_rows(app.place(), typed);
+            let rows = dialog::help_rows(app, typed);
             rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
         }
         Kind::Palette => {
-            let rows = dialog::palette_rows(typed);
+            let rows = dialog::palette_rows(app, typed);
             rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
         }
         Kind::Presets => match selected_preset(app, picker) {

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{columns, paint_row, put};
+use super::text::{Rows, columns, paint_row, put};
 use crate::model::run::Run;
 use crate::model::units;
 use crate::model::variables::VARIABLES;
@@ -48,8 +48,8 @@ fn first_depth(run: &Run) -> String {
 const LEAD: u16 = 5;
 const NAME_LEAST: u16 = 5;
 
-/// Draw the pane.
-pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) {
+/// Draw the pane; gives where its rows lie.
+pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) -> Rows {
     let right = match (app.pins.is_empty(), focused) {
         (true, _) => "Space pins",
         (false, true) => "= adopt  x unpin",
@@ -77,6 +77,9 @@ pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) 
         paint_row(buffer, inner, selected, app.theme.style(Role::Selection));
     }
     below(app, inner, row, buffer);
+    let count = app.pins.len() + 1;
+    let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
+    Rows { area, first: 0, count }
 }
 
 /// How many value columns fit beside a name of some width.
