@@ -6,6 +6,7 @@ use tui_input::Input;
 use crate::model::variables::Value;
 use crate::tui::app::dialog::{self, Dialog, Picker, Save};
 use crate::tui::app::notice::Severity;
+use crate::tui::app::status::clip;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::message::{Binding, Effect, Place, PresetEntry, Target};
 
@@ -189,6 +190,10 @@ fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
             Some(entry) => edit::load(app, base_of(entry)),
             None if looks_like_path(typed) => vec![Effect::Load(typed.trim().into())],
             None => {
+                let typed = clip(typed.trim(), 24);
+                let text =
+                    format!("no preset matches; a file is opened by its path: ./{typed}.toml");
+                app.say(Severity::Note, text);
                 app.dialog = Some(Dialog::Presets(picker.clone()));
                 Vec::new()
             }

@@ -135,7 +135,7 @@ fn one(
     };
     let mut columns_left = place.shown.iter();
     while let Some((_, width, value)) = columns_left.next() {
-        let text = value(run);
+        let text = fitted(value(run), *width);
         let in_words = text.ends_with('!');
         if columns(&text) >= *width
             && let Some((_, more, _)) = columns_left.next()
@@ -148,6 +148,16 @@ fn one(
         let style = app.theme.style(if visible { role } else { Role::Dim });
         put(buffer, inner, (end.saturating_sub(columns(&text)), row), &text, style);
     }
+}
+
+/// A number in fewer columns than these, with as many of its figures as go in; a word as it is.
+fn fitted(text: String, width: u16) -> String {
+    let Ok(value) = text.parse::<f64>() else { return text };
+    let fewer = (1..=4_usize).rev().flat_map(|digits| {
+        [units::fixed_significant(value, digits), format!("{value:.*e}", digits - 1)]
+    });
+    let mut spellings = std::iter::once(text.clone()).chain(fewer);
+    spellings.find(|text| columns(text) < width).unwrap_or(text)
 }
 
 /// Below the rows: the difference to the selected pin (the first, where the current run is selected), or how to pin; then,
@@ -202,4 +212,24 @@ fn comparison(app: &App, pin: &Pin, width: usize) -> Vec<(String, Role)> {
     let text = if words.is_empty() { "same scene".to_owned() } else { words.join(", ") };
     lines.extend(wrap(&text, width).into_iter().map(|line| (line, Role::Text)));
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_is_never_cut_in_half() {
+        for (text, width, shown) in [
+            ("4.572", 7, "4.572"),
+            ("9.178e-10", 7, "9e-10"),
+            ("1.235e7", 7, "1.2e7"),
+            ("0.0001234", 7, "1.2e-4"),
+            ("-1.235e-12", 9, "-1.2e-12"),
+            ("-", 7, "-"),
+            ("perforated!", 7, "perforated!"),
+        ] {
+            assert_eq!(fitted(text.to_owned(), width), shown);
+        }
+    }
 }

@@ -238,3 +238,48 @@ fn the_summary_keeps_words_whole_and_says_once_how_the_run_ended() {
     assert!(words.join(" ").contains(&format!("warning {warning}")), "{summary}");
     assert!(summary.lines().last().unwrap().starts_with("              "), "{summary}");
 }
+
+#[test]
+fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
+    for size in [(80, 24), (120, 40), (160, 45)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        let mut shown = bench.app.shown.clone().unwrap();
+        let run = Arc::make_mut(&mut shown.run);
+        run.max_plate_displacement_m = Some(9.178e-13);
+        run.final_penetration_m = Some(12_345.678);
+        run.peak_contact_force_n = Some(1.234_5e-9);
+        bench.app.shown = Some(shown);
+        bench.app.focus = Place::Runs;
+        let screen = bench.screen();
+        let line = screen.lines().find(|line| line.contains("*now")).unwrap();
+        let cells: Vec<&str> = line.split(['|', ' ']).collect();
+        // Each number stands by itself.
+        for wanted in [12_345_678.0, 9.178e-10_f64] {
+            let found = cells.iter().filter_map(|cell| cell.parse::<f64>().ok());
+            let near = |value: f64| (value / wanted - 1.0).abs() < 0.05;
+            assert!(found.into_iter().any(near), "{size:?} {wanted}: {line}");
+        }
+    }
+}
+
+#[test]
+fn a_search_that_matches_no_preset_says_what_opens_a_file() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("p/");
+    bench.press("zzz");
+    bench.press("<Enter>");
+    assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
+    assert!(bench.app.dialog.is_some());
+}
+
+#[test]
+fn a_name_is_whole_where_short_titles_of_the_tabs_leave_room_for_it() {
+    let name = "a-name-of-thirty-characters-xy";
+    for (width, whole) in [(80, false), (100, true), (120, true), (160, true)] {
+        let mut bench = Bench::ascii(width, 24);
+        bench.app.base.name = name.to_owned();
+        let title = bench.screen().lines().next().unwrap().to_owned();
+        assert_eq!(title.contains(name), whole, "{title}");
+        assert!(title.contains("9:S"), "{title}");
+    }
+}
