@@ -58,8 +58,7 @@ impl Origin {
 /// Every preset that can be read, bundled first, then the user's own by name; and what could not be read.
 pub fn list(paths: Option<&Paths>) -> (Vec<Preset>, Vec<FileError>) {
     let mut presets = Vec::new();
-    let mut problems = Vec::new();
-    let own = paths.map(own_names).unwrap_or_default();
+    let (own, mut problems) = paths.map(own_presets).unwrap_or_default();
     let found = BUNDLED
         .iter()
         .map(|preset| from_bundled(*preset))
@@ -235,25 +234,33 @@ fn from_own(name: String, path: PathBuf) -> Result<Preset, FileError> {
     from_text(name, Origin::Mine(path), text)
 }
 
-/// Names and files of the user's own presets, by name.
-fn own_names(paths: &Paths) -> Vec<(String, PathBuf)> {
-    let Ok(entries) = fs::read_dir(&paths.presets) else {
-        return Vec::new();
+/// Names and files of the user's own presets, by name; and what keeps others from being found, which nobody would miss else.
+fn own_presets(paths: &Paths) -> (Vec<(String, PathBuf)>, Vec<FileError>) {
+    let entries = match fs::read_dir(&paths.presets) {
+        Ok(entries) => entries,
+        // Nobody has saved a preset yet.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Default::default(),
+        Err(error) => return (Vec::new(), vec![FileError::read(&paths.presets, error)]),
     };
-    let mut names: Vec<(String, PathBuf)> = entries
+    let files = entries
         .filter_map(Result::ok)
         .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
-        .filter_map(|path| Some((path.file_stem()?.to_str()?.to_owned(), path)))
-        .filter(|(name, _)| check_name(name).is_ok())
-        .collect();
-    names.sort();
-    names
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"));
+    let (mut own, mut problems) = (Vec::new(), Vec::new());
+    for path in files {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        match check_name(&name) {
+            Ok(()) => own.push((name, path)),
+            Err(problem) => problems.push(problem),
+        }
+    }
+    own.sort();
+    (own, problems)
 }
 
 /// What a person who wrote `name` may have meant.
 fn hint(name: &str, paths: Option<&Paths>) -> String {
-    let own = paths.map(own_names).unwrap_or_default();
+    let own = paths.map(|paths| own_presets(paths).0).unwrap_or_default();
     let names: Vec<&str> = BUNDLED
         .iter()
         .map(|preset| preset.name)
@@ -329,6 +336,25 @@ mod tests {
         let error = save(&paths, "hurt", &Scene::default(), Existing::Replace).unwrap_err();
         assert!(error.to_string().contains("left alone"), "{error}");
         assert!(fs::read_to_string(&path).unwrap().contains("mass_ration"));
+    }
+
+    #[test]
+    fn what_keeps_presets_from_being_found_is_told() {
+        let place = tempfile::tempdir().unwrap();
+        let paths = Paths::below(place.path());
+        let told = || list(Some(&paths)).1.iter().map(ToString::to_string).collect::<Vec<_>>();
+        // No folder yet: nobody has saved anything.
+        assert!(told().is_empty(), "{:?}", told());
+        fs::create_dir_all(&paths.presets).unwrap();
+        let long = "n".repeat(65);
+        fs::write(paths.presets.join(format!("{long}.toml")), "format = 1\n").unwrap();
+        fs::write(paths.presets.join("notes.txt"), "no preset").unwrap();
+        assert_eq!(told().len(), 1);
+        assert!(told()[0].contains(&long) && told()[0].contains("1 to 64"), "{}", told()[0]);
+        fs::remove_dir_all(&paths.presets).unwrap();
+        // A folder that cannot be read.
+        fs::write(&paths.presets, "a file").unwrap();
+        assert!(told()[0].contains("presets"), "{}", told()[0]);
     }
 
     #[test]

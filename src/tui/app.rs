@@ -288,6 +288,21 @@ impl App {
         }
     }
 
+    /// The panes of the tab, which Tab leads through.
+    pub fn panes(&self) -> &'static [Place] {
+        match self.tab {
+            Tab::Run => &[Place::Variables, Place::Charts, Place::Runs],
+            Tab::Sweep => &[Place::Setup, Place::Lines],
+            Tab::Surface => &[Place::Setup, Place::Surface],
+            Tab::Accuracy => &[Place::Accuracy],
+            Tab::Stability => &[Place::Map, Place::Battery],
+            Tab::Log => &[Place::Log],
+            Tab::Thesis => &[Place::Claims, Place::Principles, Place::Screening],
+            Tab::Limit => &[Place::Limit],
+            Tab::Search => &[Place::SearchSetup, Place::Search],
+        }
+    }
+
     /// Whether the scene differs from the preset it came from.
     pub fn is_modified(&self) -> bool {
         *self.scene != *self.base.scene

@@ -67,7 +67,11 @@ pub enum Target {
         /// The time.
         t_s: f64,
     },
-    /// A pane without parts to point at.
+    /// A run in the table of runs: 0 is the current one.
+    Run(usize),
+    /// An event of the current run, by its place.
+    Event(usize),
+    /// A pane, beside its parts.
     Pane(Place),
     /// A row of the setup of a sweep.
     Setup(SetupRow),
@@ -265,6 +269,31 @@ pub enum Place {
     SearchSetup,
     /// What the Search tab has found.
     Search,
+}
+
+impl Place {
+    /// Its name in the help overlay, the palette and messages.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Anywhere => "anywhere",
+            Self::Variables => "Variables",
+            Self::Charts => "Charts",
+            Self::Runs => "Runs",
+            Self::Setup => "Setup",
+            Self::Lines => "Sweep",
+            Self::Surface => "Surface",
+            Self::Accuracy => "Accuracy",
+            Self::Map => "Map",
+            Self::Battery => "Battery",
+            Self::Log => "Log",
+            Self::Claims => "Claims",
+            Self::Principles => "Principles",
+            Self::Screening => "Screening",
+            Self::Limit => "Limit",
+            Self::SearchSetup => "Search setup",
+            Self::Search => "Search",
+        }
+    }
 }
 
 /// Everything the workbench can do by a key.

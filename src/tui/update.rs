@@ -2,10 +2,10 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
-use crate::tui::app::App;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::layout::Body;
 use crate::tui::app::notice::{Notice, Severity};
+use crate::tui::app::{App, Tab};
 use crate::tui::message::{self, Action, Effect, Message, Place};
 use crate::worker::studies::StudyReport;
 
@@ -44,11 +44,12 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     match message {
         Message::Key(key) if key.kind == KeyEventKind::Release => Vec::new(),
         Message::Key(key) => press(app, key),
-        Message::Paste(text) => input::paste(app, &text),
         Message::Resize(width, height) => {
             app.size = (width, height);
             Vec::new()
         }
+        Message::Paste(_) | Message::Wheel(..) if app.layout().body == Body::TooSmall => Vec::new(),
+        Message::Paste(text) => input::paste(app, &text),
         Message::Click(target) => pointer::click(app, target),
         Message::Wheel(up, target) if app.dialog.is_none() => pointer::wheel(app, up, target),
         Message::Wheel(up, _) => {
@@ -112,7 +113,7 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     if app.sweeping.field.is_some() && app.picture().is_some() {
         return setup::press(app, key);
     }
-    if app.searching.field.is_some() && app.tab == crate::tui::app::Tab::Search {
+    if app.searching.field.is_some() && app.tab == Tab::Search {
         return search::press(app, key);
     }
     if let Some(action) = message::action_for(app.place(), key) {
@@ -151,22 +152,37 @@ fn close_top(app: &mut App) -> bool {
     let field = app.editor.field.take().is_some();
     let filter = app.editor.filter_field.take().is_some();
     let setup = app.sweeping.field.take().is_some();
-    open || field || filter || setup
+    let search = app.searching.field.take().is_some();
+    open || field || filter || setup || search
 }
 
 impl App {
     /// Say that a key does nothing here, where a person may have expected something.
     fn hint(&mut self, key: KeyEvent) {
-        let KeyCode::Char(c) = key.code else {
-            return;
+        let pressed = match key.code {
+            KeyCode::Char(_) => message::Key(key.code, KeyModifiers::NONE),
+            KeyCode::Enter | KeyCode::PageUp | KeyCode::PageDown | KeyCode::Delete => {
+                message::Key(key.code, key.modifiers)
+            }
+            _ => return,
         };
-        if key.modifiers.difference(KeyModifiers::SHIFT).is_empty() {
-            let text = if c.is_ascii_digit() && self.place() == Place::Variables {
-                format!("no tab has the number {c}: Enter opens the value to type it")
-            } else {
-                format!("`{c}` does nothing here: ? lists the keys")
-            };
-            self.notice = Some(Notice { severity: Severity::Note, text });
+        if !key.modifiers.difference(KeyModifiers::SHIFT).is_empty() {
+            return;
         }
+        let word = pressed.words();
+        let works_in = |place: Place| {
+            message::BINDINGS.iter().any(|row| row.place == place && row.keys.contains(&pressed))
+        };
+        let elsewhere = self.panes().iter().find(|place| works_in(**place));
+        let text = match (key.code, elsewhere) {
+            (KeyCode::Char(c), _) if c.is_ascii_digit() && self.place() == Place::Variables => {
+                format!("no tab has the number {c}: Enter opens the value to type it")
+            }
+            (_, Some(place)) => {
+                format!("`{word}` does nothing here, but in {}: Tab goes there", place.words())
+            }
+            (_, None) => format!("`{word}` does nothing here: ? lists the keys"),
+        };
+        self.notice = Some(Notice { severity: Severity::Note, text });
     }
 }

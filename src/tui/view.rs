@@ -82,10 +82,10 @@ fn run_tab(app: &App, panes: &Panes, buffer: &mut Buffer, cursor: &mut Cursor) {
     let areas: Vec<Rect> = panes.charts.iter().copied().map(rect).collect();
     let _ = charts::render(app, &areas, has(Place::Charts), buffer);
     if let Some(area) = panes.runs {
-        runs::render(app, rect(area), has(Place::Runs), buffer);
+        let _ = runs::render(app, rect(area), has(Place::Runs), buffer);
     }
     if let Some(area) = panes.events {
-        side::events(app, rect(area), buffer);
+        let _ = side::events(app, rect(area), buffer);
     }
     if let Some(area) = panes.ledger {
         side::ledger(app, rect(area), buffer);

@@ -6,6 +6,7 @@ mod curve;
 mod keys;
 mod limit;
 mod models;
+mod newcomer;
 mod pointer;
 mod readme;
 mod search;

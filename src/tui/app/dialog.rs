@@ -2,6 +2,7 @@
 
 use tui_input::Input;
 
+use super::App;
 use crate::files::export::Meta;
 use crate::files::style::Style;
 use crate::tui::message::{BINDINGS, Binding, Place, PresetEntry};
@@ -221,31 +222,13 @@ pub fn wrap(at: usize, by: isize, count: usize) -> usize {
     usize::try_from((at + by).rem_euclid(count)).unwrap_or(0)
 }
 
-/// The bindings the help overlay lists: the focused pane first, then those that work anywhere, then the other panes.
-pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
-    let order = [
-        Place::Variables,
-        Place::Charts,
-        Place::Runs,
-        Place::Setup,
-        Place::Lines,
-        Place::Surface,
-        Place::Accuracy,
-        Place::Map,
-        Place::Battery,
-        Place::Log,
-        Place::Claims,
-        Place::Principles,
-        Place::Screening,
-        Place::Limit,
-        Place::SearchSetup,
-        Place::Search,
-    ];
-    let others = order.into_iter().filter(|place| *place != focus);
-    let places = [focus, Place::Anywhere].into_iter().chain(others);
+/// The bindings the help overlay lists: the focused pane first, then those that work anywhere, then those of the other panes,
+/// the tab's own before all others.
+pub fn help_rows(app: &App, filter: &str) -> Vec<&'static Binding> {
     let wanted = filter.to_lowercase();
-    places
-        .flat_map(|place| BINDINGS.iter().filter(move |row| row.place == place))
+    let mut places = vec![app.place(), Place::Anywhere];
+    places.extend(beside(app));
+    in_order(&places)
         .filter(|row| {
             row.help.to_lowercase().contains(&wanted)
                 || row.short.to_lowercase().contains(&wanted)
@@ -254,11 +237,14 @@ pub fn help_rows(focus: Place, filter: &str) -> Vec<&'static Binding> {
         .collect()
 }
 
-/// The actions that match what was typed in the palette, best first, each once.
-pub fn palette_rows(typed: &str) -> Vec<&'static Binding> {
+/// The actions that match what was typed in the palette, best first, each once: as the focused pane has it, or another pane
+/// of the tab, where one has it.
+pub fn palette_rows(app: &App, typed: &str) -> Vec<&'static Binding> {
+    let mut places = vec![app.place()];
+    places.extend(beside(app));
     let mut seen = Vec::new();
     let mut ranked: Vec<(usize, &'static Binding)> = Vec::new();
-    for row in BINDINGS {
+    for row in in_order(&places) {
         if row.is_movement() || seen.contains(&row.action) {
             continue;
         }
@@ -270,6 +256,20 @@ pub fn palette_rows(typed: &str) -> Vec<&'static Binding> {
     }
     ranked.sort_by_key(|(rank, _)| *rank);
     ranked.into_iter().map(|(_, row)| row).collect()
+}
+
+/// The other panes of the tab.
+fn beside(app: &App) -> impl Iterator<Item = Place> {
+    let here = app.place();
+    app.panes().iter().copied().filter(move |place| *place != here)
+}
+
+/// All bindings: those of some places in their order, then the others as they stand in the table.
+fn in_order(places: &[Place]) -> impl Iterator<Item = &'static Binding> {
+    let last = places.len();
+    let mut rows: Vec<&'static Binding> = BINDINGS.iter().collect();
+    rows.sort_by_key(|row| places.iter().position(|place| *place == row.place).unwrap_or(last));
+    rows.into_iter()
 }
 
 /// The presets whose name or origin matches, best first; all of them in their order when nothing is typed.
@@ -320,6 +320,5 @@ mod tests {
         assert_eq!(fuzzy("xyz", "export runs to CSV"), None);
         assert!(fuzzy("exp", "export runs") < fuzzy("exp", "next pane"));
         assert!(fuzzy("pin", "pin this run") < fuzzy("pin", "unpin this run"));
-        assert_eq!(palette_rows("export")[0].short, "export");
     }
 }

@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use super::Base;
 use super::runs::Pin;
+use super::search::setup::Setup;
+use super::sweep::Visits;
 use crate::model::scene::Scene;
 
 /// The scene and what it is compared with, at one moment.
@@ -21,6 +23,17 @@ const RESULTS_KEPT: usize = 8;
 /// A result with more rows in its series is not kept at all.
 const ROWS_MAX: usize = 100_000;
 
+/// What is set up in a tab beside the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Setting {
+    /// What the Search tab looks for.
+    Search(Box<Setup>),
+    /// The points that the Sweep and Surface tabs visit.
+    Visits(Visits),
+    /// The weights of the screening matrix, percent.
+    Weights([f64; 7]),
+}
+
 /// One edit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edit {
@@ -32,6 +45,8 @@ pub struct Edit {
     pub after: Snapshot,
     /// The pin it took away: then the scene is the same before and after.
     pub unpinned: Option<Pin>,
+    /// The setup of a tab that it changed, before and after: then the scene is the same before and after, too.
+    pub setting: Option<(Setting, Setting)>,
     /// The variable it was stepped with, while further steps still belong to it.
     pub stepping: Option<usize>,
 }
@@ -58,6 +73,9 @@ impl History {
         {
             last.after = edit.after;
             last.label = edit.label;
+            if let (Some((_, last)), Some((_, new))) = (&mut last.setting, edit.setting) {
+                *last = new;
+            }
             return;
         }
         self.edits.push(edit);
@@ -85,6 +103,15 @@ impl History {
     pub fn unpinned(&self, edits: std::ops::Range<usize>) -> Vec<Pin> {
         let edits = self.edits.get(edits).unwrap_or_default();
         edits.iter().filter_map(|edit| edit.unpinned.clone()).collect()
+    }
+
+    /// The setups of tabs on the way from here to the state after the first `done` edits, in this order.
+    pub fn settings_to(&self, done: usize) -> Vec<Setting> {
+        let of = |range: std::ops::Range<usize>| {
+            self.edits.get(range).unwrap_or_default().iter().filter_map(|it| it.setting.clone())
+        };
+        let back = of(done.min(self.done)..self.done).map(|it| it.0).rev().collect::<Vec<_>>();
+        back.into_iter().chain(of(self.done.min(done)..done).map(|it| it.1)).collect()
     }
 
     /// Do the last undone edit again; gives it.
@@ -119,7 +146,14 @@ mod tests {
                 job: None,
             };
             let (before, after, label) = (at.clone(), at.clone(), String::new());
-            history.push(Edit { label, before, after, unpinned: Some(pin), stepping: None });
+            history.push(Edit {
+                label,
+                before,
+                after,
+                unpinned: Some(pin),
+                setting: None,
+                stepping: None,
+            });
         }
         // The hundred edits are all there, and the pins; of the results the newest.
         assert_eq!(history.unpinned(0..100).len(), 100);

@@ -144,7 +144,7 @@ impl App {
             SetupRow::Design => {
                 shown("design", self.sweeping.spread(picture).word().to_owned(), "")
             }
-            SetupRow::Curves => shown("curves", self.sweeping.curves.to_string(), ""),
+            SetupRow::Curves => shown("curves", self.sweeping.visits.curves.to_string(), ""),
             SetupRow::Output => {
                 let at = self.sweeping.output.min(sweep.outputs.len() - 1);
                 shown(&sweep.outputs[at], String::new(), "")
@@ -179,7 +179,7 @@ impl App {
             }
             SetupRow::Name(at) => sweep.axes[at].name.clone(),
             SetupRow::Points(at) => sweep.axes[at].count.to_string(),
-            SetupRow::Curves => self.sweeping.curves.to_string(),
+            SetupRow::Curves => self.sweeping.visits.curves.to_string(),
             SetupRow::Output => {
                 sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)].clone()
             }

@@ -103,7 +103,8 @@ impl App {
         let (_, map) = self.stability.map.as_ref()?;
         let (row, column) = self.stability.cursor()?;
         let here = if self.stability.present() == Some((row, column)) {
-            "; the scene, thesis's step"
+            // In one row of 80 columns: a second one would move the map.
+            "; the scene"
         } else {
             ""
         };

@@ -270,10 +270,22 @@ impl App {
         let name = name_of(&run.scene, &self.base.name, &self.base.scene);
         let mut lines = vec![format!("scene         {name}")];
         lines.extend(results(run));
-        lines.extend(run.warnings.iter().map(|warning| format!("warning       {warning}")));
-        lines.join("\n")
+        // How it ended stands beside the outcome already.
+        let warnings = run.warnings.iter().filter(|it| !matches!(it, Warning::EndedEarly(_)));
+        lines.extend(warnings.map(|warning| format!("{:<LABEL$}{warning}", "warning")));
+        let room = usize::from(self.size.0).saturating_sub(LABEL).max(LABEL);
+        let hang = |line: String| {
+            // A label is columns of ASCII.
+            let (label, words) = line.split_at_checked(LABEL).unwrap_or((&line, ""));
+            let indent = format!("\n{:LABEL$}", "");
+            format!("{label}{}", wrap(words, room).join(&indent))
+        };
+        lines.into_iter().map(hang).collect::<Vec<_>>().join("\n")
     }
 }
+
+/// Columns of a label before its words, in the summary and beside the runs.
+const LABEL: usize = 14;
 
 /// A warning with the key that acts on it, where there is one.
 pub fn warning_text(warning: &Warning) -> String {
@@ -295,7 +307,7 @@ pub fn warning_text(warning: &Warning) -> String {
 /// The results of a run in words, one a line.
 pub fn results(run: &Run) -> Vec<String> {
     let mut lines = vec![format!("outcome       {} ({})", run.outcome, run.end.words())];
-    let mut add = |name: &str, text: String| lines.push(format!("{name:<14}{text}"));
+    let mut add = |name: &str, text: String| lines.push(format!("{name:<LABEL$}{text}"));
     if let Some(arrest) = run.first_arrest {
         let depth = millimetres(Some(arrest.penetration_m));
         add("first arrest", format!("{depth} mm deep at {}", engineering(arrest.t_s, "s")));
@@ -324,7 +336,7 @@ pub fn results(run: &Run) -> Vec<String> {
         add("plate travel", format!("{} mm at most", millimetres(run.max_plate_displacement_m)));
     }
     if let Some(ratio) = run.interface_demand_ratio {
-        add("interface", format!("{ratio:.3} of the A S_y it can push"));
+        add("interface", format!("{} of the A S_y it can push", times(ratio)));
     }
     lines
 }

@@ -110,6 +110,21 @@ impl Spread {
     }
 }
 
+/// How many points the two tabs visit, and which.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Visits {
+    /// Curves of a family.
+    pub curves: u64,
+    /// Which points each tab visits: Sweep, Surface.
+    pub spreads: [Spread; 2],
+}
+
+impl Default for Visits {
+    fn default() -> Self {
+        Self { curves: CURVES, spreads: [Spread::Grid; 2] }
+    }
+}
+
 /// Which contour is drawn over a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Contour {
@@ -145,10 +160,8 @@ pub struct Sweeping {
     pub contour: Contour,
     /// The surface shows what a fitted quadratic leaves over.
     pub residuals: bool,
-    /// Curves of a family.
-    pub curves: u64,
-    /// Which points each tab visits: Sweep, Surface.
-    spreads: [Spread; 2],
+    /// Curves of a family, and which points are visited.
+    pub visits: Visits,
 }
 
 impl Default for Sweeping {
@@ -165,8 +178,7 @@ impl Default for Sweeping {
             log_values: false,
             contour: Contour::Cursor,
             residuals: false,
-            curves: CURVES,
-            spreads: [Spread::Grid; 2],
+            visits: Visits::default(),
         }
     }
 }
@@ -182,12 +194,12 @@ impl Sweeping {
 
     /// Which points a picture visits.
     pub fn spread(&self, picture: Picture) -> Spread {
-        self.spreads[picture as usize]
+        self.visits.spreads[picture as usize]
     }
 
     /// Let a picture visit other points.
     pub fn set_spread(&mut self, picture: Picture, spread: Spread) {
-        self.spreads[picture as usize] = spread;
+        self.visits.spreads[picture as usize] = spread;
     }
 
     /// Show what was found.

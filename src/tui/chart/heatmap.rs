@@ -19,6 +19,9 @@
 
 use std::borrow::Cow;
 
+/// Values nearer to each other, relative to the contour's, are the same.
+const NOISE: f64 = 1e-9;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
@@ -110,6 +113,8 @@ impl Heatmap<'_> {
     /// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
     fn contour(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
         let Some(level) = self.contour else { return };
+        // Where all values are the same but for rounding there is no line between them.
+        let noise = NOISE * level.abs();
         let value = |column: u16, row: u16| {
             let x = spread(column, plot.width, self.counts.0);
             match (self.spot)(x, Half::Middle.spread(plot, row, self.counts.1)) {
@@ -122,7 +127,9 @@ impl Heatmap<'_> {
                 let Some(here) = value(column, row) else { continue };
                 let crossed = |other: Option<f64>| {
                     other.is_some_and(|other| {
-                        (here < 0.0) != (other < 0.0) && here.abs() <= other.abs()
+                        (here < 0.0) != (other < 0.0)
+                            && here.abs() <= other.abs()
+                            && (here - other).abs() > noise
                     })
                 };
                 let beside = [
@@ -307,6 +314,26 @@ mod tests {
     fn bands_marks_contour_and_cursor_are_characters_without_colour() {
         let text = lines(Theme::PLAIN, Some((4, 3))).join("\n");
         insta::assert_snapshot!(text);
+    }
+
+    #[test]
+    fn no_contour_runs_through_what_differs_by_rounding_only() {
+        let flat = |x: usize, y: usize| Spot::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
+        let levels = Levels::of(Scale::Linear, [0.0, 110.0]).unwrap();
+        let axis = |label, hi| Axis::new(label, ViewRange::new(0.0, hi));
+        let map = Heatmap {
+            title: "t".into(),
+            x: axis("x", 10.0),
+            y: axis("y", 5.0),
+            counts: (11, 6),
+            spot: &flat,
+            levels: &levels,
+            contour: Some(100.0 + 3e-14),
+            cursor: None,
+            focused: false,
+        };
+        let text = map.to_lines(29, 10, Theme::PLAIN).join("\n");
+        assert!(!text.contains('O'), "{text}");
     }
 
     #[test]

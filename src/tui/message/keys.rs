@@ -259,6 +259,8 @@ pub static BINDINGS: &[Binding] = &[
     bind(Map, &[plain('L'), shifted(C::Right)], A::CursorRightFar, "far right", "crosshair ten columns right", 0),
     bind(Map, &[plain('k'), special(C::Up)], A::Up, "up", "crosshair up", 0),
     bind(Map, &[plain('j'), special(C::Down)], A::Down, "row", "crosshair down", 5),
+    bind(Map, &[plain('K'), special(C::PageUp)], A::CursorUpFar, "far up", "crosshair ten rows up", 0),
+    bind(Map, &[plain('J'), special(C::PageDown)], A::CursorDownFar, "far down", "crosshair ten rows down", 0),
     bind(Map, &[plain('v')], A::MapVariable, "k, n or b", "the other variable of the map: k, n or b", 3),
     bind(Map, &[plain('w')], A::MapMethod, "method", "the method of the map: the thesis's or classical Runge-Kutta", 4),
 
@@ -305,12 +307,16 @@ pub static BINDINGS: &[Binding] = &[
     bind(Limit, &[plain('l'), special(C::Right)], A::CursorRight, "shot", "crosshair to the faster shot", 2),
     bind(Limit, &[plain('H'), shifted(C::Left)], A::CursorLeftFar, "far left", "crosshair five shots slower", 0),
     bind(Limit, &[plain('L'), shifted(C::Right)], A::CursorRightFar, "far right", "crosshair five shots faster", 0),
+    bind(Limit, &[plain('g'), special(C::Home)], A::First, "first", "crosshair to the slowest shot", 0),
+    bind(Limit, &[plain('G'), special(C::End)], A::Last, "last", "crosshair to the fastest shot", 0),
     bind(Limit, &[plain('v')], A::Scatter, "V50", "V50 and spread with every input scattered by 2 %, or without", 3),
 
     bind(SearchSetup, &[plain('k'), special(C::Up)], A::Up, "up", "row above", 0),
     bind(SearchSetup, &[plain('j'), special(C::Down)], A::Down, "row", "row below", 3),
     bind(SearchSetup, &[plain('g'), special(C::Home)], A::First, "first", "first row", 0),
     bind(SearchSetup, &[plain('G'), special(C::End)], A::Last, "last", "last row", 0),
+    bind(SearchSetup, &[special(C::PageUp)], A::PageUp, "page up", "a page up", 0),
+    bind(SearchSetup, &[special(C::PageDown)], A::PageDown, "page down", "a page down", 0),
     bind(SearchSetup, &[special(C::Enter)], A::Edit, "edit", "type a variable, bounds (0.8..7, 1e3..1e6:log, off), a goal, a result", 2),
     bind(SearchSetup, &[plain('h'), special(C::Left)], A::StepDown, "less", "the one before, or off", 0),
     bind(SearchSetup, &[plain('l'), special(C::Right)], A::StepUp, "change", "the next one, or on", 4),
@@ -321,9 +327,11 @@ pub static BINDINGS: &[Binding] = &[
     bind(Search, &[plain('h'), special(C::Left), plain('k'), special(C::Up)], A::CursorLeft, "before", "the design or solution before", 0),
     bind(Search, &[plain('L'), shifted(C::Right), special(C::PageDown)], A::CursorRightFar, "far right", "ten designs on", 0),
     bind(Search, &[plain('H'), shifted(C::Left), special(C::PageUp)], A::CursorLeftFar, "far left", "ten designs back", 0),
+    bind(Search, &[plain('g'), special(C::Home)], A::First, "first", "the first design or solution", 0),
+    bind(Search, &[plain('G'), special(C::End)], A::Last, "last", "the last design or solution", 0),
     bind(Search, &[special(C::Enter)], A::OpenDesign, "open", "load this design into the scene and open the Run tab (u undoes)", 4),
-    bind(Search, &[plain('X')], A::LogX, "log across", "logarithmic or linear axis across", 0),
-    bind(Search, &[plain('Y')], A::LogY, "log up", "logarithmic or linear axis upward", 0),
+    bind(Search, &[plain('X')], A::LogX, "log across", "logarithmic or linear axis across (best designs)", 0),
+    bind(Search, &[plain('Y')], A::LogY, "log up", "logarithmic or linear axis upward (best designs, goal seek)", 0),
 ];
 
 /// The action of a key in a place, if any: the place's own bindings first, then those that work anywhere.

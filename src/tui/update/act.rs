@@ -231,7 +231,7 @@ fn movement(app: &mut App, action: Action) {
         }
         // The cursor's own steps.
         Place::Lines | Place::Surface | Place::Limit | Place::Search => {}
-        Place::SearchSetup => app.move_in_search(by(8)),
+        Place::SearchSetup => app.move_in_search(by(app.layout().log_rows())),
         Place::Accuracy => {
             let last = Method::ALL.len() - 1;
             let selected = app.accuracy.selected;

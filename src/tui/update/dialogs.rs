@@ -6,6 +6,7 @@ use tui_input::Input;
 use crate::model::variables::Value;
 use crate::tui::app::dialog::{self, Dialog, Picker, Save};
 use crate::tui::app::notice::Severity;
+use crate::tui::app::status::clip;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::message::{Binding, Effect, Place, PresetEntry, Target};
 
@@ -85,8 +86,8 @@ impl Kind {
 
     fn count(self, app: &App, typed: &str) -> usize {
         match self {
-            Self::Help => dialog::help_rows(app.place(), typed).len(),
-            Self::Palette => dialog::palette_rows(typed).len(),
+            Self::Help => dialog::help_rows(app, typed).len(),
+            Self::Palette => dialog::palette_rows(app, typed).len(),
             Self::Presets => dialog::preset_rows(&app.presets, typed).len(),
             Self::History => app.history.edits.len() + 1,
             Self::Words => app.editor.variable().words().len(),
@@ -178,17 +179,21 @@ fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
     let typed = picker.filter.value();
     match kind {
         Kind::Help => {
-            let rows = dialog::help_rows(app.place(), typed);
+            let rows = dialog::help_rows(app, typed);
             rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
         }
         Kind::Palette => {
-            let rows = dialog::palette_rows(typed);
+            let rows = dialog::palette_rows(app, typed);
             rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
         }
         Kind::Presets => match selected_preset(app, picker) {
             Some(entry) => edit::load(app, base_of(entry)),
             None if looks_like_path(typed) => vec![Effect::Load(typed.trim().into())],
             None => {
+                let typed = clip(typed.trim(), 24);
+                let text =
+                    format!("no preset matches; a file is opened by its path: ./{typed}.toml");
+                app.say(Severity::Note, text);
                 app.dialog = Some(Dialog::Presets(picker.clone()));
                 Vec::new()
             }

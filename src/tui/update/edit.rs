@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::dialog::wrap;
-use crate::tui::app::history::{Edit, Snapshot};
+use crate::tui::app::history::{Edit, Setting, Snapshot};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::Pin;
 use crate::tui::app::steps::{self, Size};
@@ -71,7 +71,9 @@ pub(super) fn load(app: &mut App, base: Base) -> Vec<Effect> {
 
 fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>) -> Vec<Effect> {
     let before = Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() };
-    app.history.push(Edit { label, before, after: after.clone(), unpinned: None, stepping });
+    let edit =
+        Edit { label, before, after: after.clone(), unpinned: None, setting: None, stepping };
+    app.history.push(edit);
     install(app, after)
 }
 
@@ -86,10 +88,43 @@ fn install(app: &mut App, snapshot: Snapshot) -> Vec<Effect> {
 
 /// Note that a pin was taken away, as one edit.
 pub(super) fn note_unpinned(app: &mut App, pin: Pin) {
-    let here = Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() };
     let label = format!("unpin {}: {}", pin.letter, pin.name);
-    let (before, after) = (here.clone(), here);
-    app.history.push(Edit { label, before, after, unpinned: Some(pin), stepping: None });
+    let edit = Edit { unpinned: Some(pin), ..beside_the_scene(app, label) };
+    app.history.push(edit);
+}
+
+/// Note that the setup of a tab was changed, as one edit; `stepping` joins it with the steps just before.
+pub(super) fn note_setting(
+    app: &mut App,
+    setting: (Setting, Setting),
+    label: String,
+    stepping: Option<usize>,
+) {
+    let edit = Edit { setting: Some(setting), stepping, ..beside_the_scene(app, label) };
+    app.history.push(edit);
+}
+
+/// An edit that leaves the scene alone.
+fn beside_the_scene(app: &App, label: String) -> Edit {
+    let before = Snapshot { scene: Arc::clone(&app.scene), base: app.base.clone() };
+    let after = before.clone();
+    Edit { label, before, after, unpinned: None, setting: None, stepping: None }
+}
+
+/// Set a tab up as it was, or will be again.
+fn set_up(app: &mut App, setting: Setting) -> Vec<Effect> {
+    match setting {
+        Setting::Search(setup) => {
+            app.searching.setup = *setup;
+            app.searching.problem = None;
+        }
+        Setting::Visits(visits) => {
+            app.sweeping.visits = visits;
+            return sweep::after_edit(app);
+        }
+        Setting::Weights(weights) => app.thesis.weights = weights,
+    }
+    Vec::new()
 }
 
 /// Take the last edit back.
@@ -99,9 +134,10 @@ pub(super) fn undo(app: &mut App) -> Vec<Effect> {
         return Vec::new();
     };
     app.say(Severity::Note, format!("undone: {} (Ctrl-r redoes)", edit.label));
-    match edit.unpinned {
-        Some(pin) => runs::put_back(app, pin),
-        None => install(app, edit.before),
+    match (edit.unpinned, edit.setting) {
+        (Some(pin), _) => runs::put_back(app, pin),
+        (None, Some((before, _))) => set_up(app, before),
+        (None, None) => install(app, edit.before),
     }
 }
 
@@ -112,9 +148,10 @@ pub(super) fn redo(app: &mut App) -> Vec<Effect> {
         return Vec::new();
     };
     app.say(Severity::Note, format!("redone: {}", edit.label));
-    match edit.unpinned {
-        Some(pin) => runs::take_away(app, &pin),
-        None => install(app, edit.after),
+    match (edit.unpinned, edit.setting) {
+        (Some(pin), _) => runs::take_away(app, &pin),
+        (None, Some((_, after))) => set_up(app, after),
+        (None, None) => install(app, edit.after),
     }
 }
 
@@ -134,6 +171,9 @@ pub(super) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
     effects.extend(back.into_iter().flat_map(|pin| runs::put_back(app, pin)));
     let gone = app.history.unpinned(here.min(done)..done);
     effects.extend(gone.into_iter().flat_map(|pin| runs::take_away(app, &pin)));
+    for setting in app.history.settings_to(done) {
+        effects.extend(set_up(app, setting));
+    }
     app.history.done = done;
     app.say(Severity::Note, format!("back to the state after edit {done}"));
     effects.extend(install(app, snapshot));

@@ -34,6 +34,8 @@ pub(super) fn is_own(app: &App, action: Action) -> bool {
                 | Action::CursorRight
                 | Action::CursorLeftFar
                 | Action::CursorRightFar
+                | Action::First
+                | Action::Last
         )
 }
 
@@ -51,6 +53,8 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         Action::CursorRight => app.limit.move_cursor(1),
         Action::CursorLeftFar => app.limit.move_cursor(-FAR),
         Action::CursorRightFar => app.limit.move_cursor(FAR),
+        Action::First => app.limit.cursor = (!app.limit.shots().is_empty()).then_some(0),
+        Action::Last => app.limit.cursor = app.limit.shots().len().checked_sub(1),
         _ => table::open(app, Table::Limit),
     }
     Vec::new()

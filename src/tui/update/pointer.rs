@@ -31,6 +31,11 @@ pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
             app.charts.selected = chart;
             app.charts.cursor_s = Some(t_s);
         }
+        Target::Run(run) => return choose_run(app, run),
+        Target::Event(event) => {
+            app.focus = Place::Charts;
+            app.place_at_event(event);
+        }
         Target::Pane(place) => focus(app, place),
         Target::Setup(row) => {
             if app.sweeping.on_setup && app.sweeping.row == row {
@@ -74,6 +79,16 @@ pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
     Vec::new()
 }
 
+/// A row of the table of runs: selected, and adopted where it was selected already.
+fn choose_run(app: &mut App, run: usize) -> Vec<Effect> {
+    if app.focus == Place::Runs && app.selected_run == run {
+        return act::act(app, Action::Adopt);
+    }
+    app.focus = Place::Runs;
+    app.selected_run = run;
+    Vec::new()
+}
+
 /// A row of the list that the tab shows: selected, and opened where it was selected already.
 fn pick(app: &mut App, row: usize) -> Vec<Effect> {
     if app.tab == Tab::Stability {
@@ -99,6 +114,7 @@ pub(super) fn wheel(app: &mut App, up: bool, target: Option<Target>) -> Vec<Effe
         Some(Target::Variable(_)) => app.focus = Place::Variables,
         Some(Target::Setup(_)) => app.sweeping.on_setup = true,
         Some(Target::SearchSetup(_)) => app.searching.on_setup = true,
+        Some(Target::Run(_)) => app.focus = Place::Runs,
         Some(Target::Pane(place)) => focus(app, place),
         Some(Target::Design(_)) => app.searching.on_setup = false,
         Some(Target::Point(_)) => app.sweeping.on_setup = false,
@@ -127,7 +143,12 @@ fn is_typing(app: &App) -> bool {
 
 fn focus(app: &mut App, place: Place) {
     match place {
-        Place::Search => app.searching.on_setup = false,
+        Place::Search | Place::SearchSetup => {
+            app.searching.on_setup = place == Place::SearchSetup;
+        }
+        Place::Setup | Place::Lines | Place::Surface => {
+            app.sweeping.on_setup = place == Place::Setup;
+        }
         _ => app.focus = place,
     }
 }

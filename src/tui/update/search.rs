@@ -13,10 +13,11 @@ use crate::study::search::measure::{self, measure, parse_value};
 use crate::study::search::seek::SCAN;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Table, wrap};
+use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::layout::Body;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::search::setup::{bound, read_bound};
-use crate::tui::app::search::{Found, Row, SearchField};
+use crate::tui::app::search::setup::{Setup, bound, read_bound};
+use crate::tui::app::search::{Found, Page, Row, SearchField};
 use crate::tui::app::sweep::numeric;
 use crate::tui::app::{App, Tab};
 use crate::tui::message::{Action, Effect, Message};
@@ -24,6 +25,8 @@ use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
 
 /// Far along a front, in designs.
 const FAR: isize = 10;
+/// Steps in a row of the setup that belong to one edit carry this, the page and the row in place of a variable.
+const STEPPING: usize = usize::MAX / 2;
 /// Steps of numbers that are not typed.
 const POPULATIONS: (usize, usize, usize) = (20, 400, 20);
 const GENERATIONS: (usize, usize, usize) = (10, 1000, 10);
@@ -49,6 +52,8 @@ pub(super) fn is_own(app: &App, action: Action) -> bool {
             | A::CursorRight
             | A::CursorLeftFar
             | A::CursorRightFar
+            | A::First
+            | A::Last
             | A::OpenDesign
             | A::LogX
             | A::LogY
@@ -68,8 +73,22 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         Action::StepDown => return step(app, -1),
         Action::Edit => return open_field(app),
         Action::OpenDesign => return open(app),
+        Action::LogX if app.searching.page != Page::Front => {
+            app.say(
+                Severity::Note,
+                "only the chart of the best designs has a scale across to choose",
+            );
+        }
+        Action::LogY if !matches!(app.searching.page, Page::Front | Page::Seek) => {
+            app.say(
+                Severity::Note,
+                "nothing with a scale to choose here: goal seek and best designs have one",
+            );
+        }
         Action::LogX => app.searching.log.0 = !app.searching.log.0,
         Action::LogY => app.searching.log.1 = !app.searching.log.1,
+        Action::First => walk(app, isize::MIN / 2),
+        Action::Last => walk(app, isize::MAX / 2),
         Action::CursorLeft => walk(app, -1),
         Action::CursorRight => walk(app, 1),
         Action::CursorLeftFar => walk(app, -FAR),
@@ -182,10 +201,49 @@ pub(super) fn report(app: &mut App, body: StudyBody) {
     }
 }
 
-/// The next value of the selected row.
+/// The next value of the selected row, as one edit with the steps just before.
 fn step(app: &mut App, by: isize) -> Vec<Effect> {
     let row = app.search_row();
     app.searching.row = row;
+    if row == Row::Page {
+        return turn(app, by);
+    }
+    let before = app.searching.setup.clone();
+    change(app, row, by);
+    note(app, row, before, true);
+    Vec::new()
+}
+
+/// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
+fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
+    if app.searching.setup == before {
+        return;
+    }
+    let at = app.search_rows().iter().position(|one| *one == row).unwrap_or(0);
+    let stepping = stepped.then_some(STEPPING + 100 * app.searching.page.place() + at);
+    // Held arrows: from where they began.
+    let first = match app.history.edits.last() {
+        Some(Edit { stepping: last, setting: Some((Setting::Search(first), _)), .. })
+            if stepped && *last == stepping =>
+        {
+            Setup::clone(first)
+        }
+        Some(_) | None => before.clone(),
+    };
+    let after = std::mem::replace(&mut app.searching.setup, first);
+    let old = app.search_shown(row);
+    app.searching.setup = after.clone();
+    let new = app.search_shown(row);
+    let label = match (old.1.is_empty(), new.1.is_empty()) {
+        // A result stands in the place of its label.
+        (true, true) => format!("search: {} -> {}", old.0, new.0),
+        (_, _) => format!("search: {} {} -> {}", new.0, old.1, new.1),
+    };
+    let setting = (Setting::Search(Box::new(before)), Setting::Search(Box::new(after)));
+    edit::note_setting(app, setting, label, stepping);
+}
+
+fn change(app: &mut App, row: Row, by: isize) {
     let bounds = app.search_bounds();
     let objectives = app.chosen_objectives().len().max(1);
     let setup = &mut app.searching.setup;
@@ -200,7 +258,7 @@ fn step(app: &mut App, by: isize) -> Vec<Effect> {
         all[wrap(at, by, all.len())]
     };
     match row {
-        Row::Page => return turn(app, by),
+        Row::Page => {}
         Row::Name => {
             let names: Vec<&'static str> = numeric().map(|variable| variable.symbol).collect();
             let at = names.iter().position(|name| *name == setup.seek.name).unwrap_or(0);
@@ -238,7 +296,6 @@ fn step(app: &mut App, by: isize) -> Vec<Effect> {
             app.say(Severity::Note, "Enter types a value here");
         }
     }
-    Vec::new()
 }
 
 fn open_field(app: &mut App) -> Vec<Effect> {
@@ -247,8 +304,9 @@ fn open_field(app: &mut App) -> Vec<Effect> {
     match row {
         Row::Page | Row::Spacing | Row::Across | Row::Up => return step(app, 1),
         Row::Objective(at) => {
-            let on = &mut app.searching.setup.objectives[at];
-            *on = !*on;
+            let before = app.searching.setup.clone();
+            app.searching.setup.objectives[at] = !before.objectives[at];
+            note(app, row, before, false);
         }
         Row::Heading(_) => {}
         _ => {
@@ -284,9 +342,13 @@ fn commit(app: &mut App, then: isize) {
     // The bounds of a held variable are a proposal: typed again they are taken.
     let same = text == app.search_text(field.row) && !matches!(field.row, Row::Bound(_));
     let untouched = field.fresh || same;
+    let before = app.searching.setup.clone();
     let taken = if untouched { Ok(()) } else { take(app, field.row, &text) };
     match taken {
-        Ok(()) => app.move_in_search(then),
+        Ok(()) => {
+            note(app, field.row, before, false);
+            app.move_in_search(then);
+        }
         Err(error) => app.searching.field = Some(SearchField { error: Some(error), ..field }),
     }
 }

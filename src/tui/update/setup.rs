@@ -17,6 +17,7 @@ use crate::study::sweep::grid::GRID_COUNTS;
 use crate::study::sweep::{self, Axis};
 use crate::tui::app::App;
 use crate::tui::app::dialog::wrap;
+use crate::tui::app::history::Setting;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::steps::{self, Size};
 use crate::tui::app::sweep::{
@@ -155,7 +156,7 @@ fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Ve
                 let (least, most) = (CURVES.start(), CURVES.end());
                 return Err(format!("curves = {curves} must be {least} to {most}"));
             }
-            return tried(app, picture, |sweeping| sweeping.curves = curves);
+            return tried(app, picture, |sweeping| sweeping.visits.curves = curves);
         }
         SetupRow::Output => {
             let output = sweep::output(text).map_err(|error| error.to_string())?;
@@ -211,9 +212,9 @@ fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)
             tried(app, picture, |sweeping| sweeping.set_spread(picture, next))
         }
         SetupRow::Curves => {
-            let curves = app.sweeping.curves.saturating_add_signed(by as i64);
+            let curves = app.sweeping.visits.curves.saturating_add_signed(by as i64);
             let next = curves.clamp(*CURVES.start(), *CURVES.end());
-            tried(app, picture, |sweeping| sweeping.curves = next)
+            tried(app, picture, |sweeping| sweeping.visits.curves = next)
         }
         SetupRow::Output => {
             let at = app.sweeping.output.min(sweep.outputs.len() - 1);
@@ -328,13 +329,23 @@ fn tried(
     picture: Picture,
     change: impl FnOnce(&mut Sweeping),
 ) -> Result<Vec<Effect>, String> {
-    let before = (app.sweeping.curves, app.sweeping.spread(picture));
+    let (before, old) = (app.sweeping.visits, app.sweeping.spread(picture));
     change(&mut app.sweeping);
     if let Err(error) = app.sweep_plan(picture) {
-        app.sweeping.curves = before.0;
-        app.sweeping.set_spread(picture, before.1);
+        app.sweeping.visits = before;
         return Err(error.to_string());
     }
+    let (after, new) = (app.sweeping.visits, app.sweeping.spread(picture));
+    if after == before {
+        return Ok(Vec::new());
+    }
+    let label = if old == new {
+        format!("curves {} -> {}", before.curves, after.curves)
+    } else {
+        format!("design {} -> {}", old.word(), new.word())
+    };
+    let setting = (Setting::Visits(before), Setting::Visits(after));
+    edit::note_setting(app, setting, label, None);
     Ok(super::sweep::after_edit(app))
 }
 

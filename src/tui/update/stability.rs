@@ -41,6 +41,8 @@ pub(super) fn is_own(action: Action) -> bool {
             | Action::CursorRight
             | Action::CursorLeftFar
             | Action::CursorRightFar
+            | Action::CursorUpFar
+            | Action::CursorDownFar
             | Action::Quantity
     )
 }
@@ -73,6 +75,8 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         Action::Quantity => tab.turned += 1,
         Action::CursorLeft => tab.move_cursor(0, -1),
         Action::CursorRight => tab.move_cursor(0, 1),
+        Action::CursorUpFar => tab.move_cursor(FAR, 0),
+        Action::CursorDownFar => tab.move_cursor(-FAR, 0),
         Action::CursorLeftFar => tab.move_cursor(0, -FAR),
         Action::CursorRightFar => tab.move_cursor(0, FAR),
         _ if tab.battery_shown => table::open(app, Table::Battery),

@@ -4,11 +4,13 @@ use std::sync::Arc;
 
 use super::{edit, jobs, sweep, table};
 use crate::model::scene::Scene;
+use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
-use crate::study::screening::{CONCEPTS, WEIGHTS_PERCENT, ranking};
+use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 use crate::study::thesis::Opens;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::Table;
+use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::sweep::{Picture, Spread};
 use crate::tui::app::thesis::Page;
@@ -18,6 +20,8 @@ use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
 
 /// A step of a weight, percent.
 const STEP: f64 = 1.0;
+/// Steps of a weight that belong to one edit carry this and the criterion in place of a variable.
+const STEPPING: usize = usize::MAX - 100;
 /// No weight is greater.
 const WEIGHT_MAX: f64 = 100.0;
 
@@ -55,16 +59,42 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         Action::NextVerdict => tab.next_filter(),
         Action::StepUp | Action::StepDown => {
             let by = if action == Action::StepUp { STEP } else { -STEP };
-            let weight = &mut tab.weights[tab.criterion];
-            *weight = (*weight + by).clamp(0.0, WEIGHT_MAX);
+            let (mut weights, at) = (tab.weights, tab.criterion);
+            weights[at] = (weights[at] + by).clamp(0.0, WEIGHT_MAX);
+            weigh(app, weights, Some(at));
         }
         Action::ResetAll => {
-            tab.weights = WEIGHTS_PERCENT;
-            app.say(Severity::Note, "the weights are those of Table 7.1 again");
+            weigh(app, WEIGHTS_PERCENT, None);
+            app.say(Severity::Note, "the weights are those of Table 7.1 again (u undoes)");
         }
         _ => table::open(app, Table::Thesis),
     }
     Vec::new()
+}
+
+/// Other weights, as one edit; steps of one criterion join.
+fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
+    let before = std::mem::replace(&mut app.thesis.weights, weights);
+    if weights.map(f64::to_bits) == before.map(f64::to_bits) {
+        return;
+    }
+    let stepping = stepped.map(|at| STEPPING + at);
+    let label = match stepped {
+        None => "printed weights".to_owned(),
+        Some(at) => {
+            // Held arrows: from where they began.
+            let first = match app.history.edits.last() {
+                Some(Edit {
+                    stepping: last, setting: Some((Setting::Weights(first), _)), ..
+                }) if *last == stepping => first[at],
+                Some(_) | None => before[at],
+            };
+            let percent = |weight| significant(weight, 4);
+            format!("{} {} -> {} %", CRITERIA[at], percent(first), percent(weights[at]))
+        }
+    };
+    let setting = (Setting::Weights(before), Setting::Weights(weights));
+    edit::note_setting(app, setting, label, stepping);
 }
 
 fn check(app: &mut App) -> Vec<Effect> {

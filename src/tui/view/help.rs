@@ -11,7 +11,13 @@ use crate::tui::app::App;
 use crate::tui::app::dialog::{Picker, help_rows, palette_rows};
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::message::{Binding, Place};
-use crate::tui::theme::Role;
+use crate::tui::theme::{Role, columns};
+
+/// Where the pane and the sentence of a row begin.
+const PLACE: u16 = 16;
+const SENTENCE: u16 = 29;
+/// A list keeps so many rows before anything stands below it.
+const LEAST_ROWS: u16 = 4;
 
 /// Keys: what the selected variable means on top, then the keys of the focused pane, then the others.
 pub(super) fn help(
@@ -34,7 +40,7 @@ pub(super) fn help(
         ..inner
     };
     filter(app, picker, rest, buffer, cursor);
-    let rows = help_rows(app.place(), picker.filter.value());
+    let rows = help_rows(app, picker.filter.value());
     list(app, &rows, picker.selected, below(rest), buffer)
 }
 
@@ -48,7 +54,7 @@ pub(super) fn palette(
 ) -> Rows {
     let inner = frame(app, screen, (76, 20), ("Find an action", "Esc closes"), buffer);
     filter(app, picker, inner, buffer, cursor);
-    let rows = palette_rows(picker.filter.value());
+    let rows = palette_rows(app, picker.filter.value());
     list(app, &rows, picker.selected, below(inner), buffer)
 }
 
@@ -60,6 +66,8 @@ fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut 
     if rows.is_empty() {
         put(buffer, area, (0, 0), "nothing matches", app.theme.style(Role::Dim));
     }
+    let room = usize::from(area.width.saturating_sub(SENTENCE));
+    let area = whole(app, rows, (selected, room), area, buffer);
     let first = first_row(selected, usize::from(area.height), rows.len());
     for (row, (index, binding)) in (0..area.height).zip(rows.iter().enumerate().skip(first)) {
         put(
@@ -69,9 +77,8 @@ fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut 
             &clip(&binding.keys_in_words(), 15),
             app.theme.style(Role::Key),
         );
-        put(buffer, area, (16, row), place(binding.place), app.theme.style(Role::Dim));
-        let room = usize::from(area.width.saturating_sub(27));
-        put(buffer, area, (27, row), &clip(binding.help, room), app.theme.style(Role::Text));
+        put(buffer, area, (PLACE, row), binding.place.words(), app.theme.style(Role::Dim));
+        put(buffer, area, (SENTENCE, row), &clip(binding.help, room), app.theme.style(Role::Text));
         if index == selected {
             paint_row(buffer, area, row, app.theme.style(Role::Selection));
         }
@@ -79,26 +86,29 @@ fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut 
     Rows { area, first, count: rows.len() }
 }
 
-fn place(place: Place) -> &'static str {
-    match place {
-        Place::Anywhere => "anywhere",
-        Place::Variables => "Variables",
-        Place::Charts => "Charts",
-        Place::Runs => "Runs",
-        Place::Setup => "Setup",
-        Place::Lines => "Sweep",
-        Place::Surface => "Surface",
-        Place::Accuracy => "Accuracy",
-        Place::Map => "Map",
-        Place::Battery => "Battery",
-        Place::Log => "Log",
-        Place::Claims => "Claims",
-        Place::Principles => "Principles",
-        Place::Screening => "Screening",
-        Place::Limit => "Limit",
-        Place::SearchSetup => "Search setup",
-        Place::Search => "Search",
+/// The whole sentence of the selected row below the list, where some are cut and there is room; gives what is left for the
+/// list.
+fn whole(
+    app: &App,
+    rows: &[&Binding],
+    (selected, room): (usize, usize),
+    area: Rect,
+    buffer: &mut Buffer,
+) -> Rect {
+    let width = usize::from(area.width);
+    let cut = rows.iter().filter(|row| columns(row.help) > room);
+    let needed = cut.map(|row| wrap(row.help, width).len()).max().unwrap_or(0);
+    let needed = u16::try_from(needed).unwrap_or(u16::MAX);
+    if needed == 0 || area.height < needed.saturating_add(LEAST_ROWS) {
+        return area;
     }
+    let list = Rect { height: area.height - needed, ..area };
+    let below = Rect { y: list.bottom(), height: needed, ..area };
+    let lines = rows.get(selected).map_or_else(Vec::new, |row| wrap(row.help, width));
+    for (row, line) in (0..below.height).zip(&lines) {
+        put(buffer, below, (0, row), line, app.theme.style(Role::Dim));
+    }
+    list
 }
 
 /// Meaning, allowed values, range and source of the selected variable, while the list of variables has the keys.

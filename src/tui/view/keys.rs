@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::text::{columns, put_line};
 use crate::tui::app::App;
 use crate::tui::app::dialog::Dialog;
-use crate::tui::app::sweep::SetupRow;
+use crate::tui::app::sweep::{SetupRow, has_family};
 use crate::tui::message::{Action, BINDINGS, Binding, Place};
 use crate::tui::theme::Role;
 
@@ -19,7 +19,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         Some(list) => {
             list.iter().map(|(key, what)| ((*key).to_owned(), (*what).to_owned())).collect()
         }
-        None => from_table(app.place(), area.width),
+        None => from_table(app, area.width),
     };
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
@@ -111,7 +111,8 @@ fn in_dialog(dialog: &Dialog) -> Keys {
 }
 
 /// As many as fit by priority, then the pane's own first and `?` last.
-fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
+fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
+    let place = app.place();
     let mut rows: Vec<&Binding> = BINDINGS
         .iter()
         .filter(|row| row.footer > 0 && (row.place == place || row.place == Place::Anywhere))
@@ -134,6 +135,7 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
             }
         })
         .collect();
+    rows.retain(|row| !is_idle(app, row));
     rows.sort_by_key(|row| (row.footer, row.place == Place::Anywhere));
     let mut used = 1;
     rows.retain(|row| {
@@ -148,6 +150,15 @@ fn from_table(place: Place, width: u16) -> Vec<(String, String)> {
             (key, short.to_owned())
         })
         .collect()
+}
+
+/// Whether it has nothing to act on as things are: no design to choose or open, no family of curves.
+fn is_idle(app: &App, row: &Binding) -> bool {
+    match (row.place, row.action) {
+        (Place::Search, Action::CursorRight | Action::OpenDesign) => app.searching.choices() == 0,
+        (Place::Lines, Action::Down) => !has_family(&app.scene),
+        (_, _) => false,
+    }
 }
 
 /// The key to show, with its opposite where there is one: `h/l step`.

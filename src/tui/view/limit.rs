@@ -22,7 +22,8 @@ const OWN_IN_VIEW: f64 = 4.0;
 
 /// Draw the tab; gives where the chart lies, if there is one.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
-    let head = app.limit_headline().unwrap_or_default();
+    // Until something is found nothing stands above the pane.
+    let Some(head) = app.limit_headline() else { return chart(app, area, buffer) };
     let head = if app.limit_is_old() { format!("old: {head}") } else { head };
     let head = clip(&head, usize::from(area.width.saturating_sub(2)));
     let role = if app.limit_is_old() { Role::Warning } else { Role::Title };

@@ -7,7 +7,8 @@ use ratatui::layout::Rect;
 
 use super::text::first_row;
 use super::{
-    accuracy, charts, limit, popup, rect, rows, search, stability, surface, sweep, thesis,
+    accuracy, charts, limit, popup, rect, rows, runs, search, side, stability, surface, sweep,
+    thesis,
 };
 use crate::study::limit::Shot;
 use crate::tui::app::App;
@@ -23,6 +24,9 @@ pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     let screen = Rect::new(0, 0, app.size.0, app.size.1);
     let unseen = || Buffer::empty(screen);
     let layout = app.layout();
+    if layout.body == Body::TooSmall {
+        return None;
+    }
     if app.dialog.is_some() {
         return in_dialog(app, screen, at);
     }
@@ -114,22 +118,28 @@ fn in_run(app: &App, panes: &Panes, at: (u16, u16)) -> Option<Target> {
         // The lowest row belongs to no variable.
         let height = usize::from(area.height.saturating_sub(3));
         let first = app.editor.first_row(&app.scene, height);
-        let row = row_of(area, at).filter(|row| *row < height)?;
-        return match app.editor.rows(&app.scene).get(first + row)? {
-            Row::Variable(index) => Some(Target::Variable(*index)),
-            Row::Heading(_) => None,
-        };
+        let rows = app.editor.rows(&app.scene);
+        let row =
+            row_of(area, at).filter(|row| *row < height).and_then(|row| rows.get(first + row));
+        return Some(match row {
+            Some(Row::Variable(index)) => Target::Variable(*index),
+            Some(Row::Heading(_)) | None => Target::Pane(Place::Variables),
+        });
     }
-    if panes.runs.is_some_and(|area| rect(area).contains(at.into())) {
-        return Some(Target::Pane(Place::Runs));
+    let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    if let Some(area) = panes.runs.map(rect).filter(|area| area.contains(at.into())) {
+        let rows = runs::render(app, area, false, &mut unseen);
+        return Some(rows.at(at).map_or(Target::Pane(Place::Runs), Target::Run));
+    }
+    if let Some(area) = panes.events.map(rect).filter(|area| area.contains(at.into())) {
+        return side::events(app, area, &mut unseen).at(at).map(Target::Event);
     }
     let areas: Vec<Rect> = panes.charts.iter().copied().map(rect).collect();
     let place = areas.iter().position(|area| area.contains(at.into()))?;
-    let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let layouts = charts::render(app, &areas, false, &mut unseen);
-    let index = if areas.len() == 1 { app.charts.selected } else { place };
-    let t_s = along(layouts.get(place)?, at)?;
-    Some(Target::Time { chart: index, t_s })
+    let chart = if areas.len() == 1 { app.charts.selected } else { place };
+    let time = layouts.get(place).and_then(|layout| along(layout, at));
+    Some(time.map_or(Target::Pane(Place::Charts), |t_s| Target::Time { chart, t_s }))
 }
 
 /// The value of a chart's horizontal axis at a cell of its plot.
@@ -146,16 +156,28 @@ fn in_sweep(app: &App, panes: &SweepPanes, at: (u16, u16)) -> Option<Target> {
         let here = rows.iter().position(|row| *row == app.setup_row(picture)).unwrap_or(0);
         let height = usize::from(area.height.saturating_sub(2));
         let first = if app.sweeping.on_setup { first_row(here, height, rows.len()) } else { 0 };
-        let row = *rows.get(first + row_of(area, at)?)?;
-        return (!matches!(row, SetupRow::Heading(_))).then_some(Target::Setup(row));
+        let row = row_of(area, at).and_then(|row| rows.get(first + row));
+        let row = row.filter(|row| !matches!(row, SetupRow::Heading(_)));
+        return Some(row.map_or(Target::Pane(Place::Setup), |row| Target::Setup(*row)));
     }
-    let grid = &app.sweeping.found(picture)?.grid;
+    let panes_of = panes.plots.iter().chain(&panes.scale).chain(&panes.slices);
+    if !panes_of.copied().any(|area| rect(area).contains(at.into())) {
+        return None;
+    }
+    let beside = Some(Target::Pane(match picture {
+        Picture::Line => Place::Lines,
+        Picture::Surface => Place::Surface,
+    }));
+    let Some(found) = app.sweeping.found(picture) else { return beside };
+    let grid = &found.grid;
     let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     let layouts = match picture {
         Picture::Line => sweep::render(app, panes, &mut unseen),
         Picture::Surface => surface::render(app, panes, &mut unseen).into_iter().collect(),
     };
-    let layout = layouts.into_iter().find(|layout| layout.plot.contains(at.into()))?;
+    let Some(layout) = layouts.into_iter().find(|layout| layout.plot.contains(at.into())) else {
+        return beside;
+    };
     let axes = grid.plan().axes();
     let (x, up) = (at.0 - layout.plot.x, layout.plot.bottom() - 1 - at.1);
     if !grid.is_full() {
@@ -202,10 +224,14 @@ fn in_search(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Option<
         let design = nearest_design(app, (setup, found), at);
         return design.map(Target::Design).or(Some(Target::Pane(Place::Search)));
     }
+    if !rect(setup).contains(at.into()) {
+        return None;
+    }
     let rows = app.search_rows();
     let here = rows.iter().position(|row| *row == app.search_row()).unwrap_or(0);
     let height = usize::from(setup.height.saturating_sub(2));
     let first = if app.searching.on_setup { first_row(here, height, rows.len()) } else { 0 };
-    let row = *rows.get(first + row_of(setup, at)?)?;
-    (!matches!(row, SearchRow::Heading(_))).then_some(Target::SearchSetup(row))
+    let row = row_of(setup, at).and_then(|row| rows.get(first + row));
+    let row = row.filter(|row| !matches!(row, SearchRow::Heading(_)));
+    Some(row.map_or(Target::Pane(Place::SearchSetup), |row| Target::SearchSetup(*row)))
 }

@@ -76,9 +76,6 @@ fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
         };
         Tab::ALL.into_iter().map(title).collect()
     };
-    if width >= 100 {
-        return (true, titles(usize::MAX, true, true));
-    }
     if width < 74 {
         // Not even the tabs have room: only the one shown has its name.
         return (width >= 66, titles(1, false, true));
@@ -89,13 +86,15 @@ fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
         let tabs: usize = titles.iter().map(|title| title.chars().count() + 1).sum();
         tabs + name + if named { 9 } else { 3 } <= usize::from(width)
     };
-    for (named, active_full) in [(true, true), (false, true)] {
-        let titles = titles(usize::MAX, false, active_full);
+    for (named, full) in [(true, true), (false, true), (true, false), (false, false)] {
+        let titles = titles(usize::MAX, full, true);
         if fits(named, &titles) {
             return (named, titles);
         }
     }
-    (false, titles(usize::MAX, false, false))
+    // No titles leave a very long name whole.
+    let roomy = width >= 100;
+    (roomy, titles(usize::MAX, roomy, roomy))
 }
 
 /// The newest message with its mark, or what stands in its place.

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{columns, paint_row, put};
+use super::text::{Rows, columns, paint_row, put};
 use crate::model::run::Run;
 use crate::model::units;
 use crate::model::variables::VARIABLES;
@@ -48,8 +48,8 @@ fn first_depth(run: &Run) -> String {
 const LEAD: u16 = 5;
 const NAME_LEAST: u16 = 5;
 
-/// Draw the pane.
-pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) {
+/// Draw the pane; gives where its rows lie.
+pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) -> Rows {
     let right = match (app.pins.is_empty(), focused) {
         (true, _) => "Space pins",
         (false, true) => "= adopt  x unpin",
@@ -77,6 +77,9 @@ pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) 
         paint_row(buffer, inner, selected, app.theme.style(Role::Selection));
     }
     below(app, inner, row, buffer);
+    let count = app.pins.len() + 1;
+    let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
+    Rows { area, first: 0, count }
 }
 
 /// How many value columns fit beside a name of some width.
@@ -132,7 +135,7 @@ fn one(
     };
     let mut columns_left = place.shown.iter();
     while let Some((_, width, value)) = columns_left.next() {
-        let text = value(run);
+        let text = fitted(value(run), *width);
         let in_words = text.ends_with('!');
         if columns(&text) >= *width
             && let Some((_, more, _)) = columns_left.next()
@@ -145,6 +148,16 @@ fn one(
         let style = app.theme.style(if visible { role } else { Role::Dim });
         put(buffer, inner, (end.saturating_sub(columns(&text)), row), &text, style);
     }
+}
+
+/// A number in fewer columns than these, with as many of its figures as go in; a word as it is.
+fn fitted(text: String, width: u16) -> String {
+    let Ok(value) = text.parse::<f64>() else { return text };
+    let fewer = (1..=4_usize).rev().flat_map(|digits| {
+        [units::fixed_significant(value, digits), format!("{value:.*e}", digits - 1)]
+    });
+    let mut spellings = std::iter::once(text.clone()).chain(fewer);
+    spellings.find(|text| columns(text) < width).unwrap_or(text)
 }
 
 /// Below the rows: the difference to the selected pin (the first, where the current run is selected), or how to pin; then,
@@ -199,4 +212,24 @@ fn comparison(app: &App, pin: &Pin, width: usize) -> Vec<(String, Role)> {
     let text = if words.is_empty() { "same scene".to_owned() } else { words.join(", ") };
     lines.extend(wrap(&text, width).into_iter().map(|line| (line, Role::Text)));
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_is_never_cut_in_half() {
+        for (text, width, shown) in [
+            ("4.572", 7, "4.572"),
+            ("9.178e-10", 7, "9e-10"),
+            ("1.236e7", 7, "1.24e7"),
+            ("0.0001234", 7, "1.2e-4"),
+            ("-1.235e-12", 9, "-1.2e-12"),
+            ("-", 7, "-"),
+            ("perforated!", 7, "perforated!"),
+        ] {
+            assert_eq!(fitted(text.to_owned(), width), shown);
+        }
+    }
 }

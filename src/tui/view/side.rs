@@ -3,16 +3,16 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{paint_row, put};
+use super::text::{Rows, paint_row, put};
 use crate::tui::app::App;
 use crate::tui::app::log::{energy_lines, event_lines};
 use crate::tui::theme::{Pane, Role};
 
-/// The events.
-pub(super) fn events(app: &App, area: Rect, buffer: &mut Buffer) {
+/// The events; gives where they stand.
+pub(super) fn events(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let inner = Pane::new("Events").right("n N").render(area, buffer, app.theme);
     let Some(shown) = &app.shown else {
-        return;
+        return Rows { area: inner, first: 0, count: 0 };
     };
     let lines = event_lines(&shown.run);
     if lines.is_empty() {
@@ -24,6 +24,7 @@ pub(super) fn events(app: &App, area: Rect, buffer: &mut Buffer) {
             paint_row(buffer, inner, row, app.theme.style(Role::Selection));
         }
     }
+    Rows { area: inner, first: 0, count: lines.len() }
 }
 
 /// The energy ledger.

@@ -171,9 +171,19 @@ fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), buffer: &mut Buffer
     let style = app.theme.style(Role::Text);
     let rows = map.values.len();
     let every = if plot.height < 24 { 3 } else { 6 };
-    for y in (0..plot.height).step_by(every) {
-        let row = rows - 1 - spread(y, plot.height, rows);
-        let text = significant(map.values[row], 2);
+    let value = |y: u16| map.values[rows - 1 - spread(y, plot.height, rows)];
+    // Powers of ten where there are some: they tell where the others are.
+    let is_power = |value: f64| (value.log10() - value.log10().round()).abs() < 1e-9;
+    let powers = (0..plot.height).filter(|y| is_power(value(*y))).collect::<Vec<_>>();
+    let mut free = 0;
+    let labelled = (0..plot.height).filter(|y| {
+        let due = if powers.len() > 2 { powers.contains(y) } else { y % every == 0 };
+        let wanted = due && *y >= free;
+        free = if wanted { y + every - 1 } else { free };
+        wanted
+    });
+    for y in labelled {
+        let text = significant(value(y), 2);
         let column = GUTTER.saturating_sub(columns(&text) + 1);
         put(buffer, inner, (column, y), &text, style);
     }
@@ -226,7 +236,16 @@ const NAME: u16 = 24;
 fn battery(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.stability;
     let page = Page::of(&BATTERY, area.width.saturating_sub(2 + NAME), tab.turned);
+    let rows = tab.rows();
+    let height = usize::from(area.height.saturating_sub(3));
+    let first = first_row(tab.selected, height, rows.len());
     let title = if area.width < 70 { "Battery" } else { "Battery of stiff and extreme scenes" };
+    let title = if rows.len() > height {
+        let last = (first + height).min(rows.len());
+        format!("{title} {}-{last}/{}", first + 1, rows.len())
+    } else {
+        title.to_owned()
+    };
     let hint = page.hint().map_or_else(String::new, |hint| hint + "  ");
     let pane = Pane::new(title).right(hint + "Tab: map").focused(app.dialog.is_none());
     let inner = pane.render(area, buffer, app.theme);
@@ -234,13 +253,10 @@ fn battery(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     put(buffer, inner, (0, 0), "scene", dim);
     page.headings(buffer, inner, NAME, dim);
     let why = NAME + page.width() + 2;
-    let rows = tab.rows();
     if rows.is_empty() {
         let text = if tab.running.is_some() { "running the first scenes" } else { "r runs it" };
         put(buffer, inner, (1, 2), text, dim);
     }
-    let height = usize::from(inner.height.saturating_sub(1));
-    let first = first_row(tab.selected, height, rows.len());
     for (y, (index, row)) in (1..inner.height).zip(rows.iter().enumerate().skip(first)) {
         let failed = row.shortfall.is_some();
         let style = app.theme.style(if failed { Role::Error } else { Role::Text });

@@ -13,14 +13,14 @@ use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::pointer::target;
 
 /// Where a text stands on the screen.
-fn find(bench: &Bench, text: &str) -> (u16, u16) {
+pub(super) fn find(bench: &Bench, text: &str) -> (u16, u16) {
     let screen = bench.screen();
     let (row, line) = screen.lines().enumerate().find(|(_, line)| line.contains(text)).unwrap();
     let column = line[..line.find(text).unwrap()].chars().count();
     (u16::try_from(column).unwrap(), u16::try_from(row).unwrap())
 }
 
-fn click(bench: &mut Bench, at: (u16, u16)) {
+pub(super) fn click(bench: &mut Bench, at: (u16, u16)) {
     let hit = target(&bench.app, at).unwrap_or_else(|| panic!("nothing at {at:?}"));
     bench.send(Message::Click(hit));
     bench.answer();

@@ -27,7 +27,7 @@ impl App {
             Picture::Line if has_family(scene) => {
                 let second = axis(1)?;
                 let (name, ends) = (second.symbol(), second.ends());
-                axes.push(Axis::new(name, ends, self.sweeping.curves, second.spacing())?);
+                axes.push(Axis::new(name, ends, self.sweeping.visits.curves, second.spacing())?);
             }
             Picture::Line => {}
             Picture::Surface => axes.push(axis(1)?),

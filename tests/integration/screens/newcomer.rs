@@ -1,0 +1,285 @@
+//! What somebody new to the workbench tries: undoing a setup, keys that belong to another pane, the palette in every tab,
+//! Ctrl-C in an open field, leaving with the summary.
+
+use super::bench::Bench;
+use super::pointer::{click, find};
+use super::{limit, search, stability, sweep};
+use cmra::model::run::{EndReason, Outcome, Warning};
+use cmra::study::screening::WEIGHTS_PERCENT;
+use cmra::tui::app::Tab;
+use cmra::tui::app::search::Page;
+use cmra::tui::app::sweep::{Picture, Spread};
+use cmra::tui::message::{Effect, Message, Place, Target};
+use cmra::tui::theme::GlyphSet;
+use cmra::tui::view::pointer::target;
+use std::sync::Arc;
+
+fn in_search(size: (u16, u16)) -> Bench {
+    let mut bench = Bench::ascii(size.0, size.1);
+    bench.press("9");
+    search::answer(&mut bench);
+    bench
+}
+
+#[test]
+fn what_is_looked_for_is_undone_and_redone_like_any_edit() {
+    let mut bench = in_search((80, 24));
+    let scene = bench.app.scene.clone();
+    bench.keys("<Tab>G<Enter>50 %<Enter>");
+    assert_eq!(bench.app.searching.setup.goal.1.to_bits(), 50.0_f64.to_bits());
+    // Held arrows are one edit.
+    bench.keys("kll");
+    assert_eq!(bench.app.searching.setup.goal.0, "peak_contact_force_n");
+    assert_eq!(bench.app.history.edits.len(), 2);
+    assert_eq!(bench.app.history.edits[0].label, "search: is 60 % -> 50 %");
+    bench.keys("u");
+    assert_eq!(bench.app.searching.setup.goal.0, "percent_of_baseline");
+    assert!(bench.message().starts_with("undone: search: percent of baseline ->"));
+    bench.keys("u");
+    assert_eq!(bench.app.searching.setup.goal.1.to_bits(), 60.0_f64.to_bits());
+    bench.keys("<C-r><C-r>");
+    assert_eq!(bench.app.searching.setup.goal.0, "peak_contact_force_n");
+    assert_eq!(bench.app.scene, scene);
+}
+
+#[test]
+fn the_list_of_edits_leads_over_setups_and_scenes_alike() {
+    let mut bench = in_search((80, 24));
+    bench.keys("<Tab>G<Enter>50 %<Enter>");
+    bench.press("1<Enter>0.02<Enter>9");
+    search::answer(&mut bench);
+    bench.keys("G<Enter>40 %<Enter>");
+    assert_eq!(bench.app.history.edits.len(), 3);
+    let state =
+        |bench: &Bench| (bench.app.searching.setup.goal.1, bench.app.scene.projectile.mass_kg);
+    for (edits, expected) in [(0, (60.0, 0.0295)), (3, (40.0, 0.02)), (1, (50.0, 0.0295))] {
+        bench.keys("U");
+        bench.keys("g");
+        for _ in 0..edits {
+            bench.keys("j");
+        }
+        bench.keys("<Enter>");
+        assert_eq!(state(&bench), expected, "after {edits} edits");
+    }
+}
+
+#[test]
+fn points_curves_and_weights_are_undone_too() {
+    let mut bench = sweep::open("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
+    bench.press("3<Tab>jjjjj");
+    let before = bench.app.history.edits.len();
+    bench.press("l");
+    assert_ne!(bench.app.sweeping.spread(Picture::Surface), Spread::Grid);
+    assert_eq!(bench.app.history.edits[before].label, "design grid -> lhs");
+    bench.press("u");
+    assert_eq!(bench.app.sweeping.spread(Picture::Surface), Spread::Grid);
+    bench.press("7<Tab><Tab>lll");
+    assert!(bench.app.thesis.weights[0] > WEIGHTS_PERCENT[0] + 2.5);
+    assert!(bench.app.history.edits[before].label.ends_with("12 -> 15 %"));
+    bench.press("D");
+    assert!(bench.message().contains("u undoes"));
+    bench.press("u");
+    assert!(bench.app.thesis.weights[0] > WEIGHTS_PERCENT[0] + 2.5);
+    bench.press("u");
+    assert_eq!(bench.app.thesis.weights.map(f64::to_bits), WEIGHTS_PERCENT.map(f64::to_bits));
+}
+
+#[test]
+fn ctrl_c_closes_the_field_of_a_search_and_does_not_leave() {
+    let mut bench = in_search((80, 24));
+    bench.keys("<Tab>G<Enter>50");
+    assert!(bench.app.searching.field.is_some());
+    bench.keys("<C-c>");
+    assert!(bench.app.searching.field.is_none());
+    assert!(!bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })));
+}
+
+#[test]
+fn a_key_of_another_pane_says_where_it_works() {
+    let mut bench = Bench::ascii(80, 24);
+    for (keys, said) in [
+        ("n", "`n` does nothing here, but in Charts: Tab goes there"),
+        ("x", "`x` does nothing here, but in Runs: Tab goes there"),
+        ("o", "`o` does nothing here: ? lists the keys"),
+        ("4<Enter>", "`Enter` does nothing here: ? lists the keys"),
+    ] {
+        bench.press(keys);
+        assert_eq!(bench.message(), said);
+    }
+}
+
+#[test]
+fn the_palette_offers_an_action_as_the_tab_has_it() {
+    for (tab, typed, place) in [
+        ("9", "logarithmic", Place::Search),
+        ("9<Tab>", "logarithmic", Place::Search),
+        ("2", "logarithmic", Place::Lines),
+        ("3<Tab>", "logarithmic", Place::Surface),
+        ("4", "logarithmic", Place::Accuracy),
+        ("6", "logarithmic", Place::Charts),
+    ] {
+        let mut bench = Bench::ascii(80, 24);
+        bench.press(tab);
+        let rows = cmra::tui::app::dialog::palette_rows(&bench.app, typed);
+        let found = rows.iter().find(|row| row.help.contains("logarithmic")).unwrap();
+        assert_eq!(found.place, place, "{tab}: {}", found.help);
+    }
+}
+
+#[test]
+fn a_sentence_that_is_cut_in_the_list_stands_whole_below_it() {
+    for (opens, size) in [("6?", (80, 24)), (":", (80, 24)), ("6?", (60, 16)), (":", (60, 16))] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        bench.press(opens);
+        bench.press(if opens == ":" { "mouse" } else { "/mouse" });
+        let screen = bench.screen();
+        // The list has its beginning only.
+        assert!(screen.contains("let the program have"), "{opens} {size:?}\n{screen}");
+        assert!(screen.contains("wheel moves or zooms)"), "{opens} {size:?}\n{screen}");
+    }
+}
+
+#[test]
+fn the_keys_row_leaves_out_what_has_nothing_to_act_on() {
+    let mut bench = in_search((120, 36));
+    let keys = |bench: &Bench| bench.screen().lines().last().unwrap().to_owned();
+    assert!(keys(&bench).contains("h/l design"), "{}", keys(&bench));
+    bench.press("vv");
+    search::answer(&mut bench);
+    assert_eq!(bench.app.searching.page, Page::Sensitivity);
+    assert!(!keys(&bench).contains("design"), "{}", keys(&bench));
+    assert!(!keys(&bench).contains("Enter"), "{}", keys(&bench));
+    bench.press("X");
+    assert!(bench.message().contains("only the chart of the best designs"));
+    assert_eq!(bench.app.searching.log, (false, false));
+}
+
+#[test]
+fn lists_and_maps_have_their_ends_and_their_pages() {
+    let mut bench = limit::open(GlyphSet::Ascii, (120, 36));
+    let last = bench.app.limit.shots().len() - 1;
+    bench.keys("G");
+    assert_eq!(bench.app.limit.cursor, Some(last));
+    bench.keys("g");
+    assert_eq!(bench.app.limit.cursor, Some(0));
+    let mut bench = stability::open(GlyphSet::Ascii, (80, 24));
+    let (row, column) = bench.app.stability.cursor().unwrap();
+    // On the scene itself its words stay in one row: a second one would move the map.
+    assert!(bench.message().ends_with("; the scene"), "{}", bench.message());
+    bench.keys("K");
+    assert_eq!(bench.app.stability.cursor(), Some((row + 10, column)));
+    bench.keys("<PgDn>");
+    assert_eq!(bench.app.stability.cursor(), Some((row, column)));
+}
+
+#[test]
+fn nothing_stands_above_the_limits_chart_until_there_is_a_limit() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("8");
+    let second = |bench: &Bench| bench.screen().lines().nth(1).unwrap().to_owned();
+    assert!(second(&bench).starts_with("+- Residual velocity"), "{}", second(&bench));
+    limit::answer(&mut bench);
+    assert!(second(&bench).contains("v_bl"), "{}", second(&bench));
+}
+
+#[test]
+fn a_click_selects_a_run_or_goes_to_an_event_and_one_beside_them_takes_the_keys_there() {
+    let mut bench = Bench::ascii(160, 45);
+    bench.press(" ll ");
+    let at = find(&bench, "+B");
+    assert_eq!(target(&bench.app, at), Some(Target::Run(2)));
+    click(&mut bench, at);
+    assert_eq!((bench.app.focus, bench.app.selected_run), (Place::Runs, 2));
+    let first = find(&bench, "oA ");
+    click(&mut bench, first);
+    click(&mut bench, first);
+    assert!(bench.message().contains("adopt A"), "{}", bench.message());
+    assert_eq!(bench.app.scene, bench.app.base.scene);
+    let event = find(&bench, "greatest displacement");
+    click(&mut bench, event);
+    let last = bench.app.shown.as_ref().unwrap().run.events[2].t_s;
+    assert_eq!(bench.app.charts.cursor_s, Some(last));
+    let (from, to) = bench.app.time_range_s();
+    assert!((from..=to).contains(&last));
+    let heading = find(&bench, "Projectile");
+    click(&mut bench, heading);
+    assert_eq!(bench.app.focus, Place::Variables);
+}
+
+#[test]
+fn on_a_screen_too_small_the_mouse_does_nothing() {
+    let mut bench = Bench::ascii(40, 12);
+    let before = bench.app.editor.selected;
+    for at in [(0, 0), (10, 0), (20, 6)] {
+        assert_eq!(target(&bench.app, at), None);
+    }
+    bench.send(Message::Wheel(false, None));
+    bench.send(Message::Paste("1".to_owned()));
+    assert_eq!((bench.app.editor.selected, bench.app.tab), (before, Tab::Run));
+}
+
+#[test]
+fn the_summary_keeps_words_whole_and_says_once_how_the_run_ended() {
+    let mut bench = Bench::ascii(80, 24);
+    let mut shown = bench.app.shown.clone().unwrap();
+    let run = Arc::make_mut(&mut shown.run);
+    run.outcome = Outcome::Moving;
+    run.end = EndReason::Cancelled;
+    run.warnings = vec![
+        Warning::EndedEarly(EndReason::Cancelled),
+        Warning::InterfacePush { ratio: 2.9, t_s: 0.4e-3 },
+    ];
+    let warning = run.warnings[1].to_string();
+    bench.app.shown = Some(shown);
+    let summary = bench.app.summary();
+    assert_eq!(summary.matches("cancelled").count(), 1, "{summary}");
+    assert!(summary.lines().all(|line| line.chars().count() <= 80), "{summary}");
+    let words: Vec<&str> = summary.split_whitespace().collect();
+    assert!(words.join(" ").contains(&format!("warning {warning}")), "{summary}");
+    assert!(summary.lines().last().unwrap().starts_with("              "), "{summary}");
+}
+
+#[test]
+fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
+    for size in [(80, 24), (120, 40), (160, 45)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        let mut shown = bench.app.shown.clone().unwrap();
+        let run = Arc::make_mut(&mut shown.run);
+        run.max_plate_displacement_m = Some(9.178e-13);
+        run.final_penetration_m = Some(12_345.678);
+        run.peak_contact_force_n = Some(1.234_5e-9);
+        bench.app.shown = Some(shown);
+        bench.app.focus = Place::Runs;
+        let screen = bench.screen();
+        let line = screen.lines().find(|line| line.contains("*now")).unwrap();
+        let cells: Vec<&str> = line.split(['|', ' ']).collect();
+        // Each number stands by itself.
+        for wanted in [12_345_678.0, 9.178e-10_f64] {
+            let found = cells.iter().filter_map(|cell| cell.parse::<f64>().ok());
+            let near = |value: f64| (value / wanted - 1.0).abs() < 0.05;
+            assert!(found.into_iter().any(near), "{size:?} {wanted}: {line}");
+        }
+    }
+}
+
+#[test]
+fn a_search_that_matches_no_preset_says_what_opens_a_file() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("p/");
+    bench.press("zzz");
+    bench.press("<Enter>");
+    assert!(bench.message().contains("./zzz.toml"), "{}", bench.message());
+    assert!(bench.app.dialog.is_some());
+}
+
+#[test]
+fn a_name_is_whole_where_short_titles_of_the_tabs_leave_room_for_it() {
+    let name = "a-name-of-thirty-characters-xy";
+    for (width, whole) in [(80, false), (100, true), (120, true), (160, true)] {
+        let mut bench = Bench::ascii(width, 24);
+        bench.app.base.name = name.to_owned();
+        let title = bench.screen().lines().next().unwrap().to_owned();
+        assert_eq!(title.contains(name), whole, "{title}");
+        assert!(title.contains("9:S"), "{title}");
+    }
+}
