@@ -29,6 +29,8 @@ const POINTS: usize = 48;
 const POINTS_MAX: usize = 20_000;
 /// A plate that has this part of the impact velocity left on a rigid stop comes to rest there.
 const RESTS_BELOW: f64 = 1e-6;
+/// Part of two forces by which they differ although they are meant to be equal.
+const ROUNDING: f64 = 1e-12;
 
 /// What ends a stretch. Those of the mechanism are dealt with here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,10 +41,14 @@ pub(super) enum Tag {
     Slack,
     /// The interface is touched again.
     Touch,
+    /// The projectile has come out of the dent that the interface no longer pushes it out of.
+    Clear,
     /// The interface is pressed as far as ever.
     Deepest,
     /// The plate turns back: a greatest displacement.
     Turn,
+    /// The plate turns forward.
+    Forward,
     /// A force law's kink.
     Kink,
     /// The stop is met.
@@ -198,13 +204,20 @@ impl<'a> Course<'a> {
         observer: Observer<'_>,
     ) -> Fired {
         loop {
+            if self.is_on_stop() {
+                self.hit_stop();
+                return Fired::Tag(Tag::StopHit);
+            }
             let mut tags = own.to_vec();
             self.mechanism_boundaries(&mut tags);
             self.pair.boundaries = tags.iter().map(|(_, boundary)| *boundary).collect();
             let until_now = self.release_time().map_or(until, |release| smaller(release, until));
             match self.stretch(until_now, observer) {
                 Err(reason) => return Fired::Early(reason),
-                Ok(None) if until_now < until => self.release(),
+                Ok(None) if until_now < until => {
+                    self.release();
+                    return Fired::Tag(Tag::StopRelease);
+                }
                 Ok(None) => return Fired::Until,
                 Ok(Some(index)) => {
                     self.hits += 1;
@@ -213,13 +226,25 @@ impl<'a> Course<'a> {
                     }
                     match tags[index].0 {
                         Tag::Kink => {}
-                        Tag::StopHit => self.hit_stop(),
-                        Tag::StopRelease => self.release(),
+                        Tag::StopHit => {
+                            self.hit_stop();
+                            return Fired::Tag(Tag::StopHit);
+                        }
+                        Tag::StopRelease => {
+                            self.release();
+                            return Fired::Tag(Tag::StopRelease);
+                        }
+                        // Exactly: what rounding leaves would turn again and again.
+                        Tag::Forward => self.y[W] = 0.0,
                         Tag::Turn => {
                             self.y[W] = 0.0;
                             return Fired::Tag(Tag::Turn);
                         }
-                        tag @ (Tag::Arrest | Tag::Slack | Tag::Touch | Tag::Deepest) => {
+                        tag @ (Tag::Arrest
+                        | Tag::Slack
+                        | Tag::Touch
+                        | Tag::Clear
+                        | Tag::Deepest) => {
                             return Fired::Tag(tag);
                         }
                     }
@@ -297,7 +322,7 @@ impl<'a> Course<'a> {
             // A bounce that returns within one step would not be seen: its own turn arms the stop again.
             let bounces = pair.rigid_stop().is_some();
             if bounces || !pair.damper.is_smooth_at_zero() && self.hits < KINKS_MAX {
-                tags.push((Tag::Kink, plane(W, -1.0, 0.0)));
+                tags.push((Tag::Forward, plane(W, -1.0, 0.0)));
             }
             if pair.rigid_stop().is_some() {
                 tags.push((Tag::StopHit, plane(X, -1.0, pair.stop_at)));
@@ -328,10 +353,41 @@ impl<'a> Course<'a> {
         (part < 1.0 && release > self.t).then_some(release)
     }
 
+    /// Whether the plate is where it is to meet its rigid stop already, and is pressed on it: no boundary falls there.
+    fn is_on_stop(&self) -> bool {
+        let pair = &self.pair;
+        if pair.is_still() || pair.rigid_stop().is_none() || self.y[X] < pair.stop_at {
+            return false;
+        }
+        self.y[W] > 0.0 || self.y[W] == 0.0 && self.presses_stop()
+    }
+
+    /// Whether a plate at rest at its stop is pressed on it, or is about to be.
+    fn presses_stop(&self) -> bool {
+        let (pair, y) = (&self.pair, &self.y);
+        let back = pair.spring_force(y[X]);
+        if pair.joined {
+            return back < 0.0;
+        }
+        let (forward, growth) = match pair.push {
+            Push::None => (0.0, 0.0),
+            Push::Pulse { duration, .. } => {
+                (pair.push.force(self.t, y[Q], y[V]), 0.5 * duration - self.t)
+            }
+            Push::Spring { stiffness, damping, .. } => {
+                let push = pair.push.force(self.t, y[Q], y[V]);
+                (push, stiffness * y[V] - damping * push)
+            }
+        };
+        let (forward, net) = (forward * pair.cos, forward * pair.cos - back);
+        let rounding = ROUNDING * (forward.abs() + back.abs());
+        net > rounding || net >= -rounding && growth > 0.0
+    }
+
     /// The rigid stop: the plate comes back with its restitution, or rests on it.
     fn hit_stop(&mut self) {
         let Some(stop) = self.pair.rigid_stop() else { return };
-        if self.hits < 8 || self.y[W] > 1e-6 {
+        if self.y[W] > if self.hits < 8 { 0.0 } else { 1e-6 } {
             self.event(EventKind::StopHit);
         }
         let before = 0.5 * self.pair.moving_mass() * self.y[W] * self.y[W];
@@ -339,9 +395,8 @@ impl<'a> Course<'a> {
         self.y[W] *= -stop.restitution;
         if self.y[W].abs() < RESTS_BELOW {
             self.y[W] = 0.0;
-            let back = self.pair.spring_force(self.y[X]);
-            let forward = self.pair.push.force(self.t, self.y[Q], self.y[V]) * self.pair.cos;
-            if !self.pair.joined && forward > back || self.pair.joined && back <= 0.0 {
+            let idle = self.pair.joined && self.pair.spring_force(self.y[X]) == 0.0;
+            if idle || self.presses_stop() {
                 self.pair.held = true;
                 self.event(EventKind::StopHold);
             }
@@ -356,6 +411,11 @@ impl<'a> Course<'a> {
     fn release(&mut self) {
         self.pair.held = false;
         self.event(EventKind::StopRelease);
+    }
+
+    /// Begin with a step no longer than this, scaled.
+    pub(super) fn step_at_most(&mut self, step: f64) {
+        self.step = Some(self.step.map_or(step, |own| smaller(own, step)));
     }
 
     /// The time at which the course ends at the latest, scaled: asked for, or long enough for twenty swings.
