@@ -18,6 +18,8 @@ use crate::numerics::explicit::{Boundary, System as _};
 const TIGHTER: f64 = 1e-2;
 /// Part of the time up to the next touch that the first step in free flight takes.
 const WITHIN: f64 = 0.25;
+/// Part of forces, or depths, by which they differ although they are meant to be equal.
+const ROUNDING: f64 = 1e-12;
 /// With less than this part of the energy left, everything is at rest.
 const AT_REST: f64 = 1e-9;
 
@@ -120,6 +122,29 @@ impl Interface {
         }
     }
 
+    /// What two events at one moment, or a stop, have left to be done: no boundary falls there.
+    fn overdue(&self, course: &mut Course<'_>, in_dent: bool) -> Option<Tag> {
+        let slip = course.pair.slip(&course.y);
+        let rate = course.pair.rate(course.t, &course.y);
+        let bend = rate[V] - course.pair.cos * rate[W];
+        let depth = course.y[Q] - self.slack();
+        let push = self.unload * depth + self.damping * slip;
+        let growth = self.unload * slip + self.damping * bend;
+        let rounding = ROUNDING * (self.unload * self.deepest + self.damping * slip.abs());
+        match course.mode {
+            Mode::FreeFlight if in_dent => {
+                (push > rounding || push > -rounding && growth > 0.0).then_some(Tag::Touch)
+            }
+            Mode::FreeFlight => {
+                (depth > ROUNDING * self.deepest && slip > 0.0).then_some(Tag::Touch)
+            }
+            Mode::Withdrawing | Mode::Closing => {
+                (push < -rounding || push < rounding && growth < 0.0).then_some(Tag::Slack)
+            }
+            Mode::Penetrating | Mode::Fused | Mode::Perforated => None,
+        }
+    }
+
     /// When the interface is touched again that has just been let go of, if both bodies keep their accelerations. A step as long as
     /// that would see neither the one nor the other.
     fn touches_after(&self, course: &mut Course<'_>, in_dent: bool) -> Option<f64> {
@@ -153,7 +178,11 @@ fn contact(
     loop {
         let slack = interface.slack();
         let own = interface.watched(course, in_dent);
-        match course.advance(horizon, &own, observer) {
+        let fired = match interface.overdue(course, in_dent) {
+            Some(tag) => Fired::Tag(tag),
+            None => course.advance(horizon, &own, observer),
+        };
+        match fired {
             Fired::Early(reason) => return (Outcome::Moving, reason),
             Fired::Until => return (Outcome::Moving, EndReason::Horizon),
             Fired::Tag(Tag::Arrest) => {
@@ -165,9 +194,12 @@ fn contact(
             Fired::Tag(Tag::Slack) => {
                 course.unload();
                 course.mode = Mode::FreeFlight;
-                in_dent = course.y[Q] > slack;
+                in_dent = interface.damping > 0.0 && course.y[Q] > slack;
                 if let Some(back) = interface.touches_after(course, in_dent) {
                     course.step_at_most(WITHIN * back);
+                }
+                if in_dent {
+                    course.step_at_most(WITHIN * interface.damping / interface.unload);
                 }
                 if gone_for_good(course, slack) {
                     course.event(EventKind::Separation);
