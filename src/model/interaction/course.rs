@@ -369,18 +369,18 @@ impl<'a> Course<'a> {
         if pair.joined {
             return back < 0.0;
         }
-        let (forward, growth) = match pair.push {
-            Push::None => (0.0, 0.0),
-            Push::Pulse { duration, .. } => {
-                (pair.push.force(self.t, y[Q], y[V]), 0.5 * duration - self.t)
+        let (forward, growth, scale) = match pair.push {
+            Push::None => (0.0, 0.0, 0.0),
+            Push::Pulse { amplitude, duration } => {
+                (pair.push.force(self.t, y[Q], y[V]), 0.5 * duration - self.t, amplitude)
             }
             Push::Spring { stiffness, damping, .. } => {
                 let push = pair.push.force(self.t, y[Q], y[V]);
-                (push, stiffness * y[V] - damping * push)
+                (push, stiffness * y[V] - damping * push, stiffness * y[Q].abs())
             }
         };
-        let (forward, net) = (forward * pair.cos, forward * pair.cos - back);
-        let rounding = ROUNDING * (forward.abs() + back.abs());
+        let net = forward * pair.cos - back;
+        let rounding = ROUNDING * (scale + back.abs());
         net > rounding || net >= -rounding && growth > 0.0
     }
 

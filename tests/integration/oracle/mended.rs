@@ -67,6 +67,7 @@ fn valid_a_lumped_interface_is_never_passed_through() {
         "k=0 gamma=1.5595 v_i=43.913 h=0.042135 run.horizon_s=1.2333e-3 theta=17.6deg x_stop=6.4978e-4 e=0 model=lumped k_load=3.0892e7 k_unload=1.016439476e9",
         "n=2.2999 k=1.2e9 m=0.5 b=1263 gamma=0.5795 v_i=471.38 h=0.039241 run.horizon_s=1.287e-3 model=lumped b_2=237.8 k_load=3.8506e6 k_unload=1.528534176e8",
         "n=2 k=4.206e7 m=1.1699 b=77.79 gamma=0.4055 v_i=33.534 h=0.015963 run.horizon_s=7.9778e-4 theta=26.9deg x_stop=0 e=0.8 model=lumped k_load=2.0664e7 k_unload=2.87828856e8",
+        "k=0 d=0.00021185 gamma=1.374 v_i=53.479 h=0.013033 run.horizon_s=4.2057e-4 x_stop=8.0665e-4 e=0 model=lumped k_load=2.3546e7 k_unload=2.6242017e8",
         "k=0 m=1.8563 b=0.6394 gamma=3.5884 v_i=32.645 h=0.023887 run.horizon_s=5.5366e-4 theta=50deg x_stop=1.6781e-4 e=0.2 model=lumped b_2=1.5897",
         "k=0 gamma=0.44075 v_i=99.015 h=0.044067 run.horizon_s=4.9837e-4 x_stop=0 stop_kind=elastic k_stop=204590 model=lumped b_2=734.24 k_load=1.4962e7 k_unload=1.152118886e9",
     ]);
