@@ -15,6 +15,10 @@ const REBOUND_MIN: f64 = 1e-9;
 /// So does one whose height is below this part of the displacement: its digits end there.
 const UNSEEN: f64 = 4.0 * f64::EPSILON;
 
+/// Part of a displacement by which rounding puts a zero of a spring's force elsewhere, and of a curve's size that is just beyond it.
+const UNTOLD: f64 = 1e-12;
+const NEARBY: f64 = 1e-9;
+
 /// Part of the impact velocity, per tolerance, below which the plate's own is lost among the errors of Taylor steps (their local
 /// tolerance of the scale that matters to the depth), and the first step of the implicit method then, relative to the time.
 const UNFELT: f64 = 1e-7;
@@ -366,18 +370,31 @@ impl Track<'_> {
             return Some(Trigger::StopReached);
         }
         // Without any strength the interface gives way where the spring's force changes its sign.
-        let sprung = !mechanism.spring.is_absent() && x == 0.0;
-        if !(self.mode == Mode::Fused && self.problem.plastic && sprung)
-            || self.motion().mechanism_force(&self.state) != 0.0
-        {
-            return None;
-        }
-        let (push, pull) = self.interface_limits_n();
-        if w < 0.0 && pull == 0.0 {
+        let carries = self.mode == Mode::Fused && self.problem.plastic;
+        let ahead = if carries { self.spring_turns(w) } else { 0.0 };
+        let (push, pull) = if ahead == 0.0 { (0.0, 0.0) } else { self.interface_limits_n() };
+        if ahead < 0.0 && pull == 0.0 {
             Some(Trigger::PullLimit)
         } else {
-            (w > 0.0 && push == 0.0).then_some(Trigger::PushLimit)
+            (ahead > 0.0 && push == 0.0).then_some(Trigger::PushLimit)
         }
+    }
+
+    /// The sign that the spring's force is about to have where nothing acts on the plate now; zero elsewhere.
+    fn spring_turns(&self, w: f64) -> f64 {
+        let spring = &self.problem.mechanism.spring;
+        let (x, (behind, ahead)) = (self.state.plate_m, self.spring_ends());
+        let at_zero = x == 0.0 && !spring.is_absent();
+        let at_knot = [behind, ahead].map(f64::to_bits).contains(&x.to_bits());
+        // A zero between two stretches of a curve is one up to rounding.
+        let rounding = if at_knot { (UNTOLD * x * spring.tangent(x)).abs() } else { 0.0 };
+        if !(at_zero || at_knot) || self.motion().mechanism_force(&self.state).abs() > rounding {
+            return 0.0;
+        }
+        spring.curve().map_or_else(
+            || sign(w),
+            |curve| sign(curve.force(x + sign(w) * NEARBY * curve.scale_m())),
+        )
     }
 
     /// Whether an elastic stop's force is zero and about to pull.

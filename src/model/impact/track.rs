@@ -126,8 +126,10 @@ impl<'a> Track<'a> {
             state,
             deepest_m: 0.0,
             mode: Mode::Penetrating,
+            // Unless its spring takes it off at once.
             held: problem.mechanism.rigid_stop().is_some()
-                && problem.start_m >= problem.mechanism.stop_at_m,
+                && problem.start_m >= problem.mechanism.stop_at_m
+                && pull >= 0.0,
             immobile: false,
             resting: false,
             stop_touches: problem.mechanism.elastic_stop().is_some()

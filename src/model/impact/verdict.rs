@@ -29,6 +29,8 @@ const RATTLES: usize = 24;
 const LAST_SLIPS: f64 = 2e-2;
 /// Loss of energy, relative, from which on the outcome is asked for again: far above rounding, far below a swing's.
 const LOST: f64 = 1e-9;
+/// How far a stop that gives way to a spring driving the plate away is followed, m.
+const FARTHEST_M: f64 = 1e3;
 /// A plate slowed by its damper alone to this part of its speed has arrived, for the eye.
 const FADED: f64 = 1e-2;
 
@@ -175,7 +177,9 @@ impl Track<'_> {
         let problem = self.problem;
         let v = problem.velocity_m_s;
         let at_start = 0.5 * problem.projectile_kg * v * v;
+        // Where the spring drives the plate away, its energy is less than nothing.
         self.energy_j() <= part * at_start
+            && problem.mechanism.spring.drives_away(self.state.plate_m).is_none()
     }
 
     /// How far forward the plate could still go, m; infinite when nothing stops it.
@@ -205,7 +209,14 @@ impl Track<'_> {
         let missing = |pressed: f64| {
             mechanism.spring.energy(at + pressed) + 0.5 * stiffness * pressed * pressed - energy
         };
-        let far = smaller(spring_reach - at, (2.0 * energy / stiffness).sqrt());
+        let mut far = smaller(spring_reach - at, (2.0 * energy.abs() / stiffness).sqrt());
+        // A spring that drives the plate away presses it farther than that.
+        while missing(far) < 0.0 && far < spring_reach - at && far < FARTHEST_M {
+            far = 2.0 * far + mechanism.spring.force(at + far).abs() / stiffness;
+        }
+        if missing(far) < 0.0 && far >= FARTHEST_M {
+            return f64::INFINITY;
+        }
         // Of the two places with this potential the farther one: beyond where spring and stop hold each other.
         let near = larger(self.state.plate_m - at, 0.0);
         let lowest = if pull(near) < 0.0 { in_bracket(near, far, pull) } else { near };
@@ -220,6 +231,12 @@ impl Track<'_> {
         if self.problem.rigid || self.is_at_rest() || self.has_died_down() {
             return Farthest::Known(so_far);
         }
+        if mechanism.stop.is_none()
+            && let Some(way) = mechanism.spring.drives_away(self.state.plate_m)
+            && way * w >= 0.0
+        {
+            return if way > 0.0 { Farthest::Unbounded } else { Farthest::Known(so_far) };
+        }
         let reach = self.reach_m();
         if reach <= so_far * (1.0 + 1e-12) || (reach - so_far).abs() < 1e-15 * so_far.abs() {
             return Farthest::Known(so_far);
@@ -228,7 +245,10 @@ impl Track<'_> {
         let damped = mechanism.damper.coefficient > 0.0 || self.stop_touches;
         if mechanism.stop.is_none() && !damped && !springless {
             // The swing ends where all energy is in the spring, if it holds the plate at all.
-            return if reach.is_finite() {
+            let back = mechanism.spring.backward(self.state.plate_m, self.energy_j());
+            return if w < 0.0 && back.is_infinite() {
+                Farthest::Known(so_far)
+            } else if reach.is_finite() {
                 Farthest::Known(larger(reach, so_far))
             } else {
                 Farthest::Unbounded
@@ -380,6 +400,11 @@ impl Track<'_> {
         }
         if mechanism.spring.is_absent() && mechanism.stop.is_none() {
             return slip_m_s < 0.0 && (v <= 0.0 || plate_m_s < 0.0);
+        }
+        // The plate is driven away from it, ever faster.
+        let driven = || mechanism.spring.drives_away(plate_m) == Some(1.0);
+        if slip_m_s < 0.0 && plate_m_s >= 0.0 && mechanism.stop.is_none() && driven() {
+            return self.motion().accelerations(&self.state).1 >= 0.0;
         }
         // The projectile flies away, and is already beyond the plate's farthest swing back.
         let back = mechanism.spring.backward(plate_m, energy);

@@ -15,6 +15,8 @@ use crate::model::scene::Scene;
 use crate::numerics::explicit::{Boundary, Count, Limits, Start, Stop, System as _, dop853};
 use crate::numerics::{larger, smaller};
 
+mod stop;
+
 /// Local tolerance per tolerance asked for.
 const LOCAL: f64 = 0.1;
 /// Steps after which a course ends early.
@@ -27,8 +29,6 @@ const KINKS_MAX: usize = 200;
 const POINTS: usize = 48;
 /// Points in all to draw.
 const POINTS_MAX: usize = 20_000;
-/// A plate that has this part of the impact velocity left on a rigid stop comes to rest there.
-const RESTS_BELOW: f64 = 1e-6;
 
 /// What ends a stretch. Those of the mechanism are dealt with here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,10 +39,14 @@ pub(super) enum Tag {
     Slack,
     /// The interface is touched again.
     Touch,
+    /// The projectile has come out of the dent that the interface no longer pushes it out of.
+    Clear,
     /// The interface is pressed as far as ever.
     Deepest,
     /// The plate turns back: a greatest displacement.
     Turn,
+    /// The plate turns forward.
+    Forward,
     /// A force law's kink.
     Kink,
     /// The stop is met.
@@ -198,13 +202,20 @@ impl<'a> Course<'a> {
         observer: Observer<'_>,
     ) -> Fired {
         loop {
+            if self.is_on_stop() {
+                self.hit_stop();
+                return Fired::Tag(Tag::StopHit);
+            }
             let mut tags = own.to_vec();
             self.mechanism_boundaries(&mut tags);
             self.pair.boundaries = tags.iter().map(|(_, boundary)| *boundary).collect();
             let until_now = self.release_time().map_or(until, |release| smaller(release, until));
             match self.stretch(until_now, observer) {
                 Err(reason) => return Fired::Early(reason),
-                Ok(None) if until_now < until => self.release(),
+                Ok(None) if until_now < until => {
+                    self.release();
+                    return Fired::Tag(Tag::StopRelease);
+                }
                 Ok(None) => return Fired::Until,
                 Ok(Some(index)) => {
                     self.hits += 1;
@@ -213,13 +224,25 @@ impl<'a> Course<'a> {
                     }
                     match tags[index].0 {
                         Tag::Kink => {}
-                        Tag::StopHit => self.hit_stop(),
-                        Tag::StopRelease => self.release(),
+                        Tag::StopHit => {
+                            self.hit_stop();
+                            return Fired::Tag(Tag::StopHit);
+                        }
+                        Tag::StopRelease => {
+                            self.release();
+                            return Fired::Tag(Tag::StopRelease);
+                        }
+                        // Exactly: what rounding leaves would turn again and again.
+                        Tag::Forward => self.y[W] = 0.0,
                         Tag::Turn => {
                             self.y[W] = 0.0;
                             return Fired::Tag(Tag::Turn);
                         }
-                        tag @ (Tag::Arrest | Tag::Slack | Tag::Touch | Tag::Deepest) => {
+                        tag @ (Tag::Arrest
+                        | Tag::Slack
+                        | Tag::Touch
+                        | Tag::Clear
+                        | Tag::Deepest) => {
                             return Fired::Tag(tag);
                         }
                     }
@@ -297,7 +320,7 @@ impl<'a> Course<'a> {
             // A bounce that returns within one step would not be seen: its own turn arms the stop again.
             let bounces = pair.rigid_stop().is_some();
             if bounces || !pair.damper.is_smooth_at_zero() && self.hits < KINKS_MAX {
-                tags.push((Tag::Kink, plane(W, -1.0, 0.0)));
+                tags.push((Tag::Forward, plane(W, -1.0, 0.0)));
             }
             if pair.rigid_stop().is_some() {
                 tags.push((Tag::StopHit, plane(X, -1.0, pair.stop_at)));
@@ -316,46 +339,9 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// When a plate held by its stop is let go by a pulse that fades.
-    fn release_time(&self) -> Option<f64> {
-        let Push::Pulse { amplitude, duration } = self.pair.push else { return None };
-        let back = self.pair.spring_force(self.y[X]);
-        if !self.pair.held || back <= 0.0 {
-            return None;
-        }
-        let part = back / (amplitude * self.pair.cos);
-        let release = duration * (1.0 - part.asin() / std::f64::consts::PI);
-        (part < 1.0 && release > self.t).then_some(release)
-    }
-
-    /// The rigid stop: the plate comes back with its restitution, or rests on it.
-    fn hit_stop(&mut self) {
-        let Some(stop) = self.pair.rigid_stop() else { return };
-        if self.hits < 8 || self.y[W] > 1e-6 {
-            self.event(EventKind::StopHit);
-        }
-        let before = 0.5 * self.pair.moving_mass() * self.y[W] * self.y[W];
-        self.y[X] = self.pair.stop_at;
-        self.y[W] *= -stop.restitution;
-        if self.y[W].abs() < RESTS_BELOW {
-            self.y[W] = 0.0;
-            let back = self.pair.spring_force(self.y[X]);
-            let forward = self.pair.push.force(self.t, self.y[Q], self.y[V]) * self.pair.cos;
-            if !self.pair.joined && forward > back || self.pair.joined && back <= 0.0 {
-                self.pair.held = true;
-                self.event(EventKind::StopHold);
-            }
-        }
-        if self.pair.joined {
-            self.y[V] = self.y[W] * self.pair.cos;
-        }
-        self.y[STOP] += before - 0.5 * self.pair.moving_mass() * self.y[W] * self.y[W];
-        self.point();
-    }
-
-    fn release(&mut self) {
-        self.pair.held = false;
-        self.event(EventKind::StopRelease);
+    /// Begin with a step no longer than this, scaled.
+    pub(super) fn step_at_most(&mut self, step: f64) {
+        self.step = Some(self.step.map_or(step, |own| smaller(own, step)));
     }
 
     /// The time at which the course ends at the latest, scaled: asked for, or long enough for twenty swings.

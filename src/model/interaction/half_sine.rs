@@ -2,8 +2,8 @@
 //!
 //! The history is prescribed: it is that of a fixed plate, on which it just stops the projectile, and its impulse is the
 //! projectile's whole momentum. Here it acts on both bodies for all of `t_d`, whatever the plate does meanwhile; then they
-//! are one, with the momentum they have. So the initial-velocity model is its limit for `t_d` to 0. Depth is the relative
-//! travel that follows, at the first common velocity.
+//! are one, with the momentum they have. So the initial-velocity model is its limit for `t_d` to 0. Depth is the greatest
+//! relative travel that follows: at the first common velocity, or at a later one where a spring throws the plate back.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -82,9 +82,8 @@ fn pulse(course: &mut Course<'_>, until: f64, observer: Observer<'_>) -> Option<
     common.slope[W] = -course.pair.cos;
     loop {
         let own = [(Tag::Arrest, common)];
-        // On a rigid mount it is at the end of the history, and quadratic there: known better than it can be located.
-        let moving = course.mode == Mode::Penetrating && !course.pair.rigid;
-        let watched = if moving { &own[..] } else { &[] };
+        // Of a plate that stays still it is at the end of the history, and quadratic there: known better than it can be located.
+        let watched = if course.pair.is_still() { &[] } else { &own[..] };
         match course.advance(until, watched, observer) {
             Fired::Early(reason) => return Some(reason),
             Fired::Until => return None,

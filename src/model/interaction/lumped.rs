@@ -12,10 +12,14 @@ use crate::model::interaction::pair::{N, Push, Q, V, W, X};
 use crate::model::interaction::{Values, difference, notes_of};
 use crate::model::run::{EndReason, EstimateBasis, EventKind, Mode, Outcome, Run};
 use crate::model::scene::Scene;
-use crate::numerics::explicit::Boundary;
+use crate::numerics::explicit::{Boundary, System as _};
 
 /// Tolerance of the second computation per tolerance of the first.
 const TIGHTER: f64 = 1e-2;
+/// Part of the time up to the next touch that the first step in free flight takes.
+const WITHIN: f64 = 0.25;
+/// Part of forces, or depths, by which they differ although they are meant to be equal.
+const ROUNDING: f64 = 1e-12;
 /// With less than this part of the energy left, everything is at rest.
 const AT_REST: f64 = 1e-9;
 
@@ -95,6 +99,64 @@ impl Interface {
     }
 }
 
+impl Interface {
+    /// What ends the present mode.
+    fn watched(&self, course: &Course<'_>, in_dent: bool) -> Vec<(Tag, Boundary<N>)> {
+        let slack = self.slack();
+        if course.mode == Mode::Penetrating {
+            vec![(Tag::Arrest, plane(course, 0.0, 0.0, 1.0))]
+        } else if course.mode == Mode::FreeFlight {
+            if in_dent {
+                // Spring and damper together would push again.
+                let again = plane(course, self.unload * slack, -self.unload, -self.damping);
+                vec![(Tag::Touch, again), (Tag::Clear, plane(course, -slack, 1.0, 0.0))]
+            } else {
+                vec![(Tag::Touch, plane(course, slack, -1.0, 0.0))]
+            }
+        } else {
+            let force = (self.unload, self.damping);
+            vec![
+                (Tag::Slack, plane(course, -self.unload * slack, force.0, force.1)),
+                (Tag::Deepest, plane(course, self.deepest, -1.0, 0.0)),
+            ]
+        }
+    }
+
+    /// What two events at one moment, or a stop, have left to be done: no boundary falls there.
+    fn overdue(&self, course: &mut Course<'_>, in_dent: bool) -> Option<Tag> {
+        let slip = course.pair.slip(&course.y);
+        let rate = course.pair.rate(course.t, &course.y);
+        let bend = rate[V] - course.pair.cos * rate[W];
+        let depth = course.y[Q] - self.slack();
+        let push = self.unload * depth + self.damping * slip;
+        let growth = self.unload * slip + self.damping * bend;
+        let rounding = ROUNDING * (self.unload * self.deepest + self.damping * slip.abs());
+        match course.mode {
+            Mode::FreeFlight if in_dent => {
+                (push > rounding || push > -rounding && growth > 0.0).then_some(Tag::Touch)
+            }
+            Mode::FreeFlight => {
+                (depth > ROUNDING * self.deepest && slip > 0.0).then_some(Tag::Touch)
+            }
+            Mode::Withdrawing | Mode::Closing => {
+                (push < -rounding || push < rounding && growth < 0.0).then_some(Tag::Slack)
+            }
+            Mode::Penetrating | Mode::Fused | Mode::Perforated => None,
+        }
+    }
+
+    /// When the interface is touched again that has just been let go of, if both bodies keep their accelerations. A step as long as
+    /// that would see neither the one nor the other.
+    fn touches_after(&self, course: &mut Course<'_>, in_dent: bool) -> Option<f64> {
+        let slip = course.pair.slip(&course.y);
+        let rate = course.pair.rate(course.t, &course.y);
+        let bend = rate[V] - course.pair.cos * rate[W];
+        let (stiffness, damping) = if in_dent { (self.unload, self.damping) } else { (1.0, 0.0) };
+        let after = -2.0 * (stiffness * slip + damping * bend) / (stiffness * bend);
+        (bend > 0.0 && after > 0.0).then_some(after)
+    }
+}
+
 /// A plane in compression and relative velocity.
 fn plane(course: &Course<'_>, offset: f64, q: f64, slip: f64) -> Boundary<N> {
     let mut boundary = Boundary { offset, slope: [0.0; N] };
@@ -111,20 +173,16 @@ fn contact(
     horizon: f64,
     observer: Observer<'_>,
 ) -> (Outcome, EndReason) {
+    // The interface's damper has let go of a projectile that is still in its dent.
+    let mut in_dent = false;
     loop {
         let slack = interface.slack();
-        let own = if course.mode == Mode::Penetrating {
-            vec![(Tag::Arrest, plane(course, 0.0, 0.0, 1.0))]
-        } else if course.mode == Mode::FreeFlight {
-            vec![(Tag::Touch, plane(course, slack, -1.0, 0.0))]
-        } else {
-            let force = (interface.unload, interface.damping);
-            vec![
-                (Tag::Slack, plane(course, -interface.unload * slack, force.0, force.1)),
-                (Tag::Deepest, plane(course, interface.deepest, -1.0, 0.0)),
-            ]
+        let own = interface.watched(course, in_dent);
+        let fired = match interface.overdue(course, in_dent) {
+            Some(tag) => Fired::Tag(tag),
+            None => course.advance(horizon, &own, observer),
         };
-        match course.advance(horizon, &own, observer) {
+        match fired {
             Fired::Early(reason) => return (Outcome::Moving, reason),
             Fired::Until => return (Outcome::Moving, EndReason::Horizon),
             Fired::Tag(Tag::Arrest) => {
@@ -136,6 +194,13 @@ fn contact(
             Fired::Tag(Tag::Slack) => {
                 course.unload();
                 course.mode = Mode::FreeFlight;
+                in_dent = interface.damping > 0.0 && course.y[Q] > slack;
+                if let Some(back) = interface.touches_after(course, in_dent) {
+                    course.step_at_most(WITHIN * back);
+                }
+                if in_dent {
+                    course.step_at_most(WITHIN * interface.damping / interface.unload);
+                }
                 if gone_for_good(course, slack) {
                     course.event(EventKind::Separation);
                     return (Outcome::Separated, EndReason::Decided);
@@ -155,7 +220,8 @@ fn contact(
                 };
                 course.mode = Mode::Penetrating;
             }
-            Fired::Tag(_) => {
+            Fired::Tag(tag) => {
+                in_dent = in_dent && tag != Tag::Clear;
                 if course.mode == Mode::FreeFlight && gone_for_good(course, slack) {
                     course.event(EventKind::Separation);
                     return (Outcome::Separated, EndReason::Decided);

@@ -148,6 +148,15 @@ impl Curve {
         way * f64::INFINITY
     }
 
+    /// Which way, 1 or -1, the law drives the plate on from x for ever: beyond the end of a table whose force runs away.
+    pub fn drives_away(&self, x: f64) -> Option<f64> {
+        let outward = -crate::model::mechanism::sign(self.force(x));
+        let ahead = self.stations_m.iter().any(|station| outward * (station - x) > 0.0);
+        let for_ever =
+            outward != 0.0 && !ahead && self.reach(x, self.energy(x), outward).is_infinite();
+        for_ever.then_some(outward)
+    }
+
     /// The greatest energy stored between two displacements, J.
     pub fn greatest_energy(&self, from_m: f64, to_m: f64) -> f64 {
         let (low, high) = if from_m < to_m { (from_m, to_m) } else { (to_m, from_m) };
@@ -155,14 +164,26 @@ impl Curve {
         inside.chain([low, high]).map(|x| self.energy(x)).fold(0.0, larger)
     }
 
-    /// The least and the greatest force between two displacements, N.
+    /// The least and the greatest force between two displacements, N; infinite where it runs away on the way to an infinite one.
     pub fn forces_between(&self, low: f64, high: f64) -> (f64, f64) {
         let inside = |x: &&f64| (low..=high).contains(*x);
-        let ends = [low, high].into_iter().filter(|x| x.is_finite());
-        let marks = self.stations_m.iter().chain(&self.extremes_m).filter(inside).copied();
-        ends.chain(marks).map(|x| self.force(x)).fold((0.0, 0.0), |(least, most), force| {
+        let ends = [low, high].into_iter().map(|x| self.force_towards(x));
+        let marks = self.stations_m.iter().chain(&self.extremes_m).filter(inside);
+        ends.chain(marks.map(|x| self.force(*x))).fold((0.0, 0.0), |(least, most), force| {
             (if force < least { force } else { least }, larger(force, most))
         })
+    }
+
+    /// The force at x, or what it goes to where x is infinite, N.
+    fn force_towards(&self, x: f64) -> f64 {
+        if x.is_finite() {
+            return self.force(x);
+        }
+        let way = crate::model::mechanism::sign(x);
+        let edge = if way > 0.0 { self.stations_m.last() } else { self.stations_m.first() };
+        let far = edge.copied().unwrap_or(0.0) + way * self.scale_m;
+        let tangent = self.tangent(far);
+        if tangent == 0.0 { self.force(far) } else { tangent * x }
     }
 
     /// The least |x| on one side (`way` 1 or -1) at which the force is `force_n` that way; infinite where it never is.

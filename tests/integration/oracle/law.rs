@@ -4,13 +4,16 @@
 //! the bottom of the hole deepens it, u > 0 above the bottom closes the gap, u < 0 pulls out, and at u = 0 the bodies stay together
 //! unless the greatest push or pull would part them. Whether the plate rests on a rigid stop, and what an elastic one pushes with,
 //! follows from the state as well. A step is cut, by bisection, where the sign of something changes that the law asks for. Nothing
-//! of the engine is used but the oblique section's area and the force of a spring that is no power law.
+//! of the engine is used but the oblique section's area; the springs are in `springs.rs`, other contacts than the hydrodynamic one
+//! in `contacts.rs`.
 
 use std::f64::consts::PI;
 
 use cmra::model::contact::Geometry;
-use cmra::model::mechanism::{Spring, moving_plate_kg};
-use cmra::model::scene::{InterfaceLaw, Mount, Scene, SpringKind, Stop, StopKind};
+use cmra::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Scene, Stop, StopKind};
+
+use super::contacts::Contact;
+use super::springs::{Law, moving_kg};
 
 /// A plate that meets its rigid stop more slowly than this stays there, m/s.
 const STAYS_M_S: f64 = 2e-5;
@@ -28,6 +31,12 @@ enum Interface {
     PullsOut,
     Holds,
     Gone,
+    /// The half-sine history.
+    Pulse,
+    /// The lumped interface: pressed in farther than ever, on its steeper branch, slack.
+    Loads,
+    Springs,
+    Slack,
 }
 
 /// What holds during a step, as its first moment has it.
@@ -44,7 +53,11 @@ struct Now {
 pub(crate) struct Shot<'a> {
     scene: &'a Scene,
     geometry: Geometry,
-    curve: Option<Spring>,
+    contact: Contact,
+    law: Law<'a>,
+    /// Displacements at which a step is cut, m.
+    corners_m: Vec<f64>,
+    strength_pa: f64,
     plate_kg: f64,
     step_s: f64,
     pub(crate) t_s: f64,
@@ -69,12 +82,15 @@ impl<'a> Shot<'a> {
     pub(crate) fn new(scene: &'a Scene, step_s: f64) -> Self {
         let sprung = scene.plate.mount == Mount::Sprung;
         let start_m = if sprung { -scene.plate.cocking_m } else { 0.0 };
-        let plain = scene.mechanism.spring.kind == SpringKind::PowerLaw;
-        Self {
+        let law = Law::new(&scene.mechanism);
+        let mut shot = Self {
             scene,
             geometry: Geometry::of(scene),
-            curve: (!plain).then(|| Spring::of(&scene.mechanism)),
-            plate_kg: moving_plate_kg(scene),
+            contact: Contact::new(scene),
+            corners_m: law.corners_m(),
+            law,
+            strength_pa: strength_pa(scene),
+            plate_kg: moving_kg(scene),
             step_s,
             t_s: 0.0,
             state: [0.0, scene.projectile.velocity_m_s, start_m, 0.0],
@@ -85,13 +101,43 @@ impl<'a> Shot<'a> {
             separation: None,
             farthest_m: start_m,
             changes: 0,
+        };
+        if scene.contact.model == ContactModel::InitialVelocity {
+            shot.join();
         }
+        shot
+    }
+
+    /// A perfectly inelastic collision: one body from now on, with the momentum along the plate's normal that both had.
+    fn join(&mut self) {
+        let [_, u, _, w] = self.state;
+        let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos());
+        let momentum = m_p * (u + w * cos) * cos + m_2 * w;
+        let still = self.scene.plate.mount == Mount::Rigid;
+        self.state[1] = 0.0;
+        self.state[3] = if still { 0.0 } else { momentum / (m_2 + m_p * cos * cos) };
+        if self.scene.contact.model != ContactModel::InitialVelocity {
+            self.first_arrest.get_or_insert((self.t_s, self.state));
+        }
+        self.fused = true;
     }
 
     /// Depth now, travel, and the plate's displacement, m.
     pub(crate) fn place(&self) -> [f64; 3] {
         let [q, _, x, _] = self.state;
         [self.depth_m(q), q, x]
+    }
+
+    /// Whether projectile and plate are together.
+    pub(crate) fn holds(&self) -> bool {
+        self.interface() == Interface::Holds
+    }
+
+    /// Depth of the hole that is left, m.
+    pub(crate) fn hole_m(&self) -> f64 {
+        let lumped = self.scene.contact.model == ContactModel::Lumped;
+        let deepest = self.deepest_m;
+        self.depth_m(if lumped { self.contact.slack_m(deepest) } else { deepest })
     }
 
     /// The projectile's velocity in a state, m/s.
@@ -101,12 +147,18 @@ impl<'a> Shot<'a> {
 
     /// Go on to a time; false where that takes too many steps.
     pub(crate) fn go_to(&mut self, t_s: f64) -> bool {
+        let pulse_s = self.contact.duration_s;
         while self.t_s < t_s {
-            let left_s = t_s - self.t_s;
+            let pulses = self.contact.model == ContactModel::HalfSine && self.t_s < pulse_s;
+            let until_s = if pulses { pulse_s.min(t_s) } else { t_s };
+            let left_s = until_s - self.t_s;
             let whole_s = self.step_s / (1.0 + self.step_s * self.fastest_per_s() * 5.0);
             let last = left_s <= whole_s;
             if self.advance(if last { left_s } else { whole_s }) && last {
-                self.t_s = t_s;
+                self.t_s = until_s;
+                if pulses && pulse_s <= t_s {
+                    self.join();
+                }
             }
             if self.changes > CHANGES_MAX {
                 return false;
@@ -143,7 +195,7 @@ impl<'a> Shot<'a> {
         if changes {
             self.settle(now);
         }
-        if now.interface == Interface::Deepens && self.state[0] > self.deepest_m {
+        if now.interface.deepens() && self.state[0] > self.deepest_m {
             self.deepest_m = self.state[0];
         }
         if self.state[2] > self.farthest_m {
@@ -159,6 +211,9 @@ impl<'a> Shot<'a> {
             Interface::Deepens if q >= self.exit_m() => self.exit = Some((self.t_s, self.state)),
             Interface::Deepens | Interface::Closes if u <= 0.0 => self.meet(),
             Interface::PullsOut if u >= 0.0 => self.meet(),
+            Interface::Pulse | Interface::Loads if u <= 0.0 => {
+                self.first_arrest.get_or_insert((self.t_s, self.state));
+            }
             Interface::Closes if q >= self.deepest_m => self.state[0] = self.deepest_m,
             _ => {}
         }
@@ -189,21 +244,33 @@ impl<'a> Shot<'a> {
             Interface::Deepens => to[1] <= 0.0 || to[0] >= self.exit_m(),
             Interface::Closes => to[1] <= 0.0 || to[0] >= self.deepest_m,
             Interface::PullsOut => to[1] >= 0.0,
+            Interface::Pulse => from[1] > 0.0 && to[1] <= 0.0,
+            Interface::Loads | Interface::Springs | Interface::Slack => {
+                self.lumped(to) != now.interface
+            }
             Interface::Holds | Interface::Gone => false,
         };
         let passes = |z: f64| (from[2] > z) != (to[2] > z);
         let stop = self.scene.mechanism.stop;
         let meets_stop = stop.position_m.is_some_and(|z| match stop.kind {
-            StopKind::Rigid => !now.held && to[2] > z,
+            StopKind::Rigid => self.rigid_stop().is_some() && !now.held && to[2] > z,
             StopKind::Elastic => passes(z),
         });
         let turns = from[3] != 0.0 && from[3] * to[3] <= 0.0;
-        interface_changes || meets_stop || passes(0.0) || turns
+        interface_changes || meets_stop || turns || self.corners_m.iter().any(|z| passes(*z))
     }
 
     /// What the interface does at the present state.
     fn interface(&self) -> Interface {
         let [q, u, ..] = self.state;
+        match self.contact.model {
+            ContactModel::HalfSine | ContactModel::InitialVelocity if self.fused => {
+                return Interface::Holds;
+            }
+            ContactModel::HalfSine => return Interface::Pulse,
+            ContactModel::Lumped => return self.lumped(self.state),
+            _ => {}
+        }
         let forward = if q >= self.deepest_m { Interface::Deepens } else { Interface::Closes };
         if self.exit.is_some() {
             Interface::Gone
@@ -222,9 +289,23 @@ impl<'a> Shot<'a> {
         }
     }
 
+    /// The lumped interface: it only pushes, and not where the hole is open.
+    fn lumped(&self, [q, u, ..]: State) -> Interface {
+        let contact = &self.contact;
+        if q >= self.deepest_m && u > 0.0 {
+            Interface::Loads
+        } else if q <= contact.slack_m(self.deepest_m)
+            || contact.springs_n(q, u, self.deepest_m) <= 0.0
+        {
+            Interface::Slack
+        } else {
+            Interface::Springs
+        }
+    }
+
     /// du/dt with what the interface would do.
     fn parts(&self, interface: Interface) -> f64 {
-        self.rates(self.state, self.with(interface))[1]
+        self.rates(0.0, self.state, self.with(interface))[1]
     }
 
     /// What holds at the present state with what the interface does.
@@ -233,16 +314,17 @@ impl<'a> Shot<'a> {
         let at = self.scene.mechanism.stop.position_m;
         let free = Now { interface, held: false, beyond: at.is_some_and(|at| x > at) };
         let rests = self.rigid_stop().is_some() && at.is_some_and(|at| x >= at) && w == 0.0;
-        Now { held: rests && self.rates(self.state, free)[3] >= 0.0, ..free }
+        Now { held: rests && self.rates(0.0, self.state, free)[3] >= 0.0, ..free }
     }
 
-    /// The equations of motion.
-    fn rates(&self, state: State, now: Now) -> State {
+    /// The equations of motion, so long after the start of the step.
+    fn rates(&self, after_s: f64, state: State, now: Now) -> State {
         let [_, u, x, w] = state;
         let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos());
-        let force = self.contact_n(state, now.interface);
-        let back =
-            self.spring_n(x) + self.damper_n(w) + if now.beyond { self.stop_n(x, w) } else { 0.0 };
+        let force = self.contact_n(after_s, state, now.interface);
+        let back = self.law.force_n(x)
+            + self.damper_n(w)
+            + if now.beyond { self.stop_n(x, w) } else { 0.0 };
         let still = now.held || self.scene.plate.mount == Mount::Rigid;
         let plate = match now.interface {
             _ if still => 0.0,
@@ -257,24 +339,31 @@ impl<'a> Shot<'a> {
     }
 
     fn moved(&self, from: State, dt_s: f64, now: Now) -> State {
-        let rates = |state| self.rates(state, now);
+        let rates = |after_s, state| self.rates(after_s, state, now);
         let along = |s: f64, rate: State| std::array::from_fn(|i| from[i] + s * rate[i]);
-        let a = rates(from);
-        let b = rates(along(0.5 * dt_s, a));
-        let c = rates(along(0.5 * dt_s, b));
-        let d = rates(along(dt_s, c));
+        let a = rates(0.0, from);
+        let b = rates(0.5 * dt_s, along(0.5 * dt_s, a));
+        let c = rates(0.5 * dt_s, along(0.5 * dt_s, b));
+        let d = rates(dt_s, along(dt_s, c));
         along(dt_s, std::array::from_fn(|i| (a[i] + 2.0 * (b[i] + c[i]) + d[i]) / 6.0))
     }
 
     /// Force between projectile and plate along the projectile's axis, positive apart.
-    fn contact_n(&self, [q, u, ..]: State, interface: Interface) -> f64 {
-        let strength = self.scene.flow_strength_pa();
+    fn contact_n(&self, after_s: f64, [q, u, ..]: State, interface: Interface) -> f64 {
+        let contact = &self.contact;
+        match interface {
+            Interface::Pulse => return contact.pulse_n(self.t_s + after_s),
+            Interface::Loads => return contact.loads_n(q, u),
+            Interface::Springs => return contact.springs_n(q, u, self.deepest_m),
+            _ => {}
+        }
+        let strength = self.strength_pa;
         let grip = self.scene.interface.grip * strength;
         let pressure = match interface {
             Interface::Deepens => strength + self.scene.drag_kg_m3() * u * u,
             Interface::Closes => grip,
             Interface::PullsOut => -grip,
-            Interface::Holds | Interface::Gone => 0.0,
+            _ => 0.0,
         };
         if pressure == 0.0 { 0.0 } else { self.area_m2(q) * pressure }
     }
@@ -309,13 +398,6 @@ impl<'a> Shot<'a> {
         let (r, sin) = (self.scene.projectile.tip_radius_m, (1.0 - self.cos().powi(2)).sqrt());
         let lag = if self.scene.target.dishing { 2.0 * r } else { 0.0 };
         self.scene.effective_thickness_m() + r * (1.0 + sin) / self.cos() + lag
-    }
-
-    fn spring_n(&self, x: f64) -> f64 {
-        let spring = &self.scene.mechanism.spring;
-        self.curve
-            .as_ref()
-            .map_or_else(|| power(spring.coefficient, spring.exponent, x), |curve| curve.force(x))
     }
 
     fn damper_n(&self, w: f64) -> f64 {
@@ -358,6 +440,23 @@ impl<'a> Shot<'a> {
 
     fn cos(&self) -> f64 {
         self.scene.cos_obliquity()
+    }
+}
+
+impl Interface {
+    /// Whether travel beyond the greatest one is a deeper hole.
+    fn deepens(self) -> bool {
+        matches!(self, Self::Deepens | Self::Pulse | Self::Loads)
+    }
+}
+
+/// `S_y`, or what a closure makes of Y and E, Pa.
+fn strength_pa(scene: &Scene) -> f64 {
+    let (y, e) = (scene.target.yield_pa, scene.target.modulus_pa);
+    match scene.target.closure {
+        Closure::Given => scene.target.flow_strength_pa,
+        Closure::DoubleYield => 2.0 * y,
+        Closure::Cavity => 2.0 * y / 3.0 * (1.0 + (2.0 * e / (3.0 * y)).ln()),
     }
 }
 
