@@ -364,8 +364,8 @@ impl Track<'_> {
         if self.stop_touches && self.stop_lets_go() {
             return Some(Trigger::StopCleared);
         }
-        let reaches = x >= mechanism.stop_at_m && w > 0.0;
         let untouched = mechanism.elastic_stop().is_some() && !self.stop_touches;
+        let reaches = x >= mechanism.stop_at_m && (w > 0.0 || self.turns_unseen());
         if untouched && reaches && !self.stop_lets_go() {
             return Some(Trigger::StopReached);
         }
@@ -397,6 +397,18 @@ impl Track<'_> {
         )
     }
 
+    /// Whether a plate that goes back is turned round so soon that its displacement does not tell.
+    fn turns_unseen(&self) -> bool {
+        let (_, rate) = self.motion().accelerations(&self.state);
+        let w = self.state.plate_m_s;
+        rate > 0.0 && 0.5 * w * w <= self.unseen_m() * rate
+    }
+
+    /// A way that drowns in the rounding of the displacement at the stop, m.
+    fn unseen_m(&self) -> f64 {
+        UNSEEN * (self.problem.mechanism.stop_at_m.abs() + self.plate_scale_m)
+    }
+
     /// Whether an elastic stop's force is zero and about to pull.
     fn stop_lets_go(&self) -> bool {
         let form = self.stop_force(1.0);
@@ -424,7 +436,7 @@ impl Track<'_> {
         let mut after = -stop.restitution * before;
         let (_, rate) = self.motion().accelerations(&self.state);
         let height_m = 0.5 * after * after / rate.abs();
-        let unseen_m = UNSEEN * (self.problem.mechanism.stop_at_m.abs() + self.plate_scale_m);
+        let unseen_m = self.unseen_m();
         let slow = REBOUND_MIN * (self.problem.velocity_m_s + self.speed_scale_m_s);
         if after.abs() <= slow || (rate > 0.0 && height_m <= unseen_m) {
             after = 0.0;

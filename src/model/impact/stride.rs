@@ -204,7 +204,11 @@ impl Track<'_> {
             let state = state.or_else(|| Some(self.unbroken(clock, place(part))?.end));
             state.map_or(f64::NAN, |state| value(&state))
         };
-        self.unbroken(clock, place(in_bracket(fall.between.0, fall.between.1, end_of)))
+        let landed =
+            self.unbroken(clock, place(in_bracket(fall.between.0, fall.between.1, end_of)))?;
+        let missed = value(&landed.end).abs();
+        let exact = fall.form.rounding(clock.motion, &landed.end);
+        (missed <= larger(LANDED * start, exact)).then_some(landed)
     }
 
     /// The way to `to`, whatever happens on it, if it is accurate.
