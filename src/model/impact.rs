@@ -22,6 +22,7 @@ mod events;
 pub mod forced;
 mod guard;
 pub mod lean;
+mod overdue;
 mod problem;
 mod record;
 mod report;

@@ -15,10 +15,6 @@ const REBOUND_MIN: f64 = 1e-9;
 /// So does one whose height is below this part of the displacement: its digits end there.
 const UNSEEN: f64 = 4.0 * f64::EPSILON;
 
-/// Part of a displacement by which rounding puts a zero of a spring's force elsewhere, and of a curve's size that is just beyond it.
-const UNTOLD: f64 = 1e-12;
-const NEARBY: f64 = 1e-9;
-
 /// Part of the impact velocity, per tolerance, below which the plate's own is lost among the errors of Taylor steps (their local
 /// tolerance of the scale that matters to the depth), and the first step of the implicit method then, relative to the time.
 const UNFELT: f64 = 1e-7;
@@ -299,123 +295,9 @@ impl Track<'_> {
         }
     }
 
-    /// An event that rounding has put behind the state already, when another one fell on nearly the same moment.
-    pub(super) fn overdue(&self) -> Option<Trigger> {
-        let State { travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w } = self.state;
-        let problem = self.problem;
-        let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
-        // So close that the clock, or the displacement's digits, do not tell it from the stop.
-        let presses = || w == 0.0 && self.motion().accelerations(&self.state).1 > 0.0;
-        if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
-            return Some(Trigger::StopReached);
-        }
-        if self.is_beyond_stop() && self.stop_presses() {
-            return Some(Trigger::StopPressed);
-        }
-        if let Some(trigger) = self.overdue_on_place() {
-            return Some(trigger);
-        }
-        let (behind, ahead) = self.spring_ends();
-        if !self.is_still() && (x > ahead || (x >= ahead && w > 0.0)) {
-            return Some(Trigger::KnotAhead);
-        }
-        if !self.is_still() && (x < behind || (x <= behind && w < 0.0)) {
-            return Some(Trigger::KnotBehind);
-        }
-        match self.mode {
-            Mode::Penetrating | Mode::Closing if u < 0.0 => Some(Trigger::SlipZero),
-            Mode::Penetrating | Mode::Closing if q >= problem.geometry.exit_m && u > 0.0 => {
-                Some(Trigger::PieceEnd)
-            }
-            Mode::Closing if q >= self.deepest_m && u > 0.0 => Some(Trigger::HoleBottom),
-            Mode::Withdrawing if u > 0.0 => Some(Trigger::SlipZero),
-            Mode::Withdrawing if q <= 0.0 => Some(Trigger::PieceStart),
-            Mode::FreeFlight if q > 0.0 && u > 0.0 => Some(Trigger::Recontact),
-            Mode::Penetrating
-            | Mode::Closing
-            | Mode::Withdrawing
-            | Mode::FreeFlight
-            | Mode::Fused
-            | Mode::Perforated => None,
-        }
-    }
-
-    /// Whether the plate is where an elastic stop that has let go of it would press it again.
-    pub(super) fn is_beyond_stop(&self) -> bool {
-        let mechanism = &self.problem.mechanism;
-        let lets_go = mechanism.elastic_stop().is_some() && !self.stop_touches;
-        lets_go && !self.is_still() && self.state.plate_m > mechanism.stop_at_m
-    }
-
-    /// Whether an elastic stop would push by more than rounding, if it touched.
-    fn stop_presses(&self) -> bool {
-        let form = self.stop_force(-1.0);
-        let motion = self.motion();
-        form.at(&motion, &self.state) < -form.rounding(&motion, &self.state)
-    }
-
-    /// An event at the very place on which another one has put the plate: its guard is zero there and falls no more.
-    fn overdue_on_place(&self) -> Option<Trigger> {
-        let State { plate_m: x, plate_m_s: w, .. } = self.state;
-        if self.is_still() {
-            return None;
-        }
-        let mechanism = &self.problem.mechanism;
-        if self.stop_touches && self.stop_lets_go() {
-            return Some(Trigger::StopCleared);
-        }
-        let untouched = mechanism.elastic_stop().is_some() && !self.stop_touches;
-        let reaches = x >= mechanism.stop_at_m && (w > 0.0 || self.turns_unseen());
-        if untouched && reaches && !self.stop_lets_go() {
-            return Some(Trigger::StopReached);
-        }
-        // Without any strength the interface gives way where the spring's force changes its sign.
-        let carries = self.mode == Mode::Fused && self.problem.plastic;
-        let ahead = if carries { self.spring_turns(w) } else { 0.0 };
-        let (push, pull) = if ahead == 0.0 { (0.0, 0.0) } else { self.interface_limits_n() };
-        if ahead < 0.0 && pull == 0.0 {
-            Some(Trigger::PullLimit)
-        } else {
-            (ahead > 0.0 && push == 0.0).then_some(Trigger::PushLimit)
-        }
-    }
-
-    /// The sign that the spring's force is about to have where nothing acts on the plate now; zero elsewhere.
-    fn spring_turns(&self, w: f64) -> f64 {
-        let spring = &self.problem.mechanism.spring;
-        let (x, (behind, ahead)) = (self.state.plate_m, self.spring_ends());
-        let at_zero = x == 0.0 && !spring.is_absent();
-        let at_knot = [behind, ahead].map(f64::to_bits).contains(&x.to_bits());
-        // A zero between two stretches of a curve is one up to rounding.
-        let rounding = if at_knot { (UNTOLD * x * spring.tangent(x)).abs() } else { 0.0 };
-        if !(at_zero || at_knot) || self.motion().mechanism_force(&self.state).abs() > rounding {
-            return 0.0;
-        }
-        spring.curve().map_or_else(
-            || sign(w),
-            |curve| sign(curve.force(x + sign(w) * NEARBY * curve.scale_m())),
-        )
-    }
-
-    /// Whether a plate that goes back is turned round so soon that its displacement does not tell.
-    fn turns_unseen(&self) -> bool {
-        let (_, rate) = self.motion().accelerations(&self.state);
-        let w = self.state.plate_m_s;
-        rate > 0.0 && 0.5 * w * w <= self.unseen_m() * rate
-    }
-
     /// A way that drowns in the rounding of the displacement at the stop, m.
-    fn unseen_m(&self) -> f64 {
+    pub(super) fn unseen_m(&self) -> f64 {
         UNSEEN * (self.problem.mechanism.stop_at_m.abs() + self.plate_scale_m)
-    }
-
-    /// Whether an elastic stop's force is zero and about to pull.
-    fn stop_lets_go(&self) -> bool {
-        let form = self.stop_force(1.0);
-        let motion = self.motion();
-        let (_, rate) = motion.accelerations(&self.state);
-        form.at(&motion, &self.state) <= 0.0
-            && form.plate * self.state.plate_m_s + form.plate_speed * rate < 0.0
     }
 
     /// The plate meets its stop.

@@ -2,7 +2,8 @@
 //!
 //! A [`Track`] owns the state and knows in which mode the bodies are. Each stretch is advanced by Taylor steps
 //! (`taylor.rs`) or, where those become too many, by the implicit method (`stiff.rs`); when a guard (`watch.rs`) falls, the
-//! state is put exactly on the event and `events.rs` decides what follows.
+//! state is put exactly on the event and `events.rs` decides what follows. What rounding has put behind the state already is found
+//! by `overdue.rs`.
 
 use std::ops::ControlFlow;
 

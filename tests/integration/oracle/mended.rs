@@ -1,6 +1,6 @@
 //! Scenes on which the program was wrong.
 
-use cmra::model::run::{EndReason, Outcome};
+use cmra::model::run::{EndReason, Outcome, Sample};
 
 use super::{compare, draw, program};
 
@@ -82,4 +82,36 @@ fn valid_a_half_sine_history_with_a_stop_and_a_second_approach() {
         "n=0.98766 k=1.285e6 m=1.5 b=53.03 d=0.00082234 gamma=0.30416 v_i=136.68 h=0.012872 run.horizon_s=9.6388e-4 x_stop=-7.97527e-4 e=0 model=half-sine t_d=1.2355e-4",
         "n=1.5 k=7.13e7 d=0.0052719 gamma=0.20429 v_i=343.01 h=0.0071525 run.horizon_s=1.7524e-3 model=half-sine t_d=2.6986e-4",
     ]);
+}
+
+/// A cocked spring presses the plate on the undamped elastic stop at which it starts: it swings between its start and twice the rest's
+/// place, k d^n / `k_stop`, beyond, and comes back to the stop with no speed at all each time. It once went through it there.
+#[test]
+fn valid_a_plate_that_turns_at_its_elastic_stop_stays_on_it() {
+    let scene = "n=0.665328 k=21.96 d=0.530422 gamma=4.00112e4 v_i=1.92683e-3 h=6.93114e-3 theta=70.9473deg S_y=0 \
+        C_d=0.161997 x_stop=-0.530422 stop_kind=elastic k_stop=2.27056e8 run.horizon_s=0.6";
+    let rest_m = 21.96 * 0.530422_f64.powf(0.665328) / 2.27056e8;
+    for tolerance in [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
+        let run = program(&draw::read(&format!("{scene} tolerance={tolerance:e}")));
+        let beyond = |row: &Sample| row.plate_displacement_m + 0.530422;
+        let (least, most) = run
+            .series
+            .iter()
+            .map(beyond)
+            .fold((0.0, 0.0), |(least, most), x| (f64::min(least, x), f64::max(most, x)));
+        assert!(least.abs() < 1e-5 * rest_m, "{tolerance:e}: {least:e}");
+        // The contact adds some 1e-10 N to the spring's 14.
+        assert!((most / (2.0 * rest_m) - 1.0).abs() < 1e-3, "{tolerance:e}: {most:e}");
+    }
+}
+
+/// A damper with m = 0.2 while the plate meets its rigid stop: all energies balance wherever the stop is met.
+#[test]
+fn a_plate_that_meets_its_stop_within_a_stride_is_put_on_it_where_it_is() {
+    let scene = "n=5.37204 m=0.201045 k=2.70515 b=3.14827e-2 d=0.888103 gamma=2.97828e-4 v_i=0.242486 h=7.04153e-5 \
+        S_y=2.25583e5 C_d=1.23921e-2 x_stop=-0.88810271567";
+    for tolerance in [1e-7, 1e-8, 3e-9, 1e-9, 3e-10, 1e-10, 1e-11] {
+        let run = program(&draw::read(&format!("{scene} tolerance={tolerance:e}")));
+        assert!(run.ledger.residual().abs() < 1e-12, "{tolerance:e}: {:e}", run.ledger.residual());
+    }
 }
