@@ -90,10 +90,10 @@ fn valid_a_half_sine_history_with_a_stop_and_a_second_approach() {
 fn valid_a_plate_that_turns_at_its_elastic_stop_stays_on_it() {
     let scene = "n=0.665328 k=21.96 d=0.530422 gamma=4.00112e4 v_i=1.92683e-3 h=6.93114e-3 theta=70.9473deg S_y=0 \
         C_d=0.161997 x_stop=-0.530422 stop_kind=elastic k_stop=2.27056e8 run.horizon_s=0.6";
-    let rest_m = 21.96 * 0.530422_f64.powf(0.665328) / 2.27056e8;
+    let rest_m = 21.96 * 0.530_422_f64.powf(0.665_328) / 2.27056e8;
     for tolerance in [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
         let run = program(&draw::read(&format!("{scene} tolerance={tolerance:e}")));
-        let beyond = |row: &Sample| row.plate_displacement_m + 0.530422;
+        let beyond = |row: &Sample| row.plate_displacement_m + 0.530_422;
         let (least, most) = run
             .series
             .iter()
