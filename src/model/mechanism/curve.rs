@@ -2,6 +2,7 @@
 //! how far an energy carries the plate, and the greatest forces on the way.
 
 use crate::model::mechanism::piece::Piece;
+use crate::model::mechanism::sign;
 use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
 
@@ -150,7 +151,7 @@ impl Curve {
 
     /// Which way, 1 or -1, the law drives the plate on from x for ever: beyond the end of a table whose force runs away.
     pub fn drives_away(&self, x: f64) -> Option<f64> {
-        let outward = -crate::model::mechanism::sign(self.force(x));
+        let outward = -sign(self.force(x));
         let ahead = self.stations_m.iter().any(|station| outward * (station - x) > 0.0);
         let for_ever =
             outward != 0.0 && !ahead && self.reach(x, self.energy(x), outward).is_infinite();
@@ -179,7 +180,7 @@ impl Curve {
         if x.is_finite() {
             return self.force(x);
         }
-        let way = crate::model::mechanism::sign(x);
+        let way = sign(x);
         let edge = if way > 0.0 { self.stations_m.last() } else { self.stations_m.first() };
         let far = edge.copied().unwrap_or(0.0) + way * self.scale_m;
         let tangent = self.tangent(far);

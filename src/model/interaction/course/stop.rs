@@ -6,6 +6,8 @@ use crate::model::run::EventKind;
 
 /// A plate that has this part of the impact velocity left on a rigid stop comes to rest there.
 const RESTS_BELOW: f64 = 1e-6;
+/// Hits that are told of, however slow the plate is.
+const TOLD: usize = 8;
 /// Part of two forces by which they differ although they are meant to be equal.
 const ROUNDING: f64 = 1e-12;
 
@@ -56,7 +58,8 @@ impl Course<'_> {
     /// The rigid stop: the plate comes back with its restitution, or rests on it.
     pub(super) fn hit_stop(&mut self) {
         let Some(stop) = self.pair.rigid_stop() else { return };
-        if self.y[W] > if self.hits < 8 { 0.0 } else { 1e-6 } {
+        let is_told = self.hits < TOLD || self.y[W] > RESTS_BELOW;
+        if self.y[W] > 0.0 && is_told {
             self.event(EventKind::StopHit);
         }
         let before = 0.5 * self.pair.moving_mass() * self.y[W] * self.y[W];
