@@ -1,6 +1,6 @@
 //! Scenes on which the program was wrong.
 
-use cmra::model::run::{EndReason, Outcome, Sample};
+use cmra::model::run::{EndReason, EventKind, Outcome, Sample};
 
 use super::{compare, draw, program};
 
@@ -114,4 +114,20 @@ fn a_plate_that_meets_its_stop_within_a_stride_is_put_on_it_where_it_is() {
         let run = program(&draw::read(&format!("{scene} tolerance={tolerance:e}")));
         assert!(run.ledger.residual().abs() < 1e-12, "{tolerance:e}: {:e}", run.ledger.residual());
     }
+}
+
+/// Bounces of a plate pressed on its stop lose 1 - e^2 of their energy each: a hundred of them leave nothing that could be told from
+/// rest. They once went on for ever, since the way back ended beyond the stop.
+#[test]
+fn valid_bounces_on_a_rigid_stop_die_down() {
+    let scene = "spring=table table=-3.8592e-3:-67.72,-2.7626e-3:171.77,-2.39803e-3:227.82 own_mass=counted \
+        m_spring=0.012621 m=0.5 b=14.73 d=0.0033517 gamma=3.2204 v_i=97.115 h=0.0025046 interface=plastic g=0.1 \
+        x_stop=-3.311575e-3 e=0.8 run.horizon_s=7.1877e-4";
+    let run = program(&draw::read(scene));
+    let hits = run.events.iter().filter(|event| event.kind == EventKind::StopHit).count();
+    let kept: f64 = 0.8;
+    // Down to the part of the impact velocity below which a rebound is none.
+    let most = 1e-9_f64.ln() / kept.ln();
+    assert!(hits >= 10 && hits as f64 <= most, "{hits} of {most}");
+    agree(&[scene]);
 }
