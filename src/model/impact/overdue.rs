@@ -110,11 +110,12 @@ impl Track<'_> {
         )
     }
 
-    /// Whether a plate that goes back is turned round so soon that its displacement does not tell.
+    /// Whether a plate on its stop that goes back is turned round so soon that its displacement does not tell.
     fn turns_unseen(&self) -> bool {
         let (_, rate) = self.motion().accelerations(&self.state);
-        let w = self.state.plate_m_s;
-        rate > 0.0 && 0.5 * w * w <= self.unseen_m() * rate
+        let State { plate_m: x, plate_m_s: w, .. } = self.state;
+        let (on_stop, unseen_m) = (self.problem.mechanism.stop_at_m, self.unseen_m());
+        x - on_stop <= unseen_m && w <= 0.0 && rate > 0.0 && 0.5 * w * w <= unseen_m * rate
     }
 
     /// Whether an elastic stop's force is zero and about to pull.
