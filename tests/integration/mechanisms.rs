@@ -58,16 +58,8 @@ fn the_normalised_law_is_the_power_law_and_follows_its_reference() {
 /// Energy is kept on every kind, forward and back, cocked or not, with a stop, damped, and after the projectile has gone.
 #[test]
 fn energy_is_kept_on_every_kind() {
-    let kinds = [
-        "normalised",
-        "prbm-cantilever",
-        "prbm-guided",
-        "bistable",
-        "constant",
-        "column",
-        "helix",
-        "table",
-    ];
+    // But for the power law itself, the first.
+    let kinds = &SpringKind::WORDS[1..];
     let ways = [
         "",
         "d=0.013",

@@ -243,6 +243,14 @@ fn compare_many(
     kinds
 }
 
+/// That nothing disagrees on a scene; gives the program's run of it, unless it rattles.
+#[track_caller]
+fn agree(pairs: &str) -> Option<Run> {
+    let (found, _, run) = compare(pairs);
+    assert!(found.is_empty(), "{pairs}: {found:?}");
+    run
+}
+
 #[test]
 fn valid_random_scenes_against_tiny_steps_of_the_law_itself() {
     let kinds = compare_many(draw::plain, (150, 2_007));
@@ -282,8 +290,7 @@ fn valid_a_damped_stop_resumes_penetration_at_once() {
         "n=2 k=443000 m=1.89 b=0.259 d=0.000375 gamma=1.24 v_i=31.6 h=0.0321 g=0.516 x_stop=0.00308 k_stop=7.53e8 b_stop=1800",
     ] {
         let pairs = format!("{pairs} interface=plastic stop_kind=elastic run.horizon_s=1e-3");
-        let (found, _, run) = compare(&pairs);
-        assert!(found.is_empty(), "{pairs}: {found:?}");
+        let run = agree(&pairs);
         assert!(
             run.unwrap().events.iter().any(|event| event.kind == EventKind::Resumption),
             "{pairs}"
@@ -322,8 +329,7 @@ fn valid_a_plate_pressed_on_an_elastic_stop_swings_to_its_far_end() {
         "n=1.23 k=1.29e6 d=0.0128 gamma=0.555 v_i=377 h=0.00418 dishing=false x_stop=-0.0128 k_stop=595000 b_stop=54.2",
     ] {
         let pairs = format!("{pairs} stop_kind=elastic run.horizon_s=8e-4");
-        let (found, _, _) = compare(&pairs);
-        assert!(found.is_empty(), "{pairs}: {found:?}");
+        agree(&pairs);
     }
 }
 
@@ -342,8 +348,7 @@ fn valid_an_elastic_stop_at_the_zero_of_the_spring_pushes_and_never_pulls() {
         for law in ["plastic", "fused"] {
             let pairs =
                 format!("{pairs} interface={law} x_stop=0 stop_kind=elastic run.horizon_s=5e-4");
-            let (found, _, _) = compare(&pairs);
-            assert!(found.is_empty(), "{pairs}: {found:?}");
+            agree(&pairs);
         }
     }
 }
@@ -355,8 +360,7 @@ fn valid_nothing_pulls_a_projectile_without_grip() {
         "n=2 k=1.73e8 m=1.58 d=0.0011 gamma=6 v_i=116 h=0.00394 run.horizon_s=3e-3",
         "gamma=0.327 v_i=36.5 h=0.0163 mechanism.spring.kind=bistable mechanism.spring.bistable.second_m=0.01 mechanism.spring.bistable.unstable_m=0.004 mechanism.spring.bistable.barrier_n=8000 run.horizon_s=4.29e-4",
     ] {
-        let (found, _, _) = compare(&format!("{pairs} interface=plastic g=0"));
-        assert!(found.is_empty(), "{pairs}: {found:?}");
+        agree(&format!("{pairs} interface=plastic g=0"));
     }
 }
 
@@ -369,8 +373,7 @@ fn a_plate_that_leaves_a_rigid_stop_does_not_hit_it_at_once() {
         "m=1.82 k=7.14e6 b=263 gamma=7.39 v_i=149 h=0.00797 interface=plastic g=0.581 x_stop=0.000215 e=0",
         "m=1.2 k=4.98e6 b=628 d=0.000351 gamma=0.519 v_i=55.8 h=0.00368 x_stop=0.000377 e=0.203",
     ] {
-        let (found, _, run) = compare(&format!("{pairs} run.horizon_s=6e-4"));
-        assert!(found.is_empty(), "{pairs}: {found:?}");
+        let run = agree(&format!("{pairs} run.horizon_s=6e-4"));
         let events = run.unwrap().cost.events;
         assert!(events < 100, "{pairs}: {events} events");
     }

@@ -294,16 +294,25 @@ mod tests {
     }
 
     fn lines(theme: Theme, cursor: Option<(usize, usize)>) -> Vec<String> {
-        let levels = Levels::of(Scale::Linear, [0.0, 10.0]).unwrap();
+        map((&slope, 10.0), 6.5, (theme, cursor))
+    }
+
+    /// A map of values up to `top`, with one contour.
+    fn map(
+        (spot, top): (&dyn Fn(usize, usize) -> Spot, f64),
+        contour: f64,
+        (theme, cursor): (Theme, Option<(usize, usize)>),
+    ) -> Vec<String> {
+        let levels = Levels::of(Scale::Linear, [0.0, top]).unwrap();
         let axis = |label, hi| Axis::new(label, ViewRange::new(0.0, hi));
         let map = Heatmap {
             title: "height: y".into(),
             x: axis("x", 10.0),
             y: axis("y", 5.0),
             counts: (11, 6),
-            spot: &slope,
+            spot,
             levels: &levels,
-            contour: Some(6.5),
+            contour: Some(contour),
             cursor,
             focused: false,
         };
@@ -319,20 +328,7 @@ mod tests {
     #[test]
     fn no_contour_runs_through_what_differs_by_rounding_only() {
         let flat = |x: usize, y: usize| Spot::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
-        let levels = Levels::of(Scale::Linear, [0.0, 110.0]).unwrap();
-        let axis = |label, hi| Axis::new(label, ViewRange::new(0.0, hi));
-        let map = Heatmap {
-            title: "t".into(),
-            x: axis("x", 10.0),
-            y: axis("y", 5.0),
-            counts: (11, 6),
-            spot: &flat,
-            levels: &levels,
-            contour: Some(100.0 + 3e-14),
-            cursor: None,
-            focused: false,
-        };
-        let text = map.to_lines(29, 10, Theme::PLAIN).join("\n");
+        let text = map((&flat, 110.0), 100.0 + 3e-14, (Theme::PLAIN, None)).join("\n");
         assert!(!text.contains('O'), "{text}");
     }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cmra::model::scene::{Layer, Mount, Scene, Stack};
+use cmra::model::scene::{Layer, Mount, Scene, SpringKind, Stack};
 use cmra::model::variables;
 
 use crate::random::Random;
@@ -152,20 +152,8 @@ pub(crate) fn stacked(random: &mut Random) -> String {
 
 /// A spring of any kind.
 fn spring(random: &mut Random, s: &str) -> String {
-    let kinds = [
-        "power-law",
-        "normalised",
-        "prbm-cantilever",
-        "prbm-guided",
-        "bistable",
-        "constant",
-        "column",
-        "helix",
-        "table",
-        "bistable",
-        "column",
-        "table",
-    ];
+    // Those with a form of their own more often.
+    let kinds = [&SpringKind::WORDS[..], &["bistable", "column", "table"]].concat();
     let kind = random.of(&kinds);
     let law = match kind {
         "power-law" => {
