@@ -6,7 +6,7 @@
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, FromArgMatches as _, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 mod accuracy;
@@ -14,6 +14,7 @@ mod compare;
 mod completions;
 mod design;
 mod error;
+mod help;
 mod json;
 mod limit;
 mod man;
@@ -50,6 +51,7 @@ pub use output::report;
     name = "cmra",
     version,
     args_conflicts_with_subcommands = true,
+    disable_help_subcommand = true,
     max_term_width = 100,
     after_help = "SCENE is a preset's name (see `cmra presets`) or the path of a TOML file.\n\
                   Exit status: 0 done, 1 the computation fell short, 2 the command line or an input file is wrong."
@@ -86,12 +88,17 @@ enum Command {
     /// Look for the designs that nothing beats: one best under constraints, or a Pareto front
     #[command(visible_alias = "optimize")]
     Optimise(optimise::OptimiseArguments),
-    /// Draw the inputs within their tolerances, and tell how the results scatter
+    /// Draw the inputs within their tolerances and show how the results spread (Monte Carlo)
+    #[command(name = "montecarlo", alias = "scatter")]
     Scatter(scatter::ScatterArguments),
     /// Tell which variables matter: one at a time, Morris's elementary effects and Sobol's indices
     Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
     Presets(presets::PresetsArguments),
+    /// Print every key of the workbench
+    Keys,
+    /// Explain a topic (scenes, csv, equations, ...) or a command
+    Help(help::HelpArguments),
     /// Print where this program keeps presets, session and log
     Paths,
     /// Print a completion script for a shell
@@ -125,7 +132,10 @@ pub(crate) enum Glyphs {
 /// [`CliError`], which knows its exit code; [`report`] prints it.
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
     let written: Vec<OsString> = arguments.collect();
-    let arguments = match Arguments::try_parse_from(&written) {
+    let parsed = help::command()
+        .try_get_matches_from(&written)
+        .and_then(|matches| Arguments::from_arg_matches(&matches));
+    let arguments = match parsed {
         Ok(arguments) => arguments,
         Err(error)
             if written.iter().any(|word| word.to_string_lossy().contains(char::is_control)) =>
@@ -156,6 +166,8 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Scatter(arguments)) => scatter::run(&arguments),
         Some(Command::Sensitivity(arguments)) => sensitivity::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
+        Some(Command::Keys) => help::run_keys(),
+        Some(Command::Help(arguments)) => help::run(&arguments),
         Some(Command::Paths) => paths::run(),
         Some(Command::Completions(arguments)) => completions::run(arguments.shell),
         Some(Command::Man(arguments)) => man::run(&arguments),

@@ -1,0 +1,167 @@
+//! `cmra help [TOPIC]`, `cmra keys`, and the commands in groups at the top of `cmra --help`.
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+
+use clap::{Args, Command, CommandFactory as _};
+
+use crate::cli::{Arguments, CliError, output};
+use crate::files::error::did_you_mean;
+use crate::tui::app::status::wrap;
+use crate::tui::message::BINDINGS;
+
+/// The commands by what they are for. A test checks that each stands in one group.
+const GROUPS: [(&str, &[&str]); 4] = [
+    ("Run and explore", &["run", "sweep"]),
+    ("Decide", &["limit", "worth", "seek", "optimise", "sensitivity", "montecarlo"]),
+    ("Check", &["accuracy", "stability", "reproduce", "validate"]),
+    ("Data", &["presets", "design", "keys", "help", "paths", "completions", "man"]),
+];
+
+/// One page of `cmra help`.
+struct Topic {
+    name: &'static str,
+    about: &'static str,
+    text: &'static str,
+}
+
+/// The pages, in the order of the list. The table of keys is made from the key bindings.
+#[rustfmt::skip]
+const TOPICS: [Topic; 7] = [
+    Topic { name: "scenes", about: "scene files, presets, values and units", text: include_str!("help/scenes.txt") },
+    Topic { name: "csv", about: "CSV, JSON and exit status", text: include_str!("help/csv.txt") },
+    Topic { name: "equations", about: "what is computed, with every symbol", text: include_str!("help/equations.txt") },
+    Topic { name: "mechanisms", about: "kinds of springs, dampers and stops", text: include_str!("help/mechanisms.txt") },
+    Topic { name: "stacks", about: "several plates behind one another", text: include_str!("help/stacks.txt") },
+    Topic { name: "methods", about: "how it is computed, and how that is checked", text: include_str!("help/methods.txt") },
+    Topic { name: "validation", about: "where the model may be used, and where not", text: include_str!("help/validation.txt") },
+];
+const KEYS: &str = "keys";
+
+/// Width of the text of a key, for a terminal of 80 columns.
+const HELP_WIDTH: usize = 52;
+
+#[derive(Debug, Args)]
+pub(super) struct HelpArguments {
+    /// A topic or a command; without it: the list of topics
+    topic: Option<String>,
+}
+
+/// The command line with its commands in groups.
+pub(super) fn command() -> Command {
+    let command = Arguments::command();
+    let groups = grouped(&command);
+    command.help_template(format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}\
+         Arguments:\n{{positionals}}\n\nOptions:\n{{options}}{{after-help}}"
+    ))
+}
+
+/// Each group with its commands and what they do.
+fn grouped(command: &Command) -> String {
+    let mut text = String::new();
+    for (group, names) in GROUPS {
+        let _ = writeln!(text, "{group}:");
+        for name in names {
+            let about = command.find_subcommand(name).and_then(Command::get_about);
+            let about = about.map(ToString::to_string).unwrap_or_default();
+            let _ = writeln!(text, "  {name:<12} {about}");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Print a topic, the help of a command, or the list of topics.
+pub(super) fn run(arguments: &HelpArguments) -> Result<ExitCode, CliError> {
+    let Some(name) = arguments.topic.as_deref() else {
+        output::print(&list())?;
+        return Ok(ExitCode::SUCCESS);
+    };
+    let mut command = command();
+    command.build();
+    let text = if name == KEYS {
+        keys()
+    } else if let Some(topic) = TOPICS.iter().find(|topic| topic.name == name) {
+        topic.text.to_owned()
+    } else if let Some(found) = command.find_subcommand_mut(name) {
+        found.render_long_help().to_string()
+    } else {
+        return Err(unknown(name, &command));
+    };
+    output::print(&text)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Print the table of keys.
+pub(super) fn run_keys() -> Result<ExitCode, CliError> {
+    output::print(&keys())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn unknown(name: &str, command: &Command) -> CliError {
+    let topics: Vec<&str> = TOPICS.iter().map(|topic| topic.name).chain([KEYS]).collect();
+    let commands: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+    let cure = did_you_mean(name, &[topics.clone(), commands].concat())
+        .unwrap_or_else(|| format!("the topics are {}", topics.join(", ")));
+    CliError::Option(format!("`{name}` is neither a topic nor a command: {cure}"))
+}
+
+fn list() -> String {
+    let mut text = String::from("cmra help TOPIC, where TOPIC is one of\n\n");
+    for Topic { name, about, .. } in &TOPICS {
+        let _ = writeln!(text, "  {name:<12} {about}");
+    }
+    let _ = writeln!(text, "  {KEYS:<12} every key of the workbench");
+    text + "\nor a command: `cmra help run` is `cmra run --help`. `cmra --help` lists the commands.\n"
+}
+
+/// The table of keys, pane by pane.
+fn keys() -> String {
+    let mut text =
+        String::from("KEYS\n\nThe workbench shows the keys of the focused pane with `?`.\n");
+    let mut place = None;
+    for binding in BINDINGS {
+        if place != Some(binding.place) {
+            place = Some(binding.place);
+            let _ = writeln!(text, "\n{}", binding.place.words());
+        }
+        for (row, line) in wrap(binding.help, HELP_WIDTH).into_iter().enumerate() {
+            let keys = if row == 0 { binding.keys_in_words() } else { String::new() };
+            let _ = writeln!(text, "  {keys:<20}  {line}");
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const COLUMNS: usize = 80;
+
+    #[test]
+    fn every_command_stands_in_one_group() {
+        let command = command();
+        for listed in command.get_subcommands().filter(|command| !command.is_hide_set()) {
+            let name = listed.get_name();
+            let times = GROUPS.iter().flat_map(|(_, names)| *names).filter(|one| **one == name);
+            assert_eq!(times.count(), 1, "add `{name}` to GROUPS in src/cli/help.rs");
+        }
+        for name in GROUPS.iter().flat_map(|(_, names)| *names) {
+            assert!(command.find_subcommand(name).is_some(), "{name} is not a command");
+        }
+    }
+
+    #[test]
+    fn pages_fit_80_columns() {
+        let pages = TOPICS.iter().map(|topic| (topic.name, topic.text.to_owned()));
+        for (name, text) in pages.chain([(KEYS, keys()), ("list", list())]) {
+            for line in text.lines() {
+                assert!(line.chars().count() <= COLUMNS, "{name}: {line}");
+            }
+        }
+        let help = command().term_width(COLUMNS).render_help().to_string();
+        assert!(help.lines().all(|line| line.chars().count() <= COLUMNS), "{help}");
+    }
+}
