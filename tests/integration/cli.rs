@@ -449,18 +449,3 @@ fn a_reader_that_leaves_early_is_no_error() {
     assert_eq!(child.wait().unwrap().code(), Some(0));
     assert_eq!(said, "");
 }
-
-/// The README's list of commands has each that there is.
-#[test]
-fn the_readme_names_every_subcommand() {
-    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
-    let help = Place::new().cmra("--help").out;
-    let list = help.split("Commands:").nth(1).and_then(|text| text.split("Arguments:").next());
-    let is_name = |line: &&str| line.starts_with("  ") && !line.starts_with("   ");
-    let names = list.unwrap().lines().filter(is_name);
-    let names: Vec<&str> = names.filter_map(|line| line.split_whitespace().next()).collect();
-    assert!(names.len() > 10, "{help}");
-    for name in names.into_iter().filter(|name| *name != "help") {
-        assert!(readme.contains(&format!("\ncmra {name}")), "README.md does not name {name}");
-    }
-}

@@ -8,7 +8,6 @@ mod limit;
 mod models;
 mod newcomer;
 mod pointer;
-mod readme;
 mod search;
 mod stability;
 mod sweep;
