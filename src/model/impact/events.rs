@@ -369,8 +369,9 @@ impl Track<'_> {
         contact - self.problem.mechanism.spring.force(self.state.plate_m)
     }
 
+    /// The net push on a plate held by its rigid stop has become negative: it is free until it comes back with speed.
     fn release(&mut self) {
-        self.held = false;
+        (self.held, self.released) = (false, true);
         self.side_w = -1.0;
         self.side_x = side(self.state.plate_m, -1.0);
         self.record.event(self.t_s, EventKind::StopRelease);

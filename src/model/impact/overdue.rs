@@ -18,7 +18,8 @@ impl Track<'_> {
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
         // So close that the clock, or the displacement's digits, do not tell it from the stop.
-        let presses = || w == 0.0 && self.motion().accelerations(&self.state).1 > 0.0;
+        let presses =
+            || w == 0.0 && !self.released && self.motion().accelerations(&self.state).1 > 0.0;
         if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
             return Some(Trigger::StopReached);
         }

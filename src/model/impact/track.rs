@@ -52,6 +52,8 @@ pub(super) struct Track<'a> {
     pub(super) mode: Mode,
     /// The plate rests on its rigid stop.
     pub(super) held: bool,
+    /// The rigid stop has released the plate at this moment: no rounding of the forces brings it back.
+    pub(super) released: bool,
     /// The mechanism cannot move the plate noticeably: it stays where it is.
     pub(super) immobile: bool,
     /// The plate, on which nothing but its mechanism acts, has died down.
@@ -131,6 +133,7 @@ impl<'a> Track<'a> {
             held: problem.mechanism.rigid_stop().is_some()
                 && problem.start_m >= problem.mechanism.stop_at_m
                 && pull >= 0.0,
+            released: false,
             immobile: false,
             resting: false,
             stop_touches: problem.mechanism.elastic_stop().is_some()
@@ -440,6 +443,7 @@ impl<'a> Track<'a> {
         self.t_s = t_s;
         self.state = state;
         self.left_out_m = 0.0;
+        self.released = false;
         if let Some(trigger) = fired {
             self.snap(trigger, &before);
         }

@@ -68,6 +68,20 @@ fn on_a_rigid_mount_both_laws_are_exact() {
     assert!((fitted.limit_m_s / 232.295_378 - 1.0).abs() < 1e-4, "{fitted:?}");
 }
 
+/// The limits of an independent 80-bit reference (issue 15, 0 a). A plate that left its rigid stop within rounding was caught by it
+/// again at the same instant, for 15,000 steps, and counted as stopped: 254.24 and 255.59 m/s.
+#[test]
+fn valid_limits_with_a_rigid_stop_against_the_reference() {
+    for (pairs, limit) in [
+        ("gamma=4.46 k=1.6e6 n=2 x_stop=0.001", 234.89),
+        ("gamma=0.9 k=1.2e6 n=1.5 h=0.02 x_stop=0.003 interface=plastic", 220.27),
+    ] {
+        let velocity_m_s = alone(&scene(pairs), &mut |_, _| ControlFlow::Continue(()));
+        let velocity_m_s = velocity_m_s.unwrap().velocity_m_s().unwrap();
+        assert!((velocity_m_s - limit).abs() < 5e-3, "{pairs}: {velocity_m_s}");
+    }
+}
+
 #[test]
 fn no_limit_is_said_as_such() {
     let always = found("S_y=0");
