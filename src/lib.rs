@@ -6,10 +6,10 @@
 //! Modules import only what stands to their right:
 //! `cli -> tui -> worker -> files -> study -> model -> numerics`. A test reads the source and holds them to it.
 
+pub use cmra_engine::{model, numerics};
+
 pub mod cli;
 pub mod files;
-pub mod model;
-pub mod numerics;
 pub mod study;
 pub mod tui;
 pub mod worker;
