@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors};
 use crate::files::{read_stack, read_sweep, read_table};
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, SpringKind};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 
@@ -84,22 +84,17 @@ fn text_up_to(source: impl Read, path: &Path, limit: u64) -> Result<String, File
 /// # Errors
 /// [`SceneErrors`] with every problem found.
 pub fn scene(text: &str, file: &str) -> Result<Scene, SceneErrors> {
-    let mut reader = Reader { text, file, problems: Vec::new(), more: false };
+    let mut reader = Reader::new(text, file);
     let mut scene = Scene::default();
     match DeTable::parse(text) {
         Ok(document) => reader.document(&mut scene, document.get_ref()),
         Err(error) => reader.problem(error.span().unwrap_or(0..0), syntax(error.message())),
     }
-    if reader.problems.is_empty() {
-        Ok(scene)
-    } else {
-        reader.problems.sort();
-        Err(SceneErrors { file: file.to_owned(), problems: reader.problems, more: reader.more })
-    }
+    reader.finish().map(|()| scene)
 }
 
 /// The parser's own words, on one line.
-fn syntax(message: &str) -> String {
+pub(super) fn syntax(message: &str) -> String {
     format!("not TOML: {}", message.replace('\n', ", "))
 }
 
@@ -112,7 +107,21 @@ pub(super) struct Reader<'t> {
     more: bool,
 }
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
+    /// A reader of a text; `file` is the name used in errors.
+    pub(super) fn new(text: &'t str, file: &'t str) -> Self {
+        Self { text, file, problems: Vec::new(), more: false }
+    }
+
+    /// Everything that was wrong, in the order of lines.
+    pub(super) fn finish(mut self) -> Result<(), SceneErrors> {
+        if self.problems.is_empty() {
+            return Ok(());
+        }
+        self.problems.sort();
+        Err(SceneErrors { file: self.file.to_owned(), problems: self.problems, more: self.more })
+    }
+
     fn document(&mut self, scene: &mut Scene, document: &DeTable<'_>) {
         if !self.is_readable_format(document) {
             return;
@@ -126,6 +135,7 @@ impl Reader<'_> {
                 name => self.entry(scene, name, key.span(), value),
             }
         }
+        self.measured_curves(scene, document);
         // Last: an element is like the scene but for what it says.
         if let Some(DeValue::Table(stack)) = document.get("stack").map(Spanned::get_ref)
             && let Some(list) = stack.get("layer")
@@ -141,6 +151,24 @@ impl Reader<'_> {
             let key = named.filter(|key| text.contains(key)).find_map(|key| find(document, key));
             let span = key.unwrap_or(0..0);
             self.problem(span, error.to_string());
+        }
+    }
+
+    /// A spring that is a table needs its points: nobody has measured the example that stands in for them.
+    fn measured_curves(&mut self, scene: &Scene, document: &DeTable<'_>) {
+        let springs = [&scene.mechanism.spring, &scene.mechanism.second];
+        for (spring, key) in springs.into_iter().zip(read_table::KEYS) {
+            let kind = key.replace(".table", ".kind");
+            let Some(span) = find(document, &kind) else { continue };
+            if spring.kind == SpringKind::Table && find(document, key).is_none() {
+                self.problem(
+                    span,
+                    format!(
+                        "{kind} = \"table\" has no measured curve: add [{key}] with file = \"curve.csv\" or points = [[x, F], ...] \
+                         in m and N"
+                    ),
+                );
+            }
         }
     }
 
@@ -282,7 +310,12 @@ impl Reader<'_> {
         )
     }
 
-    fn text_value(&mut self, key: &str, value: &Spanned<DeValue<'_>>, target: &mut String) {
+    pub(super) fn text_value(
+        &mut self,
+        key: &str,
+        value: &Spanned<DeValue<'_>>,
+        target: &mut String,
+    ) {
         if let DeValue::String(text) = value.get_ref() {
             text.as_ref().clone_into(target);
         } else {

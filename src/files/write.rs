@@ -9,7 +9,7 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
 use crate::files::read;
-use crate::model::scene::{Layer, Scene, Sweep};
+use crate::model::scene::{Layer, Scene, Spring, SpringKind, Sweep};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
@@ -181,13 +181,16 @@ fn put_layers(root: &mut Table, scene: &Scene) {
 fn changed_tables(old: &Scene, scene: &Scene) -> Vec<(&'static str, String)> {
     let (was, is) = (&old.mechanism, &scene.mechanism);
     let pairs = [
-        ("mechanism.spring.table", &was.spring.table, &is.spring.table),
-        ("mechanism.second.table", &was.second.table, &is.second.table),
+        ("mechanism.spring.table", &was.spring, &is.spring),
+        ("mechanism.second.table", &was.second, &is.second),
     ];
-    let changed = pairs.into_iter().filter(|(_, was, is)| was != is);
+    // A spring that has become a table needs its points, whatever they are.
+    let begins = |was: &Spring, is: &Spring| is.kind == SpringKind::Table && was.kind != is.kind;
+    let changed = pairs.into_iter().filter(|(_, was, is)| was.table != is.table || begins(was, is));
     changed
         .map(|(key, _, is)| {
             let points: Vec<String> = is
+                .table
                 .points
                 .iter()
                 .map(|[x, force]| format!("[{}, {}]", float(*x), float(*force)))
@@ -208,8 +211,9 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));
     }
-    let of_closure = ["target.closure", "target.yield_pa", "target.modulus_pa"];
-    if variable.group == Group::Stack || of_closure.contains(&variable.key) {
+    let seldom =
+        ["target.closure", "target.yield_pa", "target.modulus_pa", "mechanism.energy_j_kg"];
+    if variable.group == Group::Stack || seldom.contains(&variable.key) {
         return !same(variable.value(scene), variable.value(&Scene::default()));
     }
     variable.group != Group::Stop

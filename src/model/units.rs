@@ -7,6 +7,10 @@ use std::fmt;
 
 use thiserror::Error;
 
+mod table;
+
+use table::Unit;
+
 /// The kind of a quantity: which units it can be written in.
 ///
 /// `SpringCoefficient` and `DamperCoefficient` carry the unit `N/m^n` and `N(s/m)^m`, whose dimension depends
@@ -33,6 +37,8 @@ pub enum Quantity {
     Force,
     /// J
     Energy,
+    /// J/kg
+    SpecificEnergy,
     /// N/m, for a stop
     Stiffness,
     /// N s/m, for a stop
@@ -43,46 +49,23 @@ pub enum Quantity {
     DamperCoefficient,
 }
 
-/// One way of writing a quantity: the suffix and what one of it is in the stored unit.
-type Unit = (&'static str, f64);
-
-const DEG_PER_RAD: f64 = 180.0 / std::f64::consts::PI;
-
-const STIFFNESS_UNITS: &[Unit] =
-    &[("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6), ("GN/m", 1e9), ("N/mm", 1e3), ("kN/mm", 1e6)];
-const DAMPING_UNITS: &[Unit] = &[
-    ("N s/m", 1.0),
-    ("Ns/m", 1.0),
-    ("kN s/m", 1e3),
-    ("kNs/m", 1e3),
-    ("MN s/m", 1e6),
-    ("MNs/m", 1e6),
-];
-
 impl Quantity {
     /// The units this kind may be written in, the stored one first.
-    pub fn units(self) -> &'static [Unit] {
+    fn units(self) -> &'static [Unit] {
         match self {
-            Self::Number => &[("", 1.0), ("%", 1e-2)],
-            Self::Mass => &[("kg", 1.0), ("g", 1e-3), ("mg", 1e-6), ("t", 1e3)],
-            Self::Length => &[
-                ("m", 1.0),
-                ("mm", 1e-3),
-                ("cm", 1e-2),
-                ("um", 1e-6),
-                ("nm", 1e-9),
-                ("km", 1e3),
-                ("in", 0.0254),
-            ],
-            Self::Velocity => &[("m/s", 1.0), ("mm/s", 1e-3), ("km/s", 1e3), ("ft/s", 0.3048)],
-            Self::Angle => &[("deg", 1.0), ("rad", DEG_PER_RAD), ("mrad", DEG_PER_RAD * 1e-3)],
-            Self::Density => &[("kg/m3", 1.0), ("kg/m^3", 1.0), ("g/cm3", 1e3), ("g/cm^3", 1e3)],
-            Self::Pressure => &[("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)],
-            Self::Time => &[("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("min", 60.0)],
-            Self::Force => &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
-            Self::Energy => &[("J", 1.0), ("mJ", 1e-3), ("kJ", 1e3), ("MJ", 1e6)],
-            Self::Stiffness | Self::SpringCoefficient => STIFFNESS_UNITS,
-            Self::Damping | Self::DamperCoefficient => DAMPING_UNITS,
+            Self::Number => table::NUMBER_UNITS,
+            Self::Mass => table::MASS_UNITS,
+            Self::Length => table::LENGTH_UNITS,
+            Self::Velocity => table::VELOCITY_UNITS,
+            Self::Angle => table::ANGLE_UNITS,
+            Self::Density => table::DENSITY_UNITS,
+            Self::Pressure => table::PRESSURE_UNITS,
+            Self::Time => table::TIME_UNITS,
+            Self::Force => table::FORCE_UNITS,
+            Self::Energy => table::ENERGY_UNITS,
+            Self::SpecificEnergy => table::SPECIFIC_ENERGY_UNITS,
+            Self::Stiffness | Self::SpringCoefficient => table::STIFFNESS_UNITS,
+            Self::Damping | Self::DamperCoefficient => table::DAMPING_UNITS,
         }
     }
 
@@ -101,26 +84,19 @@ impl Quantity {
             | Self::Time
             | Self::Force
             | Self::Energy
+            | Self::SpecificEnergy
             | Self::Stiffness
-            | Self::Damping => self.units()[0].0,
-        }
-    }
-
-    /// The unit a bare number has on the command line: SI, so radians for angles.
-    pub fn si_unit(self) -> &'static str {
-        match self {
-            Self::Angle => "rad",
-            other => other.unit(),
+            | Self::Damping => self.units()[0].name,
         }
     }
 
     fn accepted(self) -> String {
         let mut list = String::new();
-        for (name, _) in self.units().iter().filter(|(name, _)| !name.is_empty()) {
+        for unit in self.units().iter().filter(|unit| !unit.name.is_empty()) {
             if !list.is_empty() {
                 list.push_str(", ");
             }
-            list.push_str(name);
+            list.push_str(unit.name);
         }
         list
     }
@@ -153,11 +129,19 @@ pub enum QuantityError {
         /// A text that would do.
         example: String,
     },
-    /// The suffix is no unit of this kind.
+    /// An angle without a unit where it could be taken for radians.
     #[error(
-        "`{}` is not a unit of this quantity (column {column}): use {accepted}, or no unit for {bare}",
-        quoted(.unit)
+        "`{}` is an angle without a unit: write `{} deg` or `{} rad`",
+        quoted(.text),
+        quoted(.text),
+        quoted(.text)
     )]
+    BareAngle {
+        /// What was written.
+        text: String,
+    },
+    /// The suffix is no unit of this kind.
+    #[error("`{}` is not a unit of this quantity (column {column}): use {accepted}{bare}", quoted(.unit))]
     WrongUnit {
         /// The suffix.
         unit: String,
@@ -165,8 +149,8 @@ pub enum QuantityError {
         column: usize,
         /// The units that are accepted.
         accepted: String,
-        /// The unit of a bare number.
-        bare: &'static str,
+        /// What a number without a unit means, if it may stand.
+        bare: String,
     },
 }
 
@@ -179,12 +163,12 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// Which unit a number without one has.
+/// What a number without a unit means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bare {
-    /// The SI unit: on the command line.
+    /// SI, on the command line; an angle needs its unit there.
     Si,
-    /// The stored unit: in files and in the editor, where it is shown beside the field (degrees for angles).
+    /// The stored unit: where it is shown beside the field, or stands in the name, as in files (degrees for angles).
     Stored,
 }
 
@@ -205,28 +189,54 @@ pub fn parse(text: &str, quantity: Quantity, bare: Bare) -> Result<f64, Quantity
         example: example.clone(),
     })?;
     let unit = rest.trim();
+    let needs_unit = bare == Bare::Si && quantity == Quantity::Angle;
+    // Zero is the same in every unit.
+    if unit.is_empty() && needs_unit && value != 0.0 {
+        return Err(QuantityError::BareAngle { text: trimmed.to_owned() });
+    }
     let factor = if unit.is_empty() {
-        match bare {
-            Bare::Si if quantity == Quantity::Angle => DEG_PER_RAD,
-            Bare::Si | Bare::Stored => 1.0,
-        }
+        table::STORED
     } else {
-        unit_factor(unit, quantity).ok_or_else(|| QuantityError::WrongUnit {
+        find_unit(unit, quantity).ok_or_else(|| QuantityError::WrongUnit {
             unit: unit.to_owned(),
             column: lead + 1 + trimmed.chars().count() - rest.trim_start().chars().count(),
             accepted: quantity.accepted(),
-            bare: match bare {
-                Bare::Si => quantity.si_unit(),
-                Bare::Stored => quantity.unit(),
+            bare: if needs_unit {
+                String::new()
+            } else {
+                format!(", or no unit for {}", quantity.unit())
             },
         })?
     };
-    let scaled = scale(value, factor);
+    let scaled = value * factor.times / factor.over;
     if scaled.is_finite() {
         Ok(scaled)
     } else {
         Err(QuantityError::NotFinite { text: trimmed.to_owned(), example })
     }
+}
+
+/// The complaint, with its cure, about a range of which one end has a unit and the other has none. Zero is the same in every
+/// unit.
+pub fn one_bare_end(low: &str, high: &str, quantity: Quantity) -> Option<String> {
+    let (low, high) = (low.trim(), high.trim());
+    let unit_of = |text| {
+        let (value, rest) = expression(text)?;
+        (value != 0.0).then_some(rest.trim())
+    };
+    let (bare, other, unit) = match (unit_of(low)?, unit_of(high)?) {
+        ("", unit) if !unit.is_empty() => (low, high, unit),
+        (unit, "") if !unit.is_empty() => (high, low, unit),
+        _ => return None,
+    };
+    let range = |unit: &str| {
+        if bare == low { format!("{bare} {unit}..{high}") } else { format!("{low}..{bare} {unit}") }
+    };
+    Some(format!(
+        "`{bare}` has no unit and `{other}` has one: write `{}` or `{}`",
+        range(unit),
+        range(quantity.unit())
+    ))
 }
 
 /// Read what may also be relative to `old`: `*2`, `/3`, `+5%`, `-5%`, else as [`parse`].
@@ -259,17 +269,7 @@ pub fn parse_relative(
     }
 }
 
-/// `value * factor`, by division where the factor is below one, so that `25.4mm` is the float nearest to 0.0254.
-fn scale(value: f64, factor: f64) -> f64 {
-    let inverse = 1.0 / factor;
-    if factor < 1.0 && (inverse - inverse.round()).abs() < 1e-6 * inverse {
-        value / inverse.round()
-    } else {
-        value * factor
-    }
-}
-
-fn unit_factor(unit: &str, quantity: Quantity) -> Option<f64> {
+fn find_unit(unit: &str, quantity: Quantity) -> Option<Unit> {
     let squeezed: String = unit
         .chars()
         .filter(|c| !c.is_whitespace())
@@ -279,17 +279,16 @@ fn unit_factor(unit: &str, quantity: Quantity) -> Option<f64> {
             other => other,
         })
         .collect();
-    if squeezed == quantity.unit() {
-        return Some(1.0);
-    }
-    if quantity == Quantity::Angle && squeezed == "°" {
-        return Some(1.0);
-    }
-    if quantity == Quantity::Density && squeezed == "kg/m³" {
-        return Some(1.0);
+    let other = match quantity {
+        Quantity::Angle => "°",
+        Quantity::Density => "kg/m³",
+        _ => "",
+    };
+    if squeezed == quantity.unit() || squeezed == other {
+        return Some(table::STORED);
     }
     let same = |name: &str| name.chars().filter(|c| !c.is_whitespace()).eq(squeezed.chars());
-    quantity.units().iter().find(|(name, _)| !name.is_empty() && same(name)).map(|unit| unit.1)
+    quantity.units().iter().find(|unit| !unit.name.is_empty() && same(unit.name)).copied()
 }
 
 /// `number [(*|/) number]`, where a number may be `pi`; gives the value and what follows.
@@ -361,6 +360,7 @@ fn example_of(quantity: Quantity) -> String {
         Quantity::Time => "150 us",
         Quantity::Force => "19kN",
         Quantity::Energy => "150J",
+        Quantity::SpecificEnergy => "20kJ/kg",
         Quantity::Stiffness | Quantity::SpringCoefficient => "7.5MN/m",
         Quantity::Damping | Quantity::DamperCoefficient => "2 kN s/m",
     }
@@ -481,10 +481,51 @@ mod tests {
     }
 
     #[test]
-    fn a_bare_angle_is_radians_on_the_command_line_and_degrees_in_a_file() {
-        let radians = parse("pi/6", Quantity::Angle, Bare::Si).unwrap();
+    fn customary_units_are_those_of_their_definitions() {
+        // The international yard and pound agreement of 1959 (1 in = 25.4 mm, 1 lb = 0.45359237 kg), 9.80665 m/s^2.
+        let lbf = 4.448_221_615_260_5;
+        let square_inch = 0.0254 * 0.0254;
+        let cases = [
+            ("1in", Quantity::Length, 0.0254),
+            ("3in", Quantity::Length, 0.0762),
+            ("12 in", Quantity::Length, 0.3048),
+            ("1ft", Quantity::Length, 0.3048),
+            ("1000mil", Quantity::Length, 0.0254),
+            ("7000gr", Quantity::Mass, 0.453_592_37),
+            ("1gr", Quantity::Mass, 64.798_91e-6),
+            ("1lb", Quantity::Mass, 0.453_592_37),
+            ("16oz", Quantity::Mass, 0.453_592_37),
+            ("1fps", Quantity::Velocity, 0.3048),
+            ("2780 ft/s", Quantity::Velocity, 847.344),
+            ("2.78kfps", Quantity::Velocity, 847.344),
+            ("3.6km/h", Quantity::Velocity, 1.0),
+            ("1mph", Quantity::Velocity, 1609.344 / 3600.0),
+            ("1psi", Quantity::Pressure, lbf / square_inch),
+            ("40ksi", Quantity::Pressure, 40_000.0 * lbf / square_inch),
+            ("10Msi", Quantity::Pressure, 1e7 * lbf / square_inch),
+            ("1lbf", Quantity::Force, lbf),
+            ("1 lbf/in", Quantity::Stiffness, lbf / 0.0254),
+            ("570lbf/in", Quantity::SpringCoefficient, 570.0 * lbf / 0.0254),
+            ("1 lbf s/in", Quantity::Damping, lbf / 0.0254),
+            ("1 ft lbf", Quantity::Energy, lbf * 0.3048),
+            ("0.098 lb/in3", Quantity::Density, 0.098 * 0.453_592_37 / (square_inch * 0.0254)),
+            ("20 J/g", Quantity::SpecificEnergy, 20_000.0),
+        ];
+        for (text, quantity, expected) in cases {
+            let value = parse(text, quantity, Bare::Si).unwrap();
+            assert!((value - expected).abs() <= 4.0 * f64::EPSILON * expected, "{text}: {value}");
+        }
+        assert_eq!(parse("3in", Quantity::Length, Bare::Si), Ok(0.0762));
+    }
+
+    #[test]
+    fn an_angle_without_a_unit_is_degrees_in_a_file_and_refused_on_the_command_line() {
+        let radians = parse("pi/6 rad", Quantity::Angle, Bare::Si).unwrap();
         assert!((radians - 30.0).abs() < 1e-13);
         assert_eq!(parse("30", Quantity::Angle, Bare::Stored), Ok(30.0));
+        assert_eq!(parse("0", Quantity::Angle, Bare::Si), Ok(0.0));
+        let error = parse("0.5", Quantity::Angle, Bare::Si).unwrap_err().to_string();
+        assert!(error.contains("`0.5 deg` or `0.5 rad`"), "{error}");
     }
 
     #[test]

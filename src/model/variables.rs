@@ -334,6 +334,11 @@ impl Variable {
         }
     }
 
+    /// What a number without a unit means under this name: the full key ends in its unit.
+    pub fn bare(&self, name: &str, otherwise: Bare) -> Bare {
+        if name == self.key { Bare::Stored } else { otherwise }
+    }
+
     /// The value as text that [`Variable::parse`] reads back exactly: shortest digits, no unit.
     pub fn show(&self, scene: &Scene) -> String {
         match self.value(scene) {
@@ -447,7 +452,7 @@ pub fn set_by_name(
     bare: Bare,
 ) -> Result<(), VariableError> {
     let variable = find(name.trim())?;
-    let value = variable.parse(scene, text, bare)?;
+    let value = variable.parse(scene, text, variable.bare(name.trim(), bare))?;
     variable.set(scene, value)
 }
 

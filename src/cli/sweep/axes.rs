@@ -134,12 +134,17 @@ pub(in crate::cli) fn over(
     let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
     let variable = variables::find(name).map_err(unknown)?;
     let read = |text: &str, end: &str| match &variable.kind {
-        Kind::Number(number) => units::parse(text, number.quantity, Bare::Si)
+        Kind::Number(number) => units::parse(text, number.quantity, variable.bare(name, Bare::Si))
             .map_err(|problem| refuse(format!("{end}: {problem}"))),
         // Refused below, with what the variable may be.
         Kind::Choice(_) | Kind::Switch { .. } => Ok(0.0),
     };
     let ends = (read(low, "LO")?, read(high, "HI")?);
+    if let Kind::Number(number) = &variable.kind
+        && let Some(problem) = units::one_bare_end(low, high, number.quantity)
+    {
+        return Err(refuse(problem));
+    }
     Ok(Axis::within(name, ends, count, spacing, counts)?)
 }
 
@@ -154,12 +159,11 @@ mod tests {
         assert!((axis.ends().0 - 1e5).abs() < 1e-9 && (axis.ends().1 - 7.5e6).abs() < 1e-9);
         let axis = over("plate.cocking_m=0..50mm:11", None, &COUNTS).unwrap();
         assert_eq!((axis.symbol(), axis.ends().1.to_bits()), ("d", 0.05f64.to_bits()));
-        // As everywhere on the command line, a bare angle is in radians.
         let axis = over("theta=0..45deg:4", None, &COUNTS).unwrap();
         assert_eq!(axis.ends().1.to_bits(), 45f64.to_bits());
-        assert!(
-            (over("theta=0..0.5:4", None, &COUNTS).unwrap().ends().1 - 28.647_889_756).abs() < 1e-8
-        );
+        // The full key ends in its unit.
+        let axis = over("projectile.obliquity_deg=10..45:4", None, &COUNTS).unwrap();
+        assert_eq!(axis.ends().0.to_bits(), 10f64.to_bits());
         assert_eq!(over("n=3..0.1:log", Some(2), &COUNTS).unwrap().spacing(), Spacing::Log);
     }
 
@@ -178,6 +182,11 @@ mod tests {
             ("k=0..1e6:5:log", &["equal ratios", "greater than 0"]),
             ("d=0..5kg:5", &["HI", "`kg` is not a unit", "mm"]),
             ("d=zero..5mm:5", &["LO", "not a number"]),
+            ("h=1..2mm:3", &["`1` has no unit and `2mm` has one", "`1 mm..2mm` or `1 m..2mm`"]),
+            ("h=1mm..2:3", &["`2` has no unit and `1mm` has one", "`1mm..2 mm` or `1mm..2 m`"]),
+            ("v_i=100..3 kfps:3", &["`100 kfps..3 kfps` or `100 m/s..3 kfps`"]),
+            ("theta=10..45:4", &["LO", "angle without a unit", "`10 deg` or `10 rad`"]),
+            ("projectile.obliquity_deg=10..0.5rad:4", &["`10` has no unit"]),
             ("gama=1..2:5", &["axis gama", "did you mean `gamma`"]),
             ("interface=0..1:2", &["no numbers", "fused or plastic"]),
         ] {

@@ -49,6 +49,7 @@ fn decade_at_zero(number: &Number) -> i32 {
             Quantity::Number
             | Quantity::Force
             | Quantity::Energy
+            | Quantity::SpecificEnergy
             | Quantity::Stiffness
             | Quantity::Damping
             | Quantity::SpringCoefficient
@@ -81,6 +82,7 @@ pub fn first_value(number: &Number) -> f64 {
         | Quantity::Pressure
         | Quantity::Force
         | Quantity::Energy
+        | Quantity::SpecificEnergy
         | Quantity::Stiffness
         | Quantity::Damping
         | Quantity::SpringCoefficient

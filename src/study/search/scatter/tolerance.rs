@@ -208,7 +208,13 @@ impl Tolerance {
     /// `LO..HI`, or a half width about the scene's own value.
     fn ends(&self, text: &str, nominal: Option<f64>) -> Result<(f64, f64), String> {
         let (low, high) = match (text.split_once(".."), nominal) {
-            (Some((low, high)), _) => (self.value(low)?, self.value(high)?),
+            (Some((low, high)), _) => {
+                let ends = (self.value(low)?, self.value(high)?);
+                if let Some(problem) = units::one_bare_end(low, high, self.number.quantity) {
+                    return Err(problem);
+                }
+                ends
+            }
             (None, Some(nominal)) => {
                 let half = self.width(text, nominal)?;
                 (nominal - half, nominal + half)

@@ -181,7 +181,11 @@ pub fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
     let read = |text: &str| {
         units::parse(text, number.quantity, Bare::Stored).map_err(|problem| problem.to_string())
     };
-    let new = Bound { ends: (read(low)?, read(high)?), log, on: true, ..old.clone() };
+    let ends = (read(low)?, read(high)?);
+    if let Some(problem) = units::one_bare_end(low, high, number.quantity) {
+        return Err(problem);
+    }
+    let new = Bound { ends, log, on: true, ..old.clone() };
     axis(&new, 2).map(|_| new)
 }
 
