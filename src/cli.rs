@@ -16,6 +16,7 @@ mod design;
 mod error;
 mod help;
 mod json;
+mod libraries;
 mod limit;
 mod man;
 mod optimise;
@@ -95,6 +96,8 @@ enum Command {
     Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
     Presets(presets::PresetsArguments),
+    /// List threats, materials and absorbers with their sources
+    Libraries(libraries::LibrariesArguments),
     /// Print every key of the workbench
     Keys,
     /// Explain a topic (scenes, csv, equations, ...) or a command
@@ -168,6 +171,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Keys) => help::run_keys(),
         Some(Command::Help(arguments)) => help::run(&arguments),
+        Some(Command::Libraries(arguments)) => libraries::run(&arguments),
         Some(Command::Paths) => paths::run(),
         Some(Command::Completions(arguments)) => completions::run(arguments.shell),
         Some(Command::Man(arguments)) => man::run(&arguments),

@@ -11,6 +11,7 @@ pub mod csv;
 pub mod error;
 pub mod export;
 pub mod front;
+pub mod library;
 pub mod limit;
 pub mod paths;
 pub mod preset;

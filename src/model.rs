@@ -13,6 +13,7 @@ pub mod design;
 pub mod first_contact;
 pub mod impact;
 pub mod interaction;
+pub mod library;
 pub mod mechanism;
 pub mod motion;
 pub mod plan;

@@ -22,13 +22,8 @@ pub(super) struct AccuracyArguments {
     /// Presets' names or paths of TOML files [default: thesis-baseline]
     #[arg(value_name = "SCENE")]
     scenes: Vec<OsString>,
-    #[arg(
-        long,
-        value_name = "NAME=VALUE",
-        allow_hyphen_values = true,
-        help = "Change a variable of every scene: NAME=VALUE as for `cmra run`; may be repeated"
-    )]
-    set: Vec<String>,
+    #[command(flatten)]
+    changes: scene::Changes,
     /// Fewer points and shorter timings
     #[arg(long)]
     quick: bool,
@@ -45,7 +40,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let mut presets = Vec::new();
     for name in names {
         let mut preset = scene::named(name)?;
-        scene::change(&mut preset.scene, &arguments.set)?;
+        arguments.changes.apply(&mut preset.scene)?;
         presets.push(preset);
     }
     let start = Instant::now();

@@ -15,7 +15,7 @@ const GROUPS: [(&str, &[&str]); 4] = [
     ("Run and explore", &["run", "sweep"]),
     ("Decide", &["limit", "worth", "seek", "optimise", "sensitivity", "montecarlo"]),
     ("Check", &["accuracy", "stability", "reproduce", "validate"]),
-    ("Data", &["presets", "design", "keys", "help", "paths", "completions", "man"]),
+    ("Data", &["presets", "libraries", "design", "keys", "help", "paths", "completions", "man"]),
 ];
 
 /// One page of `cmra help`.

@@ -1,4 +1,4 @@
-//! The scene a command works on: SCENE, then every `--set` in order.
+//! The scene a command works on: SCENE, then entries of the libraries, then every `--set` in order.
 
 use std::ffi::{OsStr, OsString};
 use std::io;
@@ -6,20 +6,38 @@ use std::path::Path;
 
 use clap::Args;
 
-use crate::cli::CliError;
+use crate::cli::{CliError, output};
 use crate::files::bundled;
+use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
 use crate::files::{read, read_table};
-use crate::model::scene::{Scene, SpringKind};
+use crate::model::library::{Library, choose_closure};
+use crate::model::scene::{Closure, Scene, SpringKind, Table};
 use crate::model::units::Bare;
 use crate::model::variables;
 
-/// SCENE and `--set`.
+/// SCENE and its changes.
 #[derive(Debug, Args)]
 pub(super) struct SceneArguments {
     /// A preset's name, the path of a TOML file, or `-` for standard input [default: thesis-baseline]
     scene: Option<OsString>,
+    #[command(flatten)]
+    changes: Changes,
+}
+
+/// Entries of the libraries, then `--set`.
+#[derive(Debug, Args)]
+pub(super) struct Changes {
+    /// Take mass, radius and velocity of a threat (`cmra libraries threats` lists them)
+    #[arg(long, value_name = "NAME")]
+    threat: Option<String>,
+    /// Take density and strength of a material, with the closure that suits the plate (`cmra libraries materials`)
+    #[arg(long, value_name = "NAME")]
+    material: Option<String>,
+    /// Take the energy per mass of an absorber (`cmra libraries absorbers`)
+    #[arg(long, value_name = "NAME")]
+    absorber: Option<String>,
     /// Change a variable; may be repeated, and is applied in order.
     #[arg(
         long,
@@ -38,12 +56,51 @@ impl SceneArguments {
             Some(name) if name == "-" => from_stdin()?,
             name => named(name.unwrap_or_else(|| OsStr::new(bundled::BASELINE)))?,
         };
-        change(&mut preset.scene, &self.set)?;
+        self.changes.apply(&mut preset.scene)?;
         Ok(preset)
     }
 
     /// The first `--set` of a variable that is chosen by its key.
     pub(super) fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
+        self.changes.set_of(is_chosen)
+    }
+}
+
+impl Changes {
+    /// Make every change.
+    pub(super) fn apply(&self, scene: &mut Scene) -> Result<(), CliError> {
+        let asked = [
+            (Library::Threats, &self.threat),
+            (Library::Materials, &self.material),
+            (Library::Absorbers, &self.absorber),
+        ];
+        for (library, name) in asked {
+            let Some(name) = name else { continue };
+            let entry = library::find(library, name, Paths::of_user().ok().as_ref())?;
+            entry.apply(scene)?;
+            if !entry.warning.is_empty() {
+                output::note(&format!("warning: {} {}: {}", library.word(), name, entry.warning));
+            }
+        }
+        change(scene, &self.set)?;
+        let own_closure = [
+            "target.closure",
+            "target.dishing",
+            "target.drag_coefficient",
+            "target.flow_strength_pa",
+        ];
+        let set = |key| self.set_of(|found| found == key).is_some();
+        if self.material.is_some() && set("target.flow_strength_pa") && !set("target.closure") {
+            scene.target.closure = Closure::Given;
+        }
+        if self.material.is_some() && self.set_of(|key| own_closure.contains(&key)).is_none() {
+            // The thickness may have been changed since.
+            choose_closure(scene);
+        }
+        Ok(())
+    }
+
+    fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
         let variable = |argument: &str| variables::find(argument.split('=').next()?.trim()).ok();
         let mut set = self.set.iter().map(String::as_str);
         set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
@@ -51,19 +108,35 @@ impl SceneArguments {
 }
 
 /// Make every change of `--set`, in order.
-pub(super) fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
+fn change(scene: &mut Scene, set: &[String]) -> Result<(), CliError> {
+    let old = scene.mechanism.clone();
+    let mut curves = [false; 2];
     for argument in set {
         let (name, value) = argument
             .split_once('=')
             .ok_or_else(|| CliError::NotAnAssignment { argument: argument.clone() })?;
         if let Some(second) = is_curve(name.trim()) {
             take_curve(scene, second, value.trim())?;
+            curves[usize::from(second)] = true;
             continue;
         }
         variables::set_by_name(scene, name, value, Bare::Si).map_err(|source| CliError::Set {
             argument: argument.clone(),
             source: Box::new(source),
         })?;
+    }
+    let new = &scene.mechanism;
+    let pairs = [(&old.spring, &new.spring), (&old.second, &new.second)];
+    for (second, (old, new)) in pairs.into_iter().enumerate() {
+        let begins = new.kind == SpringKind::Table && old.kind != SpringKind::Table;
+        // The scene may have the points of a curve that it did not use.
+        if begins && !curves[second] && new.table == Table::default() {
+            let suffix = if second == 0 { "" } else { "_2" };
+            return Err(CliError::Option(format!(
+                "--set spring{suffix}=table: the table has no measured curve: add --set table{suffix}=FILE, a CSV file of \
+                 displacement (m) and force (N)"
+            )));
+        }
     }
     Ok(())
 }

@@ -61,11 +61,21 @@ pub enum FileError {
         /// The nearest names, or what to write.
         hint: String,
     },
+    /// No library has this entry.
+    #[error("`{}` is no {library}: {hint}", harmless(.name))]
+    UnknownEntry {
+        /// What kind of entry was wanted.
+        library: &'static str,
+        /// What was written.
+        name: String,
+        /// The nearest names, or all.
+        hint: String,
+    },
     /// The file is there already and was left alone.
     #[error("`{}` exists and was left alone: choose another name, or allow it to be replaced", shown(.0))]
     Exists(PathBuf),
     /// A preset cannot have this name.
-    #[error("`{name}` cannot be a preset's name: {problem}")]
+    #[error("`{}` cannot be the name: {problem}", harmless(.name))]
     Name {
         /// What was written.
         name: String,

@@ -49,6 +49,11 @@ impl Paths {
         self.state.join("cmra.log")
     }
 
+    /// The user's own library of this name, beside the presets.
+    pub fn library_file(&self, name: &str) -> PathBuf {
+        self.presets.with_file_name("library").join(format!("{name}.toml"))
+    }
+
     /// The file of an own preset.
     pub fn preset_file(&self, name: &str) -> PathBuf {
         self.presets.join(format!("{name}.toml"))

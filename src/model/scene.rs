@@ -126,6 +126,8 @@ pub struct Mechanism {
     pub combination: Combination,
     /// The second spring; without effect where the first is alone.
     pub second: Spring,
+    /// Energy that the spring or absorber takes up per mass of its own, > 0 J/kg; `None`: what the first spring's wire stores.
+    pub energy_j_kg: Option<f64>,
     /// A mechanical stop, if there is one.
     pub stop: Stop,
 }
@@ -287,6 +289,14 @@ impl Mechanism {
         self.spring.kind = SpringKind::PowerLaw;
         self.spring.coefficient = 0.0;
         self.spring.own_mass = OwnMass::Ignored;
+    }
+
+    /// Energy that the spring or absorber takes up per mass of its own, J/kg: given, or tau²/(4 rho G) of a wire in torsion.
+    pub fn specific_energy_j_kg(&self) -> f64 {
+        let wire = self.spring.wire;
+        let coil = wire.shear_strength_pa * wire.shear_strength_pa
+            / (4.0 * wire.density_kg_m3 * wire.shear_modulus_pa);
+        self.energy_j_kg.unwrap_or(coil)
     }
 
     /// Whether it is the thesis's: one power law `k |x|^n` that weighs nothing.

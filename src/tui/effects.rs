@@ -17,6 +17,7 @@ use crate::files::accuracy::{self, Named};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::{self, ExportRequest};
+use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::read_table;
@@ -309,7 +310,8 @@ fn write_table(path: PathBuf, overwrite: bool, text: &str) -> ExportOutcome {
 
 fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
     let (presets, problems) = preset::list(paths);
-    for problem in problems {
+    let (parts, wrong_parts) = library::list(paths);
+    for problem in problems.into_iter().chain(wrong_parts) {
         log::warn!("{problem}");
     }
     // A recent file that is gone or broken is left out: loading it says why.
@@ -319,6 +321,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         name: found.name,
         scene: found.scene,
         comment: found.comment,
+        part: None,
     };
     presets
         .into_iter()
@@ -327,6 +330,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
             entry(found, origin)
         })
         .chain(recent.map(|found| entry(found, "recent")))
+        .chain(parts.into_iter().map(PresetEntry::of_part))
         .collect()
 }
 

@@ -9,7 +9,9 @@ use crossterm::event::KeyEvent;
 
 use crate::files::accuracy::Named;
 use crate::files::export::ExportRequest;
+use crate::model::library::Entry;
 use crate::model::scene::Scene;
+use crate::model::variables::{self, VariableError};
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::Tab;
 use crate::tui::app::search::Row;
@@ -144,6 +146,36 @@ pub struct PresetEntry {
     pub scene: Scene,
     /// The comment block at the head of its file: source and what to expect.
     pub comment: String,
+    /// The entry of a library, where it is one: it changes a part of the present scene.
+    pub part: Option<Entry>,
+}
+
+impl PresetEntry {
+    /// The row of an entry of a library.
+    pub fn of_part(part: Entry) -> Self {
+        let scene = Scene { title: part.title.clone(), ..Scene::default() };
+        let comment = [part.evidence(), part.warning.clone()].join("\n\n");
+        let comment = comment.trim_end().to_owned();
+        Self {
+            name: part.name.clone(),
+            origin: part.library.word(),
+            scene,
+            comment,
+            part: Some(part),
+        }
+    }
+
+    /// The scene it makes of the present one.
+    ///
+    /// # Errors
+    /// Why the scene would make no sense.
+    pub fn scene_on(&self, present: &Scene) -> Result<Scene, VariableError> {
+        let Some(part) = &self.part else { return Ok(self.scene.clone()) };
+        let mut scene = present.clone();
+        part.apply(&mut scene)?;
+        variables::validate(&scene)?;
+        Ok(scene)
+    }
 }
 
 /// What the workbench asks the outside to do.

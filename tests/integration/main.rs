@@ -13,6 +13,8 @@ mod files;
 #[cfg(test)]
 mod hostile;
 #[cfg(test)]
+mod libraries;
+#[cfg(test)]
 mod limit;
 #[cfg(test)]
 mod mechanisms;
@@ -60,6 +62,8 @@ mod thesis;
 mod tidy;
 #[cfg(test)]
 mod trouble;
+#[cfg(test)]
+mod units;
 #[cfg(test)]
 mod validation;
 #[cfg(test)]

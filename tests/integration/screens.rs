@@ -4,6 +4,7 @@ mod accuracy;
 mod bench;
 mod curve;
 mod keys;
+mod libraries;
 mod limit;
 mod models;
 mod newcomer;

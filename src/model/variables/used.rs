@@ -58,6 +58,7 @@ pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
         "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
         "target.yield_pa" => scene.target.closure != Closure::Given,
         "target.modulus_pa" => scene.target.closure == Closure::Cavity,
+        "mechanism.energy_j_kg" => scene.mechanism.energy_j_kg.is_some(),
         "stack.base_thickness_m" => true,
         key if key.starts_with("stack.") => {
             scene.stack.base_thickness_m.is_some() || scene.stack.elements > 1.0

@@ -3,7 +3,8 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::Input;
 
-use crate::model::variables::Value;
+use crate::model::library::Entry;
+use crate::model::variables::{self, Value};
 use crate::tui::app::dialog::{self, Dialog, Picker, Save};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
@@ -187,6 +188,7 @@ fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
             rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
         }
         Kind::Presets => match selected_preset(app, picker) {
+            Some(PresetEntry { part: Some(part), .. }) => take_part(app, picker, &part),
             Some(entry) => edit::load(app, base_of(entry)),
             None if looks_like_path(typed) => vec![Effect::Load(typed.trim().into())],
             None => {
@@ -286,10 +288,33 @@ fn base_of(entry: PresetEntry) -> Base {
 }
 
 fn pin_preset(app: &mut App, picker: &Picker) -> Vec<Effect> {
-    match selected_preset(app, picker) {
-        Some(entry) => runs::pin(app, entry.name, entry.scene.into()),
-        None => Vec::new(),
+    let Some(entry) = selected_preset(app, picker) else { return Vec::new() };
+    match entry.scene_on(&app.scene) {
+        Ok(scene) => runs::pin(app, entry.name, scene.into()),
+        Err(error) => {
+            app.say(Severity::Error, error.to_string());
+            Vec::new()
+        }
     }
+}
+
+/// Takes an entry of a library into the scene, as one edit; one that makes no sense leaves the list open, with the reason.
+fn take_part(app: &mut App, picker: &Picker, part: &Entry) -> Vec<Effect> {
+    let mut scene = (*app.scene).clone();
+    let made = part.apply(&mut scene).and_then(|()| variables::validate(&scene));
+    if let Err(error) = made {
+        app.say(Severity::Error, error.to_string());
+        app.dialog = Some(Dialog::Presets(picker.clone()));
+        return Vec::new();
+    }
+    let label = format!("{} {}", part.library.word(), part.name);
+    let effects = edit::commit_scene(app, scene, label.clone(), None);
+    if part.warning.is_empty() {
+        app.say(Severity::Note, format!("{label} (u undoes)"));
+    } else {
+        app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
+    }
+    effects
 }
 
 /// Save the scene: under its own name where it is one of the user's presets, else ask for a name.
@@ -315,7 +340,8 @@ fn proposed_name(app: &App) -> String {
     if app.base.origin == Origin::Mine {
         return app.base.name.clone();
     }
-    let taken = |name: &str| app.presets.iter().any(|entry| entry.name == name);
+    let taken =
+        |name: &str| app.presets.iter().any(|entry| entry.part.is_none() && entry.name == name);
     let stem = path::base_stem(app);
     (2..100)
         .map(|number| format!("{stem}-{number}"))
@@ -360,7 +386,7 @@ fn name_problem(app: &App, name: &str) -> Option<NameProblem> {
             "a preset needs a name: letters, digits, - and _".to_owned(),
         ));
     }
-    let same = app.presets.iter().filter(|entry| entry.name == name);
+    let same = app.presets.iter().filter(|entry| entry.part.is_none() && entry.name == name);
     let origins: Vec<&str> = same.map(|entry| entry.origin).collect();
     if origins.contains(&"bundled") {
         return Some(NameProblem::Refused(format!(

@@ -24,7 +24,13 @@ pub(super) fn render(
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) -> Rows {
-    let inner = frame(app, screen, (110, 40), ("Presets", "Enter loads, Space pins only"), buffer);
+    let inner = frame(
+        app,
+        screen,
+        (110, 40),
+        ("Presets, threats, materials, absorbers", "Enter loads, Space pins only"),
+        buffer,
+    );
     filter(app, picker, inner, buffer, cursor);
     let body =
         Rect { y: inner.y + inner.height.min(2), height: inner.height.saturating_sub(2), ..inner };
@@ -41,9 +47,9 @@ pub(super) fn render(
     }
     let first = first_row(picker.selected, usize::from(left.height), rows.len());
     for (row, (index, entry)) in (0..left.height).zip(rows.iter().enumerate().skip(first)) {
-        let room = usize::from(left.width.saturating_sub(9));
+        let room = usize::from(left.width.saturating_sub(10));
         put(buffer, left, (0, row), &clip(&entry.name, room), app.theme.style(Role::Text));
-        let at = left.width.saturating_sub(7);
+        let at = left.width.saturating_sub(8);
         put(buffer, left, (at, row), entry.origin, app.theme.style(Role::Dim));
         if index == picker.selected {
             paint_row(buffer, left, row, app.theme.style(Role::Selection));
@@ -78,14 +84,21 @@ fn about(app: &App, entry: &PresetEntry, area: Rect, buffer: &mut Buffer) {
 
 /// The variables it would change, old and new; a long list in as many columns as needed.
 fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> {
-    let differing = App::differing(&app.scene, &entry.scene);
+    let scene = match entry.scene_on(&app.scene) {
+        Ok(scene) => scene,
+        Err(error) => {
+            let lines = wrap(&error.to_string(), width);
+            return lines.into_iter().map(|line| (line, Role::Text)).collect();
+        }
+    };
+    let differing = App::differing(&app.scene, &scene);
     if differing.is_empty() {
         return vec![("changes nothing: the same scene".to_owned(), Role::Text)];
     }
     let mut lines = vec![("would change:".to_owned(), Role::Text)];
     for index in differing {
         let variable = &VARIABLES[index];
-        let (old, new) = (variable.show(&app.scene), variable.show(&entry.scene));
+        let (old, new) = (variable.show(&app.scene), variable.show(&scene));
         let unit = variable.unit().trim_matches('-');
         let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
         lines.push((clip(&text, width), Role::Text));

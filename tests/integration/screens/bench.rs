@@ -162,7 +162,13 @@ pub(crate) fn presets() -> Vec<PresetEntry> {
     let entry = |name: &str, origin: &'static str, comment: &str, change: fn(&mut Scene)| {
         let mut scene = Scene::default();
         change(&mut scene);
-        PresetEntry { name: name.to_owned(), origin, scene, comment: comment.to_owned() }
+        PresetEntry {
+            name: name.to_owned(),
+            origin,
+            scene,
+            comment: comment.to_owned(),
+            part: None,
+        }
     };
     vec![
         entry(

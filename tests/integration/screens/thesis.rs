@@ -89,7 +89,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         let found = cmra::files::preset::resolve(preset, None).expect("a bundled preset");
         let (name, comment) = (preset.to_owned(), String::new());
         let scene = found.scene;
-        bench.app.presets.push(PresetEntry { name, origin: "bundled", scene, comment });
+        bench.app.presets.push(PresetEntry { name, origin: "bundled", scene, comment, part: None });
         bench.keys("7");
         let id = asked(&bench).expect("the claims are asked for");
         let rows = claims().find(|it| matches!(it.opens, Opens::Preset(name) if name == preset));

@@ -33,27 +33,38 @@ pub(super) const DAMPER: &[Variable] = &[
     },
 ];
 
-/// Whether there is a second spring.
-pub(super) const COMBINATION: &[Variable] = &[Variable {
-    key: "mechanism.combination",
-    symbol: "combine",
-    aliases: &[],
-    group: Group::Mechanism,
-    meaning: "whether a second spring acts with the first: none, side by side, or one behind the other",
-    source: "thesis section 6.2.8; one spring in chapter 9",
-    kind: Kind::Choice(Choice {
-        words: &["alone", "parallel", "series"],
-        get: |scene| match scene.mechanism.combination {
-            Combination::Alone => 0,
-            Combination::Parallel => 1,
-            Combination::Series => 2,
-        },
-        set: |scene, index| {
-            scene.mechanism.combination =
-                [Combination::Alone, Combination::Parallel, Combination::Series][index.min(2)];
-        },
-    }),
-}];
+/// Whether there is a second spring, and what the springs weigh for what they take up.
+pub(super) const COMBINATION: &[Variable] = &[
+    Variable {
+        key: "mechanism.combination",
+        symbol: "combine",
+        aliases: &[],
+        group: Group::Mechanism,
+        meaning: "whether a second spring acts with the first: none, side by side, or one behind the other",
+        source: "thesis section 6.2.8; one spring in chapter 9",
+        kind: Kind::Choice(Choice {
+            words: &["alone", "parallel", "series"],
+            get: |scene| match scene.mechanism.combination {
+                Combination::Alone => 0,
+                Combination::Parallel => 1,
+                Combination::Series => 2,
+            },
+            set: |scene, index| {
+                scene.mechanism.combination =
+                    [Combination::Alone, Combination::Parallel, Combination::Series][index.min(2)];
+            },
+        }),
+    },
+    Variable {
+        key: "mechanism.energy_j_kg",
+        symbol: "e_spring",
+        aliases: &[],
+        group: Group::Mechanism,
+        meaning: "energy the spring or absorber takes up per mass of its own, for its least mass",
+        source: "auto: tau^2/(4 rho G) of the wire; `cmra libraries absorbers` has others",
+        kind: optional!(SpecificEnergy, Allowed::Positive, "auto", mechanism.energy_j_kg),
+    },
+];
 
 /// The mechanical stop.
 pub(super) const STOP: &[Variable] = &[

@@ -1,0 +1,100 @@
+//! `cmra libraries`: threats, materials and absorbers, bundled and own.
+
+use std::fmt::Write as _;
+use std::process::ExitCode;
+
+use clap::{Args, ValueEnum};
+use serde_json::{Map, Value, json};
+
+use crate::cli::reproduce::wrapped;
+use crate::cli::{CliError, output};
+use crate::files::library;
+use crate::files::paths::Paths;
+use crate::model::library::{Entry, Library};
+use crate::model::variables;
+
+#[derive(Debug, Args)]
+pub(super) struct LibrariesArguments {
+    /// Only this library
+    library: Option<LibraryWord>,
+    /// Print one JSON object: library, name, values in SI units, status and source
+    #[arg(long)]
+    json: bool,
+}
+
+/// The libraries to choose from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum LibraryWord {
+    /// What strikes
+    Threats,
+    /// What the plate is made of
+    Materials,
+    /// What takes up the plate's energy
+    Absorbers,
+}
+
+/// List the entries of the libraries.
+pub(super) fn run(arguments: &LibrariesArguments) -> Result<ExitCode, CliError> {
+    let wanted = arguments.library.map(|word| match word {
+        LibraryWord::Threats => Library::Threats,
+        LibraryWord::Materials => Library::Materials,
+        LibraryWord::Absorbers => Library::Absorbers,
+    });
+    let (entries, problems) = library::list(Paths::of_user().ok().as_ref());
+    let of = |library| entries.iter().filter(move |entry| entry.library == library);
+    let shown = Library::ALL.into_iter().filter(|library| wanted.is_none_or(|one| one == *library));
+    if arguments.json {
+        let object: Map<String, Value> = shown
+            .map(|library| (library.file().to_owned(), of(library).map(as_json).collect()))
+            .collect();
+        output::print(&format!("{:#}\n", Value::Object(object)))?;
+    } else {
+        let pages: Vec<String> = shown.map(|library| page(library, of(library))).collect();
+        output::print(&pages.join("\n"))?;
+    }
+    for problem in problems {
+        output::note(&format!("not listed: {problem}"));
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> String {
+    let mut text = format!("{}: --{} NAME\n", library.file(), library.word());
+    for entry in entries {
+        let own = if entry.own.is_some() { ", your own" } else { "" };
+        let name = output::printable(&entry.name);
+        let _ = writeln!(text, "\n  {name}: {}{own}", output::printable(&entry.title));
+        let status = entry.status.word();
+        let rows = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
+        for (label, words) in rows.into_iter().filter(|(_, words)| !words.is_empty()) {
+            wrapped(&mut text, label, &output::printable(words));
+        }
+    }
+    text
+}
+
+fn as_json(entry: &Entry) -> Value {
+    let values: Map<String, Value> = entry
+        .values
+        .iter()
+        .map(|(key, value)| {
+            let value = match value {
+                variables::Value::Number(number) => json!(number),
+                variables::Value::Word(word) => json!(word),
+                variables::Value::Switch(on) => json!(on),
+                variables::Value::Absent => Value::Null,
+            };
+            ((*key).to_owned(), value)
+        })
+        .collect();
+    json!({
+        "name": entry.name,
+        "title": entry.title,
+        "status": entry.status.word(),
+        "source": entry.source,
+        "note": entry.note,
+        "warning": entry.warning,
+        "file": entry.own.as_ref().map(|path| path.display().to_string()),
+        "values": values,
+    })
+}

@@ -1,0 +1,283 @@
+//! The libraries of threats, materials and absorbers: those that come with the program and the user's own, from TOML.
+//!
+//! An entry has keys of a scene, and where their values come from. Whatever is wrong with one entry is reported and loses none
+//! of the others.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::files::error::{FileError, SceneErrors, did_you_mean};
+use crate::files::paths::Paths;
+use crate::files::read::{self, Reader};
+use crate::model::library::{Entry, Library, Status};
+use crate::model::scene::Scene;
+use crate::model::variables::VARIABLES;
+
+/// What an entry has besides the keys of a scene.
+const KEYS: [&str; 5] = ["title", "status", "source", "note", "warning"];
+
+/// The text of the library that comes with the program.
+fn bundled(library: Library) -> &'static str {
+    match library {
+        Library::Threats => include_str!("../../presets/library/threats.toml"),
+        Library::Materials => include_str!("../../presets/library/materials.toml"),
+        Library::Absorbers => include_str!("../../presets/library/absorbers.toml"),
+    }
+}
+
+/// Every entry that can be read, library by library, bundled first; and what could not be read.
+pub fn list(paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError>) {
+    let (mut entries, mut problems) = (Vec::new(), Vec::new());
+    for library in Library::ALL {
+        let (mut found, wrong) = listed(library, paths);
+        entries.append(&mut found);
+        problems.extend(wrong);
+    }
+    (entries, problems)
+}
+
+/// The entries of one library, and what could not be read.
+fn listed(library: Library, paths: Option<&Paths>) -> (Vec<Entry>, Vec<FileError>) {
+    let file = format!("presets/library/{}.toml", library.file());
+    let (mut entries, wrong) = entries(library, bundled(library), (&file, None));
+    let mut problems: Vec<FileError> = wrong.into_iter().map(FileError::Scene).collect();
+    let Some(path) = paths.map(|paths| paths.library_file(library.file())) else {
+        return (entries, problems);
+    };
+    match read::ordinary_text_file(&path, read::BYTES_MAX) {
+        Ok(text) => {
+            let name = path.display().to_string();
+            let (own, wrong) = self::entries(library, &text, (&name, Some(&path)));
+            problems.extend(wrong.into_iter().map(FileError::Scene));
+            for entry in own {
+                if entries.iter().any(|other| other.name == entry.name) {
+                    let problem = format!("a bundled {} has it; choose another", library.word());
+                    problems.push(FileError::Name { name: entry.name, problem });
+                } else {
+                    entries.push(entry);
+                }
+            }
+        }
+        // The user has no library of this kind.
+        Err(FileError::Read { source, .. }) if source.kind() == io::ErrorKind::NotFound => {}
+        Err(problem) => problems.push(problem),
+    }
+    (entries, problems)
+}
+
+/// The entry with this name.
+///
+/// # Errors
+/// [`FileError::UnknownEntry`] with the nearest names, or why the user's own entry of this name cannot be read.
+pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry, FileError> {
+    let (mut entries, problems) = listed(library, paths);
+    if let Some(at) = entries.iter().position(|entry| entry.name == name) {
+        return Ok(entries.swap_remove(at));
+    }
+    let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
+    let list = format!("`cmra libraries` lists the {}", library.file());
+    let mut hint = match did_you_mean(name, &names) {
+        Some(hint) => format!("{hint} ({list})"),
+        None => format!("write one of {} ({list})", names.join(", ")),
+    };
+    for problem in problems {
+        hint += &format!("\n{problem}");
+    }
+    Err(FileError::UnknownEntry { library: library.word(), name: name.to_owned(), hint })
+}
+
+/// The entries of a text, and the problems of those that cannot be read. `file` is the name used in errors.
+fn entries(
+    library: Library,
+    text: &str,
+    (file, own): (&str, Option<&Path>),
+) -> (Vec<Entry>, Vec<SceneErrors>) {
+    let document = match DeTable::parse(text) {
+        Ok(document) => document,
+        Err(error) => {
+            let mut reader = Reader::new(text, file);
+            reader.problem(error.span().unwrap_or(0..0), read::syntax(error.message()));
+            return (Vec::new(), reader.finish().err().into_iter().collect());
+        }
+    };
+    let (mut found, mut problems) = (Vec::new(), Vec::new());
+    for (name, value) in document.get_ref() {
+        let mut reader = Reader::new(text, file);
+        let own = own.map(Path::to_owned);
+        let read = entry(&mut reader, library, (name.get_ref().as_ref(), value), own);
+        match (read, reader.finish()) {
+            (Some(entry), Ok(())) => found.push(entry),
+            (_, Err(problem)) => problems.push(problem),
+            (None, Ok(())) => {}
+        }
+    }
+    (found, problems)
+}
+
+/// One entry; `None`, and a problem noted, where it cannot be read.
+fn entry(
+    reader: &mut Reader<'_>,
+    library: Library,
+    (name, value): (&str, &Spanned<DeValue<'_>>),
+    own: Option<PathBuf>,
+) -> Option<Entry> {
+    let (word, scene_table) = (library.word(), library.table());
+    let DeValue::Table(table) = value.get_ref() else {
+        let text = format!("`{name}` is no {word}: write [{name}] and its keys below it");
+        reader.problem(value.span(), text);
+        return None;
+    };
+    let mut texts = [const { String::new() }; KEYS.len()];
+    let mut scene = Scene::default();
+    let mut keys = Vec::new();
+    for (key, value) in table {
+        let key_name = key.get_ref().as_ref();
+        if let Some(at) = KEYS.iter().position(|known| *known == key_name) {
+            reader.text_value(key_name, value, &mut texts[at]);
+        } else if key_name == scene_table {
+            reader.entry(&mut scene, scene_table, key.span(), value);
+            leaves(scene_table, value, &mut keys);
+        } else {
+            let text = format!(
+                "`{key_name}` is not a key of a {word}: it has {}, and keys of [{scene_table}]",
+                KEYS.join(", ")
+            );
+            reader.problem(key.span(), text);
+        }
+    }
+    let [title, status, source, note, warning] = texts;
+    for (key, text) in [("title", &title), ("status", &status), ("source", &source)] {
+        if text.is_empty() {
+            let text = format!("{word} `{name}` has no {key}: write {key} = \"...\"");
+            reader.problem(value.span(), text);
+        }
+    }
+    let known = Status::ALL.into_iter().find(|known| known.word() == status);
+    if known.is_none() && !status.is_empty() {
+        let text =
+            format!("status = \"{status}\" of `{name}` must be measured, standard or typical");
+        reader.problem(value.span(), text);
+    }
+    let variables = keys.iter().filter_map(|key| VARIABLES.iter().find(|row| row.key == *key));
+    let values = variables.map(|variable| (variable.key, variable.value(&scene))).collect();
+    let name = name.to_owned();
+    Some(Entry { library, name, title, status: known?, source, note, warning, own, values })
+}
+
+/// The full keys of the values below a table.
+fn leaves(path: &str, value: &Spanned<DeValue<'_>>, keys: &mut Vec<String>) {
+    match value.get_ref() {
+        DeValue::Table(table) => {
+            for (key, value) in table {
+                leaves(&format!("{path}.{}", key.get_ref()), value, keys);
+            }
+        }
+        _ => keys.push(path.to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+    use crate::model::scene::Closure;
+
+    #[test]
+    fn bundled_entries_are_all_read_and_cite_a_source() {
+        let (entries, problems) = list(None);
+        assert!(problems.is_empty(), "{problems:?}");
+        for library in Library::ALL {
+            assert!(entries.iter().filter(|entry| entry.library == library).count() >= 6);
+        }
+        for entry in &entries {
+            assert!(!entry.values.is_empty() && entry.source.len() > 10, "{}", entry.name);
+            let mut scene = Scene::default();
+            entry.apply(&mut scene).unwrap();
+            crate::model::variables::validate(&scene).unwrap();
+            assert!(scene.notes.contains(&entry.source), "{}", entry.name);
+        }
+    }
+
+    #[test]
+    fn a_threat_sets_the_shot_and_a_second_one_replaces_its_note() {
+        let mut scene = Scene::default();
+        find(Library::Threats, "m80-ball", None).unwrap().apply(&mut scene).unwrap();
+        find(Library::Threats, "m855-ball", None).unwrap().apply(&mut scene).unwrap();
+        let shot = scene.projectile;
+        assert_eq!((shot.mass_kg, shot.velocity_m_s), (0.004, 950.0));
+        assert_eq!(scene.notes.lines().count(), 1, "{}", scene.notes);
+    }
+
+    #[test]
+    fn a_material_takes_the_closure_that_suits_the_thickness() {
+        let material = find(Library::Materials, "aa6061-t6511", None).unwrap();
+        for (thickness_m, closure) in [(0.003, Closure::DoubleYield), (0.0254, Closure::Cavity)] {
+            let mut scene = Scene::default();
+            scene.target.thickness_m = thickness_m;
+            material.apply(&mut scene).unwrap();
+            assert_eq!(scene.target.closure, closure);
+            assert_eq!(scene.target.dishing, closure == Closure::DoubleYield);
+        }
+        let mut scene = Scene::default();
+        scene.target.thickness_m = 0.003;
+        material.apply(&mut scene).unwrap();
+        assert_eq!(scene.flow_strength_pa().to_bits(), 552e6f64.to_bits());
+    }
+
+    #[test]
+    fn coils_store_what_the_formula_says() {
+        for (name, tau, rho, g) in [
+            ("steel-coil-700", 700e6_f64, 7850.0, 79.3e9),
+            ("steel-coil-1200", 1200e6, 7850.0, 79.3e9),
+            ("titanium-coil-800", 800e6, 4820.0, 41e9),
+        ] {
+            let mut scene = Scene::default();
+            find(Library::Absorbers, name, None).unwrap().apply(&mut scene).unwrap();
+            let energy = scene.mechanism.specific_energy_j_kg();
+            assert!(
+                (energy / (tau * tau / (4.0 * rho * g)) - 1.0).abs() < 2e-4,
+                "{name}: {energy}"
+            );
+        }
+        // Without an entry: the wire of the scene, decisions of the project: 196.8 J/kg.
+        let own = Scene::default().mechanism.specific_energy_j_kg();
+        assert!((own - 196.8).abs() < 0.05, "{own}");
+    }
+
+    #[test]
+    fn a_wrong_own_entry_is_reported_and_loses_no_other() {
+        let place = tempfile::tempdir().unwrap();
+        let paths = Paths::below(place.path());
+        let file = paths.library_file("threats");
+        fs::create_dir_all(file.parent().unwrap()).unwrap();
+        let whole = "[mine]\ntitle = \"a\"\nstatus = \"measured\"\nsource = \"my own shots\"\nprojectile.mass_kg = 0.001\n";
+        fs::write(
+            &file,
+            format!(
+                "{whole}[bad]\ntitle = \"b\"\nstatus = \"sure\"\nprojectile.mas_kg = 1\n\
+                 [m80-ball]\ntitle = \"c\"\nstatus = \"typical\"\nsource = \"none\"\n"
+            ),
+        )
+        .unwrap();
+        let (entries, problems) = list(Some(&paths));
+        assert!(entries.iter().any(|entry| entry.name == "mine" && entry.own.is_some()));
+        let told: String = problems.iter().map(|problem| format!("{problem}\n")).collect();
+        for words in ["no source", "measured, standard or typical", "threats.toml:9:", "mass_kg"] {
+            assert!(told.contains(words), "{words}: {told}");
+        }
+        assert!(told.contains("a bundled threat has it"), "{told}");
+        fs::write(&file, "[mine\n").unwrap();
+        let (entries, problems) = list(Some(&paths));
+        assert!(entries.len() > 20 && problems[0].to_string().contains("threats.toml:1:"));
+    }
+
+    #[test]
+    fn an_unknown_name_gets_the_nearest() {
+        let error = find(Library::Threats, "m80-bal", None).err().unwrap().to_string();
+        assert!(error.contains("did you mean `m80-ball`?"), "{error}");
+    }
+}

@@ -1,0 +1,142 @@
+//! Entries of the libraries: a threat, a material or an absorber as values of variables, with where they come from.
+
+use std::path::PathBuf;
+
+use crate::model::scene::{Closure, Scene, Target};
+use crate::model::variables::{self, Value, VariableError};
+
+/// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with it.
+const CAVITY_FROM: f64 = 1.0;
+
+/// Which library.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Library {
+    /// What strikes.
+    Threats,
+    /// What the plate is made of.
+    Materials,
+    /// What takes up the plate's energy.
+    Absorbers,
+}
+
+impl Library {
+    /// All libraries, in the order of lists.
+    pub const ALL: [Self; 3] = [Self::Threats, Self::Materials, Self::Absorbers];
+
+    /// One entry of it, as in the option `--threat`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Threats => "threat",
+            Self::Materials => "material",
+            Self::Absorbers => "absorber",
+        }
+    }
+
+    /// The name of its file, without the ending.
+    pub fn file(self) -> &'static str {
+        match self {
+            Self::Threats => "threats",
+            Self::Materials => "materials",
+            Self::Absorbers => "absorbers",
+        }
+    }
+
+    /// The table of a scene whose keys its entries have.
+    pub fn table(self) -> &'static str {
+        match self {
+            Self::Threats => "projectile",
+            Self::Materials => "target",
+            Self::Absorbers => "mechanism",
+        }
+    }
+}
+
+/// How well the values of an entry are known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Measured, and published with the measurement.
+    Measured,
+    /// Set by a standard.
+    Standard,
+    /// Typical of its kind, or computed from a published formula.
+    Typical,
+}
+
+impl Status {
+    /// Every status.
+    pub const ALL: [Self; 3] = [Self::Measured, Self::Standard, Self::Typical];
+
+    /// The word in files and lists.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Measured => "measured",
+            Self::Standard => "standard",
+            Self::Typical => "typical",
+        }
+    }
+}
+
+/// One entry of a library.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// The library it belongs to.
+    pub library: Library,
+    /// Name to choose it by.
+    pub name: String,
+    /// A line for people.
+    pub title: String,
+    /// How well its values are known.
+    pub status: Status,
+    /// The publication the values come from.
+    pub source: String,
+    /// What else is to be known; may be empty.
+    pub note: String,
+    /// Why a result with it must be read with care; may be empty.
+    pub warning: String,
+    /// The user's own file it stands in; `None` for one that comes with the program.
+    pub own: Option<PathBuf>,
+    /// The variables it sets, by their keys.
+    pub values: Vec<(&'static str, Value)>,
+}
+
+impl Entry {
+    /// Takes its values into a scene and notes where they come from. A material chooses the closure that suits the plate.
+    ///
+    /// # Errors
+    /// [`VariableError`] where a value makes no physical sense.
+    pub fn apply(&self, scene: &mut Scene) -> Result<(), VariableError> {
+        for (key, value) in &self.values {
+            variables::find(key)?.set(scene, *value)?;
+        }
+        if self.library == Library::Materials {
+            choose_closure(scene);
+        }
+        let start = format!("{}: ", self.library.word());
+        let mut notes: Vec<&str> = scene.notes.lines().collect();
+        notes.retain(|line| !line.starts_with(&start));
+        let own = format!("{start}{}. {}", self.title, self.evidence());
+        notes.push(&own);
+        scene.notes = notes.join("\n");
+        Ok(())
+    }
+}
+
+impl Entry {
+    /// Where its values come from, and what else is to be known.
+    pub fn evidence(&self) -> String {
+        let note = if self.note.is_empty() { String::new() } else { format!(" ({})", self.note) };
+        format!("{}: {}{note}", self.status.word(), self.source)
+    }
+}
+
+/// Chooses the closure for the flow strength that suits the plate's thickness: 2 Y with dishing for thin plates, cavity expansion
+/// without dishing from about one diameter on.
+pub fn choose_closure(scene: &mut Scene) {
+    let thin = scene.target.thickness_m < CAVITY_FROM * 2.0 * scene.projectile.tip_radius_m;
+    scene.target = Target {
+        closure: if thin { Closure::DoubleYield } else { Closure::Cavity },
+        dishing: thin,
+        drag_coefficient: if thin { 0.5 } else { 1.0 },
+        ..scene.target
+    };
+}
