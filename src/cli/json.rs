@@ -43,6 +43,11 @@ pub(super) fn text(computed: &Computed) -> String {
     for column in RESULTS {
         entries.push((column.name, result(run, column.name)));
     }
+    let bounds = RESULTS.iter().filter(|column| column.lower_bound(run).is_some());
+    entries.push(("lower_bounds", bounds.map(|column| Value::from(column.name)).collect()));
+    let optional = |value: Option<f64>| value.map_or(Value::Null, finite);
+    entries.push(("penetration_at_most_m", optional(run.penetration_at_most_m)));
+    entries.push(("nose_protrusion_m", optional(run.protrusion_m())));
     entries.extend([
         (
             "error_estimate_basis",
@@ -110,7 +115,7 @@ fn result(run: &Run, name: &str) -> Value {
         "rejected" => Value::from(run.cost.rejected),
         "rhs_evaluations" => Value::from(run.cost.rhs_evaluations),
         other => crate::model::results::find(other)
-            .and_then(|column| column.value(run))
+            .and_then(|column| column.value(run).or_else(|| column.lower_bound(run)))
             .map_or(Value::Null, finite),
     }
 }

@@ -13,7 +13,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::files::limit as rows;
 use crate::study::limit::scatter::Scattering;
-use crate::study::limit::{Effort, find};
+use crate::study::limit::{Criterion, Effort, find};
 
 /// Samples at the most.
 const SAMPLES_MAX: usize = 1_000_000;
@@ -31,8 +31,18 @@ pub(super) struct LimitArguments {
     /// Seed of the scatter: the same seed gives the same digits
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
+    /// What counts as a perforation: `passage` (the nose is clear of the rear face, navy criterion) or `protrusion` (the nose stands
+    /// out of it, army criterion)
+    #[arg(long, value_name = "WORD", default_value = "passage", value_parser = criterion)]
+    criterion: Criterion,
     #[command(flatten)]
     table: TableArguments,
+}
+
+/// A criterion by its word.
+fn criterion(text: &str) -> Result<Criterion, String> {
+    let found = Criterion::ALL.into_iter().find(|criterion| criterion.word() == text);
+    found.ok_or_else(|| "use passage or protrusion".to_owned())
 }
 
 impl LimitArguments {
@@ -67,7 +77,7 @@ fn part(text: &str) -> Result<f64, String> {
 /// Find the limit; that there is none is an answer, too. Exit status 1 after an interrupt.
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    let effort = Effort { scattering: arguments.scattering()? };
+    let effort = Effort { criterion: arguments.criterion, scattering: arguments.scattering()? };
     let preset = arguments.scene.load()?;
     let mut pace = Pace::begin();
     let watch = &mut |done, total| pace.count(done, total, "shots or so");

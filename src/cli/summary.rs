@@ -79,7 +79,16 @@ fn sentence(run: &Run) -> String {
                 }
                 _ => String::new(),
             };
-            format!("arrested: the projectile stays in the plate, {depth} deep{share}")
+            run.protrusion_m().map_or_else(
+                || format!("arrested: the projectile stays in the plate, {depth} deep{share}"),
+                |out| {
+                    format!(
+                        "arrested: the projectile sticks in the plate, its nose {} out of the rear face{share} (partial penetration; \
+                         complete by the army criterion)",
+                        short(out, "m")
+                    )
+                },
+            )
         }
         Outcome::Perforated => match run.residual_velocity_m_s {
             Some(speed) if speed < 0.0 => format!(
@@ -124,6 +133,9 @@ fn numbers(page: &mut String, run: &Run) {
         line(page, "  common velocity", Some(arrest.plate_velocity_m_s), "m/s");
     }
     line(page, "final depth", run.final_penetration_m, "m");
+    line(page, "depth so far", run.at_least.penetration_m, "m");
+    line(page, "  at most, by energy", run.penetration_at_most_m, "m");
+    line(page, "nose out of rear face", run.protrusion_m(), "m");
     line(page, "  on a rigid mount", run.baseline_penetration_m, "m");
     if let Some(percent) = run.percent_of_baseline() {
         let _ = writeln!(
@@ -138,9 +150,13 @@ fn numbers(page: &mut String, run: &Run) {
     line(page, "separation, time", run.separation.map(|it| it.0), "s");
     line(page, "  projectile velocity", run.separation.map(|it| it.1), "m/s");
     line(page, "peak contact force", run.peak_contact_force_n, "N");
-    match run.max_plate_displacement_m {
-        Some(_) => line(page, "greatest displacement", run.max_plate_displacement_m, "m"),
-        None => {
+    match (run.max_plate_displacement_m, run.at_least.plate_displacement_m) {
+        (Some(_), _) => line(page, "greatest displacement", run.max_plate_displacement_m, "m"),
+        (None, Some(so_far)) => {
+            line(page, "displacement so far", Some(so_far), "m");
+            line(page, "stroke so far", Some(so_far - run.start_m()), "m");
+        }
+        (None, None) => {
             let _ = writeln!(
                 page,
                 "{:<LABEL$}{}",

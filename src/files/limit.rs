@@ -35,7 +35,7 @@ pub fn shots(name: &str, report: &Report) -> Rows {
 pub fn json(name: &str, report: &Report) -> String {
     let (basis, stopped) = match report.limit {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
-        Limit::Never | Limit::Always | Limit::Unknown => (None, None),
+        Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => (None, None),
     };
     let recht_ipson = report.recht_ipson.map(|law| {
         json!({
@@ -71,8 +71,12 @@ pub fn json(name: &str, report: &Report) -> String {
     let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
     put("scene", Value::from(name));
     put("limit_velocity_m_s", number(report.limit.velocity_m_s()));
+    put("criterion", Value::from(report.criterion.word()));
     put("basis", basis.map_or(Value::Null, Value::from));
     put("no_limit", report.limit.absence().map_or(Value::Null, Value::from));
+    let (above, below) = report.limit.bracket_m_s();
+    put("limit_above_m_s", number(above));
+    put("limit_below_m_s", number(below));
     put("stopped_again_at_m_s", number(stopped));
     put("impact_velocity_m_s", number(Some(report.scene.projectile.velocity_m_s)));
     put("margin", number(report.margin()));

@@ -108,6 +108,32 @@ pub fn simulate_openly(
     Ok(run)
 }
 
+/// How many times the usual horizon, and how many times as many swings, an undecided shot is followed.
+const FOLLOWED: f64 = 50.0;
+const PATIENCE: usize = 4;
+
+/// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run of the engine that swings on
+/// undecided is followed for many times as long. For the outcome of a shot that an ordinary run leaves undecided.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Result<Run, VariableError> {
+    variables::validate(scene)?;
+    let mut own = Scene::clone(scene);
+    own.run.horizon_s = None;
+    let own = Arc::new(own);
+    let settings = Settings { series: false, estimate: false };
+    if let Some(run) = interaction::simulate(&own, settings, observer) {
+        return Ok(run);
+    }
+    let mut problem = Problem::of(&own);
+    problem.horizon_s *= FOLLOWED;
+    problem.patience = PATIENCE;
+    let mut track = Track::new(&problem, own.run.tolerance, false);
+    let end = compute::<TERMS>(&mut track, observer);
+    Ok(report::gather(&problem, track, end))
+}
+
 fn compute<const N: usize>(track: &mut Track<'_>, observer: Observer<'_>) -> EndReason {
     track.begin();
     track.run::<N>(observer)

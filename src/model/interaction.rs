@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use crate::model::contact::Geometry;
 use crate::model::impact::{self, Observer, Settings};
-use crate::model::run::{Cost, EnergyLedger, ErrorEstimate, Run};
+use crate::model::run::{AtLeast, Cost, EnergyLedger, ErrorEstimate, Run};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 
 mod coast;
@@ -176,6 +176,8 @@ fn blank(scene: &Arc<Scene>) -> Run {
         baseline_penetration_m: None,
         peak_contact_force_n: None,
         max_plate_displacement_m: None,
+        at_least: AtLeast::default(),
+        penetration_at_most_m: None,
         residual_velocity_m_s: None,
         exit_time_s: None,
         separation: None,

@@ -3,7 +3,7 @@
 //! JSON keys, the results row of an export and the outputs of a sweep are all taken from here, so that a name means the
 //! same wherever it is met. Nothing here knows files or screens; the time a run took is measured by whoever ran it.
 
-use crate::model::run::Run;
+use crate::model::run::{AtLeast, Run};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::edit_distance;
 
@@ -55,6 +55,19 @@ impl ResultColumn {
             "kg" => format!("{} kg", units::significant(value, digits)),
             unit => Engineering { value, unit, digits }.to_string(),
         }
+    }
+
+    /// What it is at least, where a run ended before it was final; `None` where it is final, or nothing is known.
+    pub fn lower_bound(&self, run: &Run) -> Option<f64> {
+        let AtLeast { penetration_m, plate_displacement_m } = run.at_least;
+        let bound = match self.name {
+            "final_penetration_m" => penetration_m,
+            "percent_of_baseline" => Some(100.0 * (penetration_m? / run.baseline_penetration_m?)),
+            "max_plate_displacement_m" => plate_displacement_m,
+            "stroke_m" => Some(plate_displacement_m? - run.start_m()),
+            _ => None,
+        };
+        bound.filter(|bound| bound.is_finite())
     }
 
     /// Its value for a run; `None` where it does not exist.

@@ -32,6 +32,10 @@ pub struct Run {
     pub peak_contact_force_n: Option<f64>,
     /// Greatest plate displacement x; `None` where nothing ever stops the plate or the run ended before it was known, m.
     pub max_plate_displacement_m: Option<f64>,
+    /// What is known of depth and displacement where they are not final.
+    pub at_least: AtLeast,
+    /// The greatest depth for which a run that ends undecided has energy left, m; `None` where it is final, or would perforate.
+    pub penetration_at_most_m: Option<f64>,
     /// Projectile velocity after perforation, m/s.
     pub residual_velocity_m_s: Option<f64>,
     /// When the nose was clear of the rear face, s.
@@ -88,6 +92,22 @@ impl Outcome {
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.word())
+    }
+}
+
+/// Lower bounds: what a run that ends undecided has reached so far. `None` where the value is final, or nothing is known.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct AtLeast {
+    /// Depth of the hole so far, m.
+    pub penetration_m: Option<f64>,
+    /// Greatest plate displacement so far, m.
+    pub plate_displacement_m: Option<f64>,
+}
+
+impl AtLeast {
+    /// Whether there is none: every value is final.
+    pub fn is_empty(self) -> bool {
+        self == Self::default()
     }
 }
 
@@ -438,6 +458,14 @@ impl Run {
         }
         // The quotient first: what is equal is 100 %.
         Some(100.0 * (self.final_penetration_m? / self.baseline_penetration_m?))
+    }
+
+    /// By how much the nose of a shot that is not perforated stands out of the rear face, m; `None` where it does not. By the army
+    /// criterion that is a complete penetration.
+    pub fn protrusion_m(&self) -> Option<f64> {
+        let depth = self.final_penetration_m.or(self.at_least.penetration_m)?;
+        let out = depth - self.scene.effective_thickness_m();
+        (self.outcome != Outcome::Perforated && out > 0.0).then_some(out)
     }
 
     /// Greatest displacement plus cocking distance: the space the mechanism needs, m.

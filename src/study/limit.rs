@@ -10,10 +10,11 @@ use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
 use crate::model::contact_phase::Ending;
 use crate::model::first_contact::first_contact;
-use crate::model::impact::{Settings, simulate};
+use crate::model::impact::{Settings, follow, simulate};
 use crate::model::mechanism::Mechanism;
-use crate::model::run::Outcome;
+use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::smaller;
 use fit::{LambertJonas, RechtIpson};
@@ -28,6 +29,15 @@ pub const RANGE_M_S: (f64, f64) = (1.0, 5e3);
 const SCAN: usize = 41;
 /// Relative width to which the limit is closed in.
 const WIDTH: f64 = 1e-10;
+/// Undecided shots, each followed for about a second, that are spent on each edge of the velocities that no run decides, and the
+/// relative width of those up to which they are one limit for any purpose.
+const UNDECIDED_MAX: usize = 8;
+const ONE_POINT: f64 = 1e-8;
+/// Where the outcomes on either side of a limit are looked at, relative to it: all below are stopped and all above perforate, or it
+/// is no single limit.
+const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
+/// How often a lower limit may be found beside one.
+const LOWER_MAX: usize = 4;
 /// The runs' tolerance, at the most.
 const TOLERANCE: f64 = 1e-10;
 /// Shots of the curve below and above the limit, and the range they cover, over the limit.
@@ -58,6 +68,39 @@ impl Basis {
     }
 }
 
+/// What counts as a perforation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Criterion {
+    /// The nose is clear of the rear face: complete passage, as the navy criterion has it.
+    #[default]
+    Passage,
+    /// The nose stands out of the rear face: the army criterion.
+    Protrusion,
+}
+
+impl Criterion {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Passage, Self::Protrusion];
+
+    /// The word on the command line and in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Passage => "passage",
+            Self::Protrusion => "protrusion",
+        }
+    }
+
+    /// A short text.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Passage => {
+                "complete passage: the nose is clear of the rear face (navy criterion)"
+            }
+            Self::Protrusion => "protrusion: the nose stands out of the rear face (army criterion)",
+        }
+    }
+}
+
 /// Whether there is a limit, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
@@ -69,6 +112,13 @@ pub enum Limit {
         basis: Basis,
         /// A faster shot that is stopped again, where there is one, m/s: there is no single limit then.
         stopped_at_m_s: Option<f64>,
+    },
+    /// It lies between two velocities: runs between them end undecided, however long they are followed.
+    Between {
+        /// The fastest shot below that is known to be stopped, m/s.
+        stopped_m_s: Option<f64>,
+        /// The slowest shot above that is known to perforate, m/s.
+        perforated_m_s: Option<f64>,
     },
     /// Nothing in range perforates.
     Never,
@@ -83,7 +133,15 @@ impl Limit {
     pub fn velocity_m_s(self) -> Option<f64> {
         match self {
             Self::Found { velocity_m_s, .. } => Some(velocity_m_s),
-            Self::Never | Self::Always | Self::Unknown => None,
+            Self::Between { .. } | Self::Never | Self::Always | Self::Unknown => None,
+        }
+    }
+
+    /// Between which velocities it lies where runs do not decide it, m/s: the one that is stopped and the one that perforates.
+    pub fn bracket_m_s(self) -> (Option<f64>, Option<f64>) {
+        match self {
+            Self::Between { stopped_m_s, perforated_m_s } => (stopped_m_s, perforated_m_s),
+            Self::Found { .. } | Self::Never | Self::Always | Self::Unknown => (None, None),
         }
     }
 
@@ -92,6 +150,11 @@ impl Limit {
         let (low, high) = RANGE_M_S;
         match self {
             Self::Found { .. } => None,
+            Self::Between { stopped_m_s, perforated_m_s } => Some(format!(
+                "limit not decided: it lies above {} and below {}; runs between these velocities still oscillate when they end",
+                edge(stopped_m_s, "stopped", low),
+                edge(perforated_m_s, "perforated", high),
+            )),
             Self::Never => Some(format!("no limit: nothing from {low} to {high} m/s perforates")),
             Self::Always => {
                 Some(format!("no limit: everything from {low} to {high} m/s perforates"))
@@ -114,6 +177,43 @@ impl Limit {
     }
 }
 
+/// A velocity with what happens at it, or the end of the range.
+fn edge(velocity_m_s: Option<f64>, what: &str, end_m_s: f64) -> String {
+    velocity_m_s.map_or_else(
+        || format!("{end_m_s} m/s (end of the range)"),
+        |velocity_m_s| format!("{} m/s ({what})", fixed_significant(velocity_m_s, 6)),
+    )
+}
+
+/// What a shot tells of the limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    Perforated,
+    Stopped,
+    /// Its run ended before that was decided.
+    Undecided,
+}
+
+impl Verdict {
+    /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
+    fn of(run: &Run, criterion: Criterion) -> Self {
+        let thickness_m = match criterion {
+            Criterion::Passage => f64::INFINITY,
+            Criterion::Protrusion => run.scene.effective_thickness_m(),
+        };
+        let sure_m = run.final_penetration_m.or(run.at_least.penetration_m);
+        let most_m = run.final_penetration_m.or(run.penetration_at_most_m);
+        if run.outcome == Outcome::Perforated || sure_m.is_some_and(|depth| depth > thickness_m) {
+            return Self::Perforated;
+        }
+        match run.outcome {
+            Outcome::Arrested | Outcome::Separated | Outcome::Perforated => Self::Stopped,
+            Outcome::Moving if most_m.is_some_and(|depth| depth <= thickness_m) => Self::Stopped,
+            Outcome::Moving => Self::Undecided,
+        }
+    }
+}
+
 /// One shot of the residual-velocity curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shot {
@@ -128,6 +228,8 @@ pub struct Shot {
 /// What is asked for beyond the limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
+    /// What counts as a perforation.
+    pub criterion: Criterion,
     /// Scatter of the inputs; `None`: not asked for.
     pub scattering: Option<Scattering>,
 }
@@ -137,6 +239,8 @@ pub struct Effort {
 pub struct Report {
     /// The scene.
     pub scene: Arc<Scene>,
+    /// What counts as a perforation.
+    pub criterion: Criterion,
     /// The limit.
     pub limit: Limit,
     /// The curve, in order of velocity.
@@ -176,10 +280,13 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
     variables::validate(scene)?;
     variables::require_single(scene)?;
     let samples = effort.scattering.map_or(0, |scattering| scattering.samples);
-    let mut range = Range::new(scene, SCAN + 40 + BELOW + ABOVE + samples, watch);
-    let limit = range.limit(RANGE_M_S, SCAN, WIDTH);
+    let mut range =
+        Range::new(scene, SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples, watch);
+    range.criterion = effort.criterion;
+    let limit = range.whole_limit();
     let mut report = Report {
         scene: Arc::clone(scene),
+        criterion: effort.criterion,
         limit,
         shots: range.curve(limit),
         recht_ipson: None,
@@ -210,7 +317,7 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
 pub fn alone(scene: &Arc<Scene>, watch: Watch<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
     variables::require_single(scene)?;
-    Ok(Range::new(scene, SCAN + 40, watch).limit(RANGE_M_S, SCAN, WIDTH))
+    Ok(Range::new(scene, SCAN + 40 + 2 * BESIDE.len(), watch).whole_limit())
 }
 
 /// Steps of a shot between two questions whether to go on.
@@ -219,6 +326,7 @@ const LOOK: usize = 64;
 /// The firing range: shots at a scene, counted.
 struct Range<'s, 'w> {
     scene: &'s Arc<Scene>,
+    criterion: Criterion,
     watch: Watch<'w>,
     done: usize,
     total: usize,
@@ -227,7 +335,8 @@ struct Range<'s, 'w> {
 
 impl<'s, 'w> Range<'s, 'w> {
     fn new(scene: &'s Arc<Scene>, total: usize, watch: Watch<'w>) -> Self {
-        Self { scene, watch, done: 0, total, stopped: false }
+        let criterion = Criterion::default();
+        Self { scene, criterion, watch, done: 0, total, stopped: false }
     }
 
     /// Whether to go on with the next piece of work.
@@ -240,14 +349,14 @@ impl<'s, 'w> Range<'s, 'w> {
         !self.stopped
     }
 
-    /// A shot at this velocity; `None` when stopped.
-    fn shoot(&mut self, impact_m_s: f64) -> Option<Shot> {
+    /// A shot at this velocity, followed until it is decided; `None` when stopped.
+    fn shoot(&mut self, impact_m_s: f64) -> Option<(Shot, Verdict)> {
         if !self.goes_on() {
             return None;
         }
         let (done, total, watch) = (self.done.min(self.total), self.total, &mut *self.watch);
         let (mut steps, mut stopped) = (0_usize, false);
-        let shot = shoot(self.scene, impact_m_s, &mut |_t_s| {
+        let shot = shoot(self.scene, self.criterion, impact_m_s, &mut |_t_s| {
             steps += 1;
             // A run on the plastic law may have millions of steps.
             stopped = stopped || (steps.is_multiple_of(LOOK) && watch(done, total).is_break());
@@ -259,23 +368,28 @@ impl<'s, 'w> Range<'s, 'w> {
 
     /// Whether a shot goes through; `None` when stopped. What is fused at the first arrest stays: there the first contact alone
     /// decides.
-    fn perforates(&mut self, impact_m_s: f64) -> Option<bool> {
+    fn verdict(&mut self, impact_m_s: f64) -> Option<Verdict> {
         let scene = self.scene;
         let decided = scene.interface.law == InterfaceLaw::Fused
             && scene.contact.model == ContactModel::Hydrodynamic;
-        if !decided {
-            return self.shoot(impact_m_s).map(|shot| shot.outcome == Outcome::Perforated);
+        if decided {
+            if !self.goes_on() {
+                return None;
+            }
+            if let Ok(end) = first_contact(&aimed(scene, impact_m_s)) {
+                let out = self.criterion == Criterion::Protrusion
+                    && end.depth_m > scene.effective_thickness_m();
+                let through = out || end.ending == Ending::Perforation;
+                return Some(if through { Verdict::Perforated } else { Verdict::Stopped });
+            }
         }
-        let through = || {
-            let end = first_contact(&aimed(scene, impact_m_s));
-            end.is_ok_and(|end| end.ending == Ending::Perforation)
-        };
-        self.goes_on().then(through)
+        Some(self.shoot(impact_m_s)?.1)
     }
 
     /// The limit within a range, looked for with so many points, to a relative width.
     fn limit(&mut self, (low, high): (f64, f64), points: usize, width: f64) -> Limit {
-        if let Some(velocity_m_s) = closed_form(self.scene) {
+        let by_passage = self.criterion == Criterion::Passage;
+        if let Some(velocity_m_s) = closed_form(self.scene).filter(|_| by_passage) {
             // No strength, no limit.
             return if velocity_m_s > 0.0 {
                 Limit::Found { velocity_m_s, basis: Basis::ClosedForm, stopped_at_m_s: None }
@@ -286,27 +400,129 @@ impl<'s, 'w> Range<'s, 'w> {
         self.search((low, high), points, width).unwrap_or(Limit::Unknown)
     }
 
+    /// The limit over all velocities, with a look at the outcomes on either side of it.
+    fn whole_limit(&mut self) -> Limit {
+        let mut limit = self.limit(RANGE_M_S, SCAN, WIDTH);
+        for _ in 0..LOWER_MAX {
+            let Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s } = limit else {
+                break;
+            };
+            let Some(beside) = self.beside(velocity_m_s, stopped_at_m_s) else {
+                return Limit::Unknown;
+            };
+            if beside == limit {
+                break;
+            }
+            limit = beside;
+        }
+        limit
+    }
+
+    /// What a limit is after shots on either side of it: a lower one, where one below perforates; no single one, where one above is
+    /// stopped.
+    fn beside(&mut self, limit_m_s: f64, stopped_at_m_s: Option<f64>) -> Option<Limit> {
+        let mut stopped_m_s = None;
+        for part in BESIDE.iter().rev() {
+            let velocity_m_s = limit_m_s * (1.0 - part);
+            match self.verdict(velocity_m_s)? {
+                Verdict::Stopped => stopped_m_s = Some(velocity_m_s),
+                Verdict::Undecided => {
+                    let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
+                    return self.between(lower_m_s, velocity_m_s, Some(limit_m_s));
+                }
+                Verdict::Perforated => {
+                    let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
+                    return self.closed_in(lower_m_s, velocity_m_s, WIDTH, Some(limit_m_s));
+                }
+            }
+        }
+        let mut again_m_s = stopped_at_m_s;
+        for part in BESIDE {
+            let velocity_m_s = limit_m_s * (1.0 + part);
+            if again_m_s.is_none_or(|again_m_s| velocity_m_s < again_m_s)
+                && self.verdict(velocity_m_s)? == Verdict::Stopped
+            {
+                again_m_s = Some(velocity_m_s);
+            }
+        }
+        let basis = Basis::Outcome;
+        Some(Limit::Found { velocity_m_s: limit_m_s, basis, stopped_at_m_s: again_m_s })
+    }
+
+    /// The limit between a shot that is stopped and one that perforates.
+    fn closed_in(
+        &mut self,
+        stopped_m_s: f64,
+        through_m_s: f64,
+        width: f64,
+        stopped_at_m_s: Option<f64>,
+    ) -> Option<Limit> {
+        let (mut stopped, mut through) = (stopped_m_s, through_m_s);
+        while through - stopped > width * stopped {
+            let middle = 0.5 * (stopped + through);
+            match self.verdict(middle)? {
+                Verdict::Perforated => through = middle,
+                Verdict::Stopped => stopped = middle,
+                Verdict::Undecided => return self.between(stopped, middle, Some(through)),
+            }
+        }
+        let velocity_m_s = 0.5 * (stopped + through);
+        Some(Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s })
+    }
+
+    /// The limit on both sides of a shot that is not decided: from either side as close to it as shots are decided.
+    fn between(
+        &mut self,
+        stopped_m_s: f64,
+        undecided_m_s: f64,
+        through_m_s: Option<f64>,
+    ) -> Option<Limit> {
+        let (mut stopped, mut above) = (stopped_m_s, undecided_m_s);
+        let mut undecided = 0;
+        while above - stopped > WIDTH * stopped && undecided < UNDECIDED_MAX {
+            let middle = 0.5 * (stopped + above);
+            let verdict = self.verdict(middle)?;
+            undecided += usize::from(verdict == Verdict::Undecided);
+            if verdict == Verdict::Stopped { stopped = middle } else { above = middle }
+        }
+        let (mut below, mut through, mut undecided) = (undecided_m_s, through_m_s, 0);
+        while let Some(perforated) = through.filter(|it| it - below > WIDTH * below)
+            && undecided < UNDECIDED_MAX
+        {
+            let middle = 0.5 * (below + perforated);
+            let verdict = self.verdict(middle)?;
+            undecided += usize::from(verdict == Verdict::Undecided);
+            if verdict == Verdict::Perforated { through = Some(middle) } else { below = middle }
+        }
+        if let Some(through) = through.filter(|through| through - stopped <= ONE_POINT * stopped) {
+            let (velocity_m_s, basis) = (0.5 * (stopped + through), Basis::Outcome);
+            return Some(Limit::Found { velocity_m_s, basis, stopped_at_m_s: None });
+        }
+        let stopped_m_s = (stopped > RANGE_M_S.0).then_some(stopped);
+        Some(Limit::Between { stopped_m_s, perforated_m_s: through })
+    }
+
     fn search(&mut self, (low, high): (f64, f64), points: usize, width: f64) -> Option<Limit> {
         let ratio = (high / low).powf(1.0 / (points - 1) as f64);
         let mut scan = Vec::new();
         for point in 0..points {
             let velocity = low * ratio.powf(point as f64);
-            scan.push((velocity, self.perforates(velocity)?));
+            scan.push((velocity, self.verdict(velocity)?));
         }
-        let Some(first) = scan.iter().position(|point| point.1) else { return Some(Limit::Never) };
-        let later = scan[first..].iter().find(|point| !point.1);
-        let stopped_at_m_s = later.map(|point| point.0);
+        let first = scan.iter().position(|point| point.1 == Verdict::Perforated);
+        let below = &scan[..first.unwrap_or(scan.len())];
+        if let Some(undecided) = below.iter().position(|point| point.1 == Verdict::Undecided) {
+            let stopped_m_s = if undecided > 0 { scan[undecided - 1].0 } else { low };
+            return self.between(stopped_m_s, scan[undecided].0, first.map(|first| scan[first].0));
+        }
+        let Some(first) = first else { return Some(Limit::Never) };
         if first == 0 {
             // What is stopped only above a range in which everything perforates has no limit velocity either.
             return Some(Limit::Always);
         }
-        let (mut stopped, mut through) = (scan[first - 1].0, scan[first].0);
-        while through - stopped > width * stopped {
-            let middle = 0.5 * (stopped + through);
-            if self.perforates(middle)? { through = middle } else { stopped = middle }
-        }
-        let velocity_m_s = 0.5 * (stopped + through);
-        Some(Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s })
+        let later = scan[first..].iter().find(|point| point.1 == Verdict::Stopped);
+        let stopped_at_m_s = later.map(|point| point.0);
+        self.closed_in(scan[first - 1].0, scan[first].0, width, stopped_at_m_s)
     }
 
     /// Shots on either side of the limit, denser above it, or over the whole range.
@@ -320,14 +536,14 @@ impl<'s, 'w> Range<'s, 'w> {
                 let above = (1..=ABOVE).map(|i| 1.0 + (to - 1.0) * share(i, ABOVE).powi(2));
                 below.chain(above).map(|times| times * velocity_m_s).collect()
             }
-            Limit::Never | Limit::Always => {
+            Limit::Between { .. } | Limit::Never | Limit::Always => {
                 let (low, high): (f64, f64) = RANGE_M_S;
                 let step = (high / low).powf(1.0 / ABOVE as f64);
                 (0..=ABOVE).map(|i| low * step.powf(i as f64)).collect()
             }
             Limit::Unknown => Vec::new(),
         };
-        velocities.into_iter().map_while(|velocity| self.shoot(velocity)).collect()
+        velocities.into_iter().map_while(|velocity| Some(self.shoot(velocity)?.0)).collect()
     }
 }
 
@@ -339,17 +555,27 @@ fn aimed(scene: &Scene, impact_m_s: f64) -> Arc<Scene> {
     Arc::new(own)
 }
 
-/// A shot at a scene with another impact velocity.
-fn shoot(scene: &Scene, impact_m_s: f64, observer: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Shot {
+/// A shot at a scene with another impact velocity; one that is left undecided is followed for longer.
+fn shoot(
+    scene: &Scene,
+    criterion: Criterion,
+    impact_m_s: f64,
+    observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> (Shot, Verdict) {
     let settings = Settings { series: false, estimate: false };
     let own = aimed(scene, impact_m_s);
-    let run = simulate(&own, &settings, observer);
+    let mut run = simulate(&own, &settings, observer);
+    if run.as_ref().is_ok_and(|run| Verdict::of(run, criterion) == Verdict::Undecided) {
+        run = follow(&own, observer);
+    }
     // The scene has been found valid, and so is any velocity above zero.
-    run.map_or(Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, |run| Shot {
-        impact_m_s,
-        outcome: run.outcome,
-        residual_m_s: run.residual_velocity_m_s,
-    })
+    run.map_or(
+        (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, Verdict::Undecided),
+        |run| {
+            let (outcome, residual_m_s) = (run.outcome, run.residual_velocity_m_s);
+            (Shot { impact_m_s, outcome, residual_m_s }, Verdict::of(&run, criterion))
+        },
+    )
 }
 
 /// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts or another

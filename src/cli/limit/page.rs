@@ -41,10 +41,11 @@ fn head(page: &mut String, report: &Report) {
                 );
             }
         }
-        Limit::Never | Limit::Always | Limit::Unknown => {
+        Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => {
             let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
         }
     }
+    let _ = writeln!(page, "criterion       {}", report.criterion.label());
     if let Some(margin) = report.margin() {
         let side = if margin < 0.0 { "it perforates" } else { "it is stopped" };
         let _ = writeln!(

@@ -7,7 +7,16 @@ use crate::model::contact::Geometry;
 use crate::model::impact::contact::Answer;
 use crate::model::mechanism::{Inertia, Mechanism, Spring};
 use crate::model::scene::{InterfaceLaw, Mount, Scene};
-use crate::numerics::larger;
+use crate::numerics::{larger, smaller};
+
+/// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
+/// waited for at the most.
+const CREPT: f64 = 1e-14;
+const DECAY_MAX: f64 = 1e3;
+
+/// Swings of the spring, with all energy in it, after which a run ends at the latest, and where the interface may give way.
+const SWINGS: f64 = 20.0;
+const SLIPPING_SWINGS: f64 = 100.0;
 
 /// Everything the run needs to know about its scene.
 #[derive(Clone, Debug)]
@@ -51,6 +60,8 @@ pub(super) struct Problem {
     pub(super) baseline_m: Option<f64>,
     /// The horizon was asked for: the run goes on to it.
     pub(super) horizon_is_asked: bool,
+    /// How many times as long as usual a run that swings on undecided is followed.
+    pub(super) patience: usize,
 }
 
 impl Problem {
@@ -89,6 +100,7 @@ impl Problem {
             answer: Answer::Mechanism,
             baseline_m: None,
             horizon_is_asked: scene.run.horizon_s.is_some(),
+            patience: 1,
         };
         let rigid_ending = problem.passage(false).ending();
         problem.baseline_m = match rigid_ending {
@@ -122,7 +134,8 @@ impl Problem {
         self.geometry.nose.radius_m / self.velocity_m_s
     }
 
-    /// Long enough for the contact, twenty swings of the spring with all energy in it, and a damper to die down.
+    /// Long enough for the contact, many swings of the spring with all energy in it, a damper to die down, and a plate that creeps
+    /// back against it.
     fn horizon_of_scene(&self) -> f64 {
         let contact = 50.0 * self.geometry.exit_m / self.velocity_m_s;
         if self.rigid {
@@ -146,11 +159,29 @@ impl Problem {
             0.0
         };
         let mut horizon = contact;
-        for part in [20.0 * swing, fading] {
+        // A joined body's first swing tells; one that slips in its hole loses energy for many swings.
+        let swings = if self.plastic { SLIPPING_SWINGS } else { SWINGS };
+        for part in [swings * swing, fading, self.creeping_s(far)] {
             if part.is_finite() {
                 horizon += part;
             }
         }
         horizon
+    }
+
+    /// The time in which a plate without inertia comes back from a displacement to [`CREPT`] of it, s: b w^m = k x^n. It is an
+    /// exponential decay for n = m and ends in a finite time for n < m; for n > m it goes on for ever, and is cut short.
+    fn creeping_s(&self, far_m: f64) -> f64 {
+        let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
+        let Some(law) = spring.power().filter(|law| law.coefficient > 0.0) else { return 0.0 };
+        if damper.coefficient == 0.0 {
+            return 0.0;
+        }
+        let speed = (law.force(far_m) / damper.coefficient).powf(1.0 / damper.exponent);
+        let power = 1.0 - law.exponent / damper.exponent;
+        // The integral of z^(power - 1) from CREPT to 1.
+        let decay =
+            if power.abs() < 1e-6 { -CREPT.ln() } else { (1.0 - CREPT.powf(power)) / power };
+        smaller(decay, DECAY_MAX) * far_m / speed
     }
 }

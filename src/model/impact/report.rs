@@ -8,7 +8,8 @@ use crate::model::impact::track::Track;
 use crate::model::impact::verdict::Farthest;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
-    Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, Omission, Outcome, Run, Warning,
+    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, Omission, Outcome, Run,
+    Warning,
 };
 use crate::numerics::larger;
 
@@ -22,17 +23,34 @@ const DRIFT: f64 = 1e-8;
 pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) -> Run {
     let outcome = track.decided.map_or_else(|| track.outcome(), |decided| decided.0);
     let ledger = ledger(problem, &track);
-    let warnings = warnings(problem, &track, end, &ledger);
+    let mut warnings = warnings(problem, &track, end, &ledger);
     let geometry = &problem.geometry;
     let final_penetration_m = match outcome {
         Outcome::Arrested | Outcome::Separated => Some(geometry.depth_m(track.deepest_m)),
         Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
         Outcome::Moving => None,
     };
+    let depth_m = geometry.depth_m(track.deepest_m);
+    let penetration_at_most_m =
+        if outcome == Outcome::Moving { track.depth_at_most_m() } else { None };
+    // What can only get deeper by less than the run's own error is as deep as it gets.
+    let unseen_m = problem.scene.run.tolerance * depth_m;
+    let is_final = penetration_at_most_m.is_some_and(|most_m| most_m - depth_m <= unseen_m);
+    let final_penetration_m = final_penetration_m.or_else(|| is_final.then_some(depth_m));
+    let so_far_m = track.record.farthest_m;
     let farthest = match track.farthest {
-        Farthest::Known(x) => Some(larger(x, track.record.farthest_m)),
+        Farthest::Known(x) => Some(larger(x, so_far_m)),
+        Farthest::Pending if track.has_been_farthest() => Some(so_far_m),
         Farthest::Unbounded | Farthest::Pending => None,
     };
+    let at_least = AtLeast {
+        penetration_m: final_penetration_m.is_none().then_some(depth_m),
+        plate_displacement_m: (farthest.is_none() && track.farthest == Farthest::Pending)
+            .then_some(so_far_m),
+    };
+    if outcome == Outcome::Moving || !at_least.is_empty() {
+        warnings.push(Warning::StillMoving { outcome, at_least });
+    }
     let cost = cost(problem, &track);
     let mechanism = load(problem, &track, farthest);
     let omitted = omitted(problem, &track);
@@ -47,6 +65,8 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         baseline_penetration_m: problem.baseline_m,
         peak_contact_force_n: Some(record.peak_contact_n),
         max_plate_displacement_m: farthest,
+        at_least,
+        penetration_at_most_m,
         residual_velocity_m_s: record.exit.map(|exit| exit.1),
         exit_time_s: record.exit.map(|exit| exit.0),
         separation: record.separation.filter(|_| outcome == Outcome::Separated),

@@ -26,11 +26,18 @@ const LANDED: f64 = 1e-9;
 const TICK: f64 = 2.0 * f64::EPSILON;
 /// The step, relative to the time reached, at whose end an event is taken wherever in it it falls.
 const CLOSEST: f64 = 4.0 * TICK;
-/// Implicit steps after which a run ends early.
-const STIFF_STEPS_MAX: usize = 30_000;
+/// How near to an event, relative to its place in the step, the polynomial through the stages finds it.
+const NEAR: f64 = 1e-3;
+/// Work of one of Newton's iterations, in Taylor expansions, and the most iterations of a step.
+const NEWTON: usize = 4;
+const ITERATIONS_MAX: usize = 25;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
 const LOCAL: f64 = 1e-3;
+/// The estimate, relative to the impact velocity, below which it follows swings of the plate that the contact does not feel, and
+/// the power with which the rest of a tighter tolerance still counts, so that two tolerances do not share their steps.
+const FELT: f64 = 1e-9;
+const BELOW_FELT: f64 = 0.05;
 
 /// Energy of the plate after a step, relative to all there is, from which on the step is none.
 const POSSIBLE: f64 = 1.5;
@@ -61,7 +68,7 @@ impl Track<'_> {
             let at_tick = h <= tick;
             h = larger(h, tick);
             let solved = self.solve(&system, &y, h);
-            self.evaluations += solved.as_ref().map_or(25, |step| step.iterations) * 3;
+            self.evaluations += solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations) * 3;
             let Some(solved) = solved else {
                 if at_tick {
                     return ControlFlow::Break(EndReason::StepUnderflow);
@@ -70,7 +77,7 @@ impl Track<'_> {
                 self.rejected += 1;
                 continue;
             };
-            let tolerance = LOCAL * self.tolerance.powf(2.0 / 3.0);
+            let tolerance = self.estimate_allowed();
             let factor = step_factor(solved.error, tolerance);
             // Within one tick of the clock a stiff force settles, whatever its way: the method is L-stable.
             if solved.error > tolerance && !at_tick {
@@ -94,11 +101,33 @@ impl Track<'_> {
         ControlFlow::Break(EndReason::StepUnderflow)
     }
 
+    /// What the estimate of a step may be, relative to the scales.
+    fn estimate_allowed(&self) -> f64 {
+        let allowed = LOCAL * self.tolerance.powf(2.0 / 3.0);
+        if self.is_sliding() && allowed < FELT {
+            FELT * (allowed / FELT).powf(BELOW_FELT)
+        } else {
+            allowed
+        }
+    }
+
+    /// A step from this guess; its work is counted.
+    fn newton(
+        &self,
+        system: &Unknowns<'_>,
+        y: &[f64; 4],
+        h: f64,
+        guess: [[f64; 4]; 3],
+    ) -> Option<Step<4>> {
+        let solved = step::<4, 12>(system, y, h, guess);
+        self.worked(NEWTON * solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations));
+        solved
+    }
+
     /// A step from whichever guess leads anywhere.
     fn solve(&self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) -> Option<Step<4>> {
-        let from = |guess| {
-            step::<4, 12>(system, y, h, guess).filter(|step| self.is_possible(system, step))
-        };
+        let from =
+            |guess| self.newton(system, y, h, guess).filter(|step| self.is_possible(system, step));
         let by_force = matches!(system.spring, Carrier::Force(_));
         let others = || from(system.riding(y, h)).or_else(|| from(system.coasting(y, h)));
         from(system.guess(y, h))
@@ -196,13 +225,14 @@ impl Track<'_> {
             };
             // Solve the step anew for each trial length: the end of a step is far more accurate than its inside.
             let value = |part: f64| {
-                let trial = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
+                let trial = self.newton(system, y, part * h, system.guess(y, part * h));
                 let at =
                     trial.map_or_else(|| interpolate(y, &solved, part), |trial| trial.stages[2]);
                 form.watched(motion, &system.state(&at))
             };
-            let part = in_bracket(1e-12, 1.0, value);
-            let landed = step::<4, 12>(system, y, part * h, system.guess(y, part * h));
+            let inside = |part| form.watched(motion, &system.state(&interpolate(y, &solved, part)));
+            let part = near_root(in_bracket(1e-12, 1.0, inside), value);
+            let landed = self.newton(system, y, part * h, system.guess(y, part * h));
             let variation = form.at(motion, &self.state) - form.at(motion, &end);
             let landed = landed.filter(|landed| {
                 let at = system.state(&landed.stages[2]);
@@ -231,9 +261,6 @@ impl Track<'_> {
         self.stretch_steps += 1;
         self.count_turns(system.rate(y)[3]);
         self.notice_swings(system, y, h);
-        if self.stiff_steps > STIFF_STEPS_MAX {
-            return ControlFlow::Break(EndReason::StepBudget);
-        }
         self.arrive(self.t_s + h, state, motion, fired);
         let is_moved = self.state.plate_m.to_bits() != state.plate_m.to_bits();
         if !is_moved {
@@ -268,4 +295,13 @@ impl Track<'_> {
         }
         self.record = record;
     }
+}
+
+/// The root of a function that falls from `value(1e-12)` > 0 to `value(1)` <= 0, found from a first guess: each value costs a step.
+fn near_root(guess: f64, mut value: impl FnMut(f64) -> f64) -> f64 {
+    let (below, above) = ((1.0 - NEAR) * guess, smaller((1.0 + NEAR) * guess, 1.0));
+    let (falls_after, has_fallen) = (value(below) > 0.0, value(above) <= 0.0);
+    let from = if falls_after { below } else { 1e-12 };
+    let to = if has_fallen { above } else { 1.0 };
+    in_bracket(from, to, value)
 }

@@ -48,6 +48,8 @@ const LANDED: f64 = 1e-9;
 const LANDINGS: usize = 6;
 /// Ticks of the clock that a fall keeps from the zero.
 const TICKS: f64 = 500.0;
+/// Work of one collocation, in Taylor expansions.
+const SOLVING: usize = 10;
 /// Every so many of a stride's points are drawn.
 const DRAWN: usize = 4;
 
@@ -220,6 +222,7 @@ impl Track<'_> {
             return None;
         }
         let rate = |z: f64, y: &Unknowns| clock.rate(&clock.state(z, y));
+        self.worked(SOLVING);
         let graded = solve((from, to), &[0.0; 4], &scale, rate)?;
         let states = std::array::from_fn(|i| clock.state(graded.points[i].0, &graded.points[i].2));
         let end = clock.state(to, &graded.end);

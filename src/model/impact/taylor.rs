@@ -51,6 +51,7 @@ impl Track<'_> {
         let h = self.unit_s;
         let e: Expansion<N> = motion.expand(&self.state, h);
         self.evaluations += 1;
+        self.worked(1);
         let trusted = self.trusted(&e);
         if trusted < UNIT_FITS {
             // The unit is far too long for what happens now: sizes measured with it mean nothing.

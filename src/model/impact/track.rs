@@ -5,6 +5,7 @@
 //! state is put exactly on the event and `events.rs` decides what follows. What rounding has put behind the state already is found
 //! by `overdue.rs`.
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
@@ -22,8 +23,8 @@ use crate::numerics::larger;
 
 /// Taylor steps after which a stretch is handed to the implicit method.
 const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
-/// Steps of any kind after which a run ends early.
-pub(super) const STEPS_MAX: usize = 3_000_000;
+/// Work after which a run ends early, in Taylor expansions: about a second.
+const WORK_MAX: usize = 400_000;
 /// Events after which a run ends early.
 const EVENTS_MAX: usize = 400_000;
 
@@ -31,6 +32,8 @@ const EVENTS_MAX: usize = 400_000;
 /// an undamped spring goes on for ever.
 const TURNS_MAX: usize = 1_000;
 const UNDECIDED_STEPS: usize = 15_000;
+/// How many times as many the first contact may have: it ends.
+const FIRST_CONTACT: usize = 20;
 
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
@@ -99,6 +102,8 @@ pub(super) struct Track<'a> {
     pub(super) stiff_steps: usize,
     pub(super) rejected: usize,
     pub(super) evaluations: usize,
+    /// Work done, in Taylor expansions.
+    pub(super) work: Cell<usize>,
     pub(super) event_count: usize,
     /// The outcome, once it is decided, and the steps taken until then.
     pub(super) decided: Option<(Outcome, usize)>,
@@ -163,6 +168,7 @@ impl<'a> Track<'a> {
             stiff_steps: 0,
             rejected: 0,
             evaluations: 0,
+            work: Cell::new(0),
             event_count: 0,
             decided: None,
             slips_since_deeper: 0,
@@ -184,18 +190,13 @@ impl<'a> Track<'a> {
             if let Some(window) = self.record.window {
                 window.show(|| report::gather(self.problem, self.clone(), EndReason::Cancelled));
             }
-            let swings_on =
-                self.turns + self.event_count > TURNS_MAX && self.steps > UNDECIDED_STEPS;
-            if swings_on && !self.problem.horizon_is_asked {
-                return self.end_early(EndReason::Swings);
+            if let Some(reason) = self.budget_used_up() {
+                return self.end_early(reason);
             }
             if let Some(trigger) = self.overdue() {
                 let before = self.state;
                 self.snap(trigger, &before);
                 self.take(trigger);
-                if self.event_count > EVENTS_MAX {
-                    return self.end_early(EndReason::EventBudget);
-                }
                 continue;
             }
             self.take_back();
@@ -217,18 +218,34 @@ impl<'a> Track<'a> {
                 ControlFlow::Continue(None) => {}
                 ControlFlow::Continue(Some(trigger)) => self.take(trigger),
             }
-            if self.steps + self.rejected > STEPS_MAX {
-                return self.end_early(EndReason::StepBudget);
-            }
-            if self.event_count > EVENTS_MAX {
-                return self.end_early(EndReason::EventBudget);
-            }
         }
+    }
+
+    /// Why the run ends before anything is decided, if it has done all it may. The work is counted, never timed: the same scene
+    /// ends at the same step on every machine.
+    fn budget_used_up(&self) -> Option<EndReason> {
+        let in_first_contact = self.mode == Mode::Penetrating && self.record.first_arrest.is_none();
+        let times = self.problem.patience * if in_first_contact { FIRST_CONTACT } else { 1 };
+        let swings_on = self.turns + self.event_count > TURNS_MAX * times
+            && self.steps > UNDECIDED_STEPS * times;
+        if swings_on && !self.problem.horizon_is_asked {
+            Some(EndReason::Swings)
+        } else if self.event_count > EVENTS_MAX {
+            Some(EndReason::EventBudget)
+        } else {
+            (self.work.get() > WORK_MAX).then_some(EndReason::StepBudget)
+        }
+    }
+
+    /// Count work done, in Taylor expansions.
+    pub(super) fn worked(&self, expansions: usize) {
+        self.work.set(self.work.get() + expansions);
     }
 
     /// What follows an event, and which method goes on.
     pub(super) fn take(&mut self, trigger: Trigger) {
         self.event_count += usize::from(trigger.changes_course());
+        self.worked(1);
         let before = self.mode;
         self.handle(trigger);
         if self.mode != before {

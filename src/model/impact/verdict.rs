@@ -27,6 +27,8 @@ const RATTLES: usize = 24;
 /// Excess of the interface's load over its strength, relative, from which on the remaining slips are taken at once. They
 /// are exact in energy but for the drag, far below rounding at such slips.
 const LAST_SLIPS: f64 = 2e-2;
+/// How many times the path that the energy above the holding swing pays for is left to slips: the last one may take some more.
+const SLIP_RESERVE: f64 = 1.25;
 /// Loss of energy, relative, from which on the outcome is asked for again: far above rounding, far below a swing's.
 const LOST: f64 = 1e-9;
 /// How far a stop that gives way to a spring driving the plate away is followed, m.
@@ -238,7 +240,11 @@ impl Track<'_> {
             return if way > 0.0 { Farthest::Unbounded } else { Farthest::Known(so_far) };
         }
         let reach = self.reach_m();
-        if reach <= so_far * (1.0 + 1e-12) || (reach - so_far).abs() < 1e-15 * so_far.abs() {
+        let stroke = so_far - self.problem.start_m;
+        if reach <= so_far * (1.0 + 1e-12)
+            || (reach - so_far).abs() < 1e-15 * so_far.abs()
+            || reach - so_far <= NEGLIGIBLE * self.problem.scene.run.tolerance * stroke
+        {
             return Farthest::Known(so_far);
         }
         let springless = mechanism.spring.is_absent();
@@ -313,10 +319,75 @@ impl Track<'_> {
             }
         }
         self.push_at(energy) <= push && self.pull_at(energy) <= pull
+            || self.slips_stay_within(energy)
+    }
+
+    /// Whether a projectile that still slips to and fro within its hole neither comes to its bottom nor out of it.
+    ///
+    /// Each slip begins with more energy than the swing has in which the friction just holds, and loses some of it. So the paths of
+    /// all slips to come but the last add up to no more than what the friction needs to take the energy above that.
+    fn slips_stay_within(&self, energy_j: f64) -> bool {
+        let (geometry, q) = (&self.problem.geometry, self.state.travel_m);
+        let way = smaller(q, self.deepest_m - q);
+        let mechanism = &self.problem.mechanism;
+        if way <= 0.0 || mechanism.rigid_stop().is_some() {
+            return false;
+        }
+        let area = smaller(geometry.area_m2(q - way), geometry.area_m2(q + way));
+        let friction = self.problem.grip * self.problem.strength_pa * area;
+        let left_j = energy_j - friction * way / SLIP_RESERVE;
+        left_j >= self.potential_j(self.state.plate_m)
+            && self.push_at(left_j) <= friction
+            && self.pull_at(left_j) <= friction
+    }
+
+    /// Whether the plate has left its elastic stop with nothing to bring it back.
+    fn leaves_for_good(&self) -> bool {
+        let mechanism = &self.problem.mechanism;
+        mechanism.spring.is_absent()
+            && self.state.plate_m_s <= 0.0
+            && !self.stop_touches
+            && self.state.plate_m <= mechanism.stop_at_m
+    }
+
+    /// Whether the plate cannot go farther than it has been, whatever becomes of the energy there is.
+    pub(super) fn has_been_farthest(&self) -> bool {
+        let so_far = self.record.farthest_m;
+        self.reach_with(self.energy_left_j()) <= so_far * (1.0 + 1e-12)
+    }
+
+    /// The greatest depth for which there is energy left, m: all of it at work at the bottom of the hole. `None` where that would be
+    /// enough to perforate, or where a spring may give more than it has taken.
+    pub(super) fn depth_at_most_m(&self) -> Option<f64> {
+        let problem = self.problem;
+        let geometry = &problem.geometry;
+        problem.mechanism.spring.power()?;
+        let swept = geometry.swept_m3(self.deepest_m) + self.energy_left_j() / problem.strength_pa;
+        if swept.is_nan() || swept >= geometry.swept_m3(geometry.exit_m) {
+            return None;
+        }
+        let travel_m =
+            in_bracket(self.deepest_m, geometry.exit_m, |q| geometry.swept_m3(q) - swept);
+        Some(geometry.depth_m(travel_m))
+    }
+
+    /// Energy of plate, projectile, spring and elastic stop, J.
+    fn energy_left_j(&self) -> f64 {
+        let apart_j = if self.mode == Mode::Fused {
+            0.0
+        } else {
+            let v = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
+            0.5 * self.problem.projectile_kg * v * v
+        };
+        self.energy_j() + apart_j
     }
 
     /// The most the interface can be pushed with this much energy left, N.
     fn push_at(&self, energy_j: f64) -> f64 {
+        if self.leaves_for_good() {
+            // A damper holds back: it pulls.
+            return 0.0;
+        }
         let mechanism = &self.problem.mechanism;
         let speed = (2.0 * energy_j / self.moving_kg()).sqrt();
         let reach = self.reach_with(energy_j);

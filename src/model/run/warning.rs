@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::model::interaction::ModelNote;
 use crate::model::mechanism::load::Limit;
-use crate::model::run::EndReason;
+use crate::model::run::{AtLeast, EndReason, Outcome};
 use crate::model::units;
 
 /// What a careful reader should know about a run.
@@ -38,6 +38,13 @@ pub enum Warning {
     },
     /// The run ended early.
     EndedEarly(EndReason),
+    /// The run ended while the plate, or the projectile in its hole, still moved.
+    StillMoving {
+        /// What is decided of the shot.
+        outcome: Outcome,
+        /// What is known as a lower bound only.
+        at_least: AtLeast,
+    },
     /// The rigid mount, too, is perforated: there is no baseline to compare with.
     NoBaseline,
     /// What the interaction model does not contain.
@@ -82,6 +89,30 @@ impl fmt::Display for Warning {
                 write!(f, "the energy ledger is off by {residual:.1e} of the energy at the start")
             }
             Self::EndedEarly(reason) => f.write_str(reason.words()),
+            Self::StillMoving { outcome, at_least } => {
+                let depth = at_least.penetration_m.map(|_| "depth");
+                let far = at_least.plate_displacement_m.map(|_| "greatest displacement");
+                let bounds: Vec<&str> = depth.into_iter().chain(far).collect();
+                let decided = match outcome {
+                    Outcome::Moving => "the outcome is not decided",
+                    Outcome::Arrested | Outcome::Perforated | Outcome::Separated => {
+                        "the outcome is decided"
+                    }
+                };
+                if bounds.is_empty() {
+                    write!(
+                        f,
+                        "still oscillating at the end of the run; {decided}, but nothing later can exceed the depth and the \
+                         greatest displacement given"
+                    )
+                } else {
+                    let bounds = bounds.join(" and ");
+                    write!(
+                        f,
+                        "still moving when the run ended; {decided}; lower bounds (values so far): {bounds}"
+                    )
+                }
+            }
             Self::Model(note) => f.write_str(&note.words()),
             Self::PlateMeetsNext { plate, travel_m, gap_m } => write!(
                 f,

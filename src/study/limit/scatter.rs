@@ -57,6 +57,7 @@ pub(super) fn scatter(
     let mut limits = Vec::new();
     let (mut without, mut through) = (0, 0usize);
     let own_m_s = scene.projectile.velocity_m_s;
+    let range_criterion = range.criterion;
     for _ in 0..scattering.samples {
         if !range.goes_on() {
             return None;
@@ -66,6 +67,7 @@ pub(super) fn scatter(
         let (done, total) = (range.done.min(range.total), range.total);
         let mut watch = |_: usize, _: usize| (range.watch)(done, total);
         let mut own = Range::new(&sample, 1, &mut watch);
+        own.criterion = range_criterion;
         let around = (nominal_m_s / WITHIN, nominal_m_s * WITHIN);
         match own.limit(around, POINTS, WIDTH) {
             Limit::Found { velocity_m_s, .. } => {
@@ -78,7 +80,7 @@ pub(super) fn scatter(
                 through += usize::from(own_m_s > around.0);
             }
             Limit::Unknown => return None,
-            Limit::Never => without += 1,
+            Limit::Between { .. } | Limit::Never => without += 1,
         }
     }
     limits.sort_by(f64::total_cmp);

@@ -3,7 +3,7 @@
 use super::*;
 use crate::model::units::Bare;
 
-const PLAIN: Effort = Effort { scattering: None };
+const PLAIN: Effort = Effort { criterion: Criterion::Passage, scattering: None };
 
 fn scene(pairs: &str) -> Arc<Scene> {
     let mut scene = Scene::default();
@@ -107,14 +107,14 @@ fn a_stopped_search_keeps_what_it_has() {
     };
     let early = stop_at(5);
     assert_eq!((early.limit, early.is_complete), (Limit::Unknown, false));
-    let later = stop_at(SCAN + 45);
+    let later = stop_at(SCAN + 60);
     assert!(later.limit.velocity_m_s().is_some() && !later.is_complete);
 }
 
 #[test]
 fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
     let scattering = Scattering { deviation: 0.03, samples: 300, seed: 1 };
-    let effort = Effort { scattering: Some(scattering) };
+    let effort = Effort { scattering: Some(scattering), ..PLAIN };
     let rigid = scene("mount=rigid v_i=232.295378");
     let run = || find(&rigid, effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
     let (first, second) = (run(), run());

@@ -11,7 +11,7 @@ use super::status::wrap;
 use crate::model::run::Outcome;
 use crate::model::units::{fixed_significant, significant};
 use crate::study::limit::scatter::{Scatter, Scattering};
-use crate::study::limit::{Effort, Limit, Report, Shot};
+use crate::study::limit::{Criterion, Effort, Limit, Report, Shot};
 
 /// The scatter of the inputs that is asked for here.
 pub const SCATTERING: Scattering = Scattering { deviation: 0.02, samples: 200, seed: 1 };
@@ -46,7 +46,7 @@ pub type Fact = (&'static str, Severity, String);
 impl Ballistic {
     /// What is asked for.
     pub fn effort(&self) -> Effort {
-        Effort { scattering: self.scattered.then_some(SCATTERING) }
+        Effort { criterion: Criterion::Passage, scattering: self.scattered.then_some(SCATTERING) }
     }
 
     /// The shots there are.

@@ -300,6 +300,7 @@ pub fn warning_text(warning: &Warning) -> String {
         | Warning::Model(_)
         | Warning::Limit(_)
         | Warning::PlateMeetsNext { .. }
+        | Warning::StillMoving { .. }
         | Warning::NoBaseline => warning.to_string(),
     }
 }
@@ -323,7 +324,19 @@ pub fn results(run: &Run) -> Vec<String> {
             add("goes on at", format!("{}{way}", engineering(speed.abs(), "m/s")));
         }
     } else {
-        add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)));
+        match run.at_least.penetration_m {
+            Some(_) => {
+                let so_far = millimetres(run.at_least.penetration_m);
+                add("depth so far", format!("{so_far} mm (lower bound)"));
+            }
+            None => {
+                add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)))
+            }
+        }
+        if run.protrusion_m().is_some() {
+            let out = millimetres(run.protrusion_m());
+            add("nose", format!("{out} mm out of the rear face"));
+        }
     }
     if let Some(margin) = run.mechanism.yield_margin {
         let margin = crate::model::units::fixed_significant(margin, 3);
@@ -331,6 +344,10 @@ pub fn results(run: &Run) -> Vec<String> {
     }
     if let Some(peak_n) = run.peak_contact_force_n {
         add("peak force", engineering(peak_n, "N"));
+    }
+    if run.at_least.plate_displacement_m.is_some() {
+        let so_far = millimetres(run.at_least.plate_displacement_m);
+        add("plate travel", format!("{so_far} mm so far (lower bound)"));
     }
     if run.max_plate_displacement_m.is_some() {
         add("plate travel", format!("{} mm at most", millimetres(run.max_plate_displacement_m)));
@@ -377,6 +394,7 @@ fn demand(run: &Run) -> Option<String> {
         Warning::InterfaceWithoutStrength
         | Warning::EndedEarly(_)
         | Warning::Model(_)
+        | Warning::StillMoving { .. }
         | Warning::NoBaseline => None,
     })
 }

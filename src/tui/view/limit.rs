@@ -150,7 +150,7 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     }
     let limit = match report.limit {
         Limit::Found { velocity_m_s, .. } => Some((velocity_m_s, "v_bl")),
-        Limit::Never | Limit::Always | Limit::Unknown => None,
+        Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => None,
     };
     let own = report.scene.projectile.velocity_m_s;
     let lines = limit.into_iter().chain(x.view.contains(own).then_some((own, "scene")));

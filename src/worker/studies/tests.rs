@@ -115,7 +115,8 @@ fn an_impossible_scene_is_refused_in_words() {
 #[test]
 fn a_limit_is_found_and_a_stopped_one_says_so() {
     let (studies, reports) = spawned();
-    let kind = StudyKind::Limit(limit::Effort { scattering: None });
+    let kind =
+        StudyKind::Limit(limit::Effort { criterion: limit::Criterion::Passage, scattering: None });
     let found = || loop {
         let report = reports.recv_timeout(PATIENCE).expect("a report in time");
         if let StudyBody::Ended(Finding::Limit(Some(found))) = report.body {
@@ -129,7 +130,10 @@ fn a_limit_is_found_and_a_stopped_one_says_so() {
     let limit_m_s = found().limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
     let scattering = limit::scatter::Scattering { deviation: 0.02, samples: 1_000_000, seed: 1 };
-    let kind = StudyKind::Limit(limit::Effort { scattering: Some(scattering) });
+    let kind = StudyKind::Limit(limit::Effort {
+        criterion: limit::Criterion::Passage,
+        scattering: Some(scattering),
+    });
     studies.submit(Study { kind, ..study(2) });
     studies.cancel();
     assert!(!found().is_complete);
@@ -161,7 +165,8 @@ fn studies_of_different_kinds_do_not_stop_each_other() {
 fn who_asks_for_a_limit_does_not_wait_for_the_battery() {
     let (studies, reports) = spawned();
     studies.submit(Study { kind: StudyKind::Battery, ..study(1) });
-    let kind = StudyKind::Limit(limit::Effort { scattering: None });
+    let kind =
+        StudyKind::Limit(limit::Effort { criterion: limit::Criterion::Passage, scattering: None });
     studies.submit(Study { kind, ..study(2) });
     let first = loop {
         let report = reports.recv_timeout(PATIENCE).expect("a report in time");

@@ -279,6 +279,8 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         baseline_penetration_m: Some(0.007_113),
         peak_contact_force_n: Some(17_745.0),
         max_plate_displacement_m: Some(shape.sample(TURN_S).plate_displacement_m),
+        at_least: cmra::model::run::AtLeast::default(),
+        penetration_at_most_m: None,
         residual_velocity_m_s: None,
         exit_time_s: None,
         separation: None,

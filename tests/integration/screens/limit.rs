@@ -40,6 +40,7 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
     });
     Report {
         scene: Arc::clone(scene),
+        criterion: cmra::study::limit::Criterion::Passage,
         limit: Limit::Found { velocity_m_s: V_BL, basis: Basis::Outcome, stopped_at_m_s: None },
         shots: below.chain(above).map(shot).collect(),
         recht_ipson: Some(RechtIpson { a: 0.9412, limit_m_s: V_BL, misfit_m_s: 4.321 }),
@@ -47,6 +48,10 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
         scatter,
         is_complete: true,
     }
+}
+
+fn plain() -> Effort {
+    Effort { criterion: cmra::study::limit::Criterion::Passage, scattering: None }
 }
 
 fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
@@ -138,7 +143,7 @@ fn progress_is_shown_and_a_stopped_search_keeps_what_it_has() {
     assert!(bench.screen().contains("finding the limit: 12 of about 111 shots (Esc stops)"));
     bench.keys("<Esc>");
     assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
-    let mut report = found(&bench.app.scene, Effort { scattering: None });
+    let mut report = found(&bench.app.scene, plain());
     report.is_complete = false;
     report.limit = Limit::Unknown;
     report.shots.clear();
@@ -153,10 +158,10 @@ fn v_asks_for_the_scatter_and_takes_it_away_again() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
     let asked = studies(&mut bench).remove(0).kind;
-    assert_eq!(asked, StudyKind::Limit(Effort { scattering: Some(SCATTERING) }));
+    assert_eq!(asked, StudyKind::Limit(Effort { scattering: Some(SCATTERING), ..plain() }));
     bench.keys("v");
     let asked = studies(&mut bench).remove(0).kind;
-    assert_eq!(asked, StudyKind::Limit(Effort { scattering: None }));
+    assert_eq!(asked, StudyKind::Limit(plain()));
 }
 
 #[test]
