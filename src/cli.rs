@@ -9,6 +9,8 @@ use std::process::ExitCode;
 use clap::{Args, FromArgMatches as _, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use crate::files::clean;
+
 mod accuracy;
 mod compare;
 mod completions;
@@ -129,21 +131,26 @@ pub(crate) enum Glyphs {
     Braille,
 }
 
+/// The words of a command line as they may be shown.
+fn cleaned(written: &[OsString]) -> Vec<OsString> {
+    written.iter().map(|word| clean::line(&word.to_string_lossy()).into_owned().into()).collect()
+}
+
 /// Carry out a command line; the first argument is the program's name.
 ///
 /// # Errors
 /// [`CliError`], which knows its exit code; [`report`] prints it.
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
+    pace::survive_large_files();
     let written: Vec<OsString> = arguments.collect();
     let parsed = help::command()
         .try_get_matches_from(&written)
         .and_then(|matches| Arguments::from_arg_matches(&matches));
     let arguments = match parsed {
         Ok(arguments) => arguments,
-        Err(error)
-            if written.iter().any(|word| word.to_string_lossy().contains(char::is_control)) =>
-        {
+        Err(error) if cleaned(&written) != written => {
             // The parser repeats what was written; a terminal would obey it.
+            let error = Arguments::try_parse_from(cleaned(&written)).err().unwrap_or(error);
             output::note(error.render().to_string().trim_end());
             return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
         }

@@ -7,6 +7,7 @@
 pub mod accuracy;
 pub mod atomic;
 pub mod bundled;
+pub mod clean;
 pub mod csv;
 pub mod error;
 pub mod export;

@@ -123,6 +123,11 @@ impl CliError {
         }
     }
 
+    /// Whether its text has several lines: those of a scene file, one for each problem.
+    pub(super) fn has_lines(&self) -> bool {
+        matches!(self, Self::File(FileError::Scene(_) | FileError::Unmendable { .. }))
+    }
+
     /// Whether nobody is left to tell.
     pub(super) fn is_quiet(&self) -> bool {
         matches!(self, Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe)

@@ -1,32 +1,16 @@
 //! The only place that writes to standard output and standard error.
 
-use std::borrow::Cow;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
 use crate::cli::CliError;
+use crate::files::clean;
 
 /// Write a result to standard output.
 pub(super) fn print(text: &str) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
-    let text = harmless(text);
+    let text = clean::page(text);
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(CliError::Stdout)
-}
-
-/// A text of a scene file for a person's terminal, which would obey control characters: they are replaced.
-pub(super) fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
-}
-
-/// The same for a text of several lines: names of files and arguments may hold sequences that a terminal would obey, and no
-/// result of this program needs one.
-fn harmless(text: &str) -> Cow<'_, str> {
-    let commands = |c: char| c.is_control() && !matches!(c, '\n' | '\r' | '\t');
-    if text.contains(commands) {
-        Cow::Owned(text.replace(commands, "\u{fffd}"))
-    } else {
-        Cow::Borrowed(text)
-    }
 }
 
 /// Write a piece of a result that goes on.
@@ -43,13 +27,15 @@ pub(super) fn progress(text: &str) {
 
 /// Say something beside the result, on standard error. If nobody can hear it, it is lost: there is nowhere else to say it.
 pub(super) fn note(text: &str) {
-    let _ = writeln!(io::stderr().lock(), "{}", harmless(text));
+    let _ = writeln!(io::stderr().lock(), "{}", clean::page(text));
 }
 
 /// Print why a command failed, and give its exit code.
 pub fn report(error: &CliError) -> ExitCode {
     if !error.is_quiet() {
-        note(&format!("error: {error}"));
+        let text = format!("error: {error}");
+        // Most errors are of one line, whatever a name or an argument in them holds.
+        note(&if error.has_lines() { text } else { clean::line(&text).into_owned() });
     }
     error.code()
 }

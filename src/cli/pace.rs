@@ -6,14 +6,17 @@
 use std::io::{self, IsTerminal as _};
 use std::ops::ControlFlow;
 use std::process::ExitCode;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
 
 use crate::cli::output;
+
+/// Set by the first interrupt. Signals are the process's, and so is this.
+static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
 
 /// How long a computation may take before it is shown how far it is, and how often then.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -77,14 +80,28 @@ impl Pace {
 
 /// A flag that the first interrupt, or a dropped connection, sets; the second one ends the process.
 pub(super) fn interruptible() -> Arc<AtomicBool> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
-    for signal in [SIGINT, SIGTERM].into_iter().chain(hangup) {
-        // In this order: the second finds the flag set. Where it cannot be done, the interrupt just ends the process.
-        let _ = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop));
-        let _ = flag::register(signal, Arc::clone(&stop));
-    }
-    stop
+    let stop = STOP.get_or_init(|| {
+        let stop = Arc::new(AtomicBool::new(false));
+        let hangup = (!is_ignored(SIGHUP)).then_some(SIGHUP);
+        for signal in [SIGINT, SIGTERM].into_iter().chain(hangup) {
+            // In this order: the second finds the flag set. Where it cannot be done, the interrupt just ends the process.
+            let _ = flag::register_conditional_shutdown(signal, 128 + signal, Arc::clone(&stop));
+            let _ = flag::register(signal, Arc::clone(&stop));
+        }
+        stop
+    });
+    Arc::clone(stop)
+}
+
+/// A file beyond the limit of its size (`ulimit -f`) is an error of writing, as on a full disk, and not the end of the process.
+pub(super) fn survive_large_files() {
+    // Where it cannot be done, the signal ends the process, as it does by default.
+    let _ = flag::register(SIGXFSZ, Arc::default());
+}
+
+/// Whether a computation was interrupted: what there is of its result is not complete.
+pub(super) fn was_interrupted() -> bool {
+    STOP.get().is_some_and(|stop| stop.load(Ordering::Relaxed))
 }
 
 /// Whether whoever started this wants it to outlive a signal, as `nohup` does. Where the system does not tell, it is taken to be so.

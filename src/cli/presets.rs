@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::{Args, Subcommand};
 
 use crate::cli::{CliError, output, scene};
+use crate::files::clean;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
 
@@ -56,7 +57,7 @@ fn list() -> Result<(), CliError> {
 
 fn rows(text: &mut String, presets: &[&Preset], width: usize) {
     for preset in presets {
-        let title = output::printable(&preset.scene.title);
+        let title = clean::line(&preset.scene.title);
         let row = format!("{:width$}  {title}", preset.name);
         let _ = writeln!(text, "{}", row.trim_end());
     }

@@ -53,9 +53,10 @@ pub(super) struct RunArguments {
 impl RunArguments {
     /// The export to this file.
     fn request(&self, computed: &Computed, path: &Path) -> ExportRequest {
+        let (path, existing) = self.table.place(path);
         ExportRequest {
-            path: path.to_owned(),
-            overwrite: self.table.existing() == Existing::Replace,
+            path,
+            overwrite: existing == Existing::Replace,
             rows: Rows::Series,
             runs: named(computed),
             columns: Vec::new(),

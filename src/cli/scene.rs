@@ -11,7 +11,7 @@ use crate::files::bundled;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
-use crate::files::{read, read_table};
+use crate::files::{clean, read, read_table};
 use crate::model::library::{Library, choose_closure};
 use crate::model::scene::{Closure, Scene, SpringKind, Table};
 use crate::model::units::Bare;
@@ -162,11 +162,14 @@ fn take_curve(scene: &mut Scene, second: bool, file: &str) -> Result<(), CliErro
 
 /// A scene by name or path. Without a home directory there are just no own presets.
 pub(super) fn named(name: &OsStr) -> Result<Preset, CliError> {
-    Ok(match name.to_str() {
+    let mut preset = match name.to_str() {
         Some(name) => preset::resolve(name, Paths::of_user().ok().as_ref())?,
         // Only a file can have such a name.
         None => preset::from_file(Path::new(name))?,
-    })
+    };
+    // Every page, table and message has it.
+    preset.name = clean::line(&preset.name).into_owned();
+    Ok(preset)
 }
 
 fn from_stdin() -> Result<Preset, CliError> {

@@ -4,8 +4,8 @@
 
 use std::fmt::Write as _;
 
-use crate::cli::output;
 use crate::cli::run::Computed;
+use crate::files::clean;
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
@@ -21,7 +21,7 @@ const VALUE: usize = 14;
 pub(super) fn text(computed: &Computed) -> String {
     let run = &computed.run;
     let mut page = String::new();
-    let title = output::printable(&run.scene.title);
+    let title = clean::line(&run.scene.title);
     let name = &computed.preset.name;
     if title.is_empty() {
         let _ = writeln!(page, "{name}");

@@ -7,6 +7,7 @@ pub(super) mod page;
 mod sidecar;
 
 use std::ops::{ControlFlow, Range};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,7 +19,8 @@ use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{MetaWord, TableArguments, Target, exists};
 use crate::cli::{CliError, outlook, output};
-use crate::files::atomic::Growing;
+use crate::files::atomic::{Existing, Growing};
+use crate::files::export;
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
 use crate::model::results;
@@ -108,8 +110,8 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     } else {
         job.page()?
     };
-    if stop.load(Ordering::Relaxed) {
-        let (done, all) = (ended.points(), shard.of(plan.points()));
+    let (done, all) = (ended.points(), shard.of(plan.points()));
+    if done < all.end - all.start {
         output::note(&format!(
             "interrupted: {done} of {} points were finished and are kept",
             all.end - all.start
@@ -140,6 +142,14 @@ struct Job<'a> {
     preset: &'a Preset,
 }
 
+/// Where the table goes.
+struct Finish<'a> {
+    path: &'a Path,
+    existing: Existing,
+    /// The scene goes beside it.
+    beside: bool,
+}
+
 impl Job<'_> {
     fn points(&self) -> Range<u64> {
         self.shard.of(self.plan.points())
@@ -165,7 +175,8 @@ impl Job<'_> {
     /// Write rows as they are made.
     fn rows(&self, arguments: &SweepArguments, columns: Columns) -> Result<Summary, CliError> {
         let (existing, target) = (arguments.table.existing(), arguments.table.target());
-        let made = sidecar::Made { plan: self.plan, columns, shard: &arguments.shard };
+        let mut made =
+            sidecar::Made { plan: self.plan, columns, shard: &arguments.shard, missing: None };
         let beside = arguments.meta == MetaWord::Beside;
         let mut file = match target {
             Target::File(path) => {
@@ -209,15 +220,36 @@ impl Job<'_> {
         write(&[], if json { JSON_TAIL } else { "" })?;
         output::print("")?;
         if let (Some(file), Target::File(path)) = (file, target) {
-            file.finish(existing).map_err(exists)?;
-            output::note(&format!("wrote {}", path.display()));
-            let scene = &self.preset.scene;
-            let scene = if beside { sidecar::write(path, scene, &made, existing)? } else { None };
-            if let Some(scene) = scene {
-                output::note(&format!("wrote {}", scene.display()));
-            }
+            let (done, all) = (summary.points(), self.points().end - self.points().start);
+            made.missing = (done < all).then(|| format!("{done} of {all} points"));
+            let finish = Finish { path, existing, beside };
+            self.finish(file, &finish, &made)?;
         }
         Ok(summary)
+    }
+
+    /// Give the file its name, and write its scene beside it. A table that is not complete gets a name of its own.
+    fn finish(
+        &self,
+        file: Growing,
+        finish: &Finish<'_>,
+        made: &sidecar::Made<'_>,
+    ) -> Result<(), CliError> {
+        let partial = made.missing.is_some().then(|| export::partial_path(finish.path));
+        let path = partial.as_deref().unwrap_or(finish.path);
+        let scene =
+            finish.beside.then(|| sidecar::beside(path, &self.preset.scene, made)).flatten();
+        let beside: Vec<(PathBuf, &[u8])> =
+            scene.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+        let finished = match partial {
+            Some(_) => file.finish_as(path, &beside),
+            None => file.finish(&beside, finish.existing),
+        };
+        finished.map_err(exists)?;
+        for path in std::iter::once(path).chain(beside.iter().map(|(path, _)| path.as_path())) {
+            output::note(&format!("wrote {}", path.display()));
+        }
+        Ok(())
     }
 
     /// Compute all points, give each piece away in order, and show how far it is.

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::pace::was_interrupted;
 use crate::cli::{CliError, output};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
-use crate::files::export::Meta;
+use crate::files::export::{self, Meta};
 use crate::files::rows::Rows;
 use crate::files::style::Style;
 
@@ -93,6 +94,16 @@ impl TableArguments {
         }
     }
 
+    /// Where the table goes that was asked for in this file, and what may happen to a file that is there. What an interrupt has
+    /// left of one gets a name of its own: it takes the place of no table that is complete.
+    pub(super) fn place(&self, path: &Path) -> (PathBuf, Existing) {
+        if was_interrupted() && atomic::ordinary(path).is_ok() {
+            (export::partial_path(path), Existing::Keep)
+        } else {
+            (path.to_owned(), self.existing())
+        }
+    }
+
     /// Whether the table can be written where it is to go: asked before a long computation, not after it.
     pub(super) fn check(&self) -> Result<(), CliError> {
         match self.target() {
@@ -128,7 +139,8 @@ impl TableArguments {
             Target::None => Ok(()),
             Target::Stdout => return output::print(&table()?),
             Target::File(path) => {
-                let written = atomic::write(path, table()?.as_bytes(), self.existing());
+                let (path, existing) = self.place(path);
+                let written = atomic::write(&path, table()?.as_bytes(), existing);
                 written.map(|()| output::note(&format!("wrote {}", path.display())))
             }
         };

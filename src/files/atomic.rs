@@ -1,13 +1,16 @@
 //! Files written whole or not at all, and never over another file unless that is asked for.
 //!
 //! New content goes to a temporary file in the target's own directory, is flushed to the disk, and takes the target's name in one
-//! step. Several files that belong together all get their names, or none does.
+//! step. Several files that belong together are all on the disk before the first of them takes its name, and take their names one
+//! right after the other.
 
+use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use rustix::fs::{FlockOperation, flock};
 use tempfile::NamedTempFile;
 
 use crate::files::error::FileError;
@@ -15,6 +18,9 @@ use crate::files::error::FileError;
 /// How the names of temporary files begin and end.
 const PREFIX: &str = ".cmra-";
 const SUFFIX: &str = ".tmp";
+
+/// A temporary file so old is locked by the program that writes it, or that program was killed.
+const LEFTOVER: Duration = Duration::from_secs(60);
 
 /// What to do about a file that is there already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,15 +62,27 @@ pub fn ordinary(path: &Path) -> Result<(), FileError> {
     }
 }
 
+/// Whether this is a pipe in a folder: opening it waits for another program, which may never come. Those that a shell hands over
+/// (`<(...)`, `/dev/stdout`) have their other end already.
+pub fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
+    use std::os::unix::fs::FileTypeExt as _;
+    found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
+}
+
 /// Write files that belong together: all, or none.
 ///
 /// # Errors
 /// [`FileError::Exists`] or [`FileError::Write`]; nothing is left behind then.
 pub fn write_all(files: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), FileError> {
-    let mut ready = Vec::new();
-    for (path, content) in files {
-        ready.push(prepare(path, content, existing)?);
+    for directory in files.iter().map(|(path, _)| directory_of(path)).collect::<BTreeSet<_>>() {
+        clear_leftovers(directory);
     }
+    let ready = files.iter().map(|(path, content)| prepare(path, content, existing));
+    name_all(ready.collect::<Result<_, _>>()?, existing)
+}
+
+/// Give all files their names.
+fn name_all(ready: Vec<Ready<'_>>, existing: Existing) -> Result<(), FileError> {
     let mut named: Vec<PathBuf> = Vec::new();
     for file in ready {
         let path = file.target.clone();
@@ -79,12 +97,19 @@ pub fn write_all(files: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), F
         }
         named.push(path);
     }
+    // Not between two names: a program that is killed while the disk works would leave files that do not belong together.
+    for directory in named.iter().map(|path| directory_of(path)).collect::<BTreeSet<_>>() {
+        sync_directory(directory);
+    }
     Ok(())
 }
 
-/// Take away the temporary files that a program killed in the middle of writing has left in a directory of this program's own.
-/// Younger ones are left alone: another program may be about to name them.
-pub fn clear_leftovers(directory: &Path, younger: Duration) {
+/// Take away the temporary files that a program killed in the middle of writing has left in a directory.
+pub fn clear_leftovers(directory: &Path) {
+    clear_older(directory, LEFTOVER);
+}
+
+fn clear_older(directory: &Path, least: Duration) {
     let Ok(entries) = fs::read_dir(directory) else { return };
     for entry in entries.flatten() {
         let name = entry.file_name();
@@ -94,10 +119,47 @@ pub fn clear_leftovers(directory: &Path, younger: Duration) {
         }
         let modified = entry.metadata().ok().filter(fs::Metadata::is_file);
         let age = modified.and_then(|found| found.modified().ok()?.elapsed().ok());
-        if age.is_some_and(|age| age >= younger) {
+        // A program that is still writing has it locked.
+        if age.is_some_and(|age| age >= least) && File::open(entry.path()).is_ok_and(|it| lock(&it))
+        {
             // Where it cannot be taken away it does no harm.
             let _ = fs::remove_file(entry.path());
         }
+    }
+}
+
+/// Lock a file until it is closed; false where another program has it locked, or the file system cannot lock.
+fn lock(file: &File) -> bool {
+    flock(file, FlockOperation::NonBlockingLockExclusive).is_ok()
+}
+
+/// A lock that one program has at a time: held until it is dropped, or until the program ends, however it ends.
+pub struct Lock(Option<File>);
+
+/// How often a lock that another program holds is tried again, and for how long.
+const LOCK_EVERY: Duration = Duration::from_millis(5);
+const LOCK_TRIES: u32 = 100;
+
+impl Lock {
+    /// Wait for the lock of this file. Where it cannot be had (the file system has no locks, its holder was stopped), the work
+    /// goes on without it: what it guards matters less than the work.
+    pub fn wait(path: &Path) -> Self {
+        let mut options = OpenOptions::new();
+        let Ok(file) = options.create(true).truncate(false).write(true).open(path) else {
+            return Self(None);
+        };
+        for _ in 0..LOCK_TRIES {
+            if lock(&file) {
+                return Self(Some(file));
+            }
+            std::thread::sleep(LOCK_EVERY);
+        }
+        Self(None)
+    }
+
+    /// Whether this program has it.
+    pub fn is_held(&self) -> bool {
+        self.0.is_some()
     }
 }
 
@@ -114,6 +176,7 @@ impl Growing {
     /// # Errors
     /// [`FileError::Exists`] or [`FileError::Write`].
     pub fn begin(path: &Path, existing: Existing) -> Result<Self, FileError> {
+        clear_leftovers(directory_of(path));
         let ready = prepare(path, b"", existing)?;
         let device = match &ready.place {
             Place::Beside(_) => None,
@@ -138,15 +201,31 @@ impl Growing {
         written.map_err(|source| FileError::write(&self.path, source))
     }
 
-    /// Give it its name.
+    /// Give it its name, and write the files that belong to it.
     ///
     /// # Errors
-    /// [`FileError::Exists`] when another file has taken the name meanwhile, or [`FileError::Write`].
-    pub fn finish(self, existing: Existing) -> Result<(), FileError> {
+    /// [`FileError::Exists`] when another file has taken a name meanwhile, or [`FileError::Write`].
+    pub fn finish(self, beside: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), FileError> {
         if let Place::Beside(file) = &self.ready.place {
             file.as_file().sync_all().map_err(|source| FileError::write(&self.path, source))?;
         }
-        self.ready.finish(existing)
+        let mut ready = vec![self.ready];
+        for (path, content) in beside {
+            ready.push(prepare(path, content, existing)?);
+        }
+        name_all(ready, existing)
+    }
+
+    /// The same under another name in the same folder, which is free: what is there stays, whatever was to happen to it.
+    ///
+    /// # Errors
+    /// As [`Growing::finish`].
+    pub fn finish_as(mut self, path: &Path, beside: &[(PathBuf, &[u8])]) -> Result<(), FileError> {
+        if matches!(self.ready.place, Place::Beside(_)) {
+            let name = path.file_name().unwrap_or_default();
+            self.ready.target = self.ready.target.with_file_name(name);
+        }
+        self.finish(beside, Existing::Keep)
     }
 }
 
@@ -171,22 +250,30 @@ fn prepare<'c>(path: &Path, content: &'c [u8], existing: Existing) -> Result<Rea
     if found.as_ref().is_some_and(fs::Metadata::is_dir) {
         return Err(failed(io::Error::from(io::ErrorKind::IsADirectory)));
     }
+    if found.as_ref().is_some_and(|found| is_named_pipe(path, found)) {
+        return Err(FileError::Special { path: path.to_owned() });
+    }
     if found.as_ref().is_some_and(|found| !found.is_file()) {
         return Ok(Ready { target, place: Place::Direct(content) });
     }
     if existing == Existing::Keep && fs::symlink_metadata(&target).is_ok() {
         return Err(FileError::Exists(path.to_owned()));
     }
+    if found.as_ref().is_some_and(|found| found.permissions().readonly()) {
+        let problem = "it is read-only: make it writable, or choose another name".to_owned();
+        return Err(FileError::Target { path: path.to_owned(), problem });
+    }
     let directory = directory_of(&target);
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX);
-    match found {
-        Some(found) => {
-            builder.permissions(found.permissions());
-        }
-        None => usual_permissions(&mut builder),
-    }
+    usual_permissions(&mut builder);
     let mut file = builder.tempfile_in(directory).map_err(failed)?;
+    // So that no other program takes it for one that was left behind.
+    let _ = lock(file.as_file());
+    if let Some(found) = found {
+        // Not by the builder: the user's mask would be taken off once more.
+        file.as_file().set_permissions(found.permissions()).map_err(failed)?;
+    }
     file.write_all(content).map_err(failed)?;
     file.as_file().sync_all().map_err(failed)?;
     Ok(Ready { target, place: Place::Beside(file) })
@@ -205,7 +292,7 @@ impl Ready<'_> {
                 Existing::Replace => file.persist(&target),
             }
             .map_err(|error| error.error)
-            .map(|_file| sync_directory(&target)),
+            .map(drop),
         };
         outcome.map_err(|source| match source.kind() {
             io::ErrorKind::AlreadyExists => FileError::Exists(target.clone()),
@@ -216,8 +303,8 @@ impl Ready<'_> {
 
 /// The new name itself reaches the disk only with its directory. Not every file system can do this, and the content is safe
 /// either way, so a refusal is not an error.
-fn sync_directory(target: &Path) {
-    if let Ok(directory) = File::open(directory_of(target)) {
+fn sync_directory(directory: &Path) {
+    if let Ok(directory) = File::open(directory) {
         let _ = directory.sync_all();
     }
 }
@@ -284,7 +371,7 @@ mod tests {
         file.add(b"one ").unwrap();
         assert!(!path.exists());
         file.add(b"two").unwrap();
-        file.finish(Existing::Keep).unwrap();
+        file.finish(&[], Existing::Keep).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"one two");
         assert!(matches!(Growing::begin(&path, Existing::Keep), Err(FileError::Exists(_))));
         drop(Growing::begin(&path, Existing::Replace).unwrap());
@@ -300,11 +387,15 @@ mod tests {
         fs::write(&mine, "1").unwrap();
         fs::create_dir(place.path().join(".cmra-folder.tmp")).unwrap();
         // Another program may be about to name it.
-        clear_leftovers(place.path(), Duration::from_secs(3600));
+        clear_leftovers(place.path());
         assert_eq!(names(place.path()), [".cmra-Ab12.tmp", ".cmra-folder.tmp", "mine.tmp"]);
-        clear_leftovers(place.path(), Duration::ZERO);
+        // One that is being written is left alone, however old it is.
+        let growing = Growing::begin(&place.path().join("a.csv"), Existing::Keep).unwrap();
+        clear_older(place.path(), Duration::ZERO);
+        assert_eq!(names(place.path()).len(), 3);
+        drop(growing);
         assert_eq!(names(place.path()), [".cmra-folder.tmp", "mine.tmp"]);
-        clear_leftovers(&place.path().join("absent"), Duration::ZERO);
+        clear_older(&place.path().join("absent"), Duration::ZERO);
     }
 
     #[test]
@@ -326,6 +417,57 @@ mod tests {
         write(&link, b"new", Existing::Replace).unwrap();
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read(&real).unwrap(), b"new");
-        assert_eq!(fs::metadata(&real).unwrap().permissions().mode() & 0o777, 0o640);
+        let mode = || fs::metadata(&real).unwrap().permissions().mode() & 0o777;
+        assert_eq!(mode(), 0o640);
+        // One that the user's mask would not allow.
+        fs::set_permissions(&real, fs::Permissions::from_mode(0o666)).unwrap();
+        write(&link, b"newer", Existing::Replace).unwrap();
+        assert_eq!(mode(), 0o666);
+        // A read-only file is not replaced, though its folder would allow it.
+        fs::set_permissions(&real, fs::Permissions::from_mode(0o444)).unwrap();
+        let refused = write(&link, b"newest", Existing::Replace).unwrap_err().to_string();
+        assert!(refused.contains("read-only"), "{refused}");
+        assert_eq!((fs::read(&real).unwrap().as_slice(), mode()), (&b"newer"[..], 0o444));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_named_pipe_is_refused_and_not_waited_for() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("pipe");
+        assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
+        for refused in [
+            write(&path, b"1", Existing::Replace),
+            check(&path, Existing::Replace),
+            Growing::begin(&path, Existing::Replace).map(drop),
+        ] {
+            assert!(matches!(refused, Err(FileError::Special { .. })), "{refused:?}");
+        }
+    }
+
+    #[test]
+    fn a_partial_table_takes_another_name_and_leaves_what_is_there() {
+        let place = tempfile::tempdir().unwrap();
+        let (path, scene) = (place.path().join("a.csv"), place.path().join("a.partial.toml"));
+        fs::write(&path, "complete").unwrap();
+        let mut file = Growing::begin(&path, Existing::Replace).unwrap();
+        file.add(b"part").unwrap();
+        let partial = place.path().join("a.partial.csv");
+        file.finish_as(&partial, &[(scene, b"scene")]).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"complete");
+        assert_eq!(fs::read(&partial).unwrap(), b"part");
+        assert_eq!(names(place.path()), ["a.csv", "a.partial.csv", "a.partial.toml"]);
+    }
+
+    #[test]
+    fn one_has_a_lock_at_a_time() {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("session.lock");
+        let first = Lock::wait(&path);
+        assert!(first.is_held() && !Lock::wait(&path).is_held());
+        drop(first);
+        assert!(Lock::wait(&path).is_held());
+        // Where there can be none, the work goes on.
+        assert!(!Lock::wait(&place.path().join("absent/session.lock")).is_held());
     }
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
+use crate::files::clean;
 use crate::model::variables::edit_distance;
 
 /// Why a file could not be read, written or found.
@@ -54,7 +55,7 @@ pub enum FileError {
     #[error("{0}")]
     Scene(SceneErrors),
     /// Neither a preset nor a file.
-    #[error("`{}` is neither a preset nor a file: {hint}", harmless(.name))]
+    #[error("`{}` is neither a preset nor a file: {hint}", clean::line(.name))]
     UnknownScene {
         /// What was written.
         name: String,
@@ -75,7 +76,7 @@ pub enum FileError {
     #[error("`{}` exists and was left alone: choose another name, or allow it to be replaced", shown(.0))]
     Exists(PathBuf),
     /// A preset cannot have this name.
-    #[error("`{}` cannot be the name: {problem}", harmless(.name))]
+    #[error("`{}` cannot be the name: {problem}", clean::line(.name))]
     Name {
         /// What was written.
         name: String,
@@ -99,7 +100,7 @@ pub enum FileError {
         problem: String,
     },
     /// There is no such column.
-    #[error("`{name}` is not a column: the columns are {columns}")]
+    #[error("`{}` is not a column: the columns are {columns}", clean::line(.name))]
     Column {
         /// What was asked for.
         name: String,
@@ -128,12 +129,7 @@ impl FileError {
 
 /// A path for a line of text: what would break or command that line is replaced.
 fn shown(path: &Path) -> String {
-    harmless(&path.to_string_lossy())
-}
-
-/// A name without what would break or command a line of text.
-pub fn harmless(name: &str) -> String {
-    name.replace(char::is_control, "\u{fffd}")
+    clean::line(&path.to_string_lossy()).into_owned()
 }
 
 /// What the system said, lower case and without its error number.
@@ -170,7 +166,7 @@ pub struct Problem {
 
 impl fmt::Display for SceneErrors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let file = harmless(&self.file);
+        let file = clean::line(&self.file);
         for (index, problem) in self.problems.iter().enumerate() {
             if index > 0 {
                 f.write_str("\n")?;

@@ -10,6 +10,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use crate::files::atomic::{self, Existing};
+use crate::files::clean;
 use crate::files::csv::{self, NamedRun, Rows};
 use crate::files::error::FileError;
 use crate::files::style::Style;
@@ -112,10 +113,10 @@ pub fn inline_scene(
     scene: &Scene,
     wanted: impl Fn(&Variable) -> bool,
 ) -> String {
-    let line = |text: &str| text.replace(|c: char| c.is_control(), "?");
-    let mut text = format!("{MARK} {}\n# {what}: {}\n", env!("CARGO_PKG_VERSION"), line(name));
+    let version = env!("CARGO_PKG_VERSION");
+    let mut text = format!("{MARK} {version}\n# {what}: {}\n", clean::line(name));
     if !scene.title.is_empty() {
-        let _ = writeln!(text, "# title: {}", line(&scene.title));
+        let _ = writeln!(text, "# title: {}", clean::line(&scene.title));
     }
     for variable in VARIABLES.iter().filter(|one| is_used(one, scene) && wanted(one)) {
         let (value, unit) = (variable.show(scene), unit_behind(variable));
@@ -160,6 +161,29 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
     csv.with_file_name(name)
 }
 
+/// Where a table goes that is not complete: `NAME.partial.csv`, with a number where that or its sidecar's name is taken. It
+/// takes the place of no other table, whatever may be replaced.
+pub fn partial_path(csv: &Path) -> PathBuf {
+    let stem = csv.file_stem().unwrap_or_else(|| OsStr::new("export"));
+    let named = |number: usize| {
+        let mut name = stem.to_owned();
+        name.push(".partial");
+        if number > 1 {
+            name.push(format!("-{number}"));
+        }
+        if let Some(ending) = csv.extension() {
+            name.push(".");
+            name.push(ending);
+        }
+        csv.with_file_name(name)
+    };
+    let is_taken = |path: &Path| fs::symlink_metadata(path).is_ok();
+    (1..)
+        .map(named)
+        .find(|path| !is_taken(path) && !is_taken(&sidecar_path(path, None)))
+        .unwrap_or_else(|| named(1))
+}
+
 /// A sidecar may replace an older sidecar, never a scene that someone wrote.
 ///
 /// # Errors
@@ -192,22 +216,26 @@ fn begins_with_mark(path: &Path) -> bool {
         && start == *MARK.as_bytes()
 }
 
-/// The scene of a sweep as a file that makes it again; `again` is the command line for that.
-pub fn sweep_sidecar(csv: &Path, scene: &Scene, again: &str) -> String {
+/// The scene of a sweep as a file that makes it again; `again` is the command line for that, `missing` what a table has that is
+/// not complete.
+pub fn sweep_sidecar(csv: &Path, scene: &Scene, again: &str, missing: Option<&str>) -> String {
+    let mut text = first_line(csv);
+    if let Some(missing) = missing {
+        let _ = writeln!(text, "# not complete: {missing}");
+    }
+    let _ = writeln!(text, "# again: {}\n", clean::line(again));
+    text + &write::fresh(scene)
+}
+
+/// How a sidecar begins.
+fn first_line(csv: &Path) -> String {
     let name = csv.file_name().unwrap_or(csv.as_os_str()).to_string_lossy();
-    let name = name.replace(|c: char| c.is_control(), "?");
-    let version = env!("CARGO_PKG_VERSION");
-    format!("{MARK} {version} with {name}\n# again: {again}\n\n") + &write::fresh(scene)
+    format!("{MARK} {} with {}\n", env!("CARGO_PKG_VERSION"), clean::line(&name))
 }
 
 /// The scene of a run as a file, with what came out as comments.
 pub fn sidecar(csv: &Path, run: &Run) -> String {
-    let name = |path: &Path| {
-        let name = path.file_name().unwrap_or(path.as_os_str());
-        name.to_string_lossy().replace(|c: char| c.is_control(), "?")
-    };
-    let version = env!("CARGO_PKG_VERSION");
-    let mut text = format!("{MARK} {version} with {}\n", name(csv));
+    let mut text = first_line(csv);
     text.push_str(&outcome(run, " ="));
     text.push('\n');
     text + &write::fresh(&run.scene)
@@ -216,6 +244,17 @@ pub fn sidecar(csv: &Path, run: &Run) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_partial_table_has_a_name_that_is_free() {
+        let place = tempfile::tempdir().unwrap();
+        let at = |name: &str| place.path().join(name);
+        assert_eq!(partial_path(&at("a.csv")), at("a.partial.csv"));
+        fs::write(at("a.partial.csv"), "").unwrap();
+        fs::write(at("a.partial-2.toml"), "").unwrap();
+        assert_eq!(partial_path(&at("a.csv")), at("a.partial-3.csv"));
+        assert_eq!(partial_path(&at("table")), at("table.partial"));
+    }
 
     #[test]
     fn the_sidecar_stands_beside() {

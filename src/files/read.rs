@@ -12,7 +12,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::files::error::{FileError, Problem, SceneErrors};
-use crate::files::{read_stack, read_sweep, read_table};
+use crate::files::{atomic, clean, read_stack, read_sweep, read_table};
 use crate::model::scene::{Scene, SpringKind};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
@@ -38,10 +38,13 @@ pub fn scene_file(path: &Path) -> Result<Scene, FileError> {
 /// The text of a file of reasonable size.
 ///
 /// # Errors
-/// [`FileError`] when it cannot be read, is too large, or is not UTF-8.
+/// [`FileError`] when it cannot be read, is too large, is not UTF-8, or is a pipe that may never have a writer.
 pub fn text_file(path: &Path) -> Result<String, FileError> {
-    let file = fs::File::open(path).map_err(|source| FileError::read(path, source))?;
-    text_from(file, path)
+    let failed = |source| FileError::read(path, source);
+    if atomic::is_named_pipe(path, &fs::metadata(path).map_err(failed)?) {
+        return Err(FileError::Special { path: path.to_owned() });
+    }
+    text_from(fs::File::open(path).map_err(failed)?, path)
 }
 
 /// The text of an ordinary file of at most so many bytes. A pipe may never have a writer, and a terminal would take the keys of
@@ -409,9 +412,9 @@ fn find(document: &DeTable<'_>, key: &str) -> Option<Range<usize>> {
 /// What to say about a key that is not in the table.
 fn unknown(path: &str, is_table: bool) -> String {
     const SHOWN_MAX: usize = 80;
-    let shown = path.chars().map(|c| if c.is_control() { '?' } else { c });
-    let mut path: String = shown.clone().take(SHOWN_MAX).collect();
-    if shown.count() > SHOWN_MAX {
+    let shown = clean::line(path);
+    let mut path: String = shown.chars().take(SHOWN_MAX).collect();
+    if shown.chars().count() > SHOWN_MAX {
         path += "...";
     }
     let what = if is_table { "table" } else { "key" };

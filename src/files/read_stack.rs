@@ -4,7 +4,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use crate::files::read::{Reader, kind_of};
-use crate::model::scene::{Layer, Scene};
+use crate::model::scene::{LAYERS_MAX, Layer, Scene};
 
 /// The key of the list.
 pub(super) const KEY: &str = "stack.layer";
@@ -25,6 +25,14 @@ pub(super) fn layers(
         reader.problem(value.span(), text);
         return Vec::new();
     };
+    if list.len() > LAYERS_MAX {
+        let text = format!(
+            "{KEY} has {} elements: at most {LAYERS_MAX} are read; use stack.elements for equal ones",
+            list.len()
+        );
+        reader.problem(value.span(), text);
+        return Vec::new();
+    }
     let mut layers = Vec::new();
     for row in list {
         if reader.is_full() {

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use crate::files::error::{FileError, harmless};
+use crate::files::clean;
+use crate::files::error::FileError;
 use crate::files::read::{self, Reader, kind_of, number};
 
 /// The key of a table of each spring.
@@ -110,7 +111,8 @@ fn ordinary_points(path: &Path) -> Result<Vec<[f64; 2]>, String> {
 
 fn points_in(text: &str, path: &Path) -> Result<Vec<[f64; 2]>, String> {
     const SHOWN_MAX: usize = 80;
-    let shown = harmless(&path.to_string_lossy());
+    let name = path.to_string_lossy();
+    let shown = clean::line(&name);
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -129,7 +131,7 @@ fn points_in(text: &str, path: &Path) -> Result<Vec<[f64; 2]>, String> {
                 return Err(format!(
                     "`{shown}`, line {line}: `{}` is no point: write displacement in m and force in N, separated by a comma, \
                      as in 0.01,1000",
-                    harmless(
+                    clean::line(
                         &row.iter()
                             .collect::<Vec<_>>()
                             .join(",")

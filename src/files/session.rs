@@ -7,11 +7,11 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use serde::{Deserialize, Serialize};
 
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::{self, Existing, Lock};
 use crate::files::error::FileError;
 use crate::files::{read, write};
 use crate::model::scene::Scene;
@@ -24,9 +24,6 @@ const BYTES_MAX: u64 = 32 * read::BYTES_MAX;
 
 /// What stands before the writer's name in the head of the file.
 const WRITER: &str = "written by workbench ";
-
-/// No write takes so long: a temporary file beside the session that is older belongs to a program that was killed.
-const LEFTOVER: Duration = Duration::from_secs(600);
 
 /// What the workbench had open.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -101,6 +98,11 @@ pub fn save(
     session: &Session,
     known: &mut Known,
 ) -> Result<Option<PathBuf>, FileError> {
+    if let Some(directory) = path.parent() {
+        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
+    }
+    // Another workbench that saves between the reading and the writing below would be overwritten unseen.
+    let _lock = Lock::wait(&path.with_extension("lock"));
     let writer = known.writer.get_or_insert_with(new_writer).clone();
     let text = text(path, session, &writer)?;
     let there = read::ordinary_text_file(path, BYTES_MAX).ok();
@@ -108,9 +110,6 @@ pub fn save(
     let is_saved = known.text.as_deref().map(body) == Some(body(&text));
     if is_saved && there.is_some() {
         return Ok(None);
-    }
-    if let Some(directory) = path.parent() {
-        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
     }
     let aside = match there {
         Some(there) if known.text.as_ref() != Some(&there) => {
@@ -148,7 +147,7 @@ fn text(path: &Path, session: &Session, writer: &str) -> Result<String, FileErro
 /// of it is kept.
 pub fn load(path: &Path) -> Loaded {
     if let Some(directory) = path.parent() {
-        atomic::clear_leftovers(directory, LEFTOVER);
+        atomic::clear_leftovers(directory);
     }
     if fs::symlink_metadata(path).is_err() {
         return Loaded::default();
@@ -344,6 +343,33 @@ mod tests {
         fs::remove_file(&path).unwrap();
         assert_eq!(save(&path, &of(4.0), &mut second).unwrap(), None);
         assert_eq!(load(&path).session, Some(of(4.0)));
+    }
+
+    /// Each round, two that began on the same session save at the same moment: one of them is put aside.
+    #[test]
+    fn two_that_save_at_once_are_both_kept() {
+        for round in 0..40 {
+            let place = tempfile::tempdir().unwrap();
+            let path = place.path().join("session.toml");
+            save(&path, &example(), &mut Known::default()).unwrap();
+            let known = load(&path).known;
+            let barrier = std::sync::Barrier::new(2);
+            std::thread::scope(|scope| {
+                for ratio in [2.0, 3.0] {
+                    let (mut known, barrier, path) = (known.clone(), &barrier, &path);
+                    scope.spawn(move || {
+                        let mut session = example();
+                        session.scene.plate.mass_ratio = ratio;
+                        barrier.wait();
+                        save(path, &session, &mut known).unwrap();
+                    });
+                }
+            });
+            let kept = |name: &str| load(&place.path().join(name)).session.unwrap().scene.plate;
+            let (here, aside) = (kept("session.toml"), kept("session.other.toml"));
+            let both = here.mass_ratio + aside.mass_ratio;
+            assert!((both - 5.0).abs() < 1e-12, "round {round}: one of them is lost");
+        }
     }
 
     #[test]

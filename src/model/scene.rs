@@ -14,7 +14,7 @@ pub use spring::{
     Beam, Bistable, Column, Combination, ConstantForce, Helix, Normalised, OwnMass, Spring,
     SpringKind, Table, Wire,
 };
-pub use stack::{Layer, Stack};
+pub use stack::{LAYERS_MAX, Layer, Stack};
 
 /// A projectile, the plate it strikes, and the mechanism that carries the plate.
 #[derive(Clone, Debug, PartialEq, Default)]

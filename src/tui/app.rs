@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
+use crate::files::clean;
 use crate::model::scene::Scene;
 use crate::tui::message::{Place, PresetEntry};
 use crate::tui::theme::{ColourDepth, Theme};
@@ -320,7 +321,8 @@ impl App {
 
     /// Show a message and keep it for the Log tab.
     pub fn say(&mut self, severity: Severity, text: impl Into<String>) {
-        let notice = Notice { severity, text: text.into() };
+        let text = clean::line(&text.into()).into_owned();
+        let notice = Notice { severity, text };
         self.keep(notice.clone());
         self.notice = Some(notice);
     }

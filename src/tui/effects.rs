@@ -1,9 +1,10 @@
 //! The clerk: carries out the effects that touch files, on a thread of its own, so that a slow disk never holds up a key.
 //!
-//! Tasks are done in order. The session is kept soon after it changed (changes in quick succession are written once), and at
+//! Tasks are done in order; of questions asked again before they are answered only the newest is, and on leaving none. The session is kept soon after it changed (changes in quick succession are written once), and at
 //! once when the loop leaves. Knows nothing of the terminal.
 
 use std::cell::Cell;
+use std::collections::VecDeque;
 use std::fs;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
@@ -161,11 +162,13 @@ struct Desk {
 impl Desk {
     fn serve(&self, tasks: &Receiver<Task>) {
         let mut session_due: Option<Instant> = None;
+        let mut waiting = VecDeque::new();
         loop {
-            let next = match session_due {
-                None => tasks.recv().map_err(RecvTimeoutError::from),
-                Some(due) => tasks.recv_timeout(due.saturating_duration_since(Instant::now())),
-            };
+            if session_due.is_some_and(|due| due <= Instant::now()) {
+                session_due = None;
+                self.save();
+            }
+            let next = next_task(tasks, &mut waiting, session_due);
             match next {
                 Ok(Task::SessionChanged) => {
                     session_due.get_or_insert_with(|| Instant::now() + SESSION_DELAY);
@@ -176,10 +179,7 @@ impl Desk {
                     let _ = done.send(self.unsaved.save().unwrap_or(Ok(None)));
                 }
                 Ok(task) => self.contained(task),
-                Err(RecvTimeoutError::Timeout) => {
-                    session_due = None;
-                    self.save();
-                }
+                Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => {
                     self.save();
                     return;
@@ -242,6 +242,39 @@ impl Desk {
         };
         Some(report)
     }
+}
+
+/// The next task; waits for one until the session is due.
+fn next_task(
+    tasks: &Receiver<Task>,
+    waiting: &mut VecDeque<Task>,
+    session_due: Option<Instant>,
+) -> Result<Task, RecvTimeoutError> {
+    waiting.extend(tasks.try_iter());
+    drop_outdated(waiting);
+    match (waiting.pop_front(), session_due) {
+        (Some(task), _) => Ok(task),
+        (None, Some(due)) => tasks.recv_timeout(due.saturating_duration_since(Instant::now())),
+        (None, None) => Ok(tasks.recv()?),
+    }
+}
+
+/// Leave out questions whose answer nobody waits for: completions and lists that were asked for again, and on leaving all.
+fn drop_outdated(waiting: &mut VecDeque<Task>) {
+    let leaving = waiting.iter().any(|task| matches!(task, Task::Finish(_)));
+    let newest = |question: fn(&Task) -> bool| waiting.iter().rposition(question);
+    let completion = newest(|task| matches!(task, Task::Complete(_)));
+    let list = newest(|task| matches!(task, Task::ListPresets(_)));
+    let mut at = 0;
+    waiting.retain(|task| {
+        at += 1;
+        match task {
+            Task::Complete(_) => !leaving && completion == Some(at - 1),
+            Task::ListPresets(_) => !leaving && list == Some(at - 1),
+            Task::Load(_) | Task::ReadCurve(..) => !leaving,
+            _ => true,
+        }
+    });
 }
 
 /// What to say of the session that was found in the place of ours.
@@ -456,6 +489,28 @@ mod tests {
         };
         let mine = presets.iter().find(|entry| entry.name == "mine").unwrap();
         assert_eq!(mine.origin, "mine");
+    }
+
+    #[test]
+    fn of_questions_asked_again_only_the_newest_is_answered_and_on_leaving_none() {
+        let complete = |text: &str| Task::Complete(text.to_owned());
+        let copy = || Task::KeepCopy { text: String::new(), sent: String::new() };
+        let of = |tasks: Vec<Task>| -> VecDeque<Task> {
+            let mut waiting = VecDeque::from(tasks);
+            drop_outdated(&mut waiting);
+            waiting
+        };
+        let list = || Task::ListPresets(Vec::new());
+        let mut left = of(vec![complete("a"), copy(), list(), complete("b"), list(), copy()]);
+        assert!(matches!(
+            left.make_contiguous(),
+            [Task::KeepCopy { .. }, Task::Complete(text), Task::ListPresets(_), Task::KeepCopy { .. }]
+                if text == "b"
+        ));
+        let (done, _wait) = mpsc::channel();
+        let load = Task::Load(PathBuf::new());
+        let mut left = of(vec![complete("a"), copy(), load, list(), Task::Finish(done)]);
+        assert!(matches!(left.make_contiguous(), [Task::KeepCopy { .. }, Task::Finish(_)]));
     }
 
     #[test]

@@ -7,49 +7,59 @@
 //! and waits again with the rest unread: a long text that comes as keys (a paste in a terminal without bracketed paste) would
 //! fill the line, and no further key could ever get through.
 
+use std::io;
+use std::panic::{self, AssertUnwindSafe};
 use std::sync::mpsc::Sender;
 use std::thread;
 
 use crossterm::event::{self, Event, KeyEventKind, MouseButton, MouseEvent, MouseEventKind};
 
 use super::{Incoming, terminal};
-use crate::tui::message::Message;
+use crate::tui::message::{EffectReport, Message};
 
-/// Start the thread. It says [`Incoming::InputLost`] when it ends, whatever the reason.
+/// Panics in a row, without an event between them, after which reading is given up.
+const PANICS_MAX: usize = 16;
+
+/// What a person is told when reading panicked.
+const RESTARTED: &str = "internal error while reading keys: reading was restarted, the last keys may be lost (see the log)";
+
+/// Start the thread. It reports [`Incoming::InputLost`] when it ends, whatever the reason.
 ///
 /// # Errors
 /// When the system has no thread to give.
-pub(super) fn spawn(inbox: Sender<Incoming>) -> std::io::Result<()> {
+pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
     let reading = move || {
-        let last_words = LastWords(inbox);
-        loop {
-            match event::read() {
-                Ok(event) => {
-                    let Some(incoming) = incoming_of(event) else {
-                        continue;
-                    };
-                    if last_words.0.send(incoming).is_err() {
-                        return;
-                    }
-                }
-                Err(error) => {
-                    log::warn!("reading from the terminal failed: {error}");
-                    return;
-                }
-            }
-        }
+        listen(&inbox, event::read);
+        // The loop may be over already.
+        let _ = inbox.send(Incoming::InputLost);
     };
     thread::Builder::new().name("input".to_owned()).spawn(reading).map(drop)
 }
 
-/// Says that input is over, even when the thread panics.
-struct LastWords(Sender<Incoming>);
-
-impl Drop for LastWords {
-    fn drop(&mut self) {
-        // Nobody listens any more when the loop has ended first.
-        let _ = self.0.send(Incoming::InputLost);
+/// Pass events on until reading fails, panics again and again, or the loop is over. A panic costs the bytes that had been read.
+fn listen(inbox: &Sender<Incoming>, mut read: impl FnMut() -> io::Result<Event>) {
+    let mut panics = 0;
+    while panics < PANICS_MAX {
+        let incoming = match panic::catch_unwind(AssertUnwindSafe(&mut read)) {
+            Err(_panic) => {
+                panics += 1;
+                let report = EffectReport::Warned(RESTARTED.to_owned());
+                Some(Incoming::Message(Message::Done(report)))
+            }
+            Ok(Ok(event)) => {
+                panics = 0;
+                incoming_of(event)
+            }
+            Ok(Err(error)) => {
+                log::warn!("reading from the terminal failed: {error}");
+                return;
+            }
+        };
+        if incoming.is_some_and(|incoming| inbox.send(incoming).is_err()) {
+            return;
+        }
     }
+    log::error!("reading from the terminal failed {PANICS_MAX} times in a row");
 }
 
 /// What an event of the terminal means to the workbench.
@@ -81,7 +91,9 @@ fn pointing(mouse: MouseEvent) -> Option<Incoming> {
         | MouseEventKind::Drag(_)
         | MouseEventKind::Moved => false,
     };
-    used.then_some(Incoming::Mouse(mouse))
+    // A terminal counts from one; one that sends a zero has clicked nowhere, and crossterm makes 65535 of it.
+    let place = (mouse.column, mouse.row);
+    (used && place == terminal::usable(mouse.column, mouse.row)).then_some(Incoming::Mouse(mouse))
 }
 
 #[cfg(test)]
@@ -99,6 +111,48 @@ mod tests {
         assert!(incoming_of(Event::Key(key)).is_some());
         key.kind = KeyEventKind::Release;
         assert!(incoming_of(Event::Key(key)).is_none());
+    }
+
+    #[test]
+    fn a_panic_of_the_parser_is_reported_and_reading_goes_on() {
+        let (send, inbox) = std::sync::mpsc::channel();
+        let key = Event::Key(KeyEvent::new(KeyCode::Char('x'), KeyModifiers::NONE));
+        let mut turn = 0;
+        listen(&send, || {
+            turn += 1;
+            match turn {
+                1 => panic!("the parser"),
+                2 => Ok(key.clone()),
+                _ => Err(io::ErrorKind::NotConnected.into()),
+            }
+        });
+        let reported = inbox.recv().unwrap();
+        assert!(
+            matches!(reported, Incoming::Message(Message::Done(EffectReport::Warned(text))) if text == RESTARTED)
+        );
+        assert!(matches!(inbox.recv().unwrap(), Incoming::Message(Message::Key(_))));
+        // One that panics for ever does not keep a core busy for ever.
+        let mut turns = 0;
+        listen(&send, || {
+            turns += 1;
+            panic!("the parser")
+        });
+        assert_eq!(turns, PANICS_MAX);
+    }
+
+    #[test]
+    fn a_click_nowhere_is_not_one() {
+        let kind = MouseEventKind::Down(MouseButton::Left);
+        let seen = |column, row| {
+            incoming_of(Event::Mouse(MouseEvent {
+                kind,
+                column,
+                row,
+                modifiers: KeyModifiers::NONE,
+            }))
+        };
+        assert!(seen(u16::MAX, 4).is_none() && seen(4, u16::MAX).is_none());
+        assert!(seen(0, 0).is_some());
     }
 
     #[test]

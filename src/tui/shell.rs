@@ -12,7 +12,7 @@ use crossterm::event::{MouseEvent, MouseEventKind};
 use super::effects::{self, Clerk, Task};
 use super::pace::Pace;
 use super::signals::{self, Signal, Watch};
-use super::terminal::{self, Guard};
+use super::terminal::{self, Guard, Stopped};
 use super::{Incoming, Options, input, start};
 use crate::files::paths::Paths;
 use crate::tui::app::App;
@@ -240,6 +240,8 @@ impl Shell {
                 None => Ok(None),
             },
             Incoming::Signal(Signal::End(status)) => Ok(Some(Ending::Signal(status))),
+            // Where no shell could continue it, the system would ignore the signal.
+            Incoming::Signal(Signal::Stop) => self.suspend(Stopped::Process).map(|_stopped| None),
             Incoming::Signal(Signal::Continued) => {
                 self.guard.enter_again()?;
                 self.pace.change();
@@ -338,7 +340,7 @@ impl Shell {
             Effect::Mouse(on) => self.guard.set_mouse(on)?,
             Effect::Redraw => self.guard.redraw_all()?,
             Effect::Suspend => {
-                if !self.suspend()? {
+                if !self.suspend(Stopped::Group)? {
                     queue.push_back(Message::Done(EffectReport::Refused(
                         "cannot suspend: no shell is there to come back from".to_owned(),
                     )));
@@ -365,11 +367,14 @@ impl Shell {
     }
 
     /// Give the terminal back, stop, and take it over again when continued. Returns whether the process was stopped.
-    fn suspend(&mut self) -> io::Result<bool> {
+    fn suspend(&mut self, whom: Stopped) -> io::Result<bool> {
+        if !terminal::could_be_continued() {
+            return Ok(false);
+        }
         terminal::restore();
-        terminal::stop()?;
-        // The system stops the process a moment after the call, or not at all; it goes on with a signal. The time runs out
-        // while stopped, too: only the second wait in a row without a signal means that nothing happened.
+        terminal::stop(whom)?;
+        // The system stops the process a moment after the call; it goes on with a signal. The time runs out while stopped, too:
+        // only the second wait in a row without a signal means that nothing happened.
         let mut stopped = false;
         let mut waits = 0;
         while !stopped && waits < 2 {

@@ -7,19 +7,30 @@ use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
-use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM};
+use signal_hook::consts::{
+    SIGALRM, SIGCONT, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGTSTP, SIGUSR1, SIGUSR2,
+    SIGVTALRM, SIGXCPU,
+};
 use signal_hook::iterator::Signals;
 
-use super::Incoming;
+use super::{Incoming, terminal};
 
-/// How long the loop may take to leave by itself.
-const PATIENCE: Duration = Duration::from_millis(1200);
+/// The signals that end a process by default and that it can handle: each would leave the terminal as it is.
+const ENDING: [i32; 10] =
+    [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGVTALRM, SIGPROF];
+
+/// How long the loop may take to leave by itself; then, how often and for how long what it waits to write is discarded.
+const PATIENCE: Duration = Duration::from_millis(600);
+const DISCARD_EVERY: Duration = Duration::from_millis(50);
+const DISCARDS: u32 = 12;
 
 /// Which signal ends the process with which status: 128 + its number, as shells do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Signal {
     /// Leave with this exit status.
     End(u8),
+    /// Stop the process (`kill -TSTP`).
+    Stop,
     /// The process was stopped and goes on: take the terminal over again.
     Continued,
 }
@@ -37,7 +48,7 @@ pub(super) fn spawn(
     inbox: Sender<Incoming>,
     last_resort: impl Fn() + Send + 'static,
 ) -> std::io::Result<Watch> {
-    let mut signals = Signals::new([SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGCONT])?;
+    let mut signals = Signals::new(ENDING.into_iter().chain([SIGTSTP, SIGCONT]))?;
     let (left, loop_left) = mpsc::channel::<()>();
     thread::Builder::new().name("signals".to_owned()).spawn(move || {
         for number in signals.forever() {
@@ -48,21 +59,31 @@ pub(super) fn spawn(
             let Signal::End(status) = signal else {
                 continue;
             };
-            match loop_left.recv_timeout(PATIENCE) {
-                Ok(()) | Err(RecvTimeoutError::Disconnected) => return,
-                Err(RecvTimeoutError::Timeout) => {
-                    last_resort();
-                    end_process(status);
-                }
+            if !has_left(&loop_left) {
+                last_resort();
+                end_process(status);
             }
+            return;
         }
     })?;
     Ok(Watch { _left: left })
 }
 
+/// Wait for the loop to leave. One that is stuck in a write to a terminal that takes no bytes is given room for what it writes.
+fn has_left(loop_left: &mpsc::Receiver<()>) -> bool {
+    let left_within =
+        |patience| !matches!(loop_left.recv_timeout(patience), Err(RecvTimeoutError::Timeout));
+    left_within(PATIENCE)
+        || (0..DISCARDS).any(|_| {
+            terminal::make_room();
+            left_within(DISCARD_EVERY)
+        })
+}
+
 fn meaning(number: i32) -> Signal {
     match number {
         SIGCONT => Signal::Continued,
+        SIGTSTP => Signal::Stop,
         other => Signal::End(u8::try_from(128 + other).unwrap_or(u8::MAX)),
     }
 }
@@ -85,6 +106,10 @@ mod tests {
         for (number, status) in [(SIGHUP, 129), (SIGINT, 130), (SIGQUIT, 131), (SIGTERM, 143)] {
             assert_eq!(meaning(number), Signal::End(status));
         }
+        for number in ENDING {
+            assert_eq!(meaning(number), Signal::End(128 + u8::try_from(number).unwrap()));
+        }
         assert_eq!(meaning(SIGCONT), Signal::Continued);
+        assert_eq!(meaning(SIGTSTP), Signal::Stop);
     }
 }

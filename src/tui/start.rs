@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Options;
+use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session};
@@ -13,6 +14,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::{LETTERS, Pin, name_of};
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::theme::{ColourDepth, GlyphChoice, Theme};
+use crate::tui::update::done;
 
 /// The words of the session's view table.
 const GLYPHS: &str = "glyphs";
@@ -56,6 +58,9 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     }
     if let Some((severity, text)) = kept {
         app.say(severity, text);
+    }
+    if paths.is_none() {
+        done::session(&mut app, &Err(FileError::NoHome.to_string()));
     }
     (app, recent, loaded.known)
 }
@@ -218,8 +223,12 @@ fn greeting(app: &App) -> String {
 
 #[cfg(test)]
 mod tests {
+    use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
     use super::*;
+    use crate::tui::message::Message;
     use crate::tui::theme::GlyphSet;
+    use crate::tui::update;
 
     fn state() -> App {
         let base = baseline();
@@ -275,6 +284,18 @@ mod tests {
         note_recent(&mut recent, &app.directory, Path::new("a.toml"));
         note_recent(&mut recent, &app.directory, Path::new("/somewhere/a.toml"));
         assert_eq!(recent, [PathBuf::from("/somewhere/a.toml")]);
+    }
+
+    #[test]
+    fn without_a_home_it_does_not_claim_to_keep_the_session() {
+        let fresh = || Options { scene: None, fresh: true, glyphs: GlyphChoice::Auto };
+        let (mut state, ..) = app(fresh(), None);
+        let said = state.notice.clone().expect("it is said").text;
+        assert!(said.contains("cannot be kept") && said.contains("HOME"), "{said}");
+        let escape = KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE);
+        update::update(&mut state, Message::Key(escape));
+        let said = state.notice.expect("it is said").text;
+        assert!(said.contains("the session is not kept"), "{said}");
     }
 
     #[test]

@@ -10,6 +10,8 @@ pub(super) mod hook;
 
 use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc;
+use std::thread;
 use std::time::Duration;
 
 use crossterm::cursor::{Hide, MoveTo, Show};
@@ -26,7 +28,12 @@ use ratatui::buffer::Cell;
 use ratatui::layout::{Position, Size};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::Errno;
+use rustix::process::{
+    Pid, Signal, getpgid, getpgrp, getpid, getppid, getsid, kill_current_process_group,
+    kill_process,
+};
 use rustix::stdio::stdout;
+use rustix::termios::{QueueSelector, tcflush};
 
 /// Whether the terminal is ours at present (raw, alternate screen).
 static ENTERED: AtomicBool = AtomicBool::new(false);
@@ -38,6 +45,12 @@ static MOUSE: AtomicBool = AtomicBool::new(false);
 /// line would have to carry for nothing.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
+
+/// The end of a string (ST): a sequence whose end was discarded would swallow what follows.
+const STRING_END: &[u8] = b"\x1b\\";
+
+/// How long a terminal that takes no bytes is waited for on leaving.
+const SHORT: Duration = Duration::from_millis(200);
 
 /// Size assumed where the terminal does not know its own.
 const UNKNOWN_SIZE: Size = Size { width: 80, height: 24 };
@@ -123,29 +136,49 @@ impl Drop for Guard {
     }
 }
 
-/// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone).
+/// Give the terminal back: idempotent, from any thread, as far as it goes (the terminal may be gone). A terminal that takes no
+/// bytes loses the frames on their way to it, so that there is room for the farewell.
 pub(super) fn restore() {
     if ENTERED.swap(false, Ordering::SeqCst) {
+        if !matches!(poll_out(Some(SHORT)), Ok(true)) {
+            discard_output();
+        }
         // Nobody is left to tell when the terminal is gone.
         let _ = write_all(&farewell());
         let _ = disable_raw_mode();
     }
 }
 
-/// The same without waiting for a terminal that takes no bytes.
+/// The same while another thread may be stuck in a write to the terminal: what it writes comes first, and may never end.
 pub(super) fn restore_without_waiting() {
     if ENTERED.swap(false, Ordering::SeqCst) {
-        if matches!(poll_out(Some(Duration::ZERO)), Ok(true)) {
-            let _ = write_all(&farewell());
+        discard_output();
+        let (done, wait) = mpsc::channel();
+        let write = move || drop(write_all(&farewell()).map(|()| done.send(())));
+        if thread::Builder::new().spawn(write).is_ok() {
+            let _ = wait.recv_timeout(SHORT);
         }
         let _ = disable_raw_mode();
     }
+}
+
+/// Discard what the terminal has not taken yet.
+fn discard_output() {
+    let _ = tcflush(stdout(), QueueSelector::OFlush);
+}
+
+/// Let a thread go on that is stuck in a write to a terminal that takes no bytes. The system makes room, but does not wake the
+/// writer: a signal does, and this one means no more than another look at the size.
+pub(super) fn make_room() {
+    discard_output();
+    let _ = kill_process(getpid(), Signal::WINCH);
 }
 
 /// What undoes [`Screen::queue_entry`], and whatever a frame cut short has left.
 fn farewell() -> Vec<u8> {
     let mut bytes = Vec::with_capacity(64);
     // Writing to a vector does not fail.
+    bytes.extend_from_slice(STRING_END);
     let _ = queue!(bytes, EndSynchronizedUpdate);
     if MOUSE.load(Ordering::SeqCst) {
         bytes.extend_from_slice(MOUSE_OFF);
@@ -160,11 +193,46 @@ fn farewell() -> Vec<u8> {
     bytes
 }
 
-/// Stop this process and those started with it (`cargo run`, for one), as the shell's own Ctrl-Z does. The system does
-/// nothing where no shell could continue them.
-pub(super) fn stop() -> io::Result<()> {
-    use rustix::process::{Signal, kill_current_process_group};
-    Ok(kill_current_process_group(Signal::TSTP)?)
+/// Whom to stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stopped {
+    /// This process and those started with it (`cargo run`, for one), as the shell's own Ctrl-Z does.
+    Group,
+    /// This process alone, as the signal asks.
+    Process,
+}
+
+/// Stop until continued. The signal cannot be caught, unlike that of Ctrl-Z, which this program handles itself.
+pub(super) fn stop(whom: Stopped) -> io::Result<()> {
+    Ok(match whom {
+        Stopped::Group => kill_current_process_group(Signal::STOP)?,
+        Stopped::Process => kill_process(getpid(), Signal::STOP)?,
+    })
+}
+
+/// Whether a shell could continue this process: one of the processes above it in its group has a parent outside of the group, but
+/// in the same session. Where none has, the system ignores a request to stop by a terminal, and so does this program.
+pub(super) fn could_be_continued() -> bool {
+    let (Ok(session), group) = (getsid(None), getpgrp()) else { return false };
+    let mut above = getppid();
+    while let Some(process) = above {
+        if getsid(Some(process)).ok() != Some(session) {
+            return false;
+        }
+        if getpgid(Some(process)).ok() != Some(group) {
+            return true;
+        }
+        above = parent_of(process);
+    }
+    false
+}
+
+/// The parent of another process, where the system tells.
+fn parent_of(process: Pid) -> Option<Pid> {
+    let stat = std::fs::read_to_string(format!("/proc/{}/stat", process.as_raw_nonzero())).ok()?;
+    // The name in parentheses may hold anything; state and parent follow it.
+    let (_, rest) = stat.rsplit_once(')')?;
+    Pid::from_raw(rest.split_whitespace().nth(1)?.parse().ok()?)
 }
 
 /// Whether the terminal is ours at present.

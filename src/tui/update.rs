@@ -14,7 +14,7 @@ mod act;
 mod charts;
 mod curve;
 mod dialogs;
-mod done;
+pub(super) mod done;
 mod edit;
 mod export;
 mod field;

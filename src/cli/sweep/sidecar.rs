@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::Existing;
+use crate::files::clean;
 use crate::files::error::FileError;
 use crate::files::export;
 use crate::files::preset::Preset;
@@ -18,6 +19,8 @@ pub(super) struct Made<'a> {
     pub(super) plan: &'a Plan,
     pub(super) columns: Columns,
     pub(super) shard: &'a str,
+    /// What is missing of it, in words.
+    pub(super) missing: Option<String>,
 }
 
 /// Whether a scene may be written beside this file; asked before the sweep, not after it.
@@ -33,21 +36,16 @@ pub(super) fn check(csv: &Path, existing: Existing) -> Result<(), FileError> {
     Ok(())
 }
 
-/// Write it, and give its path; `None` where there is no place beside the file.
-pub(super) fn write(
-    csv: &Path,
-    scene: &Scene,
-    made: &Made<'_>,
-    existing: Existing,
-) -> Result<Option<PathBuf>, FileError> {
+/// Its path and its text; `None` where there is no place beside the file.
+pub(super) fn beside(csv: &Path, scene: &Scene, made: &Made<'_>) -> Option<(PathBuf, String)> {
     if !is_ordinary(csv) {
-        return Ok(None);
+        return None;
     }
     let beside = export::sidecar_path(csv, None);
     let mut scene = scene.clone();
     scene.sweep = Some(sweep(made));
     let name = beside.file_name().unwrap_or_default().to_string_lossy();
-    let mut again = format!("cmra sweep ./{name}");
+    let mut again = format!("cmra sweep {}", clean::shell_word(&format!("./{name}")));
     match made.plan.design() {
         Design::Factorial => {}
         design @ (Design::LatinHypercube { seed, .. } | Design::Sobol { seed, .. }) => {
@@ -60,9 +58,8 @@ pub(super) fn write(
         let _ = write!(again, " --shard {}", made.shard);
     }
     again += " --csv -";
-    let text = export::sweep_sidecar(csv, &scene, &again);
-    atomic::write(&beside, text.as_bytes(), existing)?;
-    Ok(Some(beside))
+    let text = export::sweep_sidecar(csv, &scene, &again, made.missing.as_deref());
+    Some((beside, text))
 }
 
 /// The held variables and the axes as comment lines `# key: value (unit)`.

@@ -3,6 +3,9 @@
 
 use super::{Mechanism, Plate, Target};
 
+/// Most further elements that a scene may list: the time of a run and of a key grows with the square of their number.
+pub const LAYERS_MAX: usize = 50;
+
 /// What stands behind the scene's own plate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stack {

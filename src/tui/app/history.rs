@@ -1,4 +1,4 @@
-//! Edits that can be undone: every one of the session, held arrow keys merged into one.
+//! Edits that can be undone: the last thousand of the session, held arrow keys merged into one.
 
 use std::sync::Arc;
 
@@ -16,6 +16,9 @@ pub struct Snapshot {
     /// The preset it is compared with.
     pub base: Base,
 }
+
+/// Most edits that are kept, at some 1.5 kB each: of more the oldest go.
+const EDITS_MAX: usize = 1000;
 
 /// Taken pins whose results are kept: a result is some 100 kB, and can be computed again.
 const RESULTS_KEPT: usize = 8;
@@ -79,6 +82,7 @@ impl History {
             return;
         }
         self.edits.push(edit);
+        self.edits.drain(..self.edits.len().saturating_sub(EDITS_MAX));
         self.done = self.edits.len();
         let taken = self.edits.iter_mut().rev().filter_map(|edit| edit.unpinned.as_mut());
         if let Some(pin) = taken.skip(RESULTS_KEPT).find(|pin| pin.run.is_some()) {

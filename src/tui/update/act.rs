@@ -329,7 +329,9 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
             } else if !app.editor.filter.is_empty() {
                 app.editor.set_filter(&app.scene, "");
             } else {
-                app.say(Severity::Note, "nothing to stop: q quits (the session is kept)");
+                let kept = if app.session_lost { "is not kept" } else { "is kept" };
+                let text = format!("nothing to stop: q quits (the session {kept})");
+                app.say(Severity::Note, text);
             }
             Vec::new()
         }

@@ -41,7 +41,7 @@ pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
 }
 
 /// Leaving would lose what is not saved otherwise: it is said, and asked before leaving.
-fn session(app: &mut App, kept: &Result<(), String>) {
+pub(in crate::tui) fn session(app: &mut App, kept: &Result<(), String>) {
     match kept {
         Ok(()) => app.say(Severity::Note, "the session is kept again"),
         Err(why) => {
