@@ -7,6 +7,7 @@
 
 pub mod battery;
 pub mod cache;
+pub mod clock;
 mod job;
 pub mod searches;
 pub mod studies;

@@ -5,7 +5,6 @@ mod page;
 use std::ffi::OsString;
 use std::process::ExitCode;
 use std::sync::Arc;
-use std::time::Instant;
 
 use clap::Args;
 
@@ -16,6 +15,7 @@ use crate::cli::table::TableArguments;
 use crate::files::accuracy::{self as rows, Named};
 use crate::files::bundled;
 use crate::study::accuracy::{Effort, compare};
+use crate::worker::clock;
 
 #[derive(Debug, Args)]
 pub(super) struct AccuracyArguments {
@@ -43,13 +43,11 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
         arguments.changes.apply(&mut preset.scene)?;
         presets.push(preset);
     }
-    let start = Instant::now();
-    let mut clock = || start.elapsed().as_secs_f64();
     let mut reports: Vec<Named> = Vec::new();
     let mut pace = Pace::begin();
     for preset in presets {
         let watch = &mut |done, total| pace.count(done, total, "points");
-        let report = compare(&Arc::new(preset.scene), effort, &mut clock, watch)?;
+        let report = compare(&Arc::new(preset.scene), effort, &mut clock::processor_s, watch)?;
         let whole = report.is_complete;
         reports.push((preset.name, report));
         if !whole {

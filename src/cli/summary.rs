@@ -229,9 +229,9 @@ fn energy(page: &mut String, run: &Run) {
         if energy_j != 0.0 {
             let _ = writeln!(
                 page,
-                "  {label:<22}{:>12} J {:>8.2} %",
+                "  {label:<22}{:>12} J {:>8} %",
                 fixed(energy_j),
-                100.0 * energy_j / start
+                units::decimals(100.0 * energy_j / start, 2)
             );
         }
     };
@@ -245,12 +245,17 @@ fn energy(page: &mut String, run: &Run) {
     row(page, "spring", ledger.spring_j);
     row(page, "damper", ledger.damper_j);
     row(page, "stop", ledger.stop_j);
-    let _ = writeln!(page, "  {:<22}{:>12.1e} of the start", "residual", ledger.residual());
+    let residual = units::scientific(ledger.residual(), 1);
+    let _ = writeln!(page, "  {:<22}{:>12} of the start", "residual", residual);
 }
 
 /// Joule with as many places for every size, so that the points stand in one column.
 fn fixed(energy_j: f64) -> String {
-    if energy_j.abs() < 1e7 { format!("{energy_j:.4}") } else { format!("{energy_j:.6e}") }
+    if energy_j.abs() < 1e7 {
+        units::decimals(energy_j, 4)
+    } else {
+        units::scientific(energy_j, 6)
+    }
 }
 
 /// The letter of an event: `a` for the first, and again from `a` after `z`.

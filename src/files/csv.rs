@@ -145,7 +145,7 @@ fn each_row(rows: Rows, run: &Run, take: Take<'_>) {
 
 /// A number; an empty field for one that does not exist.
 fn number(value: f64) -> String {
-    if value.is_nan() { String::new() } else { units::shortest(value) }
+    if value.is_finite() { units::shortest(value) } else { String::new() }
 }
 
 /// One text row per sample; an event stands in the first row at or after its time.

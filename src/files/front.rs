@@ -37,7 +37,10 @@ pub fn csv(name: &str, task: &Task, fronts: &[Front]) -> Result<String, FileErro
     let measures = task.measures();
     let columns = ["scene", "interface", "design"].into_iter().chain(symbols);
     writer.write_record(columns.chain(measures.iter().map(|it| it.name)).chain(["outcome"]))?;
-    let text = |value: Option<f64>| value.map_or_else(String::new, crate::model::units::shortest);
+    let text = |value: Option<f64>| {
+        let finite = value.filter(|value| value.is_finite());
+        finite.map_or_else(String::new, crate::model::units::shortest)
+    };
     for front in fronts {
         let lead = |kind: &str| vec![name.to_owned(), law(front.law).to_owned(), kind.to_owned()];
         for design in &front.designs {

@@ -281,7 +281,7 @@ fn finished(writer: csv::Writer<Vec<u8>>) -> Result<Vec<u8>, FileError> {
 }
 
 fn number(value: Option<f64>) -> Field<'static> {
-    value.map_or(Field::None, Field::Number)
+    value.filter(|value| value.is_finite()).map_or(Field::None, Field::Number)
 }
 
 fn reason(fate: Fate) -> Field<'static> {
@@ -302,8 +302,8 @@ fn list(items: impl Iterator<Item = String>) -> Field<'static> {
 /// A field in JSON: the shortest digits of a finite number are JSON as they are.
 fn in_json(field: &Field<'_>) -> String {
     match field {
-        Field::Number(value) if value.is_finite() => units::shortest(*value),
-        Field::None | Field::Number(_) => "null".to_owned(),
+        Field::Number(value) => units::shortest(*value),
+        Field::None => "null".to_owned(),
         Field::Text(text) => quoted(text),
         Field::Long(text) => quoted(text),
     }

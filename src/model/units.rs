@@ -367,15 +367,27 @@ fn example_of(quantity: Quantity) -> String {
     .to_owned()
 }
 
+/// What is shown where there is no number: nothing shown is NaN or infinite.
+pub const NO_NUMBER: &str = "-";
+
+/// A number with so many decimals: `69.10`.
+pub fn decimals(value: f64, places: usize) -> String {
+    if value.is_finite() { format!("{value:.places$}") } else { NO_NUMBER.to_owned() }
+}
+
+/// A number in scientific notation with so many decimals: `1.2e-9`.
+pub fn scientific(value: f64, places: usize) -> String {
+    if value.is_finite() { format!("{value:.places$e}") } else { NO_NUMBER.to_owned() }
+}
+
 /// A number as short as it can be and still read back to the same float: `1e5`, `0.0295`, `1.52e8`.
 ///
 /// Plain digits between 1e-4 and 1e5, an exponent outside.
 pub fn shortest(value: f64) -> String {
     let magnitude = value.abs();
     if !value.is_finite() {
-        return format!("{value}");
-    }
-    if magnitude == 0.0 || (1e-4..1e5).contains(&magnitude) {
+        NO_NUMBER.to_owned()
+    } else if magnitude == 0.0 || (1e-4..1e5).contains(&magnitude) {
         format!("{value}")
     } else {
         format!("{value:e}")
@@ -404,6 +416,9 @@ pub struct Engineering {
 
 impl fmt::Display for Engineering {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.value.is_finite() {
+            return f.write_str(NO_NUMBER);
+        }
         let (factor, prefix) = prefix_of(self.value);
         let scaled = self.value / factor;
         let text = fixed_significant(scaled, self.digits);
@@ -437,7 +452,7 @@ pub fn prefix_of(value: f64) -> (f64, &'static str) {
 /// `digits` significant figures in plain notation, zeros kept: `7.113`, `50.00`.
 pub fn fixed_significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
-        return format!("{value}");
+        return NO_NUMBER.to_owned();
     }
     if value == 0.0 {
         return "0".to_owned();
@@ -456,6 +471,22 @@ pub fn fixed_significant(value: f64, digits: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_no_number_is_not_shown_as_one() {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let shown = [
+                shortest(value),
+                significant(value, 4),
+                fixed_significant(value, 4),
+                decimals(value, 2),
+                scientific(value, 1),
+                Engineering { value, unit: "J", digits: 4 }.to_string(),
+            ];
+            assert_eq!(shown, [NO_NUMBER; 6]);
+        }
+        assert_eq!((decimals(69.1, 2), scientific(1.234e-9, 1)), ("69.10".into(), "1.2e-9".into()));
+    }
 
     #[test]
     fn units_scale_to_the_nearest_float() {

@@ -10,9 +10,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::battery;
 use super::job::contained;
 use super::searches::{self, Answer, Request};
+use super::{battery, clock};
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, Effort};
 use crate::study::limit;
@@ -205,7 +205,7 @@ fn make(study: &Study, stop: &Arc<AtomicBool>, sink: &impl Fn(StudyReport)) -> S
             let watch = &mut |report: &accuracy::Report, done, total| {
                 tell(done, total, &|| Finding::Accuracy(Arc::new(report.clone())))
             };
-            accuracy::compare_openly(&study.scene, *effort, &mut { now_s }, watch)
+            accuracy::compare_openly(&study.scene, *effort, &mut clock::processor_s, watch)
                 .map(|report| Finding::Accuracy(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }

@@ -45,6 +45,8 @@ mod seek;
 #[cfg(test)]
 mod sensitivity;
 #[cfg(test)]
+mod sequences;
+#[cfg(test)]
 mod stability;
 #[cfg(test)]
 mod stack;

@@ -47,8 +47,8 @@ pub(crate) struct Terminal {
     bytes: Receiver<Vec<u8>>,
     stop_reading: Arc<AtomicBool>,
     hold: Arc<AtomicBool>,
-    /// Dropped with the rest, which ends a reader on hold.
-    _released: mpsc::Sender<()>,
+    /// Lets a reader on hold go on; dropped with the rest, which ends it.
+    release: mpsc::Sender<()>,
     exit: Receiver<ExitStatus>,
     parser: vt100::Parser,
     process: Pid,
@@ -84,14 +84,14 @@ impl Terminal {
         let reader = pair.master.try_clone_reader().expect("a reader");
         let stop_reading = Arc::new(AtomicBool::new(false));
         let hold = Arc::new(AtomicBool::new(false));
-        let (released, release) = mpsc::channel();
+        let (release, released) = mpsc::channel();
         let bytes =
-            read_in_background(reader, Arc::clone(&stop_reading), Arc::clone(&hold), release);
+            read_in_background(reader, Arc::clone(&stop_reading), Arc::clone(&hold), released);
         Self {
             writer: Some(pair.master.take_writer().expect("a writer")),
             bytes,
             hold,
-            _released: released,
+            release,
             stop_reading,
             master: Some(pair.master),
             exit,
@@ -105,8 +105,13 @@ impl Terminal {
 
     /// Type.
     pub(crate) fn send(&mut self, keys: &str) {
+        self.send_bytes(keys.as_bytes());
+    }
+
+    /// Send what need not be text.
+    pub(crate) fn send_bytes(&mut self, bytes: &[u8]) {
         let writer = self.writer.as_mut().expect("the terminal is there");
-        writer.write_all(keys.as_bytes()).expect("it takes keys");
+        writer.write_all(bytes).expect("it takes keys");
         writer.flush().expect("it takes keys");
     }
 
@@ -181,6 +186,15 @@ impl Terminal {
     /// Take no more bytes than those under way, as a terminal whose connection is stuck.
     pub(crate) fn stop_taking(&self) {
         self.hold.store(true, Ordering::SeqCst);
+    }
+
+    /// Take bytes again, and all that is there.
+    pub(crate) fn take_again(&mut self) {
+        self.hold.store(false, Ordering::SeqCst);
+        self.release.send(()).expect("the reader is on hold");
+        while let Ok(bytes) = self.bytes.recv_timeout(Duration::from_millis(200)) {
+            self.take(&bytes);
+        }
     }
 
     /// Close the terminal, as a dropped connection does.
@@ -304,7 +318,7 @@ fn read_in_background(
     mut reader: Box<dyn Read + Send>,
     stop: Arc<AtomicBool>,
     hold: Arc<AtomicBool>,
-    release: Receiver<()>,
+    released: Receiver<()>,
 ) -> Receiver<Vec<u8>> {
     let (send, receive) = mpsc::channel();
     thread::spawn(move || {
@@ -316,9 +330,7 @@ fn read_in_background(
             if send.send(buffer[..count].to_vec()).is_err() {
                 return;
             }
-            if hold.load(Ordering::SeqCst) {
-                // Nothing is ever sent: this ends when the test does.
-                let _ = release.recv();
+            if hold.load(Ordering::SeqCst) && released.recv().is_err() {
                 return;
             }
         }

@@ -152,9 +152,46 @@ fn signals_end_the_process_with_the_terminal_restored() {
     }
 }
 
+/// Each ends a process by default, without a word to the terminal. Numbers as on Linux: USR1 10, USR2 12, ALRM 14, XCPU 24.
+#[cfg(target_os = "linux")]
+#[test]
+fn signals_that_nobody_expects_restore_the_terminal_too() {
+    for (signal, code) in
+        [(Signal::USR1, 138), (Signal::USR2, 140), (Signal::ALARM, 142), (Signal::XCPU, 152)]
+    {
+        let mut terminal = Terminal::start();
+        terminal.wait_for(DONE);
+        terminal.signal(signal);
+        assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), code, "{signal:?}");
+        terminal.assert_restored();
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_limit_on_the_size_of_files_does_not_end_the_workbench() {
+    let mut terminal = Terminal::start_with(Start {
+        shell: Some("/bin/sh"),
+        arguments: &["-c", "ulimit -f 0; exec $CMRA"],
+        ..Start::default()
+    });
+    terminal.wait_for(DONE);
+    shoot_at_150(&mut terminal);
+    terminal.wait_for("the session cannot be kept");
+    terminal.send("q");
+    terminal.wait_for("q again leaves without it");
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
+    terminal.assert_restored();
+}
+
 #[test]
 fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     let mut terminal = started();
+    terminal.send("M");
+    terminal.wait_until("mouse reports", |screen| {
+        screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
+    });
     shoot_at_150(&mut terminal);
     terminal.settle(QUIET);
     terminal.stop_taking();
@@ -163,12 +200,12 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
         terminal.send("\x0c");
         terminal.settle(Duration::from_millis(50));
     }
-    let asked = Instant::now();
+    // It is stuck in a write: it would draw, and nothing comes.
     terminal.signal(Signal::TERM);
-    let status = terminal.wait_exit(Duration::from_secs(4));
-    assert_eq!(status.exit_code(), 143);
-    // It really was stuck: left alone, it leaves in a few milliseconds.
-    assert!(asked.elapsed() > Duration::from_secs(1), "{:?}", asked.elapsed());
+    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 143);
+    // Whoever takes bytes again finds the terminal as it was.
+    terminal.take_again();
+    terminal.assert_restored();
     let kept = fs::read_to_string(terminal.session_file()).expect("the session was saved");
     assert!(kept.contains("150"), "{kept}");
 }
@@ -182,6 +219,19 @@ fn at_prompt(terminal: &mut Terminal, prompts: usize) {
 
 #[test]
 fn ctrl_z_stops_and_fg_comes_back() {
+    stops_and_comes_back(|terminal, _process| terminal.send("\x1a"));
+}
+
+#[test]
+fn a_stop_from_outside_restores_the_terminal_and_fg_comes_back() {
+    stops_and_comes_back(|_terminal, process| {
+        let told = std::process::Command::new("kill").args(["-TSTP", process]).status();
+        assert!(told.expect("it runs").success());
+    });
+}
+
+/// The workbench as a job of a shell, stopped in some way.
+fn stops_and_comes_back(stop: impl Fn(&mut Terminal, &str)) {
     let mut terminal = Terminal::start_with(Start {
         shell: Some("/bin/sh"),
         arguments: &["-i", "-m"],
@@ -194,7 +244,7 @@ fn ctrl_z_stops_and_fg_comes_back() {
     terminal.settle(QUIET);
     let process = fs::read_to_string(terminal.file("pid")).expect("its number");
     let process = process.trim();
-    terminal.send("\x1a");
+    stop(&mut terminal, process);
     wait_for_state(process, 'T');
     at_prompt(&mut terminal, 2);
     assert!(terminal.screen().contents().contains("Stopped"));
@@ -236,6 +286,8 @@ fn without_a_shell_ctrl_z_is_refused() {
     let mut terminal = started();
     terminal.send("\x1a");
     terminal.wait_for("cannot suspend");
+    // Nor from outside: there it is ignored, as the system ignores it.
+    terminal.signal(Signal::TSTP);
     assert!(terminal.screen().alternate_screen());
     terminal.send("q");
     assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);

@@ -71,6 +71,12 @@ impl fmt::Display for Warning {
                  resume; try interface = plastic",
                 t_s * 1e3
             ),
+            Self::InterfacePull { ratio, t_s } if !ratio.is_finite() => write!(
+                f,
+                "the fused interface is asked to pull, which it cannot without a grip (g = 0), first at t = {:.4} ms: the projectile \
+                 would be pulled out; try interface = plastic",
+                t_s * 1e3
+            ),
             Self::InterfacePull { ratio, t_s } => write!(
                 f,
                 "the fused interface is asked for {ratio:.3} times the g A S_y it can pull (grip g is an assumption), first at \
@@ -84,6 +90,9 @@ impl fmt::Display for Warning {
                 f,
                 "penetration resumed after the first arrest, at t = {:.4} ms: the final depth is not the first",
                 t_s * 1e3
+            ),
+            Self::EnergyDrift { residual } if !residual.is_finite() => f.write_str(
+                "the numbers grew beyond all bounds: the method does not resolve this scene, and nothing it gives is to be trusted",
             ),
             Self::EnergyDrift { residual } => {
                 write!(f, "the energy ledger is off by {residual:.1e} of the energy at the start")

@@ -384,11 +384,16 @@ fn demand(run: &Run) -> Option<String> {
         Warning::InterfacePush { ratio, .. } => {
             Some(format!("! interface {} x A S_y", times(*ratio)))
         }
+        Warning::InterfacePull { ratio, .. } if !ratio.is_finite() => {
+            Some("! pulls without a grip".to_owned())
+        }
         Warning::InterfacePull { ratio, .. } => {
             Some(format!("! interface {} x g A S_y", times(*ratio)))
         }
         Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
-        Warning::EnergyDrift { residual } => Some(format!("! energy off by {residual:.0e}")),
+        Warning::EnergyDrift { residual } => {
+            Some(format!("! energy off by {}", crate::model::units::scientific(*residual, 0)))
+        }
         Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
         Warning::PlateMeetsNext { .. } => Some("! plates meet".to_owned()),
         Warning::InterfaceWithoutStrength
