@@ -1,8 +1,8 @@
 //! Files written whole or not at all, and never over another file unless that is asked for.
 //!
 //! New content goes to a temporary file in the target's own directory, is flushed to the disk, and takes the target's name in one
-//! step. Several files that belong together are all on the disk before the first of them takes its name, and take their names one
-//! right after the other.
+//! step. Several files that belong together are all on the disk before the first of them takes its name, take their names one
+//! right after the other, and are never found beside one of another time.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
@@ -81,8 +81,15 @@ pub fn write_all(files: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), F
     name_all(ready.collect::<Result<_, _>>()?, existing)
 }
 
-/// Give all files their names.
+/// Give all files their names. Those after the first belong to it: the old ones go first, so that a program that is killed in
+/// between leaves a file alone, and never beside one that belongs to another.
 fn name_all(ready: Vec<Ready<'_>>, existing: Existing) -> Result<(), FileError> {
+    if existing == Existing::Replace {
+        for file in ready.iter().skip(1).filter(|file| matches!(file.place, Place::Beside(_))) {
+            // Where there is none, or it cannot be taken away, naming the new one tells.
+            let _ = fs::remove_file(&file.target);
+        }
+    }
     let mut named: Vec<PathBuf> = Vec::new();
     for file in ready {
         let path = file.target.clone();

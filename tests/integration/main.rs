@@ -14,6 +14,7 @@ mod files;
 mod hostile;
 #[cfg(test)]
 mod libraries;
+mod kills;
 #[cfg(test)]
 mod limit;
 #[cfg(test)]
@@ -37,6 +38,8 @@ mod pty;
 #[cfg(test)]
 mod random;
 #[cfg(test)]
+mod readers;
+#[cfg(test)]
 mod scatter;
 #[cfg(test)]
 mod screens;
@@ -46,6 +49,8 @@ mod seek;
 mod sensitivity;
 #[cfg(test)]
 mod sequences;
+#[cfg(test)]
+mod soak;
 #[cfg(test)]
 mod stability;
 #[cfg(test)]

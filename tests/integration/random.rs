@@ -20,6 +20,12 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
 
+    /// A whole number below this one.
+    pub(crate) fn below(&mut self, end: usize) -> usize {
+        let share = self.unit();
+        (0..end).rfind(|index| *index as f64 <= share * end as f64).unwrap_or(0)
+    }
+
     /// Between two positive numbers, evenly in the logarithm.
     pub(crate) fn log(&mut self, low: f64, high: f64) -> f64 {
         let value = low * (high / low).powf(self.unit());
@@ -33,9 +39,7 @@ impl Random {
 
     /// One of a list.
     pub(crate) fn of<T: Copy>(&mut self, list: &[T]) -> T {
-        let place = self.unit() * list.len() as f64;
-        let index = (0..list.len()).rfind(|index| *index as f64 <= place).unwrap();
-        list[index]
+        list[self.below(list.len())]
     }
 
     fn exponent(&mut self, low: f64, high: f64) -> f64 {

@@ -3,6 +3,7 @@
 use rustix::process::Signal;
 
 use crate::pty::{PATIENCE, Terminal};
+use crate::random::Random;
 
 /// The status row of a finished run of the baseline.
 const DONE: &str = "arrested";
@@ -48,11 +49,8 @@ fn every_kind() -> Vec<Vec<u8>> {
 
 /// Random ones, of which about half are well-formed.
 fn random(count: usize) -> Vec<Vec<u8>> {
-    let mut seed = 16_u64;
-    let mut draw = |below: usize| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(seed >> 33).unwrap() % below
-    };
+    let mut random = Random(16);
+    let mut draw = |below: usize| random.below(below);
     let mut all = Vec::new();
     for _ in 0..count {
         let first = ["", "", "<", "?"][draw(4)];

@@ -159,7 +159,11 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
     let start = ledger.initial_j();
     let term = |name: &str, value: f64| {
         let percent = if start == 0.0 { 0.0 } else { 100.0 * value / start };
-        format!("{name:<13}{:>10}  {:>5} %", engineering(value, "J"), crate::model::units::decimals(percent, 1))
+        format!(
+            "{name:<13}{:>10}  {:>5} %",
+            engineering(value, "J"),
+            crate::model::units::decimals(percent, 1)
+        )
     };
     let residual = match ledger.residual() {
         0.0 => "0".to_owned(),

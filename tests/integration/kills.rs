@@ -1,0 +1,158 @@
+//! Programs killed while they write: what is found afterwards is whole, and files that belong together belong together.
+
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::Arc;
+use std::time::Duration;
+
+use cmra::files::atomic::{Existing, Growing};
+use cmra::files::csv::Rows;
+use cmra::files::export::{self, ExportRequest, Meta};
+use cmra::files::paths::Paths;
+use cmra::files::session::{self, Known, Session};
+use cmra::files::style::Style;
+use cmra::files::{preset, read};
+use cmra::model::run::Run;
+use cmra::model::scene::Scene;
+
+use crate::random::Random;
+use crate::support::{run, scene};
+
+/// Where the child writes.
+const PLACE: &str = "CMRA_TEST_PLACE";
+
+/// How often a program is killed, unless the environment says otherwise.
+const KILLS: usize = 200;
+
+/// The two states that every file alternates between.
+const STATES: [&str; 2] = ["gamma=1 k=1e5", "gamma=2 k=1e6"];
+
+fn request(place: &Path, run: Arc<Run>) -> ExportRequest {
+    ExportRequest {
+        path: place.join("run.csv"),
+        overwrite: true,
+        rows: Rows::Series,
+        runs: vec![("now".to_owned(), run)],
+        columns: Vec::new(),
+        style: Style::Plain,
+        meta: Meta::Beside,
+    }
+}
+
+fn session_of(scene: Scene) -> Session {
+    Session { scene, ..Session::default() }
+}
+
+/// A table as a sweep writes it, and its scene.
+fn table(state: usize) -> (Vec<u8>, Vec<u8>) {
+    (format!("{state}\n").repeat(50_000).into_bytes(), format!("# {state}\n").into_bytes())
+}
+
+#[test]
+#[ignore = "run and killed by the test below"]
+fn writes_until_it_is_killed() {
+    let place = std::env::var_os(PLACE).expect("a place");
+    let place = Path::new(&place);
+    let paths = Paths::below(place);
+    let runs = STATES.map(|state| Arc::new(run(scene(state))));
+    let mut known = Known::default();
+    for state in [0, 1].into_iter().cycle() {
+        let scene = scene(STATES[state]);
+        export::write(&request(place, Arc::clone(&runs[state]))).unwrap();
+        preset::save(&paths, "mine", &scene, Existing::Replace).unwrap();
+        session::save(&paths.session_file(), &session_of(scene), &mut known).unwrap();
+        let (rows, beside) = table(state);
+        let mut growing = Growing::begin(&place.join("sweep.csv"), Existing::Replace).unwrap();
+        for piece in rows.chunks(10_000) {
+            growing.add(piece).unwrap();
+        }
+        let beside = [(place.join("sweep.toml"), beside.as_slice())];
+        growing.finish(&beside, Existing::Replace).unwrap();
+    }
+}
+
+/// What was found after the kills.
+#[derive(Debug, Default, PartialEq)]
+struct Found {
+    /// Files that are neither of the two states.
+    torn: usize,
+    /// Files that were there before and are not any more.
+    lost: usize,
+    /// Pairs of which the files are of different states.
+    mixed: usize,
+    /// Tables without their scene: killed between the two names.
+    alone: usize,
+}
+
+/// Which of the states a file is in; `None`: it is not there.
+fn state_of(path: &Path, states: &[Vec<u8>; 2], found: &mut Found) -> Option<usize> {
+    let bytes = fs::read(path).ok()?;
+    let state = states.iter().position(|state| *state == bytes);
+    found.torn += usize::from(state.is_none());
+    state
+}
+
+/// Look at a table and the scene beside it.
+fn pair(place: &Path, name: &str, states: &[[Vec<u8>; 2]; 2], found: &mut Found) {
+    let table = state_of(&place.join(format!("{name}.csv")), &states[0], found);
+    let scene = state_of(&place.join(format!("{name}.toml")), &states[1], found);
+    match (table, scene) {
+        (Some(table), Some(scene)) => found.mixed += usize::from(table != scene),
+        (Some(_), None) => found.alone += 1,
+        (None, _) => found.lost += 1,
+    }
+}
+
+#[test]
+#[ignore = "takes a minute: kills a program 200 times"]
+fn nothing_is_torn_or_lost_when_a_program_is_killed_while_it_writes() {
+    let kills = std::env::var("CMRA_KILLS").ok().and_then(|count| count.parse().ok());
+    let kills = kills.unwrap_or(KILLS);
+    let place = tempfile::tempdir().unwrap();
+    let paths = Paths::below(place.path());
+    let scenes = STATES.map(scene);
+    let exported = STATES.map(|state| {
+        let request = request(place.path(), Arc::new(run(scene(state))));
+        let text = export::text(&request).unwrap();
+        (text.into_bytes(), export::sidecar(&request.path, &request.runs[0].1).into_bytes())
+    });
+    let [(first, beside_first), (second, beside_second)] = exported;
+    let exported = [[first, second], [beside_first, beside_second]];
+    let [(first, beside_first), (second, beside_second)] = [0, 1].map(table);
+    let swept = [[first, second], [beside_first, beside_second]];
+    let (mut found, mut random) = (Found::default(), Random(16));
+    for _ in 0..kills {
+        let mut child = Command::new(std::env::current_exe().unwrap())
+            .args(["--ignored", "--exact", "kills::writes_until_it_is_killed"])
+            .env(PLACE, place.path())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        // Not before everything is there for the first time.
+        while !place.path().join("sweep.toml").exists() && child.try_wait().unwrap().is_none() {
+            std::thread::yield_now();
+        }
+        let wait = Duration::from_micros(random.below(100_000) as u64);
+        std::thread::sleep(wait);
+        assert!(child.try_wait().unwrap().is_none(), "it ended by itself");
+        child.kill().unwrap();
+        child.wait().unwrap();
+        pair(place.path(), "run", &exported, &mut found);
+        pair(place.path(), "sweep", &swept, &mut found);
+        match read::scene_file(&paths.preset_file("mine")) {
+            Ok(scene) => found.torn += usize::from(!scenes.contains(&scene)),
+            Err(_) => found.lost += 1,
+        }
+        match session::load(&paths.session_file()) {
+            session::Loaded { session: Some(session), notice: None, .. } => {
+                found.torn += usize::from(!scenes.contains(&session.scene));
+            }
+            _ => found.lost += 1,
+        }
+    }
+    let _ = writeln!(std::io::stderr(), "{kills} kills: {found:?}");
+    assert_eq!(found, Found { alone: found.alone, ..Found::default() });
+}

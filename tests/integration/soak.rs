@@ -1,0 +1,65 @@
+//! The workbench under a person who never rests: random keys, resizes, clicks and pastes over all tabs.
+
+use std::fs;
+use std::io::Write as _;
+use std::time::{Duration, Instant};
+
+use rustix::process::Signal;
+
+use crate::pty::{PATIENCE, Terminal};
+use crate::random::Random;
+
+/// How long, s, unless the environment says otherwise.
+const LASTS_S: u64 = 120;
+
+/// Keys that do something somewhere; those that leave or suspend are not among them.
+const KEYS: [&str; 42] = [
+    "1", "2", "3", "4", "5", "6", "7", "8", "9", "j", "k", "h", "l", "J", "K", "H", "L", "g", "G", "u", "\x12", "\r", "\r",
+    "\x1b", "\x1b", "\t", " ", "/", "e", "s", "p", "c", "d", "m", "r", "v", "x", "z", "?", "\x1b[A", "\x1b[B", "0.5",
+];
+
+/// The memory that a process has now, MB.
+fn memory(process: &str) -> u64 {
+    let status = fs::read_to_string(format!("/proc/{process}/status")).expect("it is there");
+    let now = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).expect("its memory");
+    now.trim().trim_end_matches(" kB").parse::<u64>().expect("a number") / 1024
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+#[ignore = "takes two minutes"]
+fn random_keys_resizes_clicks_and_pastes_do_no_harm() {
+    let lasts = std::env::var("CMRA_SOAK_S").ok().and_then(|seconds| seconds.parse().ok());
+    let lasts = Duration::from_secs(lasts.unwrap_or(LASTS_S));
+    let mut terminal = Terminal::start();
+    terminal.wait_for("arrested");
+    let process = terminal.process();
+    let (mut random, start) = (Random(16), Instant::now());
+    let first = memory(&process);
+    let (mut most, mut events) = (first, 0_u64);
+    while start.elapsed() < lasts {
+        match random.below(40) {
+            0 => {
+                let size = (1 + random.below(200), 1 + random.below(60));
+                let (columns, rows) = (size.0.try_into().unwrap(), size.1.try_into().unwrap());
+                terminal.resize(columns, rows);
+            }
+            1 => terminal.send(&format!("\x1b[<0;{};{}M", random.below(90), random.below(30))),
+            2 => terminal.send("\x1b[200~gamma=2\nq\x1b[201~"),
+            _ => terminal.send(random.of(&KEYS)),
+        }
+        events += 1;
+        terminal.settle(Duration::from_millis(2));
+        if events.is_multiple_of(100) {
+            most = most.max(memory(&process));
+        }
+    }
+    let last = memory(&process);
+    let _ = writeln!(
+        std::io::stderr(),
+        "{events} events: {first} MB at the start, {last} MB at the end, {most} MB at most"
+    );
+    terminal.signal(Signal::TERM);
+    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 143);
+    terminal.assert_restored();
+}
