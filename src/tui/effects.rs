@@ -309,10 +309,20 @@ fn write_export(request: &ExportRequest) -> ExportOutcome {
     }
 }
 
+/// Where a table goes, and what may happen to a file that is there: one that is not complete takes the place of none.
+fn place(path: PathBuf, overwrite: bool, is_complete: bool) -> (PathBuf, Existing) {
+    if is_complete {
+        (path, existing(overwrite))
+    } else {
+        (export::partial_path(&path), Existing::Keep)
+    }
+}
+
 fn write_accuracy(path: PathBuf, overwrite: bool, found: &Named) -> ExportOutcome {
+    let (path, existing) = place(path, overwrite, found.1.is_complete);
     let written = atomic::ordinary(&path)
         .and_then(|()| accuracy::csv(std::slice::from_ref(found)))
-        .and_then(|table| atomic::write(&path, table.as_bytes(), existing(overwrite)));
+        .and_then(|table| atomic::write(&path, table.as_bytes(), existing));
     match written {
         Ok(()) => ExportOutcome::Written(vec![path]),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
@@ -321,11 +331,12 @@ fn write_accuracy(path: PathBuf, overwrite: bool, found: &Named) -> ExportOutcom
 }
 
 fn write_sweep(export: SweepExport) -> ExportOutcome {
-    let written = atomic::ordinary(&export.path)
+    let (path, existing) = place(export.path, export.overwrite, export.grid.is_complete());
+    let written = atomic::ordinary(&path)
         .and_then(|()| sweep::grid_csv(&export.name, &export.grid))
-        .and_then(|table| atomic::write(&export.path, &table, existing(export.overwrite)));
+        .and_then(|table| atomic::write(&path, &table, existing));
     match written {
-        Ok(()) => ExportOutcome::Written(vec![export.path]),
+        Ok(()) => ExportOutcome::Written(vec![path]),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
         Err(error) => ExportOutcome::Failed(error.to_string()),
     }
@@ -489,6 +500,15 @@ mod tests {
         };
         let mine = presets.iter().find(|entry| entry.name == "mine").unwrap();
         assert_eq!(mine.origin, "mine");
+    }
+
+    #[test]
+    fn a_table_that_is_not_complete_replaces_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        assert_eq!(place(path.clone(), true, true), (path.clone(), Existing::Replace));
+        let partial = folder.path().join("a.partial.csv");
+        assert_eq!(place(path, true, false), (partial, Existing::Keep));
     }
 
     #[test]

@@ -53,7 +53,7 @@ fn table(state: usize) -> (Vec<u8>, Vec<u8>) {
 #[test]
 #[ignore = "run and killed by the test below"]
 fn writes_until_it_is_killed() {
-    let place = std::env::var_os(PLACE).expect("a place");
+    let Some(place) = std::env::var_os(PLACE) else { return };
     let place = Path::new(&place);
     let paths = Paths::below(place);
     let runs = STATES.map(|state| Arc::new(run(scene(state))));

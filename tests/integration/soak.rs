@@ -14,8 +14,9 @@ const LASTS_S: u64 = 120;
 
 /// Keys that do something somewhere; those that leave or suspend are not among them.
 const KEYS: [&str; 42] = [
-    "1", "2", "3", "4", "5", "6", "7", "8", "9", "j", "k", "h", "l", "J", "K", "H", "L", "g", "G", "u", "\x12", "\r", "\r",
-    "\x1b", "\x1b", "\t", " ", "/", "e", "s", "p", "c", "d", "m", "r", "v", "x", "z", "?", "\x1b[A", "\x1b[B", "0.5",
+    "1", "2", "3", "4", "5", "6", "7", "8", "9", "j", "k", "h", "l", "J", "K", "H", "L", "g", "G",
+    "u", "\x12", "\r", "\r", "\x1b", "\x1b", "\t", " ", "/", "e", "s", "p", "c", "d", "m", "r",
+    "v", "x", "z", "?", "\x1b[A", "\x1b[B", "0.5",
 ];
 
 /// The memory that a process has now, MB.

@@ -1,7 +1,7 @@
 //! The workbench as a person has it: a real terminal, from the first chart to the restored prompt.
 
 use std::fs;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use rustix::process::Signal;
 

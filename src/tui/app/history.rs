@@ -133,6 +133,22 @@ mod tests {
     use crate::tui::app::Origin;
 
     #[test]
+    fn of_very_many_edits_the_last_thousand_are_kept() {
+        let scene = Arc::new(Scene::default());
+        let base = Base { name: String::new(), origin: Origin::Bundled, scene: Arc::clone(&scene) };
+        let at = Snapshot { scene, base };
+        let mut history = History::default();
+        for number in 0..2500 {
+            let (before, after, label) = (at.clone(), at.clone(), number.to_string());
+            let (unpinned, setting, stepping) = (None, None, None);
+            history.push(Edit { label, before, after, unpinned, setting, stepping });
+        }
+        assert_eq!((history.edits.len(), history.done), (EDITS_MAX, EDITS_MAX));
+        assert_eq!(history.edits[0].label, "1500");
+        assert_eq!(history.undo().unwrap().label, "2499");
+    }
+
+    #[test]
     fn results_of_taken_pins_are_kept_for_the_last_few_only() {
         let scene = Arc::new(Scene::default());
         let go_on = &mut |_| std::ops::ControlFlow::Continue(());
