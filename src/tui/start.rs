@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Options;
+use crate::files::atomic;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
@@ -28,6 +29,9 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     let directory = std::env::current_dir().unwrap_or_default();
     let mut loaded =
         paths.map_or_else(session::Loaded::default, |paths| session::load(&paths.session_file()));
+    if let Some(paths) = paths {
+        atomic::clear_leftovers(&paths.presets);
+    }
     let mut recent = loaded.session.as_ref().map(|last| last.recent.clone()).unwrap_or_default();
     let kept = match (paths, &loaded.session) {
         (Some(paths), Some(last)) if options.fresh || options.scene.is_some() => {

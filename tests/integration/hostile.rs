@@ -217,6 +217,114 @@ fn a_pipe_among_the_presets_is_not_waited_for() {
     assert!(error.contains("out.toml`, which is there"), "{error}");
 }
 
+/// The same on the command line, which waits for no pipe in a folder; one that the shell hands over has its other end.
+#[cfg(unix)]
+#[test]
+fn a_named_pipe_is_neither_a_scene_nor_a_target() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("pipe");
+    pipe(&path);
+    let path = path.to_str().unwrap();
+    for arguments in [&[path] as &[&str], &["--csv", path], &["--csv", path, "--force"]] {
+        let (_, error) = says("run", arguments, 2);
+        assert!(error.contains("is a device or a pipe"), "{arguments:?}: {error}");
+    }
+    let piped =
+        cmra("run", &["/dev/stdin"]).write_stdin("format = 1\ntitle = \"piped\"\n").output();
+    assert!(String::from_utf8(piped.unwrap().stdout).unwrap().contains("piped"));
+}
+
+/// As with `ulimit -f 0`: an error of writing, and nothing is left behind.
+#[cfg(unix)]
+#[test]
+fn a_limit_on_the_size_of_files_is_an_error() {
+    let place = tempfile::tempdir().unwrap();
+    let told = format!("ulimit -f 0; exec '{}' run --csv a.csv", env!("CARGO_BIN_EXE_cmra"));
+    let output = std::process::Command::new("sh")
+        .args(["-c", &told])
+        .current_dir(place.path())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    assert!(
+        String::from_utf8_lossy(&output.stderr).contains("cannot write `a.csv`: file too large")
+    );
+    assert_eq!(fs::read_dir(place.path()).unwrap().count(), 0);
+}
+
+/// Text from a file shows on every way out, and neither breaks a line nor commands a terminal.
+#[test]
+fn a_title_stays_one_line_wherever_it_is_shown() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("scene.toml");
+    let title = r"a\rb\nx = 1\u202ec\u009b31md\u2028e";
+    fs::write(&path, format!("format = 1\ntitle = \"{title}\"\n")).unwrap();
+    let path = path.to_str().unwrap();
+    let shown = "a\u{fffd}b\u{fffd}x = 1\u{fffd}c\u{fffd}31md\u{fffd}e";
+    for arguments in [&[path] as &[&str], &[path, "--csv", "-", "--meta", "inline"]] {
+        let (out, _) = says("run", arguments, 0);
+        assert!(out.contains(shown), "{arguments:?}: {out:?}");
+        let commands = |c: char| c.is_control() && c != '\n' || c == '\u{202e}' || c == '\u{2028}';
+        assert!(!out.contains(commands), "{arguments:?}: {out:?}");
+    }
+    // An argument is shown on one line, too.
+    let (_, error) = says("run", &["--set", "gam\nma=\u{202e}2"], 2);
+    assert_eq!(error.lines().count(), 1, "{error:?}");
+    let (_, error) = says("run", &["--opt\nion"], 2);
+    assert!(error.lines().next().unwrap().contains("--opt\u{fffd}ion"), "{error:?}");
+}
+
+/// The command line in a sidecar gives the table again, whatever the file is called.
+#[cfg(unix)]
+#[test]
+fn the_command_in_a_sidecar_is_quoted() {
+    let place = tempfile::tempdir().unwrap();
+    let csv = place.path().join("it's a; table.csv");
+    says("sweep", &["--over", "gamma=1..2:3", "--csv", csv.to_str().unwrap()], 0);
+    let scene = fs::read_to_string(csv.with_extension("toml")).unwrap();
+    let again = scene.lines().find_map(|line| line.strip_prefix("# again: cmra ")).unwrap();
+    let told = format!("exec '{}' {again}", env!("CARGO_BIN_EXE_cmra"));
+    let output = std::process::Command::new("sh")
+        .args(["-c", &told])
+        .current_dir(place.path())
+        .output()
+        .unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr).matches("error").count(), 0, "{output:?}");
+    assert_eq!(output.stdout, fs::read(csv).unwrap());
+}
+
+/// A fused interface without any grip, and the scheme of Appendix A beyond its stability.
+#[test]
+fn numbers_that_do_not_exist_are_not_shown() {
+    let cases: [&[&str]; 2] = [
+        &["--set", "g=0", "--set", "gamma=0.8", "--set", "k=7.5e6"],
+        &["--set", "model=appendix", "--set", "b=1e6"],
+    ];
+    for scene in cases {
+        for form in [&[] as &[&str], &["--json"], &["--csv", "-"]] {
+            let arguments = [scene, form].concat();
+            let output = cmra("run", &arguments).output().unwrap();
+            let out = String::from_utf8(output.stdout).unwrap();
+            assert!(!out.is_empty());
+            let words = out.split(|c: char| !c.is_alphanumeric());
+            let bad: Vec<&str> =
+                words.filter(|word| matches!(*word, "NaN" | "nan" | "inf")).collect();
+            assert!(bad.is_empty(), "{arguments:?}: {out}");
+        }
+    }
+    let (page, _) = says("run", cases[0], 0);
+    assert!(page.contains("cannot without a grip"), "{page}");
+    let page = cmra("run", cases[1]).output().unwrap().stdout;
+    assert!(String::from_utf8(page).unwrap().contains("beyond all bounds"));
+}
+
+#[test]
+fn very_many_layers_are_refused() {
+    let many = "[[stack.layer]]\nplate.mass_ratio = 1.0\n".repeat(51);
+    let error = refused(format!("format = 1\n{many}").as_bytes());
+    assert!(error.contains("51 elements") && error.contains("at most 50"), "{error}");
+}
+
 /// A sweep that is cut off keeps its rows and leaves nothing else behind; one that was told to outlive its terminal does.
 #[cfg(target_os = "linux")]
 #[test]

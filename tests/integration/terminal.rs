@@ -16,7 +16,6 @@ const DONE: &str = "arrested";
 fn started() -> Terminal {
     let mut terminal = Terminal::start();
     terminal.wait_for(DONE);
-    terminal.settle(QUIET);
     terminal
 }
 
@@ -130,7 +129,7 @@ fn a_hangup_ends_the_process_and_keeps_the_session() {
         terminal.wait_for(DONE);
         shoot_at_150(&mut terminal);
         terminal.hang_up();
-        let status = terminal.wait_exit(Duration::from_secs(2));
+        let status = terminal.wait_exit(PATIENCE);
         assert_eq!(status.exit_code(), 129, "controlling: {controlling}");
         let kept = fs::read_to_string(terminal.session_file()).expect("the session was saved");
         assert!(kept.contains("150"), "{kept}");
@@ -145,7 +144,7 @@ fn signals_end_the_process_with_the_terminal_restored() {
         let mut terminal = started();
         shoot_at_150(&mut terminal);
         terminal.signal(signal);
-        let status = terminal.wait_exit(Duration::from_secs(2));
+        let status = terminal.wait_exit(PATIENCE);
         assert_eq!(status.exit_code(), code, "{signal:?}");
         terminal.assert_restored();
         assert!(fs::read_to_string(terminal.session_file()).is_ok_and(|kept| kept.contains("150")));
@@ -193,7 +192,6 @@ fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
         screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
     });
     shoot_at_150(&mut terminal);
-    terminal.settle(QUIET);
     terminal.stop_taking();
     // Some 60 frames are more than a pseudo-terminal keeps for a reader that does not read.
     for _ in 0..60 {

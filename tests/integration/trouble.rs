@@ -11,8 +11,8 @@ use crate::pty::{PATIENCE, Start, Terminal};
 /// Longest quiet time within one answer of the program.
 const QUIET: Duration = Duration::from_millis(300);
 
-/// How long the prompt may take to come back, on a busy machine.
-const PROMPT: Duration = Duration::from_secs(2);
+/// How long the prompt may take to come back, on a busy machine: less than leaving waits for a disk that hangs.
+const PROMPT: Duration = Duration::from_secs(8);
 
 /// The status row of a finished run of the baseline.
 const DONE: &str = "arrested";
@@ -20,8 +20,13 @@ const DONE: &str = "arrested";
 fn started(start: Start<'_>) -> Terminal {
     let mut terminal = Terminal::start_with(start);
     terminal.wait_for(DONE);
-    terminal.settle(QUIET);
     terminal
+}
+
+/// Close a dialog, and wait until this is no longer on the screen: a key that follows at once would make another one of Esc.
+fn close(terminal: &mut Terminal, text: &str) {
+    terminal.send("\x1b");
+    terminal.wait_until("the dialog is closed", |screen| !screen.contents().contains(text));
 }
 
 /// Give the impact velocity, the third of the variables, another value.
@@ -60,8 +65,7 @@ fn pipes_in_the_place_of_its_own_files_do_not_hold_it_up() {
     // The list of presets comes all the same.
     terminal.send("p");
     terminal.wait_for("Baseline of chapter 9");
-    terminal.send("\x1b");
-    terminal.settle(QUIET);
+    close(&mut terminal, "Baseline of chapter 9");
     terminal.send("q");
     assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
     terminal.assert_restored();
@@ -116,14 +120,12 @@ fn the_terminal_itself_is_no_target_of_an_export() {
     terminal.send("e\x15/dev/tty\r");
     terminal.wait_for("is a device or a pipe");
     // Nor a scene to be read, which would take the keys.
-    terminal.send("\x1b");
-    terminal.settle(QUIET);
+    close(&mut terminal, "is a device or a pipe");
     terminal.send("p/");
     terminal.settle(QUIET);
     terminal.send("/dev/tty\r");
     terminal.wait_for("`/dev/tty` is a device or a pipe");
-    terminal.send("\x1b");
-    terminal.settle(QUIET);
+    close(&mut terminal, "Baseline of chapter 9");
     terminal.send("q");
     assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
     terminal.assert_restored();
@@ -136,7 +138,6 @@ fn a_table_is_renamed_where_its_name_is_taken_and_paths_are_completed() {
     // The Limit tab has a table of shots.
     terminal.send("8");
     terminal.wait_for("V50");
-    terminal.settle(QUIET);
     terminal.send("e\x15tak\t");
     terminal.wait_for("taken.csv");
     terminal.send("\r");
