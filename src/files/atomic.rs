@@ -10,6 +10,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use rustix::event::{Timespec, poll};
 use rustix::fs::{FlockOperation, flock};
 use tempfile::NamedTempFile;
 
@@ -144,7 +145,7 @@ fn lock(file: &File) -> bool {
 pub struct Lock(Option<File>);
 
 /// How often a lock that another program holds is tried again, and for how long.
-const LOCK_EVERY: Duration = Duration::from_millis(5);
+const LOCK_EVERY: Timespec = Timespec { tv_sec: 0, tv_nsec: 5_000_000 };
 const LOCK_TRIES: u32 = 100;
 
 impl Lock {
@@ -159,7 +160,8 @@ impl Lock {
             if lock(&file) {
                 return Self(Some(file));
             }
-            std::thread::sleep(LOCK_EVERY);
+            // Waits for no event at all: until the time is over.
+            let _ = poll(&mut [], Some(&LOCK_EVERY));
         }
         Self(None)
     }
