@@ -19,7 +19,7 @@ use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{MetaWord, TableArguments, Target, exists};
 use crate::cli::{CliError, outlook, output};
-use crate::files::atomic::{Existing, Growing};
+use crate::files::atomic::{self, Existing, Growing};
 use crate::files::export;
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
@@ -235,7 +235,9 @@ impl Job<'_> {
         finish: &Finish<'_>,
         made: &sidecar::Made<'_>,
     ) -> Result<(), CliError> {
-        let partial = made.missing.is_some().then(|| export::partial_path(finish.path));
+        // A device has what it has been given already.
+        let is_partial = made.missing.is_some() && atomic::ordinary(finish.path).is_ok();
+        let partial = is_partial.then(|| export::partial_path(finish.path));
         let path = partial.as_deref().unwrap_or(finish.path);
         let scene =
             finish.beside.then(|| sidecar::beside(path, &self.preset.scene, made)).flatten();

@@ -1,6 +1,7 @@
 //! The clerk: carries out the effects that touch files, on a thread of its own, so that a slow disk never holds up a key.
 //!
-//! Tasks are done in order; of questions asked again before they are answered only the newest is, and on leaving none. The session is kept soon after it changed (changes in quick succession are written once), and at
+//! Tasks are done in order; of questions asked again before they are answered only the newest is, and on leaving none. The
+//! session is kept soon after it changed (changes in quick succession are written once), and at
 //! once when the loop leaves. Knows nothing of the terminal.
 
 use std::cell::Cell;
@@ -311,7 +312,8 @@ fn write_export(request: &ExportRequest) -> ExportOutcome {
 
 /// Where a table goes, and what may happen to a file that is there: one that is not complete takes the place of none.
 fn place(path: PathBuf, overwrite: bool, is_complete: bool) -> (PathBuf, Existing) {
-    if is_complete {
+    // A device is refused by its own name.
+    if is_complete || atomic::ordinary(&path).is_err() {
         (path, existing(overwrite))
     } else {
         (export::partial_path(&path), Existing::Keep)
