@@ -8,8 +8,8 @@ use serde_json::{Map, Value, json};
 
 use crate::cli::reproduce::wrapped;
 use crate::cli::{CliError, output};
-use crate::files::library;
 use crate::files::paths::Paths;
+use crate::files::{clean, library};
 use crate::model::library::{Entry, Library};
 use crate::model::variables;
 
@@ -62,12 +62,12 @@ fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> Strin
     let mut text = format!("{}: --{} NAME\n", library.file(), library.word());
     for entry in entries {
         let own = if entry.own.is_some() { ", your own" } else { "" };
-        let name = output::printable(&entry.name);
-        let _ = writeln!(text, "\n  {name}: {}{own}", output::printable(&entry.title));
+        let name = clean::line(&entry.name);
+        let _ = writeln!(text, "\n  {name}: {}{own}", clean::line(&entry.title));
         let status = entry.status.word();
         let rows = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
         for (label, words) in rows.into_iter().filter(|(_, words)| !words.is_empty()) {
-            wrapped(&mut text, label, &output::printable(words));
+            wrapped(&mut text, label, &clean::line(words));
         }
     }
     text

@@ -63,7 +63,7 @@ pub enum FileError {
         hint: String,
     },
     /// No library has this entry.
-    #[error("`{}` is no {library}: {hint}", harmless(.name))]
+    #[error("`{}` is no {library}: {hint}", clean::line(.name))]
     UnknownEntry {
         /// What kind of entry was wanted.
         library: &'static str,

@@ -13,8 +13,9 @@ mod files;
 #[cfg(test)]
 mod hostile;
 #[cfg(test)]
-mod libraries;
 mod kills;
+#[cfg(test)]
+mod libraries;
 #[cfg(test)]
 mod limit;
 #[cfg(test)]
