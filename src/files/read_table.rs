@@ -122,7 +122,8 @@ fn points_in(text: &str, path: &Path) -> Result<Vec<[f64; 2]>, String> {
     let mut points = Vec::new();
     for (index, row) in reader.records().enumerate() {
         let row = row.map_err(|error| format!("cannot read `{shown}` as CSV: {error}"))?;
-        let field = |at: usize| row.get(at).and_then(|field| field.parse::<f64>().ok());
+        let finite = |number: &f64| number.is_finite();
+        let field = |at: usize| row.get(at).and_then(|field| field.parse().ok()).filter(finite);
         let line = row.position().map_or(index as u64 + 1, csv::Position::line);
         match (field(0), field(1)) {
             (Some(x), Some(force)) => points.push([x, force]),

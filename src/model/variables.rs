@@ -421,10 +421,12 @@ impl Variable {
                 )
             }
         };
+        // What was written, even where it is no number.
+        let written = if value.is_finite() { units::shortest(value) } else { value.to_string() };
         VariableError::Impossible {
             symbol: self.symbol,
             key: self.key,
-            value: format!("{} {unit}", units::shortest(value)).trim_end_matches(" -").to_owned(),
+            value: format!("{written} {unit}").trim_end_matches(" -").to_owned(),
             meaning: self.meaning,
             allowed: number.allowed.describe(number.quantity),
             cure,

@@ -1,5 +1,8 @@
 //! Messages to the person: the message row shows the newest, the Log tab keeps them all.
 
+use crate::model::run::{Run, Warning};
+use crate::model::units::{fixed_significant, scientific};
+
 /// How serious a message is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
@@ -38,4 +41,35 @@ pub struct Notice {
     pub severity: Severity,
     /// One line of text.
     pub text: String,
+}
+
+/// How many times too much, to three digits.
+pub(super) fn times(ratio: f64) -> String {
+    fixed_significant(ratio, 3)
+}
+
+/// The first warning of a run in a few words, for the status row.
+pub(super) fn demand(run: &Run) -> Option<String> {
+    run.warnings.iter().find_map(|warning| match warning {
+        Warning::InterfacePush { ratio, .. } => {
+            Some(format!("! interface {} x A S_y", times(*ratio)))
+        }
+        Warning::InterfacePull { ratio, .. } if !ratio.is_finite() => {
+            Some("! pulls without a grip".to_owned())
+        }
+        Warning::InterfacePull { ratio, .. } => {
+            Some(format!("! interface {} x g A S_y", times(*ratio)))
+        }
+        Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
+        Warning::EnergyDrift { residual } => {
+            Some(format!("! energy off by {}", scientific(*residual, 0)))
+        }
+        Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
+        Warning::PlateMeetsNext { .. } => Some("! plates meet".to_owned()),
+        Warning::InterfaceWithoutStrength
+        | Warning::EndedEarly(_)
+        | Warning::Model(_)
+        | Warning::StillMoving { .. }
+        | Warning::NoBaseline => None,
+    })
 }

@@ -1,6 +1,6 @@
 //! The texts of the message row and the status row, and the summary printed after leaving. No drawing.
 
-use super::notice::Severity;
+use super::notice::{Severity, demand, times};
 use super::quantity::Quantity;
 use super::runs::{RunView, engineering, millimetres, name_of};
 use super::show_duration;
@@ -371,37 +371,6 @@ fn steps(run: &Run) -> String {
 
 fn plural(word: &str, count: usize) -> String {
     format!("{word}{}", if count == 1 { "" } else { "s" })
-}
-
-/// How many times too much, to three digits.
-fn times(ratio: f64) -> String {
-    crate::model::units::fixed_significant(ratio, 3)
-}
-
-/// The interface demand where it is more than can be carried.
-fn demand(run: &Run) -> Option<String> {
-    run.warnings.iter().find_map(|warning| match warning {
-        Warning::InterfacePush { ratio, .. } => {
-            Some(format!("! interface {} x A S_y", times(*ratio)))
-        }
-        Warning::InterfacePull { ratio, .. } if !ratio.is_finite() => {
-            Some("! pulls without a grip".to_owned())
-        }
-        Warning::InterfacePull { ratio, .. } => {
-            Some(format!("! interface {} x g A S_y", times(*ratio)))
-        }
-        Warning::PenetrationResumed { .. } => Some("! penetration resumed".to_owned()),
-        Warning::EnergyDrift { residual } => {
-            Some(format!("! energy off by {}", crate::model::units::scientific(*residual, 0)))
-        }
-        Warning::Limit(_) => Some("! a spring is beyond its limit".to_owned()),
-        Warning::PlateMeetsNext { .. } => Some("! plates meet".to_owned()),
-        Warning::InterfaceWithoutStrength
-        | Warning::EndedEarly(_)
-        | Warning::Model(_)
-        | Warning::StillMoving { .. }
-        | Warning::NoBaseline => None,
-    })
 }
 
 /// `now`, or the pin's letter.
