@@ -26,7 +26,7 @@ fn a_long_run_tells_the_time_it_has_reached_and_keeps_it() {
     let arguments: Vec<&str> = words.split(' ').collect();
     let (page, terminal) = interrupted(&arguments, " s after ");
     assert!(page.contains("the run is incomplete: cancelled: what was finished is kept"), "{page}");
-    let rows = std::fs::read_to_string(terminal.file("long.csv")).unwrap();
+    let rows = std::fs::read_to_string(terminal.file("long.partial.csv")).unwrap();
     assert!(rows.lines().count() > 1_000 && rows.ends_with('\n'));
 }
 

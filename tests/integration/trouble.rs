@@ -138,6 +138,7 @@ fn a_table_is_renamed_where_its_name_is_taken_and_paths_are_completed() {
     // The Limit tab has a table of shots.
     terminal.send("8");
     terminal.wait_for("V50");
+    terminal.settle(QUIET);
     terminal.send("e\x15tak\t");
     terminal.wait_for("taken.csv");
     terminal.send("\r");
