@@ -43,6 +43,18 @@ fn the_page_says_what_there_is_and_what_there_is_not() {
 }
 
 #[test]
+fn the_criterion_is_asked_for_and_said() {
+    let by = |word: &str| json(&["--set", "mount=rigid", "--scatter", "0", "--criterion", word]);
+    let (passage, protrusion) = (by("passage"), by("protrusion"));
+    assert_eq!(passage["criterion"], "passage");
+    assert_eq!(protrusion["criterion"], "protrusion");
+    let limit = |found: &Value| found["limit_velocity_m_s"].as_f64().unwrap();
+    assert!(limit(&protrusion) < limit(&passage));
+    assert!(output(&["--scatter", "0"]).contains("complete passage"));
+    cmra("limit", &["--criterion", "nope"]).assert().code(2);
+}
+
+#[test]
 fn shots_are_rows_and_absent_velocities_empty() {
     let table = output(&["--csv", "-", "--scatter", "0"]);
     let mut lines = table.lines();

@@ -7,6 +7,8 @@ mod charts;
 #[cfg(test)]
 mod cli;
 #[cfg(test)]
+mod decided;
+#[cfg(test)]
 mod estimate;
 #[cfg(test)]
 mod files;

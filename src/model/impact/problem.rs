@@ -12,7 +12,7 @@ use crate::numerics::{larger, smaller};
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
 /// waited for at the most.
 const CREPT: f64 = 1e-14;
-const DECAY_MAX: f64 = 1e3;
+const DECAY_MAX: f64 = 50.0;
 
 /// Swings of the spring, with all energy in it, after which a run ends at the latest, and where the interface may give way.
 const SWINGS: f64 = 20.0;

@@ -29,13 +29,15 @@ const CLOSEST: f64 = 4.0 * TICK;
 /// How near to an event, relative to its place in the step, the polynomial through the stages finds it.
 const NEAR: f64 = 1e-3;
 /// Work of one of Newton's iterations, in Taylor expansions, and the most iterations of a step.
-const NEWTON: usize = 4;
+const NEWTON: usize = 1;
 const ITERATIONS_MAX: usize = 25;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
 const LOCAL: f64 = 1e-3;
-/// The estimate, relative to the impact velocity, below which it follows swings of the plate that the contact does not feel, and
-/// the power with which the rest of a tighter tolerance still counts, so that two tolerances do not share their steps.
+/// Displacement of the plate, relative to the travel, up to which the contact does not feel its swings; the estimate, relative to the
+/// impact velocity, below which it follows them all the same; and the power with which the rest of a tighter tolerance still
+/// counts, so that two tolerances do not share their steps.
+const UNFELT_M: f64 = 1e-7;
 const FELT: f64 = 1e-9;
 const BELOW_FELT: f64 = 0.05;
 
@@ -104,7 +106,8 @@ impl Track<'_> {
     /// What the estimate of a step may be, relative to the scales.
     fn estimate_allowed(&self) -> f64 {
         let allowed = LOCAL * self.tolerance.powf(2.0 / 3.0);
-        if self.is_sliding() && allowed < FELT {
+        let unfelt = self.plate_scale_m < UNFELT_M * self.state.travel_m;
+        if self.is_sliding() && unfelt && allowed < FELT {
             FELT * (allowed / FELT).powf(BELOW_FELT)
         } else {
             allowed

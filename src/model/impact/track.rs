@@ -32,8 +32,8 @@ const EVENTS_MAX: usize = 400_000;
 /// an undamped spring goes on for ever.
 const TURNS_MAX: usize = 1_000;
 const UNDECIDED_STEPS: usize = 15_000;
-/// How many times as many the first contact may have: it ends.
-const FIRST_CONTACT: usize = 20;
+/// How many times as many steps the first contact may take: it ends.
+const FIRST_CONTACT: usize = 6;
 
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
@@ -225,15 +225,17 @@ impl<'a> Track<'a> {
     /// ends at the same step on every machine.
     fn budget_used_up(&self) -> Option<EndReason> {
         let in_first_contact = self.mode == Mode::Penetrating && self.record.first_arrest.is_none();
-        let times = self.problem.patience * if in_first_contact { FIRST_CONTACT } else { 1 };
-        let swings_on = self.turns + self.event_count > TURNS_MAX * times
-            && self.steps > UNDECIDED_STEPS * times;
-        if swings_on && !self.problem.horizon_is_asked {
+        let patience = self.problem.patience;
+        let steps = UNDECIDED_STEPS * patience * if in_first_contact { FIRST_CONTACT } else { 1 };
+        let swings_on =
+            !self.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX * patience;
+        let is_worked_off = self.work.get() > WORK_MAX;
+        if swings_on && (self.steps > steps || is_worked_off) {
             Some(EndReason::Swings)
         } else if self.event_count > EVENTS_MAX {
             Some(EndReason::EventBudget)
         } else {
-            (self.work.get() > WORK_MAX).then_some(EndReason::StepBudget)
+            is_worked_off.then_some(EndReason::StepBudget)
         }
     }
 
@@ -498,4 +500,22 @@ pub(super) fn is_finite(state: &State) -> bool {
 /// The side of zero of a number, or `other` for zero itself.
 pub(super) fn side(z: f64, other: f64) -> f64 {
     if z == 0.0 { other } else { sign(z) }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::scene::Scene;
+
+    #[test]
+    fn work_is_counted_until_the_budget_is_used_up() {
+        let problem = Problem::of(&Arc::new(Scene::default()));
+        let track = Track::new(&problem, 1e-9, false);
+        track.worked(WORK_MAX);
+        assert_eq!(track.budget_used_up(), None);
+        track.worked(1);
+        assert_eq!(track.budget_used_up(), Some(EndReason::StepBudget));
+    }
 }

@@ -82,6 +82,44 @@ fn valid_limits_with_a_rigid_stop_against_the_reference() {
     }
 }
 
+/// Model page, section 2: the velocity at which the depth on a rigid mount is the thickness.
+#[test]
+fn valid_the_limit_by_protrusion_is_where_the_nose_reaches_the_rear_face() {
+    let rigid = scene("mount=rigid");
+    let effort = Effort { criterion: Criterion::Protrusion, ..PLAIN };
+    let report = find(&rigid, effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    let geometry = Geometry::of(&rigid);
+    let volume = geometry.swept_m3(geometry.travel_m(rigid.target.thickness_m));
+    let c = rigid.drag_kg_m3();
+    let squared =
+        rigid.flow_strength_pa() / c * (2.0 * c * volume / rigid.projectile.mass_kg).exp_m1();
+    let found = report.limit.velocity_m_s().unwrap();
+    assert!((found / squared.sqrt() - 1.0).abs() < 1e-8, "{found}");
+    assert!(found < 232.295_378);
+}
+
+/// A shot whose run ends undecided is stopped where it has no energy left to go through, and else neither stopped nor through.
+#[test]
+fn undecided_shots_are_not_counted_as_stopped() {
+    let settings = Settings { series: false, estimate: false };
+    let verdict = |pairs: &str| {
+        let run = simulate(&scene(pairs), &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+        assert_eq!(run.outcome, Outcome::Moving, "{pairs}");
+        Verdict::of(&run, Criterion::Passage)
+    };
+    assert_eq!(verdict("k=1e5 v_i=300 run.horizon_s=1e-5"), Verdict::Undecided);
+    let rattles = "k=5e6 gamma=3 interface=plastic v_i=20 run.horizon_s=0.003";
+    assert_eq!(verdict(rattles), Verdict::Stopped);
+}
+
+#[test]
+fn a_limit_between_two_velocities_says_which() {
+    let limit = Limit::Between { stopped_m_s: Some(157.325), perforated_m_s: Some(157.337) };
+    let text = limit.absence().unwrap();
+    assert!(text.contains("157.325 m/s (stopped)") && text.contains("157.337 m/s (perforated)"));
+    assert_eq!((limit.velocity_m_s(), limit.bracket_m_s().0), (None, Some(157.325)));
+}
+
 #[test]
 fn no_limit_is_said_as_such() {
     let always = found("S_y=0");

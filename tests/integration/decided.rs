@@ -1,0 +1,84 @@
+//! What is decided when a run ends, and what is known of the rest.
+
+use cmra::model::run::{EndReason, Outcome, Run};
+
+use crate::support::{assert_near, run, scene};
+
+fn of(pairs: &str) -> Run {
+    run(scene(pairs))
+}
+
+/// Issue 15, 0 d: 150.715 m/s at 1e-9, undecided at 1e-11.
+#[test]
+fn valid_a_tighter_tolerance_keeps_the_answer() {
+    for tolerance in ["1e-9", "1e-11"] {
+        let found = of(&format!("gamma=0.82 k=3.1e6 n=0.205 v_i=286.6 run.tolerance={tolerance}"));
+        assert_eq!(found.outcome, Outcome::Perforated, "{tolerance}");
+        assert!((found.residual_velocity_m_s.unwrap() - 150.715).abs() < 5e-4, "{tolerance}");
+    }
+}
+
+/// A spring of 126 kN at a nanometre does not let the contact move its plate: the depth is that on a rigid mount (model page,
+/// section 2). The plate swings some thousand times within the contact.
+#[test]
+fn valid_a_plate_that_swings_thousands_of_times_in_the_contact_is_followed_to_its_arrest() {
+    let found = of("k=1e6 n=0.1 d=1e-9");
+    assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
+    assert_near(found.final_penetration_m.unwrap(), 7.113_055e-3, 1e-6);
+}
+
+/// Without a spring nothing brings back a plate that its elastic stop has thrown back with the projectile in it.
+#[test]
+fn a_free_plate_that_leaves_its_elastic_stop_with_the_projectile_is_decided() {
+    let found = of("k=0 interface=plastic x_stop=0.005 stop_kind=elastic");
+    assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
+    assert!(found.max_plate_displacement_m.unwrap() > 0.005);
+    assert!(found.at_least.is_empty());
+}
+
+/// It creeps to zero with b/k = 20 ms: its stroke is the cocking distance.
+#[test]
+fn valid_a_plate_that_creeps_back_against_its_damper_has_its_stroke() {
+    let found = of("d=0.1 b=2000 k=1e5");
+    assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
+    assert_near(found.stroke_m().unwrap(), 0.1, 1e-9);
+}
+
+/// Friction holds the projectile more and more, half a millimetre from the bottom of its hole. Followed for much longer, the hole
+/// gets no deeper and the plate goes no farther.
+#[test]
+fn valid_a_projectile_that_slips_in_its_hole_far_from_its_bottom_is_arrested() {
+    let pairs = "interface=plastic gamma=5.730200106507319 k=7068377.128327877";
+    let found = of(pairs);
+    assert_eq!((found.outcome, found.end), (Outcome::Arrested, EndReason::Decided));
+    let long = of(&format!("{pairs} run.horizon_s=0.3"));
+    assert_eq!(found.final_penetration_m, long.final_penetration_m);
+    assert_eq!(found.max_plate_displacement_m, long.max_plate_displacement_m);
+}
+
+/// What a run leaves open lies between what it has reached and what its energy allows: there a longer run finds it.
+#[test]
+fn valid_an_undecided_depth_has_a_lower_and_an_upper_bound() {
+    let pairs = "interface=plastic gamma=3 k=5e6 v_i=20";
+    let short = of(&format!("{pairs} run.horizon_s=0.001"));
+    assert_eq!(short.outcome, Outcome::Moving);
+    assert!(short.final_penetration_m.is_none());
+    let (least, most) =
+        (short.at_least.penetration_m.unwrap(), short.penetration_at_most_m.unwrap());
+    let long = of(&format!("{pairs} run.horizon_s=0.1"));
+    let depth = long.final_penetration_m.or(long.at_least.penetration_m).unwrap();
+    assert!(least < depth && depth < most, "{least} {depth} {most}");
+    // So little energy is left that the plate has been at its farthest.
+    assert!(short.max_plate_displacement_m.is_some());
+    assert_eq!(short.max_plate_displacement_m, long.max_plate_displacement_m);
+}
+
+/// The nose is out of the back of the plate, and stays there.
+#[test]
+fn a_nose_that_stands_out_of_the_rear_face_is_said_as_such() {
+    let found = of("h=0.012 v_i=170 mount=rigid");
+    assert_eq!(found.outcome, Outcome::Arrested);
+    let out = found.protrusion_m().unwrap();
+    assert_near(out, found.final_penetration_m.unwrap() - 0.012, 1e-12);
+    assert!(of("mount=rigid").protrusion_m().is_none());
+}
