@@ -12,10 +12,12 @@ use clap_complete::Shell;
 use crate::files::clean;
 
 mod accuracy;
+mod again;
 mod compare;
 mod completions;
 mod design;
 mod error;
+mod fit;
 mod help;
 mod json;
 mod libraries;
@@ -35,6 +37,7 @@ mod scene;
 mod search;
 mod seek;
 mod sensitivity;
+mod sidecar;
 mod stability;
 mod summary;
 mod sweep;
@@ -78,6 +81,8 @@ enum Command {
     Stability(stability::StabilityArguments),
     /// Find the ballistic limit, the velocity left beyond it, and how both scatter
     Limit(limit::LimitArguments),
+    /// Find V50 from shots of a test, and the strength that gives it
+    Fit(fit::FitArguments),
     /// Check every claim of the thesis against what is computed
     Reproduce(reproduce::ReproduceArguments),
     /// Check the model against measurements from outside the thesis
@@ -167,6 +172,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Accuracy(arguments)) => accuracy::run(&arguments),
         Some(Command::Stability(arguments)) => stability::run(&arguments),
         Some(Command::Limit(arguments)) => limit::run(&arguments),
+        Some(Command::Fit(arguments)) => fit::run(&arguments),
         Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
         Some(Command::Validate(arguments)) => validate::run(&arguments),
         Some(Command::Design(arguments)) => design::run(&arguments),

@@ -22,6 +22,7 @@ pub mod scatter;
 pub mod seek;
 pub mod sensitivity;
 pub mod session;
+pub mod shots;
 pub mod stability;
 pub mod style;
 pub mod sweep;

@@ -4,6 +4,7 @@
 //! Whoever wants a time measured passes the clock in.
 
 pub mod accuracy;
+pub mod fit;
 pub mod limit;
 pub mod models;
 pub mod principles;

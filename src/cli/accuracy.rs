@@ -8,10 +8,10 @@ use std::sync::Arc;
 
 use clap::Args;
 
-use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene;
 use crate::cli::table::TableArguments;
+use crate::cli::{CliError, output};
 use crate::files::accuracy::{self as rows, Named};
 use crate::files::bundled;
 use crate::study::accuracy::{Effort, compare};
@@ -57,5 +57,9 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     pace.clear();
     let (page, json) = (|| page::text(&reports), || rows::json(&reports));
     arguments.table.deliver_text(page, json, || rows::csv(&reports))?;
-    Ok(pace.exit_code(reports.iter().all(|(_, report)| rows::auto_answers(report))))
+    let failures: Vec<String> = reports.iter().flat_map(rows::auto_failures).collect();
+    for failure in &failures {
+        output::note(failure);
+    }
+    Ok(pace.exit_code(failures.is_empty()))
 }

@@ -76,7 +76,7 @@ fn part(text: &str) -> Result<f64, String> {
 
 /// Find the limit; that there is none is an answer, too. Exit status 1 after an interrupt.
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
+    arguments.table.check_beside()?;
     let effort = Effort { criterion: arguments.criterion, scattering: arguments.scattering()? };
     let preset = arguments.scene.load()?;
     let mut pace = Pace::begin();
@@ -86,6 +86,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || rows::json(name, &report);
-    arguments.table.deliver_report(page, object, &rows::shots(name, &report))?;
+    let table = arguments.table.of(&arguments.scene, &report.scene);
+    table.deliver_report(page, object, &rows::shots(name, &report))?;
     Ok(pace.exit_code(true))
 }

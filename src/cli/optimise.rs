@@ -130,7 +130,7 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
 
 /// Look; exit status 1 when no design keeps every constraint, or after an interrupt.
 pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
+    arguments.table.check_beside()?;
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
     let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
@@ -139,14 +139,15 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
     let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?.limited(STEPS_MAX);
     let mut pace = Pace::begin();
-    say_if_long(&field, task.runs(), task.threads);
+    say_if_long(&field, task.runs());
     let fronts =
         optimise(&preset.scene, &task, &mut |done, total, _| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();
     let json = || files::json(name, &task, &fronts);
     let page = || page::text(name, &task, &fronts);
-    arguments.table.deliver_text(page, json, || files::csv(name, &task, &fronts))?;
+    let table = arguments.table.of(&arguments.scene, &preset.scene);
+    table.deliver_text(page, json, || files::csv(name, &task, &fronts))?;
     let found = fronts.iter().all(|front| !front.designs.is_empty());
     Ok(pace.exit_code(found))
 }

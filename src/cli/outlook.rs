@@ -1,6 +1,6 @@
 //! How long a great number of runs will take, said before they begin where that is long: estimated from a few of them.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::time::{Duration, Instant};
 
 use crate::cli::output;
@@ -8,45 +8,68 @@ use crate::cli::sweep::page::duration;
 
 /// What is expected to take longer is announced.
 const LONG: Duration = Duration::from_secs(60);
-/// Runs tried for that, and how long they may take together.
-const TRIED: u64 = 48;
+/// How long the trial may take.
 const TRYING: Duration = Duration::from_millis(250);
-/// At the most one run for so many is tried: nobody asks how long fewer will take.
+/// At the most one run for so many is tried.
 const SPARED: u64 = 4;
+/// Runs of the first batch, and how much larger each further one is: what a batch costs to begin is small against the last one.
+const FIRST: u64 = 8;
+const GROWTH: u64 = 4;
 
 /// Asked by a trial now and then: `Break` when it takes too long.
 pub(super) type GoOn<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
 
-/// Try a few of so many runs, and say how long all will take on so many threads where that is long. `attempt` makes the trial of
-/// this number, of so many; `Break` when it was cut short.
+/// Try batches of so many runs, the way and on the threads all of them will take, and say how long that will be where it is long.
+/// `attempt` makes the runs of these numbers, and gives how many it finished.
 pub(super) fn say_if_long(
     (runs, what): (u64, &str),
-    threads: usize,
-    mut attempt: impl FnMut(u64, u64, GoOn<'_>) -> ControlFlow<()>,
+    mut attempt: impl FnMut(Range<u64>, GoOn<'_>) -> u64,
 ) {
-    let most = TRIED.min(runs / SPARED);
     let start = Instant::now();
     let is_time = || start.elapsed() < TRYING;
-    let (mut tried, mut cut_short) = (0, false);
-    while tried < most && is_time() {
-        let go_on =
-            &mut || if is_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
-        cut_short = attempt(tried, most, go_on).is_break();
-        tried += 1;
+    let go_on = &mut || if is_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+    let (mut tried, mut size, mut done) = (0, FIRST, 0);
+    while tried < runs / SPARED && is_time() {
+        let until = (tried + size).min(runs / SPARED);
+        done += attempt(tried..until, go_on);
+        (tried, size) = (until, size * GROWTH);
     }
-    let each_s = start.elapsed().as_secs_f64() / tried.max(1) as f64;
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let takes_s = each_s * runs as f64 / threads.min(cores) as f64;
-    if cut_short {
+    if done == 0 {
+        if tried > 0 {
+            output::note(&format!(
+                "none of the {what} was finished in {} ms, all {runs} of them take long; an interrupt keeps what is finished",
+                TRYING.as_millis()
+            ));
+        }
+        return;
+    }
+    let takes_s = start.elapsed().as_secs_f64() * runs as f64 / done as f64;
+    if takes_s > LONG.as_secs_f64() {
         output::note(&format!(
-            "one of the {what} takes more than {} ms, all {runs} of them more than {}; an interrupt keeps what is finished",
-            TRYING.as_millis() / u128::from(tried),
-            duration(takes_s),
-        ));
-    } else if takes_s > LONG.as_secs_f64() {
-        output::note(&format!(
-            "{runs} {what} will take about {} (estimated from {tried} of them); an interrupt keeps what is finished",
+            "{runs} {what} will take about {} (estimated from {done} of them); an interrupt keeps what is finished",
             duration(takes_s)
         ));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every number is tried once, batches grow, and a quarter of the runs is the most.
+    #[test]
+    fn batches_grow_and_end_at_a_quarter() {
+        let mut seen = Vec::new();
+        say_if_long((100, "runs"), |numbers, _| {
+            seen.push(numbers.clone());
+            numbers.end - numbers.start
+        });
+        assert_eq!(seen, [0..8, 8..25]);
+        seen.clear();
+        say_if_long((3, "runs"), |numbers, _| {
+            seen.push(numbers);
+            1
+        });
+        assert!(seen.is_empty());
     }
 }

@@ -10,7 +10,7 @@ use clap::Args;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::thesis as rows;
-use crate::study::thesis::{self, Claim, Row, Verdict};
+use crate::study::thesis::{self, Basis, Claim, Row, Verdict};
 
 /// Width to write for.
 const WIDTH: usize = 100;
@@ -39,29 +39,37 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
             (report, differences)
         }
         Some(text) => {
-            let shown = only(text);
+            let shown = only(text)?;
             let differences = rows::changed(&shown);
             (shown, differences)
         }
     };
-    arguments.table.deliver(&page(&shown), &rows::rows(&shown))?;
+    arguments.table.deliver(&page(&shown, differences.len()), &rows::rows(&shown))?;
     for difference in &differences {
         output::note(&format!("verdict differs from the stored table: {difference}"));
     }
     Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// The rows with this text in them; all are computed only where it may be a verdict's.
-fn only(text: &str) -> Vec<Row> {
+/// The rows with this text in them; all are computed only where it may be a verdict's. No row at all is refused.
+fn only(text: &str) -> Result<Vec<Row>, CliError> {
     let wanted = text.to_lowercase();
     let has = |field: &str| field.to_lowercase().contains(&wanted);
     let said = |claim: &Claim| [claim.id, claim.place, claim.says].into_iter().any(has);
     if Verdict::ALL.into_iter().any(|verdict| has(verdict.words())) {
         let mut rows = report(&thesis::claims().collect::<Vec<_>>());
         rows.retain(|row| said(row.claim) || has(row.found.verdict.words()));
-        return rows;
+        return Ok(rows);
     }
-    report(&thesis::claims().filter(|claim| said(claim)).collect::<Vec<_>>())
+    let chosen: Vec<_> = thesis::claims().filter(|claim| said(claim)).collect();
+    if chosen.is_empty() {
+        return Err(CliError::Option(format!(
+            "--only {text}: none of the {} rows has this in its name, place, sentence or verdict; write a section (9.3), a \
+             name (A.2-coupling), a word (stiffness) or a verdict (misprint)",
+            thesis::claims().count()
+        )));
+    }
+    Ok(report(&chosen))
 }
 
 /// These claims, computed on all cores, in thesis order.
@@ -87,7 +95,7 @@ fn report(claims: &[&'static Claim]) -> Vec<Row> {
     rows.into_iter().map(|(_, row)| row).collect()
 }
 
-fn page(report: &[Row]) -> String {
+fn page(report: &[Row], differences: usize) -> String {
     let mut page = String::new();
     for row in report {
         let claim = row.claim;
@@ -96,7 +104,10 @@ fn page(report: &[Row]) -> String {
         let _ = writeln!(page, "{place}{:gap$}{}", "", claim.id);
         let lines = [
             ("says", claim.says),
-            ("computed", row.found.sound.as_str()),
+            (
+                if row.found.basis == Basis::Read { "read" } else { "computed" },
+                row.found.sound.as_str(),
+            ),
             ("as printed", row.found.printed.as_str()),
             ("cause", row.found.cause),
         ];
@@ -105,15 +116,36 @@ fn page(report: &[Row]) -> String {
         }
         page.push('\n');
     }
+    page.push_str(&summary(report, differences));
+    page
+}
+
+/// What was done: rows by what they rest on, by verdict, and against the stored verdicts.
+fn summary(report: &[Row], differences: usize) -> String {
+    let on = |basis| report.iter().filter(|row| row.found.basis == basis).count();
+    let runs: usize = report.iter().map(|row| row.runs).sum();
     let counts = thesis::tally(report);
-    let parts: Vec<String> = Verdict::ALL
+    let verdicts: Vec<String> = Verdict::ALL
         .iter()
         .zip(counts)
         .filter(|(_, count)| *count > 0)
         .map(|(verdict, count)| format!("{count} {}", verdict.words()))
         .collect();
-    let _ = writeln!(page, "{} rows: {}", report.len(), parts.join(", "));
-    page
+    let stored = if differences == 0 {
+        "Every verdict is the one stored with this program.".to_owned()
+    } else {
+        format!(
+            "{differences} verdicts differ from those stored with this program (listed on standard error)."
+        )
+    };
+    format!(
+        "{} rows: {} computed ({runs} runs), {} read from the text, {} not checked.\nVerdicts: {}.\n{stored}\n",
+        report.len(),
+        on(Basis::Computed),
+        on(Basis::Read),
+        on(Basis::None),
+        verdicts.join(", ")
+    )
 }
 
 /// A label and a text over as many lines as it needs.

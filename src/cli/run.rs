@@ -12,7 +12,7 @@ use crate::cli::compare::{self, Compare};
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
-use crate::cli::table::{MetaWord, TableArguments, Target, exists};
+use crate::cli::table::{TableArguments, Target, exists};
 use crate::cli::{CliError, Glyphs, json, output, plain, summary};
 use crate::files::atomic::Existing;
 use crate::files::csv::{NamedRun, Rows};
@@ -42,9 +42,6 @@ pub(super) struct RunArguments {
     plain: bool,
     #[command(flatten)]
     table: TableArguments,
-    /// Where the scene goes that gave a table: into NAME.toml beside it, or into # lines at its head
-    #[arg(long, value_enum, default_value = "beside", value_name = "WHERE", requires = "csv")]
-    meta: MetaWord,
     /// The characters charts are drawn with
     #[arg(long, value_enum, default_value = "auto", value_name = "GLYPHS")]
     glyphs: Glyphs,
@@ -61,7 +58,7 @@ impl RunArguments {
             runs: named(computed),
             columns: Vec::new(),
             style: self.table.style(),
-            meta: self.meta.meta(),
+            meta: self.table.meta.meta(),
         }
     }
 }
@@ -114,10 +111,13 @@ pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
 
 /// Run one scene.
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check_stdout()?;
     if let Some(what) = arguments.compare {
-        arguments.table.check()?;
-        let (page, rows) = compare::compute(&arguments.scene.load()?, what)?;
-        return arguments.table.deliver(&page, &rows).map(|()| ExitCode::SUCCESS);
+        arguments.table.check_beside()?;
+        let preset = arguments.scene.load()?;
+        let (page, rows) = compare::compute(&preset, what)?;
+        let table = arguments.table.of(&arguments.scene, &preset.scene);
+        return table.deliver(&page, &rows).map(|()| ExitCode::SUCCESS);
     }
     let computed = compute(arguments.scene.load()?)?;
     match arguments.table.target() {
@@ -136,6 +136,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if arguments.table.json {
         output::print(&json::text(&computed))?;
     } else {
+        output::print(&arguments.scene.changed())?;
         let charts = if arguments.plain { Charts::With(arguments.glyphs) } else { Charts::Without };
         print_readable(&computed, charts)?;
     }

@@ -80,18 +80,19 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 
 /// Draw; exit status 1 when a sample failed, or after an interrupt.
 pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
+    arguments.table.check_beside()?;
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
     let mut pace = Pace::begin();
-    say_if_long(&field(&preset.scene, &task)?, task.samples, task.threads);
+    say_if_long(&field(&preset.scene, &task)?, task.samples);
     let report = scatter(&preset.scene, &task, &mut |done, total| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    arguments.table.deliver_report(page, object, &rows)?;
+    let table = arguments.table.of(&arguments.scene, &preset.scene);
+    table.deliver_report(page, object, &rows)?;
     if report.census[4] > 0 {
         output::note(&format!("{} samples failed and are left out", report.census[4]));
     }

@@ -17,6 +17,9 @@ use crate::model::scene::{Closure, Scene, SpringKind, Table};
 use crate::model::units::Bare;
 use crate::model::variables;
 
+/// Width of a page.
+const WIDTH: usize = 80;
+
 /// SCENE and its changes.
 #[derive(Debug, Args)]
 pub(super) struct SceneArguments {
@@ -60,6 +63,26 @@ impl SceneArguments {
         Ok(preset)
     }
 
+    /// Whether a scene, or a change of one, was named.
+    pub(super) fn is_given(&self) -> bool {
+        self.scene.is_some() || !self.changes.typed().is_empty()
+    }
+
+    /// The scene as it was typed.
+    pub(super) fn name(&self) -> &str {
+        self.scene.as_deref().map_or(bundled::BASELINE, |name| name.to_str().unwrap_or("a file"))
+    }
+
+    /// Lines for the head of a page that repeat what was changed; empty where nothing was.
+    pub(super) fn changed(&self) -> String {
+        let typed = self.changes.typed();
+        if typed.is_empty() {
+            return String::new();
+        }
+        let changes = output::printable(&typed.join(", "));
+        wrapped(&format!("changed: {changes}"), WIDTH).join("\n") + "\n"
+    }
+
     /// The first `--set` of a variable that is chosen by its key.
     pub(super) fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
         self.changes.set_of(is_chosen)
@@ -100,11 +123,41 @@ impl Changes {
         Ok(())
     }
 
+    /// The changes as they were typed.
+    fn typed(&self) -> Vec<String> {
+        let asked = [
+            (Library::Threats, &self.threat),
+            (Library::Materials, &self.material),
+            (Library::Absorbers, &self.absorber),
+        ];
+        let entries = asked
+            .into_iter()
+            .filter_map(|(library, name)| Some(format!("{} {}", library.word(), name.as_deref()?)));
+        entries.chain(self.set.iter().cloned()).collect()
+    }
+
     fn set_of(&self, is_chosen: impl Fn(&str) -> bool) -> Option<&str> {
         let variable = |argument: &str| variables::find(argument.split('=').next()?.trim()).ok();
         let mut set = self.set.iter().map(String::as_str);
         set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
     }
+}
+
+/// A text in lines of so many characters, broken at blanks; what is longer without a blank has a line of its own.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let last = lines.last().map_or(0, |line| line.chars().count());
+        if last > 0 && last + 1 + word.chars().count() > width {
+            lines.push(format!("  {word}"));
+        } else if let Some(line) = lines.last_mut() {
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+    }
+    lines
 }
 
 /// Make every change of `--set`, in order.

@@ -31,13 +31,18 @@ pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliEr
 }
 
 /// Say how long so many runs of designs spread over the bounds will take, where that is long.
-pub(super) fn say_if_long(field: &Field, runs: usize, threads: usize) {
-    outlook::say_if_long((runs as u64, "runs"), threads, |tried, _, go_on| {
+pub(super) fn say_if_long(field: &Field, runs: usize) {
+    outlook::say_if_long((runs as u64, "runs"), |tried, go_on| {
         // Shares that do not fall on one line through the box.
-        let share = |axis: usize| (0.5 + 0.618_034 * (tried * (axis as u64 + 1)) as f64).fract();
-        let axes = field.axes().iter().enumerate();
-        let design = axes.map(|(at, axis)| axis.at_share(share(at))).collect();
-        let ended = field.evaluate(&[design], &mut |_| go_on());
-        if ended.is_break() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let share =
+            |at: u64, axis: usize| (0.5 + 0.618_034 * (at * (axis as u64 + 1)) as f64).fract();
+        let design = |at: u64| {
+            let axes = field.axes().iter().enumerate();
+            axes.map(|(number, axis)| axis.at_share(share(at, number))).collect()
+        };
+        let designs: Vec<Vec<f64>> = tried.map(design).collect();
+        let ended = field.evaluate(&designs, &mut |_| go_on());
+        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
+        found.len() as u64
     });
 }

@@ -61,19 +61,20 @@ impl SeekArguments {
 
 /// Seek; exit status 1 when nothing reaches the goal.
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
+    arguments.table.check_beside()?;
     let goal = arguments.goal()?;
     let preset = arguments.scene.load()?;
     let field = Field::new(&preset.scene, vec![goal.axis], &[&goal.measure], goal.threads)?;
     let mut pace = Pace::begin();
-    say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), goal.threads);
+    say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX));
     let report = seek(&preset.scene, &goal, &mut |done, total| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    arguments.table.deliver_report(page, object, &rows)?;
+    let table = arguments.table.of(&arguments.scene, &preset.scene);
+    table.deliver_report(page, object, &rows)?;
     let found = !report.solutions.is_empty();
     Ok(pace.exit_code(found))
 }

@@ -66,14 +66,14 @@ impl SensitivityArguments {
 
 /// Find out.
 pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
+    arguments.table.check_beside()?;
     let effort = arguments.effort()?;
     let preset = arguments.scene.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
     let mut pace = Pace::begin();
     if let Ok(field) = Field::new(&preset.scene, axes.clone(), &[&arguments.output], effort.threads)
     {
-        say_if_long(&field, effort.runs(axes.len()), effort.threads);
+        say_if_long(&field, effort.runs(axes.len()));
     }
     let watch = &mut |done: usize, total: usize| pace.count(done, total, "runs");
     let report = study(&preset.scene, axes, &arguments.output, effort, watch)?;
@@ -82,6 +82,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    arguments.table.deliver_report(page, object, &rows)?;
+    let table = arguments.table.of(&arguments.scene, &preset.scene);
+    table.deliver_report(page, object, &rows)?;
     Ok(pace.exit_code(true))
 }

@@ -7,10 +7,10 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::CliError;
 use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
+use crate::cli::{CliError, output};
 use crate::files::stability as values;
 use crate::study::stability::map::{self, Axis, Method};
 use crate::study::stability::{self, Row};
@@ -65,6 +65,12 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     if let Some(axis) = arguments.map {
         return draw_map(arguments, axis);
     }
+    if arguments.scene.is_given() {
+        return Err(CliError::Option(
+            "SCENE and --set belong to --map: the battery has scenes of its own; add --map k (or n, b), or leave SCENE and --set out"
+                .to_owned(),
+        ));
+    }
     let (cases, stop) = (stability::battery(arguments.quick), interruptible());
     let mut pace = Pace::stopped_by(Arc::clone(&stop));
     let tell = &mut |done, total, _: &dyn Fn() -> Vec<Row>| pace.count(done, total, "scenes");
@@ -76,11 +82,23 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     pace.clear();
     let page = || table::battery(&rows, took_s, table::width());
     arguments.rows.deliver_text(page, || values::json(&rows), || values::csv(&rows))?;
-    let short = rows.iter().any(|row| row.shortfall.is_some());
-    Ok(pace.exit_code(!short))
+    let mut good = true;
+    for row in &rows {
+        if let Some(shortfall) = row.shortfall {
+            good = false;
+            output::note(&format!(
+                "{} fails: {} ({})",
+                row.case.name,
+                shortfall.words(),
+                row.run.end.words()
+            ));
+        }
+    }
+    Ok(pace.exit_code(good))
 }
 
 fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, CliError> {
+    arguments.rows.check_beside()?;
     let preset = arguments.scene.load()?;
     map::accepts(&preset.scene)?;
     let axis = match axis {
@@ -99,6 +117,7 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     };
     let name = preset.name.as_str();
     let (page, object) = (|| table::map(&map, name), || values::map_json(name, &map));
-    arguments.rows.deliver_text(page, object, || values::map_rows(name, &map).csv())?;
+    let table = arguments.rows.of(&arguments.scene, &preset.scene);
+    table.deliver_text(page, object, || values::map_rows(name, &map).csv())?;
     Ok(ExitCode::SUCCESS)
 }

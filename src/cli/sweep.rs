@@ -18,8 +18,8 @@ use clap::Args;
 use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{MetaWord, TableArguments, Target, exists};
-use crate::cli::{CliError, outlook, output};
-use crate::files::atomic::{self, Existing, Growing};
+use crate::cli::{self, CliError, outlook, output};
+use crate::files::atomic::{self, Growing};
 use crate::files::export;
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
@@ -27,6 +27,9 @@ use crate::model::results;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use axes::{Asked, DesignWord};
+
+/// Pieces that a sweep has at the least, when its time is estimated from some of them.
+const PIECES_MIN: u64 = 16;
 
 #[derive(Debug, Args)]
 #[command(
@@ -68,13 +71,11 @@ pub(super) struct SweepArguments {
     threads: Option<u16>,
     #[command(flatten)]
     table: TableArguments,
-    /// Where the scene goes that gave a table: into NAME.toml beside it, or into # lines at its head
-    #[arg(long, value_enum, default_value = "beside", value_name = "WHERE", requires = "csv")]
-    meta: MetaWord,
 }
 
 /// Sweep; exit status 1 when a point failed or the sweep was interrupted.
 pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check_stdout()?;
     let preset = arguments.scene.load()?;
     let csv_wanted = !matches!(arguments.table.target(), Target::None);
     let rows_wanted = arguments.table.json || csv_wanted;
@@ -108,6 +109,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         let columns = if all { Columns::All } else { Columns::Chosen };
         job.rows(arguments, columns)?
     } else {
+        output::print(&arguments.scene.changed())?;
         job.page()?
     };
     let (done, all) = (ended.points(), shard.of(plan.points()));
@@ -177,11 +179,11 @@ impl Job<'_> {
         let (existing, target) = (arguments.table.existing(), arguments.table.target());
         let mut made =
             sidecar::Made { plan: self.plan, columns, shard: &arguments.shard, missing: None };
-        let beside = arguments.meta == MetaWord::Beside;
+        let beside = arguments.table.meta == MetaWord::Beside;
         let mut file = match target {
             Target::File(path) => {
                 if beside {
-                    sidecar::check(path, existing).map_err(exists)?;
+                    cli::sidecar::check(path, existing).map_err(exists)?;
                 }
                 Some(Growing::begin(path, existing).map_err(exists)?)
             }
@@ -290,26 +292,43 @@ impl Job<'_> {
         problem.map_or(Ok(summary), Err)
     }
 
-    /// Try a few points spread over the sweep, and say how long it will take where that is long.
+    /// Try pieces spread over the sweep, and say how long it will take where that is long.
     fn say_if_long(&self) {
         let points = self.points();
         let count = points.end - points.start;
-        let alone = Crew { threads: 1, piece: 1 };
-        outlook::say_if_long((count, "points"), self.crew.threads, |tried, most, go_on| {
-            let index = points.start + tried * (count / most) + count / (2 * most);
+        let piece = self.crew.piece.min(count / PIECES_MIN).max(1);
+        let crew = Crew { threads: self.crew.threads, piece: 1 };
+        outlook::say_if_long((count, "points"), |tried, go_on| {
             let stop = AtomicBool::new(false);
             let hire = || {
                 let mut evaluator = Evaluator::new(self.plan, &stop);
-                move |point: Range<u64>| drop(evaluator.rows(point))
+                let (points, stop) = (&points, &stop);
+                move |number: Range<u64>| {
+                    if stop.load(Ordering::Relaxed) {
+                        return 0;
+                    }
+                    let start = points.start + scattered(number.start, count - piece + 1);
+                    evaluator.rows(start..start + piece).len() as u64
+                }
             };
-            alone.work_heard(index..index + 1, hire, |news| {
-                let cut_short = news.is_none() && go_on().is_break();
-                stop.fetch_or(cut_short, Ordering::Relaxed);
+            let mut done = 0;
+            let pieces = tried.start.div_ceil(piece)..tried.end.div_ceil(piece);
+            // Whoever is at work when time is up hands in what is finished.
+            let _ = crew.work_heard(pieces, hire, |news| {
+                done += news.map_or(0, |(_, rows)| rows);
+                stop.fetch_or(go_on().is_break(), Ordering::Relaxed);
                 ControlFlow::Continue(())
-            })?;
-            if stop.into_inner() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            });
+            done
         });
     }
+}
+
+/// The number `at` of places below `count` that are spread over all of it.
+fn scattered(at: u64, count: u64) -> u64 {
+    // The golden section of 2^64: multiples of it fill the range evenly.
+    let place = at.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    u64::try_from((u128::from(place) * u128::from(count)) >> 64).unwrap_or(0)
 }
 
 /// How far a sweep is, and how long it will yet take at this pace.

@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use crate::cli::pace::was_interrupted;
-use crate::cli::{CliError, output};
+use crate::cli::scene::SceneArguments;
+use crate::cli::{CliError, output, sidecar};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::{self, Meta};
 use crate::files::rows::Rows;
 use crate::files::style::Style;
+use crate::model::scene::Scene;
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Args)]
@@ -28,6 +30,9 @@ pub(super) struct TableArguments {
     /// How the table is spelt
     #[arg(long, value_enum, default_value = "plain", value_name = "STYLE", requires = "csv")]
     csv_style: StyleWord,
+    /// Where the scene and the command go that make the table again: into NAME.toml beside it, or into # lines at its head
+    #[arg(long, value_enum, default_value = "beside", value_name = "WHERE", requires = "csv")]
+    pub(super) meta: MetaWord,
 }
 
 /// The styles of a table, by the words of the command line.
@@ -96,7 +101,7 @@ impl TableArguments {
 
     /// Where the table goes that was asked for in this file, and what may happen to a file that is there. What an interrupt has
     /// left of one gets a name of its own: it takes the place of no table that is complete.
-    pub(super) fn place(&self, path: &Path) -> (PathBuf, Existing) {
+    fn place(&self, path: &Path) -> (PathBuf, Existing) {
         if was_interrupted() && atomic::ordinary(path).is_ok() {
             (export::partial_path(path), Existing::Keep)
         } else {
@@ -106,12 +111,63 @@ impl TableArguments {
 
     /// Whether the table can be written where it is to go: asked before a long computation, not after it.
     pub(super) fn check(&self) -> Result<(), CliError> {
+        self.check_stdout()?;
         match self.target() {
             Target::None | Target::Stdout => Ok(()),
             Target::File(path) => atomic::check(path, self.existing()).map_err(exists),
         }
     }
 
+    /// The same, and whether the scene can be written beside it.
+    pub(super) fn check_beside(&self) -> Result<(), CliError> {
+        self.check()?;
+        match (self.target(), self.meta) {
+            (Target::File(path), MetaWord::Beside) => {
+                sidecar::check(path, self.existing()).map_err(exists)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Standard output takes one kind of result.
+    pub(super) fn check_stdout(&self) -> Result<(), CliError> {
+        if self.json && matches!(self.target(), Target::Stdout) {
+            return Err(CliError::Option(
+                "--json and --csv - both write to standard output: leave one of them out, or name a file for --csv".to_owned(),
+            ));
+        }
+        Ok(())
+    }
+
+    /// The same table with the scene it is made from: its changes head the page, and it goes beside the file.
+    pub(super) fn of<'a>(&'a self, typed: &'a SceneArguments, scene: &'a Scene) -> Delivery<'a> {
+        Delivery { table: self, source: Some((typed, scene)) }
+    }
+
+    /// Print the page or the rows, and write the file.
+    pub(super) fn deliver(&self, page: &str, rows: &Rows) -> Result<(), CliError> {
+        Delivery { table: self, source: None }.deliver(page, rows)
+    }
+
+    /// The same for a table that is a text already.
+    pub(super) fn deliver_text(
+        &self,
+        page: impl FnOnce() -> String,
+        object: impl FnOnce() -> String,
+        table: impl FnOnce() -> Result<String, FileError>,
+    ) -> Result<(), CliError> {
+        Delivery { table: self, source: None }.deliver_text(page, object, table)
+    }
+}
+
+/// A table on its way to where it was asked for.
+pub(super) struct Delivery<'a> {
+    table: &'a TableArguments,
+    /// What was typed of the scene, and the scene.
+    source: Option<(&'a SceneArguments, &'a Scene)>,
+}
+
+impl Delivery<'_> {
     /// Print the page or the rows, and write the file.
     pub(super) fn deliver(&self, page: &str, rows: &Rows) -> Result<(), CliError> {
         self.deliver_text(|| page.to_owned(), || rows.json(), || rows.csv())
@@ -132,21 +188,46 @@ impl TableArguments {
         &self,
         page: impl FnOnce() -> String,
         object: impl FnOnce() -> String,
-        table: impl FnOnce() -> Result<String, FileError>,
+        rows: impl FnOnce() -> Result<String, FileError>,
     ) -> Result<(), CliError> {
-        let table = || self.style().file("", &table()?);
-        let written = match self.target() {
+        let table = self.table;
+        let text = || table.style().file(&self.comments(), &rows()?);
+        let written = match table.target() {
             Target::None => Ok(()),
-            Target::Stdout => return output::print(&table()?),
-            Target::File(path) => {
-                let (path, existing) = self.place(path);
-                let written = atomic::write(&path, table()?.as_bytes(), existing);
-                written.map(|()| output::note(&format!("wrote {}", path.display())))
-            }
+            Target::Stdout => return output::print(&text()?),
+            Target::File(path) => self.write(path, &text()?),
         };
         // A file that cannot be written must not cost what was computed.
-        output::print(&if self.json { object() } else { page() })?;
+        let changed = || self.source.map_or_else(String::new, |(typed, _)| typed.changed());
+        output::print(&if table.json { object() } else { changed() + &page() })?;
         written.map_err(exists)
+    }
+
+    /// The lines at the head of the table, with `--meta inline`.
+    fn comments(&self) -> String {
+        match (self.table.meta, self.source) {
+            (MetaWord::Beside, _) => String::new(),
+            (MetaWord::Inline, None) => sidecar::inline_again(),
+            (MetaWord::Inline, Some((typed, scene))) => {
+                sidecar::inline_again()
+                    + &export::inline_scene(("scene", typed.name()), scene, |_| true)
+            }
+        }
+    }
+
+    fn write(&self, path: &Path, text: &str) -> Result<(), FileError> {
+        let (path, existing) = self.table.place(path);
+        let beside = self.source.filter(|_| self.table.meta == MetaWord::Beside);
+        let beside = beside.and_then(|(_, scene)| sidecar::file(&path, scene));
+        let mut files = vec![(path, text.as_bytes())];
+        if let Some((name, text)) = &beside {
+            files.push((name.clone(), text.as_bytes()));
+        }
+        atomic::write_all(&files, existing)?;
+        for (path, _) in &files {
+            output::note(&format!("wrote {}", path.display()));
+        }
+        Ok(())
     }
 }
 

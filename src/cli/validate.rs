@@ -10,7 +10,7 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::validation;
 use crate::model::units::{Engineering, fixed_significant};
-use crate::study::validation::{NOT_CHECKED, Quantity, Row};
+use crate::study::validation::{Class, NOT_CHECKED, Quantity, Row, biases};
 
 #[derive(Debug, Args)]
 pub(super) struct ValidateArguments {
@@ -38,9 +38,11 @@ fn page(report: &[Row]) -> String {
         let unit = case.quantity.unit();
         let show = |value: f64| match case.quantity {
             Quantity::Ratio => fixed_significant(value, 4),
-            Quantity::Limit | Quantity::Depth | Quantity::Strength | Quantity::Bulge => {
-                Engineering { value, unit, digits: 4 }.to_string()
-            }
+            Quantity::Limit
+            | Quantity::RepeatLimit(_)
+            | Quantity::Depth
+            | Quantity::Strength
+            | Quantity::Bulge => Engineering { value, unit, digits: 4 }.to_string(),
         };
         let off = |value: f64| format!("{} ({:+.1} %)", show(value), 100.0 * row.error(value));
         let absent = || "nothing".to_owned();
@@ -97,10 +99,43 @@ fn page(report: &[Row]) -> String {
         }
         page.push('\n');
     }
-    page.push_str(
-        "Nothing is fitted. The two closures are never combined: cavity with dishing is refused.\n",
-    );
+    page.push_str(&summary(report));
     page
+}
+
+/// Bias and scatter by class, and what was done.
+fn summary(report: &[Row]) -> String {
+    let mut text = format!(
+        "{:<38}{:>7}{:>9}{:>9}   {}\n",
+        "computed over measured, less 1", "points", "bias", "scatter", "least to greatest"
+    );
+    let percent = |value: f64| format!("{:+.1} %", 100.0 * value);
+    for it in biases(report) {
+        let scatter =
+            it.deviation.map_or_else(String::new, |value| format!("{:.1} %", 100.0 * value));
+        let range = format!("{} to {}", percent(it.range.0), percent(it.range.1));
+        let _ = writeln!(
+            text,
+            "{:<38}{:>7}{:>9}{scatter:>9}   {}",
+            it.class.map_or("all points", Class::word),
+            it.points,
+            percent(it.mean),
+            if it.points > 1 { range.as_str() } else { "" }
+        );
+    }
+    let computed = report.iter().filter(|row| row.computed.is_some()).count();
+    let aside = report.iter().filter(|row| row.case.class == Class::Aside).count();
+    let _ = write!(
+        text,
+        "\n{} measurements: {computed} computed, {} not; {aside} of them not counted above (another input for a counted \
+         measurement,\nor a quantity the model does not aim at). {} further ones cannot be checked. Positive is unconservative: \
+         the real plate\nholds less than computed. Nothing is fitted. The two closures are never combined: cavity with dishing is \
+         refused.\n",
+        report.len(),
+        report.len() - computed,
+        NOT_CHECKED.len(),
+    );
+    text
 }
 
 fn closure_words(row: &Row) -> &'static str {

@@ -42,7 +42,7 @@ fn mass(option: &str, text: &str) -> Result<f64, CliError> {
 
 /// Compare; a mechanism that is not worth it is an answer, too.
 pub(super) fn run(arguments: &WorthArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
+    arguments.table.check_beside()?;
     let spring = arguments.spring_mass.as_deref();
     let masses = Masses {
         spring_kg: spring.map(|text| mass("--spring-mass", text)).transpose()?,
@@ -58,6 +58,6 @@ pub(super) fn run(arguments: &WorthArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &scene, &report, arguments.spring_mass.is_some());
     let object = || files::json(name, &report);
-    arguments.table.deliver_report(page, object, &rows)?;
+    arguments.table.of(&arguments.scene, &scene).deliver_report(page, object, &rows)?;
     Ok(pace.exit_code(true))
 }

@@ -38,11 +38,15 @@ const COLUMNS: [&str; 20] = [
 /// Columns of the CSV that tell what a method was judged by.
 const JUDGE: [&str; 2] = ["reference", "reference_uncertainty"];
 
-/// Whether `auto` gave an answer, whatever its knob.
-pub fn auto_answers(report: &Report) -> bool {
-    report.methods.iter().all(|method| {
-        method.method != Method::Auto || method.points.iter().all(|point| point.result.is_ok())
-    })
+/// Where `auto` gave no answer, in words: the knob, and why.
+pub fn auto_failures((scene, report): &Named) -> Vec<String> {
+    let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
+    auto.flat_map(|method| &method.points)
+        .filter_map(|point| {
+            let why = point.result.as_ref().err()?.words();
+            Some(format!("{scene}: auto gave no answer at {}: {why}", point.knob))
+        })
+        .collect()
 }
 
 /// A point's values in the order of [`COLUMNS`].

@@ -45,6 +45,9 @@ pub enum FileError {
     /// The file is no table of displacement and force: which, where, and the cure.
     #[error("{0}")]
     Curve(String),
+    /// The file is no table of shots: which, where, and the cure.
+    #[error("{0}")]
+    Shots(String),
     /// The file is not text.
     #[error("`{}` is no text in UTF-8, as every scene is: is this the right file? if so, save it as UTF-8", shown(.path))]
     NotText {

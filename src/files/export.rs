@@ -216,9 +216,9 @@ fn begins_with_mark(path: &Path) -> bool {
         && start == *MARK.as_bytes()
 }
 
-/// The scene of a sweep as a file that makes it again; `again` is the command line for that, `missing` what a table has that is
+/// The scene of a study as a file; `again` is the command line that makes the same table from it, `missing` what a table has that is
 /// not complete.
-pub fn sweep_sidecar(csv: &Path, scene: &Scene, again: &str, missing: Option<&str>) -> String {
+pub fn study_sidecar(csv: &Path, scene: &Scene, again: &str, missing: Option<&str>) -> String {
     let mut text = first_line(csv);
     if let Some(missing) = missing {
         let _ = writeln!(text, "# not complete: {missing}");

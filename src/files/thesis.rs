@@ -11,8 +11,8 @@ use crate::study::thesis::{Opens, Row};
 const STORED: &str = include_str!("../../tests/cases/thesis-verdicts.csv");
 
 /// Names of a row's values.
-const COLUMNS: [&str; 9] =
-    ["id", "where", "says", "sound", "as_printed", "verdict", "cause", "preset", "runs"];
+const COLUMNS: [&str; 10] =
+    ["id", "where", "says", "sound", "as_printed", "verdict", "cause", "preset", "runs", "basis"];
 
 /// The report as rows.
 pub fn rows(report: &[Row]) -> Rows {
@@ -32,6 +32,7 @@ pub fn rows(report: &[Row]) -> Rows {
             Value::from(row.found.cause),
             preset,
             Value::from(row.runs),
+            Value::from(row.found.basis.words()),
         ]
     };
     Rows { columns: COLUMNS.to_vec(), rows: report.iter().map(row).collect() }

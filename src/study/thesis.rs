@@ -108,7 +108,29 @@ pub struct Claim {
     check: fn(&Lab) -> Found,
 }
 
-/// What was computed for a claim.
+/// What a verdict rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// A computation.
+    Computed,
+    /// A comparison of what the thesis says in two places: nothing is computed.
+    Read,
+    /// Nothing: the claim cannot be checked.
+    None,
+}
+
+impl Basis {
+    /// The words in tables and files.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Computed => "computed",
+            Self::Read => "read from the text",
+            Self::None => "not checked",
+        }
+    }
+}
+
+/// What was found for a claim.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// By the sound model.
@@ -119,6 +141,8 @@ pub struct Found {
     pub verdict: Verdict,
     /// Why, in one sentence.
     pub cause: &'static str,
+    /// What the verdict rests on.
+    pub basis: Basis,
 }
 
 /// A claim with its result.

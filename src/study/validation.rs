@@ -13,9 +13,18 @@ use crate::model::units::Bare;
 use crate::model::variables;
 use crate::study::limit;
 
+mod bias;
 mod cases;
+mod ladders;
+mod not_checked;
 
-pub use cases::{CASES, NOT_CHECKED};
+pub use bias::{Bias, biases};
+pub use not_checked::NOT_CHECKED;
+
+/// All measurements, class by class.
+pub fn cases() -> impl Iterator<Item = &'static Case> {
+    cases::CASES.iter().chain(ladders::LADDERS)
+}
 
 /// What was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +33,8 @@ pub enum Quantity {
     Limit,
     /// The depth, m.
     Depth,
+    /// The velocity at which the last of so many equal hits at one place perforates, m/s.
+    RepeatLimit(u8),
     /// The ballistic limit over that of the same plate at 0 deg.
     Ratio,
     /// The strength the target opposes to a slow nose, Pa.
@@ -37,6 +48,8 @@ impl Quantity {
     pub fn word(self) -> &'static str {
         match self {
             Self::Limit => "ballistic limit",
+            Self::RepeatLimit(2) => "ballistic limit of two equal hits at one place",
+            Self::RepeatLimit(_) => "ballistic limit of three equal hits at one place",
             Self::Depth => "depth",
             Self::Ratio => "limit over that at 0 deg",
             Self::Strength => "flow strength",
@@ -47,10 +60,71 @@ impl Quantity {
     /// Its unit.
     pub fn unit(self) -> &'static str {
         match self {
-            Self::Limit => "m/s",
+            Self::Limit | Self::RepeatLimit(_) => "m/s",
             Self::Depth | Self::Bulge => "m",
             Self::Ratio => "",
             Self::Strength => "Pa",
+        }
+    }
+}
+
+/// What a measurement is of: the model is good for some classes and bad for others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// A hemispherical nose on a steel plate of half a diameter and more.
+    Hemisphere,
+    /// A sphere on a plate of a twentieth of its diameter.
+    ThinPlate,
+    /// Further hits at the same place.
+    RepeatHits,
+    /// A blunt or conical nose.
+    OtherNoses,
+    /// An armour-piercing core on aluminium, straight on.
+    CoreOnAluminium,
+    /// The same at an angle.
+    CoreOblique,
+    /// The limit at an angle over that straight on.
+    ObliqueRatio,
+    /// An armour-piercing core on mild steel.
+    CoreOnMildSteel,
+    /// An armour-piercing core on armour steel.
+    CoreOnArmourSteel,
+    /// Concrete.
+    Concrete,
+    /// A measurement that is in the table already, computed with another input, or one of a quantity that the model does not
+    /// aim at: in no statistics.
+    Aside,
+}
+
+impl Class {
+    /// All that are counted, in the order of the table.
+    pub const COUNTED: [Self; 10] = [
+        Self::Hemisphere,
+        Self::ThinPlate,
+        Self::RepeatHits,
+        Self::OtherNoses,
+        Self::CoreOnAluminium,
+        Self::CoreOblique,
+        Self::ObliqueRatio,
+        Self::CoreOnMildSteel,
+        Self::CoreOnArmourSteel,
+        Self::Concrete,
+    ];
+
+    /// Its name.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Hemisphere => "hemisphere on steel",
+            Self::ThinPlate => "sphere on a thin plate",
+            Self::RepeatHits => "repeat hits at one place",
+            Self::OtherNoses => "blunt and conical noses",
+            Self::CoreOnAluminium => "AP core on aluminium",
+            Self::CoreOblique => "AP core on aluminium, oblique",
+            Self::ObliqueRatio => "limit at an angle over that at 0 deg",
+            Self::CoreOnMildSteel => "AP core on mild steel",
+            Self::CoreOnArmourSteel => "AP core on armour steel (RHA)",
+            Self::Concrete => "ogive in concrete",
+            Self::Aside => "not counted",
         }
     }
 }
@@ -64,6 +138,8 @@ pub struct Case {
     pub preset: &'static str,
     /// What differs from the preset, as `--set` takes it.
     pub set: &'static [(&'static str, &'static str)],
+    /// What it is of.
+    pub class: Class,
     /// What was measured.
     pub quantity: Quantity,
     /// The measurement, in its unit.
@@ -162,6 +238,13 @@ fn value(quantity: Quantity, scene: &Scene) -> Option<f64> {
     variables::validate(scene).ok()?;
     match quantity {
         Quantity::Limit => limit::closed_form(scene),
+        // A hit leaves a hole of the volume its energy opens, and the next one starts at that depth. So N hits of mass m do what one of
+        // mass N m does at their velocity.
+        Quantity::RepeatLimit(hits) => {
+            let mut joined = scene.clone();
+            joined.projectile.mass_kg *= f64::from(hits);
+            limit::closed_form(&joined)
+        }
         Quantity::Ratio => {
             let mut straight = scene.clone();
             straight.projectile.obliquity_deg = 0.0;

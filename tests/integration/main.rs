@@ -61,6 +61,8 @@ mod stack;
 #[cfg(test)]
 mod strides;
 #[cfg(test)]
+mod studies;
+#[cfg(test)]
 mod support;
 #[cfg(test)]
 mod sweep;

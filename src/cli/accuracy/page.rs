@@ -31,7 +31,25 @@ fn page(name: &str, report: &Report) -> String {
     answers(&mut page, report);
     references(&mut page, report);
     refusals(&mut page, report);
+    counts(&mut page, report);
     page
+}
+
+/// What was done.
+fn counts(page: &mut String, report: &Report) {
+    let points: usize = report.methods.iter().map(|method| method.points.len()).sum();
+    let measured: usize = report.methods.iter().map(|method| method.measured().count()).sum();
+    let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
+    let (answered, asked) = auto.fold((0, 0), |(answered, asked), method| {
+        (answered + method.measured().count(), asked + method.points.len())
+    });
+    let _ = writeln!(
+        page,
+        "\n{} methods, {points} points: {measured} compared with a reference, {} without result; auto answers {answered} of \
+         {asked}",
+        report.methods.len(),
+        points - measured
+    );
 }
 
 /// Error over time, both logarithmic, a letter for each method.

@@ -1,10 +1,9 @@
 //! The scene beside a sweep's CSV, a scene file whose `[sweep]` makes the same rows again, or in comment lines at its head.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::files::atomic::Existing;
+use crate::cli;
 use crate::files::clean;
 use crate::files::error::FileError;
 use crate::files::export;
@@ -23,22 +22,9 @@ pub(super) struct Made<'a> {
     pub(super) missing: Option<String>,
 }
 
-/// Whether a scene may be written beside this file; asked before the sweep, not after it.
-pub(super) fn check(csv: &Path, existing: Existing) -> Result<(), FileError> {
-    if !is_ordinary(csv) {
-        return Ok(());
-    }
-    let beside = export::sidecar_path(csv, None);
-    export::check_sidecar(csv, &beside)?;
-    if existing == Existing::Keep && fs::symlink_metadata(&beside).is_ok() {
-        return Err(FileError::Exists(beside));
-    }
-    Ok(())
-}
-
 /// Its path and its text; `None` where there is no place beside the file.
 pub(super) fn beside(csv: &Path, scene: &Scene, made: &Made<'_>) -> Option<(PathBuf, String)> {
-    if !is_ordinary(csv) {
+    if !cli::sidecar::is_ordinary(csv) {
         return None;
     }
     let beside = export::sidecar_path(csv, None);
@@ -58,7 +44,7 @@ pub(super) fn beside(csv: &Path, scene: &Scene, made: &Made<'_>) -> Option<(Path
         let _ = write!(again, " --shard {}", made.shard);
     }
     again += " --csv -";
-    let text = export::sweep_sidecar(csv, &scene, &again, made.missing.as_deref());
+    let text = export::study_sidecar(csv, &scene, &again, made.missing.as_deref());
     Some((beside, text))
 }
 
@@ -88,11 +74,6 @@ pub(super) fn inline(preset: &Preset, made: &Made<'_>) -> String {
         }
     };
     text
-}
-
-/// A device or a pipe has no place beside it.
-fn is_ordinary(csv: &Path) -> bool {
-    fs::metadata(csv).map_or(true, |found| found.is_file())
 }
 
 fn sweep(made: &Made<'_>) -> Sweep {

@@ -4,10 +4,10 @@ use crate::model::appendix::Scheme;
 use crate::model::run::{EndReason, EventKind, Mode, Outcome, Run};
 use crate::model::scene::{Jumps, Listing, Reading, Scene};
 use crate::study::thesis::lab::{
-    Law, changed, found, listing_material, mm, near, number, number_verdict, pc, rigid,
+    LAWS, Law, both, changed, found, listing_material, mm, near, number, number_verdict, pc, rigid,
     trend_verdict, unit, with,
 };
-use crate::study::thesis::{Claim, Found, Opens, Verdict};
+use crate::study::thesis::{Claim, Opens, Verdict};
 
 /// The case the listing is set up for: `m_2` = 0.1 kg, no spring, no damper, exponents 3.
 fn listed() -> Scene {
@@ -70,19 +70,15 @@ pub(super) static CLAIMS: &[Claim] = &[
         says: "the listing is set up with a plate of 0.1 kg, no spring, no damper, exponents 3",
         opens: Opens::Preset("appendix-listing"),
         check: |lab| {
-            let [sound, printed] =
-                [Law::Sound, Law::Printed].map(|law| lab.depth_m(law, &listed()));
-            let gamma = listed().plate.mass_ratio;
-            Found {
-                sound: mm(sound),
-                printed: mm(printed),
-                verdict: if near(gamma, 1.0, 0.1) {
-                    Verdict::Reproduced
-                } else {
-                    Verdict::Unchecked
-                },
-                cause: "it is no case of chapter 9, which has gamma = 1 and m = n = 1: which settings made the figures is not known",
-            }
+            let [sound, printed] = LAWS.map(|law| lab.depth_m(law, &listed()));
+            // The plate of Table 9.1: 25.4 mm of 2710 kg/m3.
+            let side_m = (0.1f64 / (2710.0 * 0.0254)).sqrt();
+            both(
+                format!("{}; 0.1 kg is a square of {} of Table 9.1's plate", mm(sound), mm(side_m)),
+                mm(printed),
+                if near(side_m, 0.0381, 1e-3) { Verdict::Reproduced } else { Verdict::Unchecked },
+                "1.5 in square and 1 in thick: a plate that can be cut, but no case of chapter 9, which has n = 1 and m = 1",
+            )
         },
     },
     Claim {
@@ -100,20 +96,17 @@ pub(super) static CLAIMS: &[Claim] = &[
             let errors = [2e-6, 1e-6, 5e-7].map(|dt| depth(dt) / exact - 1.0);
             let first_order =
                 near(errors[0] / errors[1], 2.0, 0.1) && near(errors[1] / errors[2], 2.0, 0.1);
-            Found {
-                sound: mm(exact),
-                printed: format!(
+            both(
+                mm(exact),
+                format!(
                     "errors {} %, {} %, {} % with 2, 1, 0.5 us",
                     number(100.0 * errors[0]),
                     number(100.0 * errors[1]),
                     number(100.0 * errors[2])
                 ),
-                verdict: number_verdict(
-                    errors[1].abs() < 1e-3,
-                    first_order && errors[1].abs() < 1e-2,
-                ),
-                cause: "first order: 0.4 % of depth, and the Runge-Kutta steps of the plate do not help",
-            }
+                number_verdict(errors[1].abs() < 1e-3, first_order && errors[1].abs() < 1e-2),
+                "first order: 0.4 % of depth, and the Runge-Kutta steps of the plate do not help",
+            )
         },
     },
     Claim {
@@ -128,12 +121,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             let turn_s = turn.map_or(f64::NAN, |event| event.t_s);
             let cut = lab.run(Law::Printed, &with(&[("horizon", 2e-4)]));
             let reached = cut.max_plate_displacement_m.is_some();
-            Found {
-                sound: format!("the plate turns at {}", unit(turn_s, "s")),
-                printed: format!("reached by 0.2 ms: {reached}"),
-                verdict: number_verdict(reached, turn_s.is_finite()),
-                cause: "a quarter of the swing takes six times as long: chapter 9 must have run on",
-            }
+            both(
+                format!("the plate turns at {}", unit(turn_s, "s")),
+                format!("reached by 0.2 ms: {reached}"),
+                number_verdict(reached, turn_s.is_finite()),
+                "a quarter of the swing takes six times as long: chapter 9 must have run on",
+            )
         },
     },
     Claim {
@@ -147,15 +140,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 run.max_plate_displacement_m.unwrap_or(f64::NAN),
                 run.stroke_m().unwrap_or(f64::NAN),
             );
-            Found {
-                sound: format!("{} forward of neutral, {} in all", mm(most), mm(stroke)),
-                printed: format!(
-                    "{} mm",
-                    number(lab.travel_mm(Law::Printed, &with(&[("d", 0.5)])))
-                ),
-                verdict: number_verdict(near(most, stroke, 0.01), stroke > most),
-                cause: "counted from neutral it leaves out the cocked travel, here half of the space",
-            }
+            both(
+                format!("{} forward of neutral, {} in all", mm(most), mm(stroke)),
+                format!("{} mm", number(lab.travel_mm(Law::Printed, &with(&[("d", 0.5)])))),
+                number_verdict(near(most, stroke, 0.01), stroke > most),
+                "counted from neutral it leaves out the cocked travel, here half of the space",
+            )
         },
     },
     Claim {
@@ -171,20 +161,15 @@ pub(super) static CLAIMS: &[Claim] = &[
             let mut fine = with(&[]);
             fine.contact.appendix.step_s = 1e-7;
             let finer = lab.percent(Law::Printed, &fine);
-            Found {
-                sound: pc(sound),
-                printed: format!(
-                    "{}, with dt = 1e-7 {}; mended {}",
-                    pc(printed),
-                    pc(finer),
-                    pc(mended)
-                ),
-                verdict: number_verdict(
+            both(
+                pc(sound),
+                format!("{}, with dt = 1e-7 {}; mended {}", pc(printed), pc(finer), pc(mended)),
+                number_verdict(
                     near(printed, sound, 0.02),
                     near(mended, sound, 0.02) && !near(finer, sound, 0.1),
                 ),
-                cause: "only the last step's increment is subtracted; the error does not vanish as dt goes to 0",
-            }
+                "only the last step's increment is subtracted; the error does not vanish as dt goes to 0",
+            )
         },
     },
     Claim {
@@ -206,12 +191,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 )
             };
             let (sound, printed) = (shares(Law::Sound), shares(Law::Printed));
-            Found {
-                sound: told(sound),
-                printed: told(printed),
-                verdict: number_verdict(near(printed[0], sound[0], 0.02), printed[0] > sound[0]),
-                cause: "every benefit of compliance is understated: 22 % instead of 40 % at gamma = 0.8",
-            }
+            both(
+                told(sound),
+                told(printed),
+                number_verdict(near(printed[0], sound[0], 0.02), printed[0] > sound[0]),
+                "every benefit of compliance is understated: 22 % instead of 40 % at gamma = 0.8",
+            )
         },
     },
     Claim {
@@ -223,19 +208,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             let ignored = quirk(rigid(with(&[])), |it| it.jumps = Jumps::Ignored);
             let run = lab.run(Law::Printed, &ignored);
             let meant = lab.run(Law::Printed, &rigid(with(&[])));
-            Found {
-                sound: mm(lab.depth_m(Law::Sound, &rigid(with(&[])))),
-                printed: format!(
-                    "without the jumps: {}; with them {}",
-                    run.end.words(),
-                    meant.outcome
-                ),
-                verdict: number_verdict(
-                    run.end != EndReason::NonFinite,
-                    meant.outcome == Outcome::Arrested,
-                ),
-                cause: "once the nose is buried they divide by tan(0): only a jump over them saves the baseline",
-            }
+            both(
+                mm(lab.depth_m(Law::Sound, &rigid(with(&[])))),
+                format!("without the jumps: {}; with them {}", run.end.words(), meant.outcome),
+                number_verdict(run.end != EndReason::NonFinite, meant.outcome == Outcome::Arrested),
+                "once the nose is buried they divide by tan(0): only a jump over them saves the baseline",
+            )
         },
     },
     Claim {
@@ -247,12 +225,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             let depth = lab.depth_m(Law::Printed, &listed());
             let run = lab.run(Law::Printed, &listed());
             let peak = run.peak_contact_force_n.unwrap_or(f64::NAN);
-            Found {
-                sound: String::new(),
-                printed: format!("read as one loop: {}, {}", mm(depth), unit(peak, "N")),
-                verdict: number_verdict(false, near(depth, 6.8806e-3, 1e-3)),
-                cause: "meant as jumps: one force, one plate step, the projectile by the trapezoid; as calls each step would run three times",
-            }
+            both(
+                String::new(),
+                format!("read as one loop: {}, {}", mm(depth), unit(peak, "N")),
+                number_verdict(false, near(depth, 6.8806e-3, 1e-3)),
+                "meant as jumps: one force, one plate step, the projectile by the trapezoid; as calls each step would run three times",
+            )
         },
     },
     Claim {
@@ -263,12 +241,12 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |lab| {
             let run = lab.run(Law::Printed, &violent());
             let broke = run.end == EndReason::BreaksOff;
-            Found {
-                sound: mm(lab.depth_m(Law::Sound, &violent())),
-                printed: run.end.words().to_owned(),
-                verdict: number_verdict(!broke, broke),
-                cause: "a thin, hard drawn plate outruns the shot within a step; the script then has no history to plot and fails",
-            }
+            both(
+                mm(lab.depth_m(Law::Sound, &violent())),
+                run.end.words().to_owned(),
+                number_verdict(!broke, broke),
+                "a thin, hard drawn plate outruns the shot within a step; the script then has no history to plot and fails",
+            )
         },
     },
     Claim {
@@ -289,20 +267,17 @@ pub(super) static CLAIMS: &[Claim] = &[
             }
             let mended = quirk(scene.clone(), |it| it.stopping = Reading::Mended);
             let depths = [&scene, &mended].map(|scene| lab.depth_m(Law::Printed, scene));
-            Found {
-                sound: "0 m/s, located".to_owned(),
-                printed: format!(
+            both(
+                "0 m/s, located".to_owned(),
+                format!(
                     "overshoots to {}; {} and, located, {}",
                     unit(state.slip_m_s, "m/s"),
                     mm(depths[0]),
                     mm(depths[1])
                 ),
-                verdict: number_verdict(
-                    state.slip_m_s.abs() < 0.01,
-                    near(depths[0], depths[1], 1e-2),
-                ),
-                cause: "it is looked for only after whole steps, when the relative velocity has changed sign",
-            }
+                number_verdict(state.slip_m_s.abs() < 0.01, near(depths[0], depths[1], 1e-2)),
+                "it is looked for only after whole steps, when the relative velocity has changed sign",
+            )
         },
     },
     Claim {
@@ -323,12 +298,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 })
             };
             let (sound, printed) = (momentum(Law::Sound), momentum(Law::Printed));
-            Found {
-                sound: format!("momentum kept to {} %", number(100.0 * (sound - 1.0).abs())),
-                printed: format!("off by {} %", number(100.0 * (printed - 1.0).abs())),
-                verdict: number_verdict(near(printed, 1.0, 1e-4), near(sound, 1.0, 1e-9)),
-                cause: "the projectile gets the mean of old and new force, the plate the new one",
-            }
+            both(
+                format!("momentum kept to {} %", number(100.0 * (sound - 1.0).abs())),
+                format!("off by {} %", number(100.0 * (printed - 1.0).abs())),
+                number_verdict(near(printed, 1.0, 1e-4), near(sound, 1.0, 1e-9)),
+                "the projectile gets the mean of old and new force, the plate the new one",
+            )
         },
     },
     Claim {
@@ -348,16 +323,16 @@ pub(super) static CLAIMS: &[Claim] = &[
             };
             let printed = jump(&with(&[]));
             let mended = jump(&quirk(with(&[]), |it| it.stopping = Reading::Mended));
-            Found {
-                sound: "one state, no seam".to_owned(),
-                printed: format!(
+            both(
+                "one state, no seam".to_owned(),
+                format!(
                     "the plate jumps by {} um; mended by {} um",
                     number(1e6 * printed),
                     number(1e6 * mended)
                 ),
-                verdict: number_verdict(printed.abs() < 1e-6, mended.abs() < 0.1 * printed.abs()),
-                cause: "it starts from the state before the last accepted step: the plate is set back by one dt",
-            }
+                number_verdict(printed.abs() < 1e-6, mended.abs() < 0.1 * printed.abs()),
+                "it starts from the state before the last accepted step: the plate is set back by one dt",
+            )
         },
     },
     Claim {
@@ -380,12 +355,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 )
             };
             let [sound, printed] = [Law::Sound, Law::Printed].map(rattle);
-            Found {
-                sound: told(sound),
-                printed: told(printed),
-                verdict: number_verdict(printed.0 < 10, sound.0 < 10),
-                cause: "k = 1e6, n = 0.1: infinitely stiff at x = 0, where steps of a fixed size throw the plate to and fro",
-            }
+            both(
+                told(sound),
+                told(printed),
+                number_verdict(printed.0 < 10, sound.0 < 10),
+                "k = 1e6, n = 0.1: infinitely stiff at x = 0, where steps of a fixed size throw the plate to and fro",
+            )
         },
     },
     Claim {
@@ -398,12 +373,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             let mended =
                 lab.travel_mm(Law::Printed, &quirk(thin(), |it| it.afterwards = Reading::Mended));
             let sound = lab.travel_mm(Law::Sound, &thin());
-            Found {
-                sound: format!("perforated; the plate alone goes {} mm", number(sound)),
-                printed: format!("{} mm; parted {} mm", number(printed), number(mended)),
-                verdict: number_verdict(near(printed, sound, 0.05), near(mended, sound, 0.05)),
-                cause: "also after a perforation, when the projectile has left",
-            }
+            both(
+                format!("perforated; the plate alone goes {} mm", number(sound)),
+                format!("{} mm; parted {} mm", number(printed), number(mended)),
+                number_verdict(near(printed, sound, 0.05), near(mended, sound, 0.05)),
+                "also after a perforation, when the projectile has left",
+            )
         },
     },
     Claim {
@@ -419,12 +394,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             let sound = gain(Law::Sound, &damped());
             let printed = gain(Law::Printed, &damped());
             let mended = gain(Law::Printed, &quirk(damped(), |it| it.damper = Reading::Mended));
-            Found {
-                sound: format!("{} of the energy is left on the way back", pc(100.0 * sound)),
-                printed: format!("{}; with a sign {}", pc(100.0 * printed), pc(100.0 * mended)),
-                verdict: number_verdict(printed < 1.0, mended < 1.0),
-                cause: "without a sign it pushes the same way whichever way the plate moves: it adds energy on the rebound",
-            }
+            both(
+                format!("{} of the energy is left on the way back", pc(100.0 * sound)),
+                format!("{}; with a sign {}", pc(100.0 * printed), pc(100.0 * mended)),
+                number_verdict(printed < 1.0, mended < 1.0),
+                "without a sign it pushes the same way whichever way the plate moves: it adds energy on the rebound",
+            )
         },
     },
     Claim {
@@ -440,12 +415,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 lab.depth_m(Law::Printed, &scene)
             };
             let (printed, mended) = (all(Reading::Printed), all(Reading::Mended));
-            Found {
-                sound: format!("{} at 30 deg", mm(sound)),
-                printed: format!("{}; resolved on the normal {}", mm(printed), mm(mended)),
-                verdict: number_verdict(near(printed, sound, 1e-3), near(mended, sound, 1e-3)),
-                cause: "the plate is guided along its normal: it gets the cosine's part, and only then is energy kept",
-            }
+            both(
+                format!("{} at 30 deg", mm(sound)),
+                format!("{}; resolved on the normal {}", mm(printed), mm(mended)),
+                number_verdict(near(printed, sound, 1e-3), near(mended, sound, 1e-3)),
+                "the plate is guided along its normal: it gets the cosine's part, and only then is energy kept",
+            )
         },
     },
     Claim {
@@ -459,12 +434,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             cocked.interface.law = crate::model::scene::InterfaceLaw::Plastic;
             let run = lab.run(Law::Sound, &cocked);
             let printed = lab.percent(Law::Printed, &changed(with(&[]), &[("d", 0.5)]));
-            Found {
-                sound: format!("d = 0.5 m: {} at first, then {}", pc(first), run.outcome),
-                printed: pc(printed),
-                verdict: number_verdict(run.outcome == Outcome::Arrested, false),
-                cause: "the spring later asks the interface for more than A S_y: a rigid-plastic one gives way, and the plate is perforated",
-            }
+            both(
+                format!("d = 0.5 m: {} at first, then {}", pc(first), run.outcome),
+                pc(printed),
+                number_verdict(run.outcome == Outcome::Arrested, false),
+                "the spring later asks the interface for more than A S_y: a rigid-plastic one gives way, and the plate is perforated",
+            )
         },
     },
     Claim {

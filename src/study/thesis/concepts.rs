@@ -6,7 +6,7 @@ use crate::numerics::{larger, smaller};
 use crate::study::principles::{Function, PRINCIPLES};
 use crate::study::thesis::chapter4::spaced;
 use crate::study::thesis::lab::{
-    Lab, Law, changed, found, misprint_verdict, mm, near, number, number_verdict, pc, rigid,
+    Lab, Law, changed, found, misprint_verdict, mm, near, number, number_verdict, pc, read, rigid,
     spelled, trend_verdict, unit, with,
 };
 use crate::study::thesis::numbering::{has_figure, has_table};
@@ -110,7 +110,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             let mut families: Vec<&str> = PRINCIPLES.iter().map(|it| it.family).collect();
             families.dedup();
             let served = PRINCIPLES.iter().filter(|it| !it.functions.is_empty()).count();
-            found(
+            read(
                 format!(
                     "{} families, {} principles, {served} of them served by {} functions",
                     families.len(),
@@ -131,7 +131,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             let served = served_by(PlateOrientation);
             let rotation =
                 PRINCIPLES.last().is_some_and(|it| it.functions.contains(&PlateOrientation));
-            found(
+            read(
                 format!("Table 5.1 gives it {served} principles, rotational transfer among them"),
                 misprint_verdict(served == 2, served == 3 && rotation),
                 "the text leaves out what the table names",
@@ -145,7 +145,7 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Nothing,
         check: |_| {
             let (named, meant) = (["5.1.2", "5.1.3"], ["5.2", "5.3"]);
-            found(
+            read(
                 "chapter 5 has Figures 5.1 to 5.4".to_owned(),
                 misprint_verdict(
                     named.into_iter().all(has_figure),
@@ -230,7 +230,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             let rate = PRINCIPLES.iter().find(|it| it.name == "Transfer rate minimization");
             let listed = rate.is_some_and(|it| it.functions.contains(&AcceleratedElements));
             let stiffness = rate.is_some_and(|it| it.functions.contains(&ControlledStiffness));
-            found(
+            read(
                 format!(
                     "in Table 5.1: accelerated elements {listed}, controlled stiffness {stiffness}"
                 ),
@@ -260,7 +260,7 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |_| {
             let own = served_by(LateralArray);
             let any = PRINCIPLES.iter().all(|it| !it.functions.is_empty());
-            found(
+            read(
                 format!("Table 5.1 gives lateral arrays {own} of {}", PRINCIPLES.len()),
                 number_verdict(own == PRINCIPLES.len(), any),
                 "the others are their elements' own doing, not the array's",
@@ -275,7 +275,7 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |_| {
             let counts = SUPPLIED.map(<[Function]>::len);
             let told: Vec<String> = counts.iter().map(usize::to_string).collect();
-            found(
+            read(
                 format!("{} functions", told.join(", ")),
                 number_verdict(counts.iter().all(|count| *count > 0), false),
                 "in the order of sections 6.2.1 to 6.2.7",
@@ -409,7 +409,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             let listed = SUPPLIED[HELICAL];
             let (cocked, turned) =
                 (listed.contains(&AcceleratedElements), listed.contains(&PlateOrientation));
-            found(
+            read(
                 format!(
                     "accelerated elements listed: {cocked}; plate orientation listed: {turned}"
                 ),
@@ -440,7 +440,7 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Nothing,
         check: |_| {
             let in_4_1 = PRINCIPLES.iter().any(|it| it.name.to_lowercase().contains("array"));
-            found(
+            read(
                 format!(
                     "arrays in Table 4.1: {in_4_1}; principles they serve in Table 5.1: {}",
                     served_by(LateralArray)

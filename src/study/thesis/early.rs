@@ -6,10 +6,10 @@ use crate::model::scene::Scene;
 use crate::numerics::larger;
 use crate::study::thesis::elastica;
 use crate::study::thesis::lab::{
-    Lab, Law, changed, found, misprint_verdict, mm, near, number, number_verdict, pc, rigid,
-    trend_verdict, unit, with,
+    Lab, Law, both, changed, found, mm, near, number, number_verdict, pc, rigid, trend_verdict,
+    unit, with,
 };
-use crate::study::thesis::{Claim, Found, Opens, Verdict};
+use crate::study::thesis::{Claim, Opens, Verdict};
 
 /// A steel rod like the thesis's projectile: its mass in a cylinder of its radius.
 pub(super) const ROD: Rod = Rod {
@@ -87,16 +87,11 @@ pub(super) static CLAIMS: &[Claim] = &[
                 near(b - a, 100.0, 1e-12)
             };
             let any = [0.1, 1.0, 3.0, 50.0].into_iter().all(inverted);
-            Found {
-                sound: "inverted at mass ratios 0.1, 1, 3 and 50".to_owned(),
-                printed: String::new(),
-                verdict: if any {
-                    Verdict::Corrected
-                } else {
-                    number_verdict(inverted(1.0), false)
-                },
-                cause: "it holds for any masses: the condition is not needed",
-            }
+            found(
+                "inverted at mass ratios 0.1, 1, 3 and 50".to_owned(),
+                if any { Verdict::Corrected } else { number_verdict(inverted(1.0), false) },
+                "it holds for any masses: the condition is not needed",
+            )
         },
     },
     Claim {
@@ -106,12 +101,11 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Nothing,
         check: |_| {
             let (a, b) = design::elastic((1.0, 100.0), (2.0, 0.0));
-            Found {
-                sound: format!("v_A - v_B: 100 m/s before, {} m/s after", number(a - b)),
-                printed: String::new(),
-                verdict: misprint_verdict(near(a - b, 100.0, 1e-9), near(b - a, 100.0, 1e-9)),
-                cause: "its size stays, its sign changes, as equation 2.1 has it",
-            }
+            found(
+                format!("v_A - v_B: 100 m/s before, {} m/s after", number(a - b)),
+                number_verdict(near(a - b, 100.0, 1e-9), near(b - a, 100.0, 1e-9)),
+                "a misstatement: its size stays, its sign changes, as equation 2.1 has it",
+            )
         },
     },
     Claim {
@@ -124,12 +118,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 lab.run(law, &free()).first_arrest.map_or(f64::NAN, |it| it.plate_velocity_m_s)
             };
             let stated = design::inelastic((1.0, 100.0), (1.0, 0.0));
-            Found {
-                sound: unit(speed(Law::Sound), "m/s"),
-                printed: unit(speed(Law::Printed), "m/s"),
-                verdict: number_verdict(near(speed(Law::Sound), stated, 1e-6), false),
-                cause: "a free plate of the projectile's mass is at common speed when penetration ends",
-            }
+            both(
+                unit(speed(Law::Sound), "m/s"),
+                unit(speed(Law::Printed), "m/s"),
+                number_verdict(near(speed(Law::Sound), stated, 1e-6), false),
+                "a free plate of the projectile's mass is at common speed when penetration ends",
+            )
         },
     },
     Claim {
@@ -148,16 +142,15 @@ pub(super) static CLAIMS: &[Claim] = &[
             ];
             let most =
                 tenth.map(|rod| (angle(rod) / own - 1.0).abs()).into_iter().fold(0.0, larger);
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "{} deg; a tenth more of any changes it by {} at most",
                     number(own),
                     pc(100.0 * most)
                 ),
-                printed: String::new(),
-                verdict: trend_verdict(most < 0.1),
-                cause: "the tangent goes with the cube root; a steel rod of 1 GPa is assumed",
-            }
+                trend_verdict(most < 0.1),
+                "the tangent goes with the cube root; a steel rod of 1 GPa is assumed",
+            )
         },
     },
     Claim {
@@ -169,12 +162,11 @@ pub(super) static CLAIMS: &[Claim] = &[
             let depth = lab.depth_m(Law::Sound, &rigid_base());
             let at_one = design::stone_depth_m((0.0295, 100.0, 0.00635), 2710.0, 1.0);
             let speed = (at_one / depth).sqrt();
-            Found {
-                sound: format!("the baseline's depth would need c_t = ({})^2", unit(speed, "m/s")),
-                printed: String::new(),
-                verdict: Verdict::Unchecked,
-                cause: "c_t is not given, and to give a length it must be the square of a speed",
-            }
+            found(
+                format!("the baseline's depth would need c_t = ({})^2", unit(speed, "m/s")),
+                Verdict::Unchecked,
+                "c_t is not given, and to give a length it must be the square of a speed",
+            )
         },
     },
     Claim {

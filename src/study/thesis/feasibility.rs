@@ -8,12 +8,12 @@ use crate::study::principles::PRINCIPLES;
 use crate::study::screening::CONCEPTS;
 use crate::study::thesis::lab::Measure::Percent;
 use crate::study::thesis::lab::{
-    LAWS, Law, changed, found, misprint_verdict, mm, near, number, number_verdict, pc, spelled,
-    trend_verdict, unit, with,
+    LAWS, Law, both, changed, found, misprint_verdict, mm, near, number, number_verdict, pc, read,
+    spelled, trend_verdict, unit, with,
 };
 use crate::study::thesis::numbering::{SYMBOLS, has_table};
 use crate::study::thesis::shape::{at, falls, rises};
-use crate::study::thesis::{Claim, Found, Opens, Verdict};
+use crate::study::thesis::{Claim, Opens, Verdict};
 
 /// Spring steel: density, shear modulus, and a shear stress it may bear.
 const STEEL: (f64, f64, f64) = (7850.0, 79.3e9, 700e6);
@@ -64,16 +64,15 @@ pub(super) static CLAIMS: &[Claim] = &[
                         usize::from(coil_ratio(0.75e6 * f64::from(k), 0.05 * f64::from(d)) > 25.0);
                 }
             }
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "at least {} projectiles uncocked at any k, {} at d = 0.5; {heavy} of 100 cocked designs above 25",
                     number(uncocked),
                     number(cocked)
                 ),
-                printed: String::new(),
-                verdict: number_verdict(false, uncocked < 25.0 && heavy > 50),
-                cause: "a spring's mass goes with the energy it stores, not with its stiffness; gamma is the plate's ratio elsewhere",
-            }
+                number_verdict(false, uncocked < 25.0 && heavy > 50),
+                "a spring's mass goes with the energy it stores, not with its stiffness; gamma is the plate's ratio elsewhere",
+            )
         },
     },
     Claim {
@@ -106,7 +105,7 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Nothing,
         check: |_| {
             let whole = (1..=30).filter(|tenths| tenths % 10 == 0).count();
-            found(
+            read(
                 format!("{whole} of 30 exponents from 0.1 to 3 are whole numbers"),
                 misprint_verdict(whole == 30, whole > 0),
                 "a power law; only n = 1, 2, 3 are polynomials",
@@ -145,18 +144,18 @@ pub(super) static CLAIMS: &[Claim] = &[
             };
             let first = [stopped(), stopped_heavy()].map(|scene| lab.percent(Law::Sound, &scene));
             let end = [stopped(), stopped_heavy()].map(|scene| final_percent(&scene));
-            Found {
-                sound: format!(
+            both(
+                format!(
                     "gamma = 1: {} become {}; gamma = 3: {} become {}",
                     pc(first[0]),
                     pc(end[0]),
                     pc(first[1]),
                     pc(end[1])
                 ),
-                printed: "no stop, and no second penetration in it".to_owned(),
-                verdict: trend_verdict(end[0] < first[0] + 1.0),
-                cause: "the plate stands, the projectile still has the common speed: by the same law it goes on, and half the gain is lost",
-            }
+                "no stop, and no second penetration in it".to_owned(),
+                trend_verdict(end[0] < first[0] + 1.0),
+                "the plate stands, the projectile still has the common speed: by the same law it goes on, and half the gain is lost",
+            )
         },
     },
     Claim {
@@ -175,12 +174,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                     pc(at(curve, 3.0))
                 )
             };
-            Found {
-                sound: told(&sound),
-                printed: told(&printed),
-                verdict: trend_verdict(falls(&sound) && at(&sound, 1.4) - at(&sound, 3.0) < 1.0),
-                cause: "with x in metres such a spring is as good as absent; F = F_ref (x/x_ref)^n would not say so",
-            }
+            both(
+                told(&sound),
+                told(&printed),
+                trend_verdict(falls(&sound) && at(&sound, 1.4) - at(&sound, 3.0) < 1.0),
+                "with x in metres such a spring is as good as absent; F = F_ref (x/x_ref)^n would not say so",
+            )
         },
     },
     Claim {
@@ -274,7 +273,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 .iter()
                 .map(|(symbol, meanings)| format!("{symbol}: {}", meanings.join(", ")))
                 .collect();
-            found(
+            read(
                 told.join("; "),
                 misprint_verdict(SYMBOLS.is_empty(), true),
                 "read with care: the gamma of 9.5.1 is a spring's mass, the d of Figure 4.1 a thickness",
@@ -287,7 +286,7 @@ pub(super) static CLAIMS: &[Claim] = &[
         says: "the beam's parameters are in Table 9.5.2",
         opens: Opens::Nothing,
         check: |_| {
-            found(
+            read(
                 format!(
                     "Table 9.5.2 exists: {}; Table 9.3 exists: {}",
                     has_table("9.5.2"),
@@ -305,12 +304,11 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Nothing,
         check: |_| {
             let stiffness = Cantilever::TABLE_9_3.torsional_n_m();
-            Found {
-                sound: format!("{} N m/rad", number(stiffness)),
-                printed: String::new(),
-                verdict: number_verdict(near(stiffness, 7200.0, 2e-3), false),
-                cause: "gamma K_Theta E I/l; the table's unit N/rad should be N m/rad, and its gamma is a radius factor",
-            }
+            found(
+                format!("{} N m/rad", number(stiffness)),
+                number_verdict(near(stiffness, 7200.0, 2e-3), false),
+                "gamma K_Theta E I/l; the table's unit N/rad should be N m/rad, and its gamma is a radius factor",
+            )
         },
     },
     Claim {
@@ -323,17 +321,16 @@ pub(super) static CLAIMS: &[Claim] = &[
             let (start, tangent) = (beam.tangent_n_m(0.0), beam.tangent_n_m(0.03));
             let secant = beam.force_n(0.03) / 0.03;
             let stated = |value: f64| (value / 1e6 - 0.111).abs() < 5e-4;
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "{} at rest; at 0.03 m tangent {}, secant {}",
                     unit(start, "N/m"),
                     unit(tangent, "N/m"),
                     unit(secant, "N/m")
                 ),
-                printed: String::new(),
-                verdict: number_verdict(stated(tangent) || stated(secant), stated(start)),
-                cause: "the stated value is the slope at rest",
-            }
+                number_verdict(stated(tangent) || stated(secant), stated(start)),
+                "the stated value is the slope at rest",
+            )
         },
     },
     Claim {
@@ -344,12 +341,11 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |_| {
             let beam = Cantilever::TABLE_9_3;
             let growth = beam.tangent_n_m(beam.yield_at_m()) / beam.tangent_n_m(0.0) - 1.0;
-            Found {
-                sound: format!("by {} up to yield", pc(100.0 * growth)),
-                printed: String::new(),
-                verdict: trend_verdict((0.0..0.1).contains(&growth)),
-                cause: "the pseudo-rigid-body model's geometry",
-            }
+            found(
+                format!("by {} up to yield", pc(100.0 * growth)),
+                trend_verdict((0.0..0.1).contains(&growth)),
+                "the pseudo-rigid-body model's geometry",
+            )
         },
     },
     Claim {
@@ -359,12 +355,11 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Scene(cantilever),
         check: |_| {
             let at = Cantilever::TABLE_9_3.yield_at_m();
-            Found {
-                sound: mm(at),
-                printed: String::new(),
-                verdict: number_verdict(near(at, 0.03, 0.02), false),
-                cause: "bending stress at the root reaches 880 MPa",
-            }
+            found(
+                mm(at),
+                number_verdict(near(at, 0.03, 0.02), false),
+                "bending stress at the root reaches 880 MPa",
+            )
         },
     },
     Claim {
@@ -379,12 +374,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             let told = |pair: [f64; 2]| {
                 format!("{} uncocked, {} cocked by 0.03 m", pc(pair[0]), pc(pair[1]))
             };
-            Found {
-                sound: told(values[0]),
-                printed: told(values[1]),
-                verdict: trend_verdict(values[0][1] > 0.9 * values[0][0]),
-                cause: "at gamma = 1, as if the beam had no mass",
-            }
+            both(
+                told(values[0]),
+                told(values[1]),
+                trend_verdict(values[0][1] > 0.9 * values[0][0]),
+                "at gamma = 1, as if the beam had no mass",
+            )
         },
     },
     Claim {
@@ -395,17 +390,16 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |_| {
             let beam = Cantilever::TABLE_9_3;
             let ratio = beam.tip_mass_kg() / 0.0295;
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "the beam alone counts as {} g at its tip: {} projectiles; at yield it stores {} of 147.5 J",
                     number(1e3 * beam.tip_mass_kg()),
                     number(ratio),
                     unit(beam.energy_j(beam.yield_at_m()), "J")
                 ),
-                printed: String::new(),
-                verdict: trend_verdict(ratio < 1.0),
-                cause: "33/140 of a titanium beam of 0.6 kg moves with the plate",
-            }
+                trend_verdict(ratio < 1.0),
+                "33/140 of a titanium beam of 0.6 kg moves with the plate",
+            )
         },
     },
     Claim {
@@ -413,11 +407,12 @@ pub(super) static CLAIMS: &[Claim] = &[
         place: "9.5.3",
         says: "the helical rotating spring magnifies the effect of cocking",
         opens: Opens::Nothing,
-        check: |_| Found {
-            sound: String::new(),
-            printed: String::new(),
-            verdict: Verdict::Unchecked,
-            cause: "no dimension of the spring is given, so nothing can be computed of it",
+        check: |_| {
+            found(
+                String::new(),
+                Verdict::Unchecked,
+                "no dimension of the spring is given, so nothing can be computed of it",
+            )
         },
     },
     Claim {
@@ -428,16 +423,15 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |_| {
             let coil = coil_ratio(1e5, 0.0);
             let beam = Cantilever::TABLE_9_3.tip_mass_kg() / 0.0295;
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "moving or stored mass: coil {} projectiles, beam {}",
                     number(coil),
                     number(beam)
                 ),
-                printed: String::new(),
-                verdict: trend_verdict(coil < 2.0 && beam < 2.0),
-                cause: "9.5.2 and 9.5.3 say themselves that the useful region is out of reach",
-            }
+                trend_verdict(coil < 2.0 && beam < 2.0),
+                "9.5.2 and 9.5.3 say themselves that the useful region is out of reach",
+            )
         },
     },
     Claim {
@@ -449,7 +443,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             let there = |name: &str| CONCEPTS.iter().any(|it| it.name == name);
             let (named, meant) =
                 (there("Helical rotating plate"), there("Helical rotating spring"));
-            found(
+            read(
                 format!("a concept of that name: {named}; Helical rotating spring: {meant}"),
                 misprint_verdict(named, meant),
                 "the Helical Rotating Spring is meant",
@@ -465,7 +459,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             // What the variables of Figures 9.2 to 9.12 act on: d, and gamma, b, k, n.
             let moved = ["Relative velocity reduction", "Transfer rate minimization"];
             let shown = PRINCIPLES.iter().filter(|it| moved.contains(&it.name)).count();
-            found(
+            read(
                 format!("{shown} of {} principles are varied in chapter 9", PRINCIPLES.len()),
                 number_verdict(shown == PRINCIPLES.len(), shown > 0),
                 "of relative velocity and transfer rate; nothing there turns, spreads, or makes the shot glance off",

@@ -3,11 +3,11 @@
 use crate::model::scene::Scene;
 use crate::study::thesis::lab::Measure::{Percent, Travel};
 use crate::study::thesis::lab::{
-    Axis, LAWS, Law, misprint_verdict, number, pc, trend_verdict, with,
+    Axis, LAWS, Law, both, found, misprint_verdict, number, pc, trend_verdict, with,
 };
 use crate::study::thesis::shape::{edge, range, rises};
 use crate::study::thesis::spread::{falling, greater, judged, list, ranges, rising};
-use crate::study::thesis::{Claim, Found, Opens};
+use crate::study::thesis::{Claim, Opens};
 
 const GAMMA: Axis = ("gamma", 0.8, 7.0, 9);
 const SPRING: Axis = ("k", 0.0, 7.5e6, 9);
@@ -45,16 +45,15 @@ pub(super) static CLAIMS: &[Claim] = &[
             };
             let (depth, travel) = (ratio(Percent, &with(&[])), ratio(Travel, &with(&[])));
             let equal = |ratio: f64| (0.5..2.0).contains(&ratio);
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "gamma's part over k's: depth {}, displacement {}",
                     number(depth),
                     number(travel)
                 ),
-                printed: String::new(),
-                verdict: misprint_verdict(equal(depth), equal(travel)),
-                cause: "the figure shows displacement; that is what is meant, and so it is",
-            }
+                misprint_verdict(equal(depth), equal(travel)),
+                "the figure shows displacement; that is what is meant, and so it is",
+            )
         },
     },
     Claim {
@@ -107,12 +106,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 )
             };
             let little = |percent: f64| percent > 90.0;
-            Found {
-                sound: told(Law::Sound),
-                printed: told(Law::Printed),
-                verdict: misprint_verdict(little(at(Law::Sound, 1e5)), little(at(Law::Sound, 1e6))),
-                cause: "true of k = 1e6, as in Figure 9.6; at the caption's k the plate has long been let go",
-            }
+            both(
+                told(Law::Sound),
+                told(Law::Printed),
+                misprint_verdict(little(at(Law::Sound, 1e5)), little(at(Law::Sound, 1e6))),
+                "true of k = 1e6, as in Figure 9.6; at the caption's k the plate has long been let go",
+            )
         },
     },
     Claim {
@@ -161,15 +160,14 @@ pub(super) static CLAIMS: &[Claim] = &[
             let curves = [0.8, 2.0, 7.0]
                 .map(|gamma| lab.curve(Law::Sound, Travel, &with(&[("gamma", gamma)]), EXPONENT));
             let last = |curve: &[super::lab::P]| curve.last().map_or(f64::NAN, |point| point.1);
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "at n = 3 and gamma = 0.8, 2, 7: {}",
                     list(&[last(&curves[0]), last(&curves[1]), last(&curves[2])], "mm")
                 ),
-                printed: String::new(),
-                verdict: trend_verdict(curves.iter().all(|curve| rises(curve))),
-                cause: "below a metre the higher power is the softer spring",
-            }
+                trend_verdict(curves.iter().all(|curve| rises(curve))),
+                "below a metre the higher power is the softer spring",
+            )
         },
     },
     Claim {
@@ -202,17 +200,15 @@ pub(super) static CLAIMS: &[Claim] = &[
             let part =
                 |from, to| range(&lab.curve(Law::Sound, Percent, &stiff(), ("n", from, to, 9)));
             let (below, beyond) = (part(0.4, 1.5), part(1.5, 3.0));
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "change over n from 0.4 to 1.5: {}, from 1.5 to 3: {}",
                     pc(below),
                     pc(beyond)
-                ),
-                printed: String::new(),
-                // The figure is drawn at one mass ratio: as written the sentence has no subject.
-                verdict: misprint_verdict(GAMMA.0 == EXPONENT.0, below > 10.0 * beyond),
-                cause: "n = 1.5 is meant: gamma is 1 throughout the figure",
-            }
+                ), // The figure is drawn at one mass ratio: as written the sentence has no subject.
+                misprint_verdict(GAMMA.0 == EXPONENT.0, below > 10.0 * beyond),
+                "n = 1.5 is meant: gamma is 1 throughout the figure",
+            )
         },
     },
     Claim {
@@ -266,17 +262,11 @@ pub(super) static CLAIMS: &[Claim] = &[
             }
             let (travel, k, n) = best;
             let meant = k < 2e5 && n > 2.5;
-            Found {
-                sound: format!(
-                    "largest, {} mm, at k = {}, n = {}",
-                    number(travel),
-                    number(k),
-                    number(n)
-                ),
-                printed: String::new(),
-                verdict: misprint_verdict(!meant, meant),
-                cause: "the exponent is meant: one coefficient cannot be both",
-            }
+            found(
+                format!("largest, {} mm, at k = {}, n = {}", number(travel), number(k), number(n)),
+                misprint_verdict(!meant, meant),
+                "the exponent is meant: one coefficient cannot be both",
+            )
         },
     },
 ];

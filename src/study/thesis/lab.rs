@@ -11,8 +11,8 @@ use crate::model::impact::{self, Settings};
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Contact, ContactModel, Mount, Projectile, Scene, Target};
 use crate::model::units::{self, Engineering};
-use crate::model::variables::{self, Value};
-use crate::study::thesis::{Found, Verdict};
+use crate::model::variables::{self, VARIABLES, Value};
+use crate::study::thesis::{Basis, Found, Verdict};
 
 /// The thesis's baseline, m (section 9.3).
 pub(super) const BASELINE_M: f64 = 7.129e-3;
@@ -92,7 +92,22 @@ pub(super) fn spelled(changes: &[(&str, &str)]) -> Scene {
 
 /// A finding of the sound model alone.
 pub(super) fn found(sound: String, verdict: Verdict, cause: &'static str) -> Found {
-    Found { sound, printed: String::new(), verdict, cause }
+    both(sound, String::new(), verdict, cause)
+}
+
+/// A finding of the sound model and of the Appendix as printed.
+pub(super) fn both(sound: String, printed: String, verdict: Verdict, cause: &'static str) -> Found {
+    let basis = if verdict == Verdict::Unchecked && sound.is_empty() {
+        Basis::None
+    } else {
+        Basis::Computed
+    };
+    Found { sound, printed, verdict, cause, basis }
+}
+
+/// A finding about the thesis's words, tables or numbering: nothing is computed for it.
+pub(super) fn read(sound: String, verdict: Verdict, cause: &'static str) -> Found {
+    Found { sound, printed: String::new(), verdict, cause, basis: Basis::Read }
 }
 
 /// On a rigid mount.
@@ -214,13 +229,27 @@ impl Lab {
         let told = |curve: &[P]| {
             format!("{}{}", ends(measure, axis.0, curve), also(property(curve), holds))
         };
-        Found {
-            sound: ends(measure, axis.0, &sound),
-            printed: told(&printed),
-            verdict: trend_verdict(holds),
+        both(
+            format!("{}{}", own_settings(scene, axis.0), ends(measure, axis.0, &sound)),
+            told(&printed),
+            trend_verdict(holds),
             cause,
-        }
+        )
     }
+}
+
+/// How a scene differs from the one of chapter 9's figures, but for the variable of the axis: `d = 0.25 m: `.
+fn own_settings(scene: &Scene, axis: &str) -> String {
+    let base = base();
+    let own: Vec<String> = VARIABLES
+        .iter()
+        .filter(|it| it.symbol != axis && it.value(scene) != it.value(&base))
+        .map(|it| {
+            let unit = if it.unit() == "-" { String::new() } else { format!(" {}", it.unit()) };
+            format!("{} = {}{unit}", it.symbol, it.show(scene))
+        })
+        .collect();
+    if own.is_empty() { String::new() } else { format!("{}: ", own.join(", ")) }
 }
 
 /// What the printed scheme does differently, in a word.

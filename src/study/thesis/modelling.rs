@@ -6,11 +6,11 @@ use crate::model::scene::{ContactModel, Scene};
 use crate::numerics::larger;
 use crate::study::thesis::concepts::CONCEPT_SCENES;
 use crate::study::thesis::lab::{
-    LAWS, Lab, Law, changed, found, misprint_verdict, near, number, number_verdict, pc, rigid,
-    trend_verdict, unit, with,
+    LAWS, Lab, Law, both, changed, found, misprint_verdict, near, number, number_verdict, pc, read,
+    rigid, trend_verdict, unit, with,
 };
-use crate::study::thesis::numbering::has_figure;
-use crate::study::thesis::{Claim, Found, Opens, Verdict};
+use crate::study::thesis::numbering::caption;
+use crate::study::thesis::{Claim, Opens, Verdict};
 
 const DURATION_S: f64 = 150e-6;
 
@@ -234,11 +234,13 @@ pub(super) static CLAIMS: &[Claim] = &[
         says: "both models combined are shown in Figure 8.4",
         opens: Opens::Nothing,
         check: |_| {
-            // Figure 8.4 is captioned as the impact alone, 8.8 as the combination.
-            let combined = "8.8";
-            found(
-                "Figure 8.4 is captioned as the impact onto a fixed plate".to_owned(),
-                misprint_verdict(combined == "8.4", has_figure(combined)),
+            let combined =
+                |number| caption(number).is_some_and(|text| text.starts_with("Combined"));
+            let quoted =
+                |number| format!("Figure {number}: \"{}\"", caption(number).unwrap_or("none"));
+            read(
+                format!("{}; {}", quoted("8.4"), quoted("8.8")),
+                misprint_verdict(combined("8.4"), combined("8.8")),
                 "Figure 8.8 is meant",
             )
         },
@@ -282,12 +284,11 @@ pub(super) static CLAIMS: &[Claim] = &[
                     / (pair[1].t_s - pair[0].t_s)
                     / (0.5 * (pair[0].contact_force_n + pair[1].contact_force_n))
             });
-            Found {
-                sound: format!("m dv/dt over F along the run: {}", number(product)),
-                printed: String::new(),
-                verdict: misprint_verdict(near(product, 1.0, 0.05), near(product, -1.0, 0.05)),
-                cause: "the sign is wrong for a deceleration; 8.6 goes on with the size",
-            }
+            found(
+                format!("m dv/dt over F along the run: {}", number(product)),
+                misprint_verdict(near(product, 1.0, 0.05), near(product, -1.0, 0.05)),
+                "the sign is wrong for a deceleration; 8.6 goes on with the size",
+            )
         },
     },
     Claim {
@@ -297,13 +298,12 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Scene(half_sine),
         check: |lab| {
             let run = lab.run_with(Law::Sound, &half_sine(), true);
-            let found = impulse(&run, DURATION_S);
-            Found {
-                sound: format!("{} N s of m v = 2.95 N s", number(found)),
-                printed: String::new(),
-                verdict: number_verdict(near(found, 0.0295 * 100.0, 1e-3), false),
-                cause: "summed over the run's own force history",
-            }
+            let impulse = impulse(&run, DURATION_S);
+            found(
+                format!("{} N s of m v = 2.95 N s", number(impulse)),
+                number_verdict(near(impulse, 0.0295 * 100.0, 1e-3), false),
+                "summed over the run's own force history",
+            )
         },
     },
     Claim {
@@ -314,12 +314,11 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |lab| {
             let peak = lab.run(Law::Sound, &half_sine()).peak_contact_force_n.unwrap_or(f64::NAN);
             let stated = 0.0295 * 100.0 * std::f64::consts::PI / (2.0 * DURATION_S);
-            Found {
-                sound: format!("{} for t_d = 150 us", unit(peak, "N")),
-                printed: String::new(),
-                verdict: number_verdict(near(peak, stated, 1e-9), false),
-                cause: "the amplitude that makes the impulse m V",
-            }
+            found(
+                format!("{} for t_d = 150 us", unit(peak, "N")),
+                number_verdict(near(peak, stated, 1e-9), false),
+                "the amplitude that makes the impulse m V",
+            )
         },
     },
     Claim {
@@ -329,12 +328,12 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Scene(rigid_base),
         check: |lab| {
             let [sound, printed] = LAWS.map(|law| off_half_sine(lab, law));
-            Found {
-                sound: format!("off by up to {} of the peak", pc(100.0 * sound)),
-                printed: format!("off by up to {} of the peak", pc(100.0 * printed)),
-                verdict: trend_verdict(sound < 0.25),
-                cause: "the thesis's own law ends at A S_y, its full strength, not at zero: a ramp and a cliff",
-            }
+            both(
+                format!("off by up to {} of the peak", pc(100.0 * sound)),
+                format!("off by up to {} of the peak", pc(100.0 * printed)),
+                trend_verdict(sound < 0.25),
+                "the thesis's own law ends at A S_y, its full strength, not at zero: a ramp and a cliff",
+            )
         },
     },
     Claim {
@@ -345,12 +344,11 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |lab| {
             let run = lab.run_with(Law::Sound, &at_once(), true);
             let start = run.series.first().map_or(f64::NAN, |row| row.plate_velocity_m_s);
-            Found {
-                sound: unit(start, "m/s"),
-                printed: String::new(),
-                verdict: number_verdict(near(start, 50.0, 1e-12), false),
-                cause: "momentum; gamma = 1",
-            }
+            found(
+                unit(start, "m/s"),
+                number_verdict(near(start, 50.0, 1e-12), false),
+                "momentum; gamma = 1",
+            )
         },
     },
     Claim {
@@ -368,12 +366,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 [ContactModel::HalfSine, ContactModel::InitialVelocity, ContactModel::Lumped];
             let drag = outcome(ContactModel::Hydrodynamic) == Outcome::Perforated;
             let blind = simple.into_iter().all(|model| outcome(model) != Outcome::Perforated);
-            Found {
-                sound: "3 mm at 300 m/s: perforated by the drag model alone".to_owned(),
-                printed: lab.run(Law::Printed, &thin()).outcome.word().to_owned(),
-                verdict: trend_verdict(drag && blind),
-                cause: "they know no rear face",
-            }
+            both(
+                "3 mm at 300 m/s: perforated by the drag model alone".to_owned(),
+                lab.run(Law::Printed, &thin()).outcome.word().to_owned(),
+                trend_verdict(drag && blind),
+                "they know no rear face",
+            )
         },
     },
     Claim {
@@ -445,19 +443,19 @@ pub(super) static CLAIMS: &[Claim] = &[
                 .collect();
             let travel = off.iter().all(|[_, travel, _]| travel.is_some_and(|it| it.abs() < 0.05));
             let depth = off.iter().all(|[depth, ..]| depth.is_none_or(|it| it.abs() > 0.05));
-            Found {
-                sound: format!(
+            both(
+                format!(
                     "depth / plate travel / peak force against the drag model: {}",
                     told.join("; ")
                 ),
-                printed: {
+                {
                     let [depth, travel, peak] = against_drag(lab, ContactModel::Appendix);
                     format!("{} / {} / {}", deviation(depth), deviation(travel), deviation(peak))
                 },
-                verdict: trend_verdict(travel && depth),
-                cause: "for the plate's travel any of them does, for depth none of the simpler ones; run times: cmra run \
+                trend_verdict(travel && depth),
+                "for the plate's travel any of them does, for depth none of the simpler ones; run times: cmra run \
                         --compare models",
-            }
+            )
         },
     },
 ];

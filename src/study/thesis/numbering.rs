@@ -7,6 +7,12 @@ const TABLES: [&str; 9] = ["4.1", "5.1", "7.1", "7.2", "8.1", "8.2", "9.1", "9.2
 const LAST_FIGURE: [(u32, u32); 8] =
     [(2, 18), (3, 1), (4, 2), (5, 4), (6, 9), (7, 0), (8, 18), (9, 14)];
 
+/// Captions that a claim turns on, as printed.
+const CAPTIONS: [(&str, &str); 2] = [
+    ("8.4", "Simple ballistic impact lumped-parameter model"),
+    ("8.8", "Combined lumped-parameter model of projectile-plate and plate-mechanism reaction"),
+];
+
 /// Symbols with more than one meaning, and what they stand for where.
 pub(super) const SYMBOLS: [(&str, &[&str]); 8] = [
     (
@@ -30,6 +36,11 @@ pub(super) const SYMBOLS: [(&str, &[&str]); 8] = [
 /// Whether a table of this number exists.
 pub(super) fn has_table(number: &str) -> bool {
     TABLES.contains(&number)
+}
+
+/// The caption of a figure, where a claim turns on it.
+pub(super) fn caption(figure: &str) -> Option<&'static str> {
+    CAPTIONS.iter().find(|(number, _)| *number == figure).map(|(_, caption)| *caption)
 }
 
 /// Whether a figure of this number exists.

@@ -4,9 +4,9 @@ use crate::study::principles::Function;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, rank, ranking};
 use crate::study::thesis::concepts::{CONCEPT_SCENES, SUPPLIED};
 use crate::study::thesis::lab::{
-    Law, found, misprint_verdict, near, number, number_verdict, pc, trend_verdict,
+    Law, found, misprint_verdict, near, number, number_verdict, pc, read, trend_verdict,
 };
-use crate::study::thesis::{Claim, Found, Opens, Verdict};
+use crate::study::thesis::{Claim, Opens, Verdict};
 
 pub(super) static CLAIMS: &[Claim] = &[
     Claim {
@@ -22,7 +22,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 "array compatibility",
             ];
             let there = asked.iter().filter(|name| CRITERIA.contains(name)).count();
-            found(
+            read(
                 format!(
                     "{there} of {} functions, and {} more",
                     Function::ALL.len(),
@@ -40,12 +40,11 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Nothing,
         check: |_| {
             let sum: f64 = WEIGHTS_PERCENT.iter().sum();
-            Found {
-                sound: pc(sum),
-                printed: String::new(),
-                verdict: number_verdict(near(sum, 100.0, 1e-12), false),
-                cause: "the seven weights add up",
-            }
+            found(
+                pc(sum),
+                number_verdict(near(sum, 100.0, 1e-12), false),
+                "the seven weights add up",
+            )
         },
     },
     Claim {
@@ -58,12 +57,11 @@ pub(super) static CLAIMS: &[Claim] = &[
             let right =
                 places.iter().all(|it| (it.total - CONCEPTS[it.concept].total).abs() < 5e-3);
             let totals: Vec<String> = places.iter().map(|it| number(it.total)).collect();
-            Found {
-                sound: totals.join(" "),
-                printed: String::new(),
-                verdict: number_verdict(right, false),
-                cause: "ratings times weights give the printed totals",
-            }
+            found(
+                totals.join(" "),
+                number_verdict(right, false),
+                "ratings times weights give the printed totals",
+            )
         },
     },
     Claim {
@@ -76,12 +74,11 @@ pub(super) static CLAIMS: &[Claim] = &[
                 rank(&WEIGHTS_PERCENT).iter().all(|it| it.rank == CONCEPTS[it.concept].rank);
             let order: Vec<&str> =
                 ranking(&WEIGHTS_PERCENT).iter().map(|it| CONCEPTS[it.concept].name).collect();
-            Found {
-                sound: order[..3].join(", "),
-                printed: String::new(),
-                verdict: number_verdict(right, false),
-                cause: "all eight ranks follow from the totals",
-            }
+            found(
+                order[..3].join(", "),
+                number_verdict(right, false),
+                "all eight ranks follow from the totals",
+            )
         },
     },
     Claim {
@@ -94,16 +91,15 @@ pub(super) static CLAIMS: &[Claim] = &[
             weights[6] = 0.0;
             let places = rank(&weights);
             let helical = places[7];
-            Found {
-                sound: format!(
+            found(
+                format!(
                     "without ease of analysis (35 %) the helical spring is {}th with {}",
                     helical.rank,
                     number(helical.total)
                 ),
-                printed: String::new(),
-                verdict: trend_verdict(helical.rank <= 2),
-                cause: "ease of analysis decides the selection; plate acceleration, which chapter 9 finds strongest, has 3 %",
-            }
+                trend_verdict(helical.rank <= 2),
+                "ease of analysis decides the selection; plate acceleration, which chapter 9 finds strongest, has 3 %",
+            )
         },
     },
     Claim {
@@ -116,15 +112,11 @@ pub(super) static CLAIMS: &[Claim] = &[
                 let all_equal = |ratings: &[f64; 7]| ratings.iter().all(|it| near(*it, 3.0, 1e-12));
                 CONCEPTS.iter().any(|it| it.name == name && all_equal(&it.ratings))
             };
-            Found {
-                sound: "the emergent four-bar alone has a 3 everywhere".to_owned(),
-                printed: String::new(),
-                verdict: misprint_verdict(
-                    reference("Angled four-bar"),
-                    reference("Emergent four-bar"),
-                ),
-                cause: "no concept has that name: the emergent four-bar is meant",
-            }
+            read(
+                "the emergent four-bar alone has a 3 everywhere".to_owned(),
+                misprint_verdict(reference("Angled four-bar"), reference("Emergent four-bar")),
+                "no concept has that name: the emergent four-bar is meant",
+            )
         },
     },
     Claim {
@@ -136,7 +128,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             let all = || CONCEPTS.iter().flat_map(|it| it.ratings);
             let least = all().fold(f64::INFINITY, crate::numerics::smaller);
             let most = all().fold(0.0, crate::numerics::larger);
-            found(
+            read(
                 format!("from {} to {}", number(least), number(most)),
                 number_verdict(near(most, 5.0, 1e-12), least >= 1.0 && most <= 5.0),
                 "no concept is rated much better than the reference in anything",
@@ -157,7 +149,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 .collect();
             let told: Vec<String> =
                 rated.iter().map(|(name, rating)| format!("{name} {}", number(*rating))).collect();
-            found(
+            read(
                 told.join(", "),
                 trend_verdict(rated.iter().all(|(_, rating)| *rating > 3.0)),
                 "6.2.7 lists accelerated elements for the helical spring, Table 7.1 rates it worse than a concept without",
@@ -166,8 +158,8 @@ pub(super) static CLAIMS: &[Claim] = &[
     },
     Claim {
         id: "7.2.4-selected",
-        place: "7.2.4",
-        says: "the cocked cantilever and the helical spring are most likely to reduce penetration",
+        place: "7.1, 7.2.4",
+        says: "screening finds the concepts most likely to reduce the plate's deformation: cocked cantilever, helical spring",
         opens: Opens::Preset("concept-cocked-cantilever"),
         check: |lab| {
             let mut order: Vec<(f64, &str)> = CONCEPT_SCENES

@@ -1,7 +1,7 @@
 //! Claims about how far one variable moves a result while another is held: ranges, and what is said of them.
 
 use crate::study::thesis::Found;
-use crate::study::thesis::lab::{Axis, Lab, Law, Measure, number, trend_verdict, with};
+use crate::study::thesis::lab::{Axis, Lab, Law, Measure, both, number, trend_verdict, with};
 use crate::study::thesis::shape::range;
 
 /// Ranges of a measure along `axis`, one for each value of another variable.
@@ -41,12 +41,7 @@ pub(super) fn judged<const M: usize>(
     cause: &'static str,
 ) -> Found {
     let told = |values: &[f64; M]| format!("{what}: {}", list(values, unit));
-    Found {
-        sound: told(&values[0]),
-        printed: told(&values[1]),
-        verdict: trend_verdict(property(&values[0])),
-        cause,
-    }
+    both(told(&values[0]), told(&values[1]), trend_verdict(property(&values[0])), cause)
 }
 
 /// A claim that the first of two ranges is the greater.

@@ -3,11 +3,11 @@
 use crate::model::scene::Scene;
 use crate::study::thesis::lab::Measure::{Percent, Travel};
 use crate::study::thesis::lab::{
-    Axis, LAWS, Lab, Law, P, ends, found, misprint_verdict, number, pc, trend_verdict, with,
+    Axis, LAWS, Lab, Law, P, both, ends, found, misprint_verdict, number, pc, trend_verdict, with,
 };
 use crate::study::thesis::shape::{at, edge, falls, flattens, range, rises, slope};
 use crate::study::thesis::spread::{falling, judged, list, rising};
-use crate::study::thesis::{Claim, Found, Opens, Verdict};
+use crate::study::thesis::{Claim, Opens, Verdict};
 
 const GAMMA: Axis = ("gamma", 0.8, 7.0, 32);
 const COCKING: Axis = ("d", 0.0, 0.5, 26);
@@ -110,12 +110,12 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |lab| {
             let metres = |curve: &[P]| slope(curve) / 1e3;
             let [sound, printed] = LAWS.map(|law| lab.curve(law, Travel, &gentle(), COCKING));
-            Found {
-                sound: format!("slope {} m/m", number(metres(&sound))),
-                printed: format!("slope {} m/m", number(metres(&printed))),
-                verdict: trend_verdict(rises(&sound) && (metres(&sound) - 1.0).abs() < 0.1),
-                cause: "the stored energy outweighs the shot's: the plate swings through to the other side",
-            }
+            both(
+                format!("slope {} m/m over d = 0 to 0.5 m", number(metres(&sound))),
+                format!("slope {} m/m", number(metres(&printed))),
+                trend_verdict(rises(&sound) && (metres(&sound) - 1.0).abs() < 0.1),
+                "the stored energy outweighs the shot's: the plate swings through to the other side",
+            )
         },
     },
     Claim {
@@ -145,12 +145,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 )
             };
             let [sound, printed] = LAWS.map(price);
-            Found {
-                sound: told(sound),
-                printed: told(printed),
-                verdict: trend_verdict(sound.is_some_and(|(_, ratio)| ratio < 1.5)),
-                cause: "the stroke contains d on both sides of neutral: depth is bought with several times the space",
-            }
+            both(
+                told(sound),
+                told(printed),
+                trend_verdict(sound.is_some_and(|(_, ratio)| ratio < 1.5)),
+                "the stroke contains d on both sides of neutral: depth is bought with several times the space",
+            )
         },
     },
     Claim {
@@ -276,12 +276,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             let [sound, printed] = LAWS.map(cost);
             let told =
                 |pair: [f64; 2]| format!("{} over all k, {} over all b", pc(pair[0]), pc(pair[1]));
-            Found {
-                sound: told(sound),
-                printed: told(printed),
-                verdict: trend_verdict(sound[0] < sound[1]),
-                cause: "over the ranges of Table 9.2; they are arbitrary, and N/m and N s/m do not compare",
-            }
+            both(
+                told(sound),
+                told(printed),
+                trend_verdict(sound[0] < sound[1]),
+                "over the ranges of Table 9.2; they are arbitrary, and N/m and N s/m do not compare",
+            )
         },
     },
     Claim {
@@ -301,12 +301,11 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |lab| {
             let depth = lab.curve(Law::Sound, Percent, &gentle(), SPRING);
             let travel = lab.curve(Law::Sound, Travel, &gentle(), SPRING);
-            Found {
-                sound: format!("{}; {}", ends(Percent, "k", &depth), ends(Travel, "k", &travel)),
-                printed: String::new(),
-                verdict: trend_verdict(rises(&depth) && falls(&travel)),
-                cause: "a stiffer spring stops the plate sooner, and holds it up",
-            }
+            found(
+                format!("{}; {}", ends(Percent, "k", &depth), ends(Travel, "k", &travel)),
+                trend_verdict(rises(&depth) && falls(&travel)),
+                "a stiffer spring stops the plate sooner, and holds it up",
+            )
         },
     },
     Claim {
@@ -321,12 +320,12 @@ pub(super) static CLAIMS: &[Claim] = &[
                 format!("k = 1e5: edge at n = {}; k = 1e6: {}", number(pair[0]), number(pair[1]))
             };
             let near_half = |n: f64| (n - 0.5).abs() < 0.1;
-            Found {
-                sound: told(sound),
-                printed: told(printed),
-                verdict: misprint_verdict(near_half(sound[0]), near_half(sound[1])),
-                cause: "the caption's k is ten times too small",
-            }
+            both(
+                told(sound),
+                told(printed),
+                misprint_verdict(near_half(sound[0]), near_half(sound[1])),
+                "the caption's k is ten times too small",
+            )
         },
     },
     Claim {
@@ -346,13 +345,13 @@ pub(super) static CLAIMS: &[Claim] = &[
             let told = |steps: &[f64]| {
                 steps.iter().map(|step| number(*step)).collect::<Vec<_>>().join(", ")
             };
-            Found {
-                sound: format!("greatest step with dn = 0.02, 0.005, 0.00125: {} %", told(&sound)),
-                printed: format!("with dn = 0.02, 0.005: {} %", told(&printed)),
-                verdict: if continuous { Verdict::Corrected } else { Verdict::TrendHolds },
-                cause: "a steep smooth edge, no jump: there k x^n at the plate's natural millimetre equals the contact force, \
+            both(
+                format!("greatest step with dn = 0.02, 0.005, 0.00125: {} %", told(&sound)),
+                format!("with dn = 0.02, 0.005: {} %", told(&printed)),
+                if continuous { Verdict::Corrected } else { Verdict::TrendHolds },
+                "a steep smooth edge, no jump: there k x^n at the plate's natural millimetre equals the contact force, \
                         and below it the spring holds the plate like a rigid mount",
-            }
+            )
         },
     },
     Claim {
@@ -368,17 +367,17 @@ pub(super) static CLAIMS: &[Claim] = &[
                 .map_or(f64::NAN, |arrest| arrest.plate_displacement_m);
             let force = 1e6 * natural.powf(edge_n);
             let low = lab.percent(Law::Sound, &with(&[("k", 1e6), ("n", 0.2)]));
-            Found {
-                sound: format!(
+            both(
+                format!(
                     "{} at n = 0.2; at the edge k x^n = {} kN for x = {} mm",
                     pc(low),
                     number(force / 1e3),
                     number(1e3 * natural)
                 ),
-                printed: pc(lab.percent(Law::Printed, &with(&[("k", 1e6), ("n", 0.2)]))),
-                verdict: trend_verdict(low > 98.0 && (5e3..80e3).contains(&force)),
-                cause: "the contact force is about 19 kN: the edge is where the spring's equals it",
-            }
+                pc(lab.percent(Law::Printed, &with(&[("k", 1e6), ("n", 0.2)]))),
+                trend_verdict(low > 98.0 && (5e3..80e3).contains(&force)),
+                "the contact force is about 19 kN: the edge is where the spring's equals it",
+            )
         },
     },
     Claim {

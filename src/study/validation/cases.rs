@@ -1,17 +1,17 @@
-//! The measurements, with where they come from and where the model must not be used; and those nothing can be checked by.
+//! Single measurements, with where they come from and where the model must not be used.
 
-use super::{Case, NotChecked, Quantity};
+use super::{Case, Class, Quantity};
 
-const BORVIK: &str = "Borvik, Langseth, Hopperstad and Malo, IJIE 27 (2002) 19, by a reader's ledger of the paper: second-hand";
-const SPHERE: &str =
+pub(super) const BORVIK: &str = "Borvik, Langseth, Hopperstad and Malo, IJIE 27 (2002) 19, by a reader's ledger of the paper: second-hand";
+pub(super) const SPHERE: &str =
     "Qiang et al. (2022), doi 10.1177/09544062221080139, quoting an experiment: second-hand";
-const CORE: &str =
+pub(super) const CORE: &str =
     "Forrestal, Borvik, Warren and Chen, Exp. Mech. 54 (2014) 471, by the REL database (CC BY 4.0)";
-const REPORTS: &str =
+pub(super) const REPORTS: &str =
     "Army Research Laboratory reports, by the REL database (Ryan et al. 2023, CC BY 4.0)";
-const ROD: &str =
+pub(super) const ROD: &str =
     "cavity-expansion fit for 6061-T6511 of the Piekutowski kind, on a public page: second-hand";
-const CONCRETE: &str = "Li and Chen's shot 14, as worked on a public page: second-hand";
+pub(super) const CONCRETE: &str = "Li and Chen's shot 14, as worked on a public page: second-hand";
 
 const HARDENED: &str = "hardened steel, HRC 53";
 const HARD_CORE: &str = "hard core of an armour-piercing bullet; its hardness is not given";
@@ -27,6 +27,7 @@ const fn borvik(
         id,
         preset: "validation-borvik",
         set: &[],
+        class: Class::Hemisphere,
         quantity: Quantity::Limit,
         measured,
         resolution: Some(5.0),
@@ -38,10 +39,10 @@ const fn borvik(
 }
 
 /// A case of the hard core on 20 mm of aluminium.
-const fn core(
+pub(super) const fn core(
     id: &'static str,
     set: &'static [(&'static str, &'static str)],
-    quantity: Quantity,
+    class: Class,
     measured: f64,
     caution: &'static str,
 ) -> Case {
@@ -49,7 +50,11 @@ const fn core(
         id,
         preset: "validation-ap-core",
         set,
-        quantity,
+        class,
+        quantity: match class {
+            Class::ObliqueRatio => Quantity::Ratio,
+            _ => Quantity::Limit,
+        },
         measured,
         resolution: None,
         nose: "ogive, here a sphere with the ogive's drag",
@@ -61,13 +66,11 @@ const fn core(
 
 const SECANT: &str = "must not be used beyond about 20 deg: the measured limit goes with 1/cos(theta), the model's with its \
                       square root, since the plate's resistance does not turn with the plate";
-const RATIO: &str = "the bullet's mass with its jacket is not given, so only the ratio to its own limit at 0 deg (501 m/s) is \
-                     compared; it hardly depends on the strength";
-const ALLOY: &str = "alloy strength and projectile are not given, so only the ratio to the limit at 0 deg is compared; it \
-                     hardly depends on them";
+const RATIO: &str = "the ratio to the bullet's own limit at 0 deg (501 m/s), computed with its core alone (5.3 g of the \
+                     bullet's 10.7 g); must not be used beyond about 20 deg, as for the core";
 
 /// The measurements, in the order of the field notes.
-pub const CASES: [Case; 19] = [
+pub(super) static CASES: &[Case] = &[
     borvik(
         "borvik-hemispherical",
         "hemisphere",
@@ -77,6 +80,7 @@ pub const CASES: [Case; 19] = [
     ),
     Case {
         set: &[("Y", "460MPa")],
+        class: Class::Aside,
         ..borvik(
             "borvik-lower-yield",
             "hemisphere",
@@ -84,19 +88,26 @@ pub const CASES: [Case; 19] = [
             "the nominal yield strength instead of the fitted 490 MPa: how far the answer moves with it",
         )
     },
-    borvik(
-        "borvik-blunt",
-        "blunt",
-        184.5,
-        "must not be used for blunt noses: they shear out a plug early, which the law does not contain",
-    ),
-    borvik(
-        "borvik-conical",
-        "cone",
-        290.6,
-        "must not be used for cones: the area law is a sphere's. That it comes close is luck",
-    ),
     Case {
+        class: Class::OtherNoses,
+        ..borvik(
+            "borvik-blunt",
+            "blunt",
+            184.5,
+            "must not be used for blunt noses: they shear out a plug early, which the law does not contain",
+        )
+    },
+    Case {
+        class: Class::OtherNoses,
+        ..borvik(
+            "borvik-conical",
+            "cone",
+            290.6,
+            "must not be used for cones: the area law is a sphere's. That it comes close is luck",
+        )
+    },
+    Case {
+        class: Class::Aside,
         quantity: Quantity::Bulge,
         resolution: None,
         ..borvik(
@@ -110,6 +121,7 @@ pub const CASES: [Case; 19] = [
         id: "sphere-on-thin-steel",
         preset: "validation-thin-sphere",
         set: &[],
+        class: Class::ThinPlate,
         quantity: Quantity::Limit,
         measured: 205.1,
         resolution: None,
@@ -122,6 +134,7 @@ pub const CASES: [Case; 19] = [
         id: "sphere-lower-yield",
         preset: "validation-thin-sphere",
         set: &[("Y", "215MPa")],
+        class: Class::Aside,
         quantity: Quantity::Limit,
         measured: 205.1,
         resolution: None,
@@ -133,47 +146,36 @@ pub const CASES: [Case; 19] = [
     core(
         "ap-core-on-aluminium",
         &[],
-        Quantity::Limit,
+        Class::CoreOnAluminium,
         514.0,
         "the area law is not the ogive's own (N = 0.106), and h/D of 3 rules out dishing",
     ),
-    core("ap-core-15-deg", &[("theta", "15deg")], Quantity::Limit, 535.0, SECANT),
-    core("ap-core-30-deg", &[("theta", "30deg")], Quantity::Limit, 597.0, SECANT),
-    core("ap-core-45-deg", &[("theta", "45deg")], Quantity::Limit, 723.0, SECANT),
-    core("ap-bullet-15-deg", &[("theta", "15deg")], Quantity::Ratio, 516.0 / 501.0, RATIO),
-    core("ap-bullet-30-deg", &[("theta", "30deg")], Quantity::Ratio, 580.0 / 501.0, RATIO),
-    core("ap-bullet-45-deg", &[("theta", "45deg")], Quantity::Ratio, 718.0 / 501.0, RATIO),
+    core(
+        "ap-bullet-on-aluminium",
+        &[],
+        Class::CoreOnAluminium,
+        501.0,
+        "the bullet of 10.7 g is computed as its bare core of 5.3 g: jacket and filler are stripped. Measured, they take 13 m/s \
+         off the limit",
+    ),
+    core("ap-core-15-deg", &[("theta", "15deg")], Class::CoreOblique, 535.0, SECANT),
+    core("ap-core-30-deg", &[("theta", "30deg")], Class::CoreOblique, 597.0, SECANT),
+    core("ap-core-45-deg", &[("theta", "45deg")], Class::CoreOblique, 723.0, SECANT),
+    core("ap-core-30-deg-ratio", &[("theta", "30deg")], Class::ObliqueRatio, 597.0 / 514.0, SECANT),
+    core("ap-bullet-30-deg", &[("theta", "30deg")], Class::ObliqueRatio, 580.0 / 501.0, RATIO),
     Case {
-        source: REPORTS,
-        ..core(
-            "aa7085-30-deg",
-            &[("theta", "30deg"), ("h", "18.5mm")],
-            Quantity::Ratio,
-            652.0 / 598.0,
-            ALLOY,
-        )
+        quantity: Quantity::Ratio,
+        ..core("ap-bullet-15-deg", &[("theta", "15deg")], Class::Aside, 516.0 / 501.0, RATIO)
     },
     Case {
-        source: REPORTS,
-        ..core(
-            "hard-steel-30-deg",
-            &[
-                ("theta", "30deg"),
-                ("h", "9.8mm"),
-                ("rho", "7850"),
-                ("E", "200GPa"),
-                ("Y", "1.5GPa"),
-            ],
-            Quantity::Ratio,
-            965.0 / 865.0,
-            "alloy strength and projectile are not given (1.5 GPa and the hard core are taken), so only the ratio to the \
-             limit at 0 deg is compared; a core would not stay rigid in so hard a steel",
-        )
+        quantity: Quantity::Ratio,
+        ..core("ap-bullet-45-deg", &[("theta", "45deg")], Class::Aside, 718.0 / 501.0, RATIO)
     },
     Case {
         id: "rod-6061-strength",
         preset: "validation-rod-6061",
         set: &[],
+        class: Class::Aside,
         quantity: Quantity::Strength,
         measured: 5.04 * 276e6,
         resolution: None,
@@ -187,6 +189,7 @@ pub const CASES: [Case; 19] = [
         id: "ogive-in-concrete",
         preset: "validation-concrete",
         set: &[],
+        class: Class::Concrete,
         quantity: Quantity::Depth,
         measured: 0.173,
         resolution: None,
@@ -199,6 +202,7 @@ pub const CASES: [Case; 19] = [
         id: "ogive-in-concrete-drag",
         preset: "validation-concrete",
         set: &[("C_d", "1")],
+        class: Class::Aside,
         quantity: Quantity::Depth,
         measured: 0.173,
         resolution: None,
@@ -206,71 +210,5 @@ pub const CASES: [Case; 19] = [
         projectile: "steel; its hardness is not given",
         source: CONCRETE,
         caution: "how far the nose's drag factor moves the answer: little, the strength decides",
-    },
-];
-
-/// What the field notes list besides, in their order.
-pub const NOT_CHECKED: [NotChecked; 10] = [
-    NotChecked {
-        id: "borvik-pairs",
-        says: "impact and residual velocity of the 24 shots",
-        why: "the pairs are not at hand: nothing shows how fast the model's shots are beyond the limit",
-        source: BORVIK,
-    },
-    NotChecked {
-        id: "borvik-plugs",
-        says: "plugs of 15.1 to 36.0 g, holes of 19.3 to 23.8 mm",
-        why: "the law opens a hole of the nose's diameter (20 mm) and has no plug; the numbers are of all noses together",
-        source: BORVIK,
-    },
-    NotChecked {
-        id: "weldox-constants",
-        says: "Johnson-Cook constants of Weldox 460 E",
-        why: "A = 490 MPa is the Y of the preset; hardening, strain rate, heat and fracture are not in the law",
-        source: "Borvik et al. 2002, part II, Table 2: second-hand",
-    },
-    NotChecked {
-        id: "sphere-second-hit",
-        says: "127.2 m/s after two hits on the same spot",
-        why: "each run starts on a whole plate: the model has no memory of a hit",
-        source: SPHERE,
-    },
-    NotChecked {
-        id: "oblique-pairs",
-        says: "ten further pairs of limits at 0 and 30 deg (AA2060, 6055, 7017, 7085, hard steel)",
-        why: "the numbers are not at hand",
-        source: REPORTS,
-    },
-    NotChecked {
-        id: "rod-6061-depths",
-        says: "depths of the rod in 6061-T6511",
-        why: "only the constants and the rod are at hand, no depth",
-        source: ROD,
-    },
-    NotChecked {
-        id: "yu-beam",
-        says: "a free-free beam struck by a projectile bends and folds at a plastic hinge",
-        why: "the abstract has no number; it shows that the model's rigid plate is not the middle of a beam, so the model must \
-              not be used for the displacement of beams (as the thesis does in 8.3.2)",
-        source: "Yu, Yang, Reid and Austin, IJSS 33 (1996) 2659, abstract",
-    },
-    NotChecked {
-        id: "thesis-itself",
-        says: "the baseline of 7.129 mm, and Yang and Xi's beam",
-        why: "the first is a computation, the second cannot fail: rows 9.3-baseline and 8.18-validates of `cmra reproduce`",
-        source: "thesis sections 8.3.2 and 9.3",
-    },
-    NotChecked {
-        id: "not-found",
-        says: "Virostek, Dual and Goldsmith 1987; Yang and Xi 2003; Forrestal, Okajima and Luk 1988; Forrestal, Brar and Luk \
-               1991; Gupta, Iqbal and Sekhon; Rosenberg and Dekel; Wu; Abatan and Hu; Stone",
-        why: "no numbers of theirs are at hand; the contact law's own experiments are among them",
-        source: "literature",
-    },
-    NotChecked {
-        id: "remembered-only",
-        says: "further values of Forrestal, Okajima and Luk 1988, Gupta, Iqbal and Sekhon 2007, and Borvik's AA5083-H116",
-        why: "known from memory only, and so no test values; the last has no hemispherical noses",
-        source: "memory",
     },
 ];

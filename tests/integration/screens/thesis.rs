@@ -113,7 +113,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
 fn each_page_is_exported() {
     let mut bench = bench(80, 24);
     for (file, head, rows) in [
-        ("claims.csv", "id,where,says,sound,as_printed,verdict,cause,preset,runs", 24),
+        ("claims.csv", "id,where,says,sound,as_printed,verdict,cause,preset,runs,basis", 24),
         ("principles.csv", "family,principle,section,idea,functions,computed,preset", 0),
         ("screening.csv", "rank,concept,total,rank_printed,total_printed,section,preset", 8),
     ] {

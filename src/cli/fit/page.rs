@@ -1,0 +1,161 @@
+//! The fit as a page of text.
+
+use std::fmt::Write as _;
+
+use crate::cli::output::printable;
+use crate::cli::reproduce::wrapped;
+use crate::model::units::{Engineering, fixed_significant};
+use crate::study::fit::calibrate::Calibration;
+use crate::study::fit::{Method, Report};
+
+/// The page; a calibration with the name of its scene.
+pub(super) fn text(
+    file: &str,
+    report: &Report,
+    calibration: Option<(&str, &Calibration)>,
+) -> String {
+    let mut page = format!("{}: ballistic limit from shots\n\n", printable(file));
+    let (all, through) = (report.shots.len(), report.perforated());
+    wrapped(&mut page, "shots", &format!("{all}: {} stopped, {through} perforated", all - through));
+    wrapped(&mut page, "results", &results(report));
+    let fit = &report.logistic;
+    wrapped(
+        &mut page,
+        "V50",
+        &format!("{}, 95 % confidence {}", velocity(fit.v50_m_s), range(fit.range_m_s, velocity)),
+    );
+    wrapped(
+        &mut page,
+        "curve",
+        &format!(
+            "10 % perforate at {}, 90 % at {} (logistic, {})",
+            velocity(fit.quantile_m_s(0.1)),
+            velocity(fit.quantile_m_s(0.9)),
+            fit.method.words()
+        ),
+    );
+    wrapped(&mut page, "residual", &residual(report));
+    if let Some((scene, calibration)) = calibration {
+        page.push('\n');
+        calibrated(&mut page, scene, calibration);
+    }
+    let _ = writeln!(
+        page,
+        "\n{:>14}{:>12}{:>13}{:>12}",
+        "velocity m/s", "perforated", "probability", "residual"
+    );
+    let mut shots: Vec<_> = report.shots.iter().collect();
+    shots.sort_by(|a, b| a.velocity_m_s.total_cmp(&b.velocity_m_s));
+    for shot in shots {
+        let left = shot.residual_m_s.map_or_else(|| "-".to_owned(), |v| fixed_significant(v, 4));
+        let _ = writeln!(
+            page,
+            "{:>14}{:>12}{:>13.3}{left:>12}",
+            fixed_significant(shot.velocity_m_s, 5),
+            if shot.perforated { "yes" } else { "no" },
+            report.logistic.probability(shot.velocity_m_s)
+        );
+    }
+    page
+}
+
+fn results(report: &Report) -> String {
+    let (stopped, through) =
+        (velocity(report.highest_stopped_m_s), velocity(report.lowest_perforated_m_s));
+    if report.has_mixed_results() {
+        return format!("mixed from {through} (slowest perforation) to {stopped} (fastest stop)");
+    }
+    let penalty = if report.logistic.method == Method::Firth {
+        "; plain likelihood has no maximum then, so Firth's penalty is used, and the width of the curve is hardly known"
+    } else {
+        ""
+    };
+    format!(
+        "not mixed: stopped up to {stopped}, perforated from {through} on, V50 lies between{penalty}"
+    )
+}
+
+fn residual(report: &Report) -> String {
+    let count = report.residuals().len();
+    report.lambert_jonas.map_or_else(
+        || {
+            format!(
+                "{count} residual velocities of perforating shots: Lambert and Jonas's law takes four or more"
+            )
+        },
+        |law| {
+            format!(
+                "v_r = a (v^p - v_l^p)^(1/p): a = {}, p = {}, v_l = {}; RMS error {} over {count} shots",
+                fixed_significant(law.a, 4),
+                fixed_significant(law.p, 4),
+                velocity(law.limit_m_s),
+                velocity(law.misfit_m_s)
+            )
+        },
+    )
+}
+
+fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
+    let own = found
+        .own_limit_m_s
+        .map_or_else(|| "has no limit".to_owned(), |v| format!("has a limit of {}", velocity(v)));
+    wrapped(
+        page,
+        "scene",
+        &format!(
+            "{}: with {} = {} it {own}",
+            printable(scene),
+            found.symbol,
+            strength(found.own_pa)
+        ),
+    );
+    let fitted = found.from_limit_pa.map_or_else(
+        || format!("no {} gives the scene this V50", found.symbol),
+        |value| {
+            format!(
+                "{} = {} gives it this V50; confidence {}; try --set {}={value:.0}",
+                found.symbol,
+                strength(value),
+                range(found.range_pa, strength),
+                found.symbol
+            )
+        },
+    );
+    wrapped(page, "calibrated", &fitted);
+    if let Some(depths) = found.from_depths {
+        let scatter = depths
+            .deviation_pa
+            .map_or_else(String::new, |it| format!(", standard deviation {}", strength(it)));
+        let left_out = match depths.left_out {
+            0 => String::new(),
+            count => format!("; no strength gives the depth of {count} more"),
+        };
+        wrapped(
+            page,
+            "from depths",
+            &format!(
+                "{} = {}{scatter}, mean over {} stopped shots{left_out}",
+                found.symbol,
+                strength(depths.mean_pa),
+                depths.shots
+            ),
+        );
+    }
+}
+
+fn velocity(value: f64) -> String {
+    format!("{} m/s", fixed_significant(value, 5))
+}
+
+fn strength(value: f64) -> String {
+    Engineering { value, unit: "Pa", digits: 4 }.to_string()
+}
+
+fn range((low, high): (Option<f64>, Option<f64>), show: impl Fn(f64) -> String) -> String {
+    match (low.map(&show), high.map(&show)) {
+        (Some(low), Some(high)) => format!("{low} to {high}"),
+        (Some(low), None) => format!("{low} or more: the shots do not bound it above"),
+        (None, Some(high)) => format!("{high} or less: the shots do not bound it below"),
+        (None, None) => "not bounded: too few shots near the limit".to_owned(),
+    }
+}

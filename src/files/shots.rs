@@ -1,0 +1,214 @@
+//! Shots of a ballistic test: read from CSV, and the fit through them for machines. SI.
+
+use std::path::Path;
+
+use serde_json::{Map, Value, json};
+
+use crate::files::error::{FileError, did_you_mean, harmless};
+use crate::files::read;
+use crate::files::rows::{Rows, number};
+use crate::study::fit::calibrate::Calibration;
+use crate::study::fit::{CONFIDENCE, Report, Shot};
+
+/// The columns that are read; the first two are needed.
+const COLUMNS: [&str; 4] = ["velocity_m_s", "perforated", "residual_m_s", "penetration_m"];
+/// Characters of a wrong field that are shown.
+const SHOWN_MAX: usize = 40;
+
+/// The shots of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// In the order of the file.
+    pub shots: Vec<Shot>,
+    /// Columns that mean nothing here.
+    pub ignored: Vec<String>,
+}
+
+/// Read a file of shots.
+///
+/// # Errors
+/// [`FileError`] when it cannot be read, or names the line, the column, what is allowed and the cure.
+pub fn read(path: &Path) -> Result<Table, FileError> {
+    parse(&read::text_file(path)?, &path.to_string_lossy()).map_err(FileError::Shots)
+}
+
+fn parse(text: &str, name: &str) -> Result<Table, String> {
+    let name = harmless(name);
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+    let broken = |error: csv::Error| format!("cannot read `{name}` as CSV: {error}");
+    let header = reader.headers().map_err(broken)?.clone();
+    let place = |column: &str| header.iter().position(|it| it.eq_ignore_ascii_case(column));
+    let places = COLUMNS.map(place);
+    for (column, found) in COLUMNS.iter().zip(places).take(2) {
+        if found.is_none() {
+            return Err(format!(
+                "`{name}` has no column `{column}`: its first line must name the columns {} (the last two may be left out)",
+                COLUMNS.join(", ")
+            ));
+        }
+    }
+    let is_known = |it: &&str| COLUMNS.iter().any(|column| it.eq_ignore_ascii_case(column));
+    let ignored: Vec<String> = header
+        .iter()
+        .filter(|it| !it.is_empty() && !is_known(it))
+        .map(|it| {
+            let meant =
+                did_you_mean(it, &COLUMNS).map_or_else(String::new, |text| format!(" ({text})"));
+            harmless(it) + &meant
+        })
+        .collect();
+    let mut shots = Vec::new();
+    for (index, row) in reader.records().enumerate() {
+        let row = row.map_err(broken)?;
+        let line = row.position().map_or(index as u64 + 2, csv::Position::line);
+        let field = |at: usize| places[at].and_then(|place| row.get(place)).unwrap_or_default();
+        let wrong = |at: usize, allowed: &str| {
+            let shown: String = harmless(field(at)).chars().take(SHOWN_MAX).collect();
+            format!("`{name}`, line {line}: {} = `{shown}` must be {allowed}", COLUMNS[at])
+        };
+        let value = |at: usize, allowed: &str| match field(at) {
+            "" => Ok(None),
+            text => match text.parse::<f64>() {
+                Ok(value) if value.is_finite() && value >= 0.0 => Ok(Some(value)),
+                _ => Err(wrong(at, allowed)),
+            },
+        };
+        let above = "a number above 0, in m/s";
+        let velocity_m_s = value(0, above)?.filter(|v| *v > 0.0).ok_or_else(|| wrong(0, above))?;
+        let perforated = match field(1).to_lowercase().as_str() {
+            "1" | "true" | "yes" => true,
+            "0" | "false" | "no" => false,
+            _ => return Err(wrong(1, "1 or yes (through), 0 or no (stopped)")),
+        };
+        let residual_m_s = value(2, "a number of 0 or more, in m/s, or empty")?;
+        let penetration_m = value(3, "a number of 0 or more, in m, or empty")?;
+        if residual_m_s.is_some_and(|residual| residual > velocity_m_s) {
+            return Err(wrong(2, "no greater than velocity_m_s"));
+        }
+        if !perforated && residual_m_s.is_some_and(|residual| residual > 0.0) {
+            return Err(wrong(2, "empty or 0 for a shot that was stopped"));
+        }
+        shots.push(Shot {
+            velocity_m_s,
+            perforated,
+            residual_m_s: residual_m_s.filter(|_| perforated),
+            penetration_m: penetration_m.filter(|depth| *depth > 0.0),
+        });
+    }
+    Ok(Table { shots, ignored })
+}
+
+/// One row a shot, with what the fits say of its velocity.
+pub fn rows(report: &Report) -> Rows {
+    let row = |shot: &Shot| {
+        let v = shot.velocity_m_s;
+        vec![
+            number(Some(v)),
+            Value::from(u8::from(shot.perforated)),
+            number(shot.residual_m_s),
+            number(shot.penetration_m),
+            number(Some(report.logistic.probability(v))),
+            number(report.lambert_jonas.map(|law| law.residual_m_s(v))),
+        ]
+    };
+    let fitted = ["perforation_probability", "lambert_jonas_m_s"];
+    Rows {
+        columns: COLUMNS.into_iter().chain(fitted).collect(),
+        rows: report.shots.iter().map(row).collect(),
+    }
+}
+
+/// Everything as one object; null for what does not exist.
+pub fn json(report: &Report, calibration: Option<&Calibration>) -> String {
+    let fit = &report.logistic;
+    let law = report.lambert_jonas.map_or(Value::Null, |law| {
+        json!({
+            "a": number(Some(law.a)),
+            "p": number(Some(law.p)),
+            "limit_velocity_m_s": number(Some(law.limit_m_s)),
+            "rms_error_m_s": number(Some(law.misfit_m_s)),
+            "shots": report.residuals().len(),
+        })
+    });
+    let strength = calibration.map_or(Value::Null, |it| {
+        let depths = it.from_depths;
+        json!({
+            "variable": it.symbol,
+            "scene_value_pa": number(Some(it.own_pa)),
+            "scene_limit_velocity_m_s": number(it.own_limit_m_s),
+            "from_v50_pa": number(it.from_limit_pa),
+            "from_v50_low_pa": number(it.range_pa.0),
+            "from_v50_high_pa": number(it.range_pa.1),
+            "from_depths_pa": number(depths.map(|it| it.mean_pa)),
+            "from_depths_deviation_pa": number(depths.and_then(|it| it.deviation_pa)),
+            "depths": depths.map_or(0, |it| it.shots),
+        })
+    });
+    let mut object = Map::new();
+    let mut add = |key: &str, value: Value| object.insert(key.to_owned(), value);
+    add("shots", Value::from(report.shots.len()));
+    add("perforated", Value::from(report.perforated()));
+    add("highest_stopped_m_s", number(Some(report.highest_stopped_m_s)));
+    add("lowest_perforated_m_s", number(Some(report.lowest_perforated_m_s)));
+    add("mixed_results", Value::from(report.has_mixed_results()));
+    add("method", Value::from(fit.method.words()));
+    add("v50_m_s", number(Some(fit.v50_m_s)));
+    add("v50_low_m_s", number(fit.range_m_s.0));
+    add("v50_high_m_s", number(fit.range_m_s.1));
+    add("confidence", number(Some(CONFIDENCE)));
+    add("scale_m_s", number(Some(fit.scale_m_s)));
+    add("v10_m_s", number(Some(fit.quantile_m_s(0.1))));
+    add("v90_m_s", number(Some(fit.quantile_m_s(0.9))));
+    add("lambert_jonas", law);
+    add("calibration", strength);
+    // Keys are strings and every number is finite, so nothing can be refused.
+    serde_json::to_string_pretty(&Value::Object(object)).unwrap_or_default() + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_of_shots_is_read() {
+        let text = "\u{feff}shot,Velocity_m_s,perforated,residual,penetration_m\n# a comment\n1,250.5,no,,0.011\n2,300,1,,\n";
+        let table = parse(text, "shots.csv").unwrap();
+        assert_eq!(table.ignored, ["shot", "residual (did you mean `residual_m_s`?)"]);
+        assert_eq!(table.shots.len(), 2);
+        assert_eq!(
+            table.shots[0],
+            Shot {
+                velocity_m_s: 250.5,
+                perforated: false,
+                residual_m_s: None,
+                penetration_m: Some(0.011)
+            }
+        );
+        assert!(table.shots[1].perforated);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_line_and_cure() {
+        let told = |text: &str| parse(text, "a.csv").unwrap_err();
+        assert!(told("v,perforated\n1,1\n").contains("has no column `velocity_m_s`"));
+        let head = "velocity_m_s,perforated,residual_m_s,penetration_m\n";
+        for (row, said) in [
+            ("fast,1,,", "line 2: velocity_m_s = `fast` must be a number above 0"),
+            ("-3,1,,", "velocity_m_s = `-3`"),
+            ("0,1,,", "velocity_m_s = `0`"),
+            ("inf,1,,", "velocity_m_s = `inf`"),
+            ("NaN,1,,", "velocity_m_s = `NaN`"),
+            ("300,maybe,,", "perforated = `maybe` must be 1 or yes (through), 0 or no (stopped)"),
+            ("300,1,310,", "residual_m_s = `310` must be no greater than velocity_m_s"),
+            ("300,0,10,", "must be empty or 0 for a shot that was stopped"),
+            ("300,0,,x", "penetration_m = `x`"),
+        ] {
+            let text = told(&format!("{head}{row}\n"));
+            assert!(text.contains(said), "{row}: {text}");
+        }
+        assert!(told(&format!("{head}1,1\n")).contains("cannot read `a.csv` as CSV"));
+    }
+}

@@ -1,0 +1,70 @@
+//! How far the model is off, over classes of measurements and over all.
+
+use super::{Class, Row};
+use crate::numerics::{larger, smaller};
+
+/// Bias and scatter of a set of measurements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bias {
+    /// Of which class; `None` for all.
+    pub class: Option<Class>,
+    /// How many points.
+    pub points: usize,
+    /// Mean of computed over measured, less 1.
+    pub mean: f64,
+    /// Standard deviation of that; `None` for one point.
+    pub deviation: Option<f64>,
+    /// Least and greatest.
+    pub range: (f64, f64),
+}
+
+/// Bias and scatter by class, and last over all points that are counted.
+pub fn biases(report: &[Row]) -> Vec<Bias> {
+    let own = |class| {
+        let errors: Vec<f64> =
+            report.iter().filter(|row| row.case.class == class).filter_map(own_error).collect();
+        of(Some(class), &errors)
+    };
+    let counted = report.iter().filter(|row| row.case.class != Class::Aside);
+    let all: Vec<f64> = counted.filter_map(own_error).collect();
+    Class::COUNTED.into_iter().filter_map(own).chain(of(None, &all)).collect()
+}
+
+fn own_error(row: &Row) -> Option<f64> {
+    row.computed.map(|value| row.error(value))
+}
+
+fn of(class: Option<Class>, errors: &[f64]) -> Option<Bias> {
+    if errors.is_empty() {
+        return None;
+    }
+    let n = errors.len() as f64;
+    let mean = errors.iter().sum::<f64>() / n;
+    let squares: f64 = errors.iter().map(|error| (error - mean).powi(2)).sum();
+    Some(Bias {
+        class,
+        points: errors.len(),
+        mean,
+        deviation: (errors.len() > 1).then(|| (squares / (n - 1.0)).sqrt()),
+        range: (
+            errors.iter().copied().fold(f64::INFINITY, smaller),
+            errors.iter().copied().fold(f64::NEG_INFINITY, larger),
+        ),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// -0.1, 0, 0.4: mean 0.1, squares 0.04 + 0.01 + 0.09 = 0.14, over 2 and its root.
+    #[test]
+    fn mean_and_standard_deviation() {
+        let bias = of(None, &[-0.1, 0.0, 0.4]).unwrap();
+        assert!((bias.mean - 0.1).abs() < 1e-15);
+        assert!((bias.deviation.unwrap() - 0.07f64.sqrt()).abs() < 1e-15);
+        assert_eq!(bias.range, (-0.1, 0.4));
+        assert_eq!(of(None, &[0.2]).unwrap().deviation, None);
+        assert_eq!(of(None, &[]), None);
+    }
+}

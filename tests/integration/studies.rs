@@ -1,0 +1,160 @@
+//! What every study's command keeps to: a table can be made again from what lies beside it, pages repeat what was changed, and
+//! nothing that was asked for is ignored.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+
+struct Done {
+    out: String,
+    err: String,
+    code: i32,
+}
+
+fn cmra(place: &Path, words: &str) -> Done {
+    let output = Command::cargo_bin("cmra")
+        .unwrap()
+        .current_dir(place)
+        .args(words.split(' '))
+        .output()
+        .unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    Done { out: text(output.stdout), err: text(output.stderr), code: output.status.code().unwrap() }
+}
+
+/// Rows without the column of the scene's name, which is the file's in the second run.
+fn rows(csv: &str) -> Vec<Vec<String>> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .comment(Some(b'#'))
+        .from_reader(csv.as_bytes());
+    let mut rows: Vec<Vec<String>> =
+        reader.records().map(|row| row.unwrap().iter().map(str::to_owned).collect()).collect();
+    if let Some(at) = rows[0].iter().position(|name| name == "scene") {
+        for row in &mut rows {
+            row.remove(at);
+        }
+    }
+    rows
+}
+
+const STUDIES: [&str; 6] = [
+    "limit rigid-mount --set h=3mm --samples 20 --seed 4",
+    "montecarlo --set gamma=2 --samples 50 --seed 3 --outputs percent_of_baseline",
+    "seek --set b=20 --over gamma=1..5:5 --goal percent_of_baseline=75",
+    "sensitivity --set gamma=2 --over d=0..0.1 --over k=1e5..1e6 --output percent_of_baseline --samples 16 --trajectories 4",
+    "worth --set gamma=2",
+    "stability --set gamma=2 --map k --quick",
+];
+
+#[test]
+fn the_file_beside_a_study_makes_its_rows_again() {
+    let place = tempfile::tempdir().unwrap();
+    for (number, words) in STUDIES.into_iter().enumerate() {
+        let done = cmra(place.path(), &format!("{words} --csv {number}.csv"));
+        assert!(done.code <= 1, "{words}: {}", done.err);
+        assert!(done.err.contains(&format!("wrote {number}.toml")), "{words}: {}", done.err);
+        let beside = fs::read_to_string(place.path().join(format!("{number}.toml"))).unwrap();
+        let again = beside.lines().find_map(|line| line.strip_prefix("# again: cmra ")).unwrap();
+        assert!(again.contains(&format!("./{number}.toml")) && !again.contains("--set"), "{again}");
+        let second = cmra(place.path(), again);
+        assert_eq!(second.code, done.code, "{again}: {}", second.err);
+        let first = fs::read_to_string(place.path().join(format!("{number}.csv"))).unwrap();
+        assert_eq!(rows(&first), rows(&second.out), "{again}");
+    }
+}
+
+#[test]
+fn a_table_holds_its_scene_and_command_inline() {
+    let place = tempfile::tempdir().unwrap();
+    let done = cmra(place.path(), "limit --set h=3mm --scatter 0 --csv a.csv --meta inline");
+    assert_eq!(done.code, 0, "{}", done.err);
+    assert!(!place.path().join("a.toml").exists());
+    let table = fs::read_to_string(place.path().join("a.csv")).unwrap();
+    assert!(table.starts_with("# again: cmra limit --set h=3mm --scatter 0 --csv -\n"), "{table}");
+    assert!(table.contains("# target.thickness_m: 0.003 (m)\n"), "{table}");
+    let again = cmra(place.path(), "limit --set h=3mm --scatter 0 --csv -");
+    assert_eq!(rows(&table), rows(&again.out));
+}
+
+#[test]
+fn a_scene_that_somebody_wrote_is_not_replaced_by_a_studys() {
+    let place = tempfile::tempdir().unwrap();
+    fs::write(place.path().join("mine.toml"), "format = 1\n").unwrap();
+    let done = cmra(place.path(), "limit --scatter 0 --csv mine.csv --force");
+    assert_eq!((done.code, done.out.as_str()), (2, ""), "{}", done.err);
+    assert!(!place.path().join("mine.csv").exists());
+}
+
+#[test]
+fn pages_repeat_what_was_changed() {
+    let place = tempfile::tempdir().unwrap();
+    for words in [
+        "limit --scatter 0",
+        "worth",
+        "run",
+        "sweep --over k=1e5..1e6:2",
+        "montecarlo --samples 4",
+        "seek --over k=1e5..1e6:3 --goal percent_of_baseline=65",
+    ] {
+        let done = cmra(place.path(), &format!("{words} --set x_stop=30mm --set gamma=1.25"));
+        assert!(done.out.contains("changed: x_stop=30mm, gamma=1.25\n"), "{words}: {}", done.out);
+        let json = cmra(place.path(), &format!("{words} --set gamma=1.25 --json"));
+        assert!(json.out.starts_with(['{', '[']), "{words}: {}", json.out);
+    }
+    assert!(!cmra(place.path(), "limit --scatter 0").out.contains("changed:"));
+}
+
+#[test]
+fn two_results_for_standard_output_are_refused() {
+    let place = tempfile::tempdir().unwrap();
+    for words in ["run", "sweep --over k=1e5..1e6:2", "limit", "validate", "reproduce", "worth"] {
+        let done = cmra(place.path(), &format!("{words} --json --csv -"));
+        assert_eq!((done.code, done.out.as_str()), (2, ""), "{words}");
+        assert!(
+            done.err.contains("--json and --csv - both write to standard output"),
+            "{}",
+            done.err
+        );
+    }
+}
+
+#[test]
+fn a_scene_for_the_battery_is_refused_with_the_cure() {
+    let place = tempfile::tempdir().unwrap();
+    for words in ["stability thesis-baseline", "stability --set gamma=2"] {
+        let done = cmra(place.path(), words);
+        assert_eq!((done.code, done.out.as_str()), (2, ""), "{words}");
+        assert!(done.err.contains("SCENE and --set belong to --map"), "{}", done.err);
+    }
+}
+
+#[test]
+fn shots_of_ones_own_give_v50_and_a_strength() {
+    let place = tempfile::tempdir().unwrap();
+    let shots = "velocity_m_s,perforated,residual_m_s,penetration_m\n280,0,,\n285,0,,\n290,0,,\n296,0,,\n301,1,,\n304,1,,\n\
+                 310,1,,\n318,1,,\n";
+    fs::write(place.path().join("shots.csv"), shots).unwrap();
+    let page = cmra(place.path(), "fit shots.csv");
+    assert_eq!(page.code, 0, "{}", page.err);
+    assert!(
+        page.out.contains("297.76 m/s, 95 % confidence 281.63 m/s to 314.52 m/s"),
+        "{}",
+        page.out
+    );
+    assert!(page.out.contains("not mixed: stopped up to 296"), "{}", page.out);
+    // A rigid mount's limit is 232.295378 m/s at 152 MPa and goes with the root of the strength: 249.75 MPa.
+    let done = cmra(place.path(), "fit shots.csv rigid-mount --json");
+    let found: serde_json::Value = serde_json::from_str(&done.out).unwrap();
+    let strength = found["calibration"]["from_v50_pa"].as_f64().unwrap();
+    assert!((strength / (1.52e8 * (297.763_464f64 / 232.295_378).powi(2)) - 1.0).abs() < 1e-6);
+    assert_eq!(found["method"], "Firth's penalised likelihood");
+    let table = cmra(place.path(), "fit shots.csv --csv -");
+    assert_eq!(table.out.lines().count(), 9);
+    // What is wrong is named.
+    fs::write(place.path().join("bad.csv"), "velocity_m_s,perforated\n280,0\n290,0\n295,0\n")
+        .unwrap();
+    let bad = cmra(place.path(), "fit bad.csv");
+    assert!(bad.code == 2 && bad.err.contains("the limit lies above 295 m/s"), "{}", bad.err);
+}
