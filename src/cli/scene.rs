@@ -79,8 +79,8 @@ impl SceneArguments {
         if typed.is_empty() {
             return String::new();
         }
-        let changes = output::printable(&typed.join(", "));
-        wrapped(&format!("changed: {changes}"), WIDTH).join("\n") + "\n"
+        let changes = typed.join(", ");
+        wrapped(&format!("changed: {}", clean::line(&changes)), WIDTH).join("\n") + "\n"
     }
 
     /// The first `--set` of a variable that is chosen by its key.

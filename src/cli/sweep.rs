@@ -19,7 +19,7 @@ use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{MetaWord, TableArguments, Target, exists};
 use crate::cli::{self, CliError, outlook, output};
-use crate::files::atomic::{self, Growing};
+use crate::files::atomic::{self, Existing, Growing};
 use crate::files::export;
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};

@@ -101,7 +101,7 @@ impl TableArguments {
 
     /// Where the table goes that was asked for in this file, and what may happen to a file that is there. What an interrupt has
     /// left of one gets a name of its own: it takes the place of no table that is complete.
-    fn place(&self, path: &Path) -> (PathBuf, Existing) {
+    pub(super) fn place(&self, path: &Path) -> (PathBuf, Existing) {
         if was_interrupted() && atomic::ordinary(path).is_ok() {
             (export::partial_path(path), Existing::Keep)
         } else {

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use crate::files::error::{FileError, did_you_mean, harmless};
+use crate::files::clean;
+use crate::files::error::{FileError, did_you_mean};
 use crate::files::read;
 use crate::files::rows::{Rows, number};
 use crate::study::fit::calibrate::Calibration;
@@ -33,7 +34,7 @@ pub fn read(path: &Path) -> Result<Table, FileError> {
 }
 
 fn parse(text: &str, name: &str) -> Result<Table, String> {
-    let name = harmless(name);
+    let name = clean::line(name);
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
@@ -57,7 +58,7 @@ fn parse(text: &str, name: &str) -> Result<Table, String> {
         .map(|it| {
             let meant =
                 did_you_mean(it, &COLUMNS).map_or_else(String::new, |text| format!(" ({text})"));
-            harmless(it) + &meant
+            clean::line(it).into_owned() + &meant
         })
         .collect();
     let mut shots = Vec::new();
@@ -66,7 +67,7 @@ fn parse(text: &str, name: &str) -> Result<Table, String> {
         let line = row.position().map_or(index as u64 + 2, csv::Position::line);
         let field = |at: usize| places[at].and_then(|place| row.get(place)).unwrap_or_default();
         let wrong = |at: usize, allowed: &str| {
-            let shown: String = harmless(field(at)).chars().take(SHOWN_MAX).collect();
+            let shown: String = clean::line(field(at)).chars().take(SHOWN_MAX).collect();
             format!("`{name}`, line {line}: {} = `{shown}` must be {allowed}", COLUMNS[at])
         };
         let value = |at: usize, allowed: &str| match field(at) {

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::cli::output::printable;
 use crate::cli::reproduce::wrapped;
+use crate::files::clean;
 use crate::model::units::{Engineering, fixed_significant};
 use crate::study::fit::calibrate::Calibration;
 use crate::study::fit::{Method, Report};
@@ -14,7 +14,7 @@ pub(super) fn text(
     report: &Report,
     calibration: Option<(&str, &Calibration)>,
 ) -> String {
-    let mut page = format!("{}: ballistic limit from shots\n\n", printable(file));
+    let mut page = format!("{}: ballistic limit from shots\n\n", clean::line(file));
     let (all, through) = (report.shots.len(), report.perforated());
     wrapped(&mut page, "shots", &format!("{all}: {} stopped, {through} perforated", all - through));
     wrapped(&mut page, "results", &results(report));
@@ -104,7 +104,7 @@ fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
         "scene",
         &format!(
             "{}: with {} = {} it {own}",
-            printable(scene),
+            clean::line(scene),
             found.symbol,
             strength(found.own_pa)
         ),

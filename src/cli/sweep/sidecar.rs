@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use crate::cli;
 use crate::files::clean;
-use crate::files::error::FileError;
 use crate::files::export;
 use crate::files::preset::Preset;
 use crate::files::sweep::Columns;
