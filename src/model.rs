@@ -10,6 +10,7 @@ pub mod closed_form;
 pub mod contact;
 pub mod contact_phase;
 pub mod design;
+pub mod estimate;
 pub mod first_contact;
 pub mod impact;
 pub mod interaction;

@@ -15,6 +15,7 @@ pub mod exponential;
 pub mod graded;
 pub mod implicit;
 pub mod linear;
+pub mod maximum;
 pub mod minimum;
 pub mod monotone;
 pub mod power;

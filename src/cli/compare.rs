@@ -10,6 +10,7 @@ use crate::cli::CliError;
 use crate::cli::reproduce::wrapped;
 use crate::files::preset::Preset;
 use crate::files::rows::{Rows, number};
+use crate::model::results;
 use crate::model::run::Outcome;
 use crate::model::units::{Engineering, fixed_significant};
 use crate::study::models::{Comparison, Row, What, compare};
@@ -70,7 +71,7 @@ fn rows(name: &str, found: &Comparison) -> Rows {
             number(found.depth_error(row)),
             number(found.travel_error(row)),
             number(found.force_error(row)),
-            number(run.error_estimate.map(|estimate| estimate.relative)),
+            number(results::find("error_estimate").and_then(|column| column.value(run))),
             number(Some(run.ledger.residual())),
             number(Some(row.took_s)),
             Value::from(run.cost.steps),

@@ -56,9 +56,11 @@ pub(super) fn text(computed: &Computed) -> String {
                     EstimateBasis::ClosedForm => "closed form",
                     EstimateBasis::SecondComputation => "second computation",
                     EstimateBasis::HalfStep => "half the step",
+                    EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
                 })
             }),
         ),
+        ("error_estimates", estimates(run)),
         ("method", Value::from(run.cost.method)),
         ("method_reason", Value::from(run.cost.reason)),
         ("run_time_s", finite(computed.took.as_secs_f64())),
@@ -123,6 +125,12 @@ fn result(run: &Run, name: &str) -> Value {
 /// A number; null for one that is not finite, which JSON cannot say.
 fn finite(value: f64) -> Value {
     serde_json::Number::from_f64(value).map_or(Value::Null, Value::Number)
+}
+
+/// The relative error estimate of each result.
+fn estimates(run: &Run) -> Value {
+    let rows = run.error_estimates.iter();
+    Value::Object(rows.map(|error| (error.name.to_owned(), finite(error.relative))).collect())
 }
 
 fn energy(ledger: &EnergyLedger) -> Value {

@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 use crate::cli::run::Computed;
 use crate::files::clean;
 use crate::model::mechanism::Mechanism;
+use crate::model::results;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering};
@@ -276,6 +277,31 @@ fn events(page: &mut String, run: &Run) {
     }
 }
 
+/// What the estimate shown first is relative to.
+fn estimated_quantity(run: &Run) -> &'static str {
+    if run.outcome == Outcome::Perforated { "exit time" } else { "depth" }
+}
+
+/// That nothing is known of the error.
+fn unknown_estimate(other: Outcome) -> String {
+    format!("error estimate unknown: outcome differs (a second, tighter computation ends {other})")
+}
+
+/// The greatest of the other results' own estimates.
+fn estimates(page: &mut String, run: &Run) {
+    let greatest = run.error_estimates.iter().max_by(|a, b| a.relative.total_cmp(&b.relative));
+    if let Some(error) = greatest
+        && let Some(column) = results::find(error.name)
+    {
+        let _ = writeln!(
+            page,
+            "all results within {:.1e} of themselves (the greatest estimate: {})",
+            error.relative,
+            column.title()
+        );
+    }
+}
+
 fn cost(page: &mut String, computed: &Computed) {
     let run = &computed.run;
     let cost = &run.cost;
@@ -293,8 +319,17 @@ fn cost(page: &mut String, computed: &Computed) {
             EstimateBasis::ClosedForm => "closed form, rounding only",
             EstimateBasis::SecondComputation => "from a second, tighter computation",
             EstimateBasis::HalfStep => "from half the step: against the scheme's own limit",
+            EstimateBasis::OutcomeDiffers(other) => {
+                let _ = writeln!(page, "{}", unknown_estimate(other));
+                ""
+            }
         };
-        let _ = writeln!(page, "error estimate {:.1e} of the depth ({basis})", estimate.relative);
+        if estimate.relative.is_finite() {
+            let what = estimated_quantity(run);
+            let _ =
+                writeln!(page, "error estimate {:.1e} of the {what} ({basis})", estimate.relative);
+        }
+        estimates(page, run);
     }
     if !run.omitted.is_empty() {
         let words: Vec<&str> = run.omitted.iter().map(|omitted| omitted.words()).collect();

@@ -9,7 +9,7 @@ use crate::model::contact::Geometry;
 use crate::model::mechanism::moving_plate_kg;
 use crate::model::scene::Scene;
 use crate::numerics::exponential::ln_one_plus;
-use crate::numerics::quadrature::gauss;
+use crate::numerics::quadrature::resolved;
 
 /// One-body penetration with a reduced mass.
 #[derive(Clone, Copy, Debug)]
@@ -126,57 +126,71 @@ impl<'a> Passage<'a> {
         s / c * self.exponent(volume).exp_m1()
     }
 
-    /// Times, s, and slips, m/s, at increasing travels from 0 to the end: `per_piece` points on each stretch between two
-    /// joints of the area law, the end last.
-    pub fn history(&self, ending: Ending, per_piece: usize) -> Vec<Moment> {
+    /// Times, s, and slips, m/s, at increasing travels from 0 to the end, the end last.
+    pub fn history(&self, ending: Ending, rule: Rule) -> Vec<Moment> {
         match ending {
-            Ending::Arrest { travel_m } => self.history_to_arrest(travel_m, per_piece),
-            Ending::Exit { .. } => self.history_to_exit(per_piece),
+            Ending::Arrest { travel_m } => self.history_to_arrest(travel_m, rule),
+            Ending::Exit { .. } => self.history_to_exit(rule),
         }
     }
 
     /// With q = end (1 - s²) the time's integrand 2 end s/u is smooth up to the arrest.
-    fn history_to_arrest(&self, end_m: f64, per_piece: usize) -> Vec<Moment> {
+    fn history_to_arrest(&self, end_m: f64, rule: Rule) -> Vec<Moment> {
         let slip = |s: f64| self.slip_squared_before(end_m * s * s, end_m).sqrt();
-        let mut bounds = vec![1.0];
-        for piece in self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m) {
-            bounds.push(((end_m - piece.to_m) / end_m).sqrt());
-        }
-        // Graded towards the arrest, where the area may be small (a shot just below the limit).
-        let last = bounds[bounds.len() - 1];
-        bounds.extend((1..=5).map(|halving| last * 0.5f64.powi(halving)));
-        bounds.push(0.0);
+        let joints = self.geometry.pieces().iter().filter(|piece| piece.to_m < end_m);
+        let joints = joints.map(|piece| ((end_m - piece.to_m) / end_m).sqrt());
+        let bounds: Vec<f64> = [1.0].into_iter().chain(joints).chain([0.0]).collect();
+        let time_s = |a, b| resolved(b, a, rule.resolution, |s| 2.0 * end_m * s / slip(s));
+        self.moments(&bounds, rule.points, time_s, |s| (end_m * (1.0 - s) * (1.0 + s), slip(s)))
+    }
+
+    fn history_to_exit(&self, rule: Rule) -> Vec<Moment> {
+        let slip = |q: f64| self.slip_squared(q).sqrt();
+        let joints = self.geometry.pieces().iter().map(|piece| piece.to_m);
+        let bounds: Vec<f64> = [0.0].into_iter().chain(joints).collect();
+        let time_s = |a, b| resolved(a, b, rule.resolution, |q| 1.0 / slip(q));
+        self.moments(&bounds, rule.points, time_s, |q| (q, slip(q)))
+    }
+
+    /// Moments at so many equal parts of each stretch between two bounds, in whatever variable these are: how long a part takes,
+    /// s, and travel and slip at its end.
+    fn moments(
+        &self,
+        bounds: &[f64],
+        points: usize,
+        time_s: impl Fn(f64, f64) -> f64,
+        place: impl Fn(f64) -> (f64, f64),
+    ) -> Vec<Moment> {
         let mut moments = vec![Moment { t_s: 0.0, travel_m: 0.0, slip_m_s: self.velocity_m_s }];
         let mut t_s = 0.0;
         for pair in bounds.windows(2) {
-            for point in 0..per_piece {
-                let at = |i: usize| pair[0] + (pair[1] - pair[0]) * i as f64 / per_piece as f64;
-                let (a, b) = (at(point), at(point + 1));
-                t_s += gauss(b, a, 1, |s| 2.0 * end_m * s / slip(s));
-                let travel_m = end_m * (1.0 - b) * (1.0 + b);
-                moments.push(Moment { t_s, travel_m, slip_m_s: slip(b) });
+            let at = |point: usize| pair[0] + (pair[1] - pair[0]) * point as f64 / points as f64;
+            for point in 0..points {
+                let (from, to) =
+                    (at(point), if point + 1 == points { pair[1] } else { at(point + 1) });
+                t_s += time_s(from, to);
+                let (travel_m, slip_m_s) = place(to);
+                moments.push(Moment { t_s, travel_m, slip_m_s });
             }
         }
         moments
     }
+}
 
-    fn history_to_exit(&self, per_piece: usize) -> Vec<Moment> {
-        let slip = |q: f64| self.slip_squared(q).sqrt();
-        let mut moments = vec![Moment { t_s: 0.0, travel_m: 0.0, slip_m_s: self.velocity_m_s }];
-        let mut t_s = 0.0;
-        for piece in self.geometry.pieces() {
-            let width = (piece.to_m - piece.from_m) / per_piece as f64;
-            for point in 0..per_piece {
-                let (a, b) = (
-                    piece.from_m + width * point as f64,
-                    piece.from_m + width * (point + 1) as f64,
-                );
-                t_s += gauss(a, b, 1, |q| 1.0 / slip(q));
-                moments.push(Moment { t_s, travel_m: b, slip_m_s: slip(b) });
-            }
-        }
-        moments
-    }
+/// How the time of a closed form is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rule {
+    /// Moments on each stretch between two joints of the area law.
+    pub points: usize,
+    /// The part of its value to which the integrand is resolved: the error is about the square of it.
+    pub resolution: f64,
+}
+
+impl Rule {
+    /// To rounding.
+    pub const FINE: Self = Self { points: 1, resolution: 1e-8 };
+    /// To a square of that, for a second computation that the first is compared with.
+    pub const FINEST: Self = Self { points: 1, resolution: 1e-12 };
 }
 
 /// A moment of the relative motion.
@@ -219,11 +233,11 @@ mod tests {
         assert!((depth(&rigid) - 7.113_055e-3).abs() < 5e-10);
         let free = passage(&geometry, 1.0);
         assert!((depth(&free) / 4.568_088_344_391_97e-3 - 1.0).abs() < 1e-13);
-        let end = *free.history(free.ending(), 4).last().unwrap();
+        let end = *free.history(free.ending(), Rule::FINE).last().unwrap();
         assert!((end.t_s / 113.407_312_427_867_64e-6 - 1.0).abs() < 1e-12, "{}", end.t_s);
         assert_eq!(end.slip_m_s.to_bits(), 0);
         // The same closed form in 30-digit arithmetic.
-        let end = *rigid.history(rigid.ending(), 4).last().unwrap();
+        let end = *rigid.history(rigid.ending(), Rule::FINE).last().unwrap();
         assert!((end.t_s / 1.850_116_460_604_822e-4 - 1.0).abs() < 1e-14, "{}", end.t_s);
         assert!((depth(&rigid) / 7.113_054_853_423_409e-3 - 1.0).abs() < 1e-14);
     }

@@ -7,13 +7,15 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::estimate::{self, ROUNDING};
 use crate::model::interaction;
-use crate::model::run::{EndReason, ErrorEstimate, EstimateBasis, Outcome, Run};
+use crate::model::run::{EndReason, EstimateBasis, Run};
 use crate::model::scene::Scene;
 use crate::model::stack;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
 use problem::Problem;
+use record::Record;
 use track::Track;
 use window::Window;
 
@@ -30,6 +32,7 @@ mod start;
 mod stiff;
 mod stride;
 mod taylor;
+mod thinning;
 mod track;
 mod verdict;
 mod watch;
@@ -41,8 +44,6 @@ const TERMS: usize = 17;
 const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first.
 const TIGHTER: f64 = 1e-3;
-/// Rounding that no second computation can see, relative.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// What a run should deliver besides its results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,11 +99,18 @@ pub fn simulate_openly(
     let by_strides = track.stride_error;
     let mut run = report::gather(&problem, track, end);
     if settings.estimate && run.end.is_complete() {
-        let watched = &mut |t_s| {
-            window.show(|| run.clone());
+        let series = std::mem::take(&mut run.series);
+        let second = second(&problem, &mut |t_s| {
+            window.show(|| Run { series: Record::look(&series), ..run.clone() });
             observer(t_s)
-        };
-        run.error_estimate = estimate(&problem, &run, by_strides, watched);
+        });
+        run.series = series;
+        let is_closed = run.cost.steps == 0;
+        let basis =
+            if is_closed { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation };
+        if let Some(second) = second {
+            estimate::set(&mut run, &second, basis, larger(by_strides, ROUNDING));
+        }
     }
     run.stack = stack::follow(scene, &mut run, *settings, observer)?.map(Arc::new);
     Ok(run)
@@ -139,29 +147,10 @@ fn compute<const N: usize>(track: &mut Track<'_>, observer: Observer<'_>) -> End
     track.run::<N>(observer)
 }
 
-/// The difference to a computation of another order at a much tighter tolerance, but not below what the strides, which both have in
-/// common, say of themselves; rounding alone for closed forms.
-fn estimate(
-    problem: &Problem,
-    run: &Run,
-    by_strides: f64,
-    observer: Observer<'_>,
-) -> Option<ErrorEstimate> {
-    let measure = |run: &Run| match run.outcome {
-        Outcome::Perforated => run.exit_time_s,
-        Outcome::Arrested | Outcome::Separated | Outcome::Moving => run.final_penetration_m,
-    };
-    let value = measure(run)?;
-    if run.cost.steps == 0 {
-        return Some(ErrorEstimate { relative: ROUNDING, basis: EstimateBasis::ClosedForm });
-    }
-    let mut track = Track::new(problem, run.scene.run.tolerance * TIGHTER, false);
+/// The same of another order at a much tighter tolerance; `None` when it was cancelled.
+fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
+    let mut track = Track::new(problem, problem.scene.run.tolerance * TIGHTER, false);
+    track.is_second = true;
     let end = compute::<TERMS_CHECK>(&mut track, observer);
-    if end == EndReason::Cancelled {
-        return None;
-    }
-    let second = measure(&report::gather(problem, track, end))?;
-    let relative = ((value - second) / second).abs();
-    let relative = larger(larger(relative, by_strides), ROUNDING);
-    Some(ErrorEstimate { relative, basis: EstimateBasis::SecondComputation })
+    (end != EndReason::Cancelled).then(|| report::gather(problem, track, end))
 }

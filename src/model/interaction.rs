@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use crate::model::contact::Geometry;
 use crate::model::impact::{self, Observer, Settings};
-use crate::model::run::{AtLeast, Cost, EnergyLedger, ErrorEstimate, Run};
+use crate::model::run::{AtLeast, Cost, EnergyLedger, Run};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 
 mod coast;
@@ -183,6 +183,7 @@ fn blank(scene: &Arc<Scene>) -> Run {
         separation: None,
         interface_demand_ratio: None,
         error_estimate: None,
+        error_estimates: Vec::new(),
         series: Vec::new(),
         events: Vec::new(),
         ledger: EnergyLedger::default(),
@@ -192,19 +193,6 @@ fn blank(scene: &Arc<Scene>) -> Run {
         omitted: Vec::new(),
         warnings: Vec::new(),
     }
-}
-
-/// The relative difference of two values as an error estimate, not below rounding.
-fn difference(
-    value: Option<f64>,
-    other: Option<f64>,
-    basis: crate::model::run::EstimateBasis,
-) -> Option<ErrorEstimate> {
-    let (value, other) = (value?, other?);
-    let relative = ((value - other) / other).abs();
-    let floor = 16.0 * f64::EPSILON;
-    let relative = if relative > floor { relative } else { floor };
-    relative.is_finite().then_some(ErrorEstimate { relative, basis })
 }
 
 #[cfg(test)]

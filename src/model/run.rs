@@ -46,6 +46,8 @@ pub struct Run {
     pub interface_demand_ratio: Option<f64>,
     /// Relative error estimate of the final penetration, and where it comes from.
     pub error_estimate: Option<ErrorEstimate>,
+    /// Relative error estimates of the results, each by itself, as far as they exist.
+    pub error_estimates: Vec<QuantityError>,
     /// The series to draw, in order of time; two samples at the same time where something jumps. Empty unless asked for.
     pub series: Vec<Sample>,
     /// Located events, in order of time.
@@ -296,19 +298,30 @@ impl EventKind {
 /// A relative error estimate of the final penetration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorEstimate {
-    /// Relative to the final penetration (to the exit time, for a perforation).
+    /// Relative to the final penetration (to the exit time, for a perforation); infinite where it is not known.
     pub relative: f64,
     /// How it was obtained.
     pub basis: EstimateBasis,
 }
 
+/// A relative error estimate of one result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuantityError {
+    /// The result's name.
+    pub name: &'static str,
+    /// The estimate, relative to it.
+    pub relative: f64,
+}
+
 /// How an error estimate was obtained.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EstimateBasis {
-    /// The result is a closed form: only rounding is left.
+    /// The result is a closed form, compared with itself by a finer quadrature.
     ClosedForm,
     /// Difference to a second computation at a tighter tolerance and another order.
     SecondComputation,
+    /// Unknown: the second computation ended otherwise, with this outcome.
+    OutcomeDiffers(Outcome),
     /// Twice the difference to the same first-order scheme at half the step: against the scheme's own limit.
     HalfStep,
 }

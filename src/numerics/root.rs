@@ -51,6 +51,20 @@ pub fn first_fall(c: &[f64], end: f64) -> Option<f64> {
     None
 }
 
+/// Every s in (0, end) at which the polynomial passes from positive to zero or below, if it does so no more than once in each of
+/// eight parts.
+pub fn each_fall(c: &[f64], end: f64, mut visit: impl FnMut(f64)) {
+    let (mut left, mut at_left) = (0.0, evaluate(c, 0.0));
+    for piece in 1..=PIECES {
+        let right = end * piece as f64 / PIECES as f64;
+        let at_right = evaluate(c, right);
+        if at_left > 0.0 && at_right <= 0.0 {
+            visit(bracketed(c, left, right));
+        }
+        (left, at_left) = (right, at_right);
+    }
+}
+
 fn first_nonzero(c: &[f64]) -> f64 {
     c.iter().copied().find(|c| *c != 0.0).unwrap_or(0.0)
 }
@@ -202,6 +216,23 @@ mod tests {
             out[0] = out[0] * by + c;
         }
         out
+    }
+
+    #[test]
+    fn every_fall_of_a_polynomial_is_visited() {
+        // (s - 0.2)(s - 0.5)(s - 0.9) falls at 0.5; its negative at 0.2 and 0.9.
+        let c = [-0.09, 0.73, -1.6, 1.0];
+        let falls = |c: &[f64]| {
+            let mut found = Vec::new();
+            each_fall(c, 1.0, |s| found.push(s));
+            found
+        };
+        let near = |found: &[f64], exact: &[f64]| {
+            found.len() == exact.len()
+                && found.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-14)
+        };
+        assert!(near(&falls(&c), &[0.5]));
+        assert!(near(&falls(&c.map(|c| -c)), &[0.2, 0.9]));
     }
 
     #[test]

@@ -1,13 +1,10 @@
 //! The contact phase in closed form, where nothing but inertia (or a rigid mount) answers the projectile.
 
-use crate::model::closed_form::{self, Passage};
+use crate::model::closed_form::{self, Passage, Rule};
 use crate::model::contact::Geometry;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
 use crate::model::mechanism::Mechanism;
 use crate::model::scene::{Mount, Scene};
-
-/// Points on each stretch of the quadrature that gives the time.
-const POINTS: usize = 2;
 
 /// Solve the contact phase of a scene without spring, damper and stop, or on a rigid mount.
 ///
@@ -28,7 +25,7 @@ pub fn solve(scene: &Scene) -> Result<Answer, Refusal> {
         closed_form::Ending::Arrest { travel_m } => (Ending::Arrest, travel_m),
         closed_form::Ending::Exit { .. } => (Ending::Perforation, geometry.exit_m),
     };
-    let t_s = passage.history(found, POINTS).last().map_or(f64::NAN, |moment| moment.t_s);
+    let t_s = passage.history(found, Rule::FINEST).last().map_or(f64::NAN, |moment| moment.t_s);
     if !t_s.is_finite() {
         return Err(Refusal::NonFinite);
     }

@@ -1,6 +1,6 @@
 //! The contact in closed form, where nothing but the plate's inertia (or its rigid mount) answers the projectile.
 
-use crate::model::closed_form::{Ending, Moment, Passage};
+use crate::model::closed_form::{Ending, Moment, Passage, Rule};
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::Setting;
 use crate::model::impact::track::Track;
@@ -10,10 +10,14 @@ use crate::model::run::Mode;
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
-/// Shots that leave more slowly than this part of their velocity are integrated: the quadrature loses accuracy there.
+/// Shots that leave more slowly than this part of their velocity are integrated: the closed form's slip loses digits there.
 const LIMIT_MARGIN: f64 = 0.05;
-/// Points on each stretch of the closed form, with and without a series to draw.
-const POINTS: (usize, usize) = (8, 2);
+/// Points to draw on each stretch of the closed form.
+const POINTS: usize = 8;
+/// Parts of a stretch of the area law on each of which the contact force has at most one maximum, and the part of one over which
+/// its slope is taken.
+const PARTS: usize = 16;
+const SLOPE: f64 = 1e-5;
 
 /// How the plate answers during the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,8 +84,9 @@ impl Track<'_> {
         {
             return false;
         }
-        let points = if self.record.keep_series { POINTS.0 } else { POINTS.1 };
-        let moments = passage.history(ending, points);
+        let rule = if self.is_second { Rule::FINEST } else { Rule::FINE };
+        let points = if self.record.keep_series { POINTS } else { rule.points };
+        let moments = passage.history(ending, Rule { points, ..rule });
         let Some(last) = moments.last().copied() else {
             return false;
         };
@@ -148,26 +153,35 @@ impl Track<'_> {
     }
 }
 
-/// The greatest contact force: at a joint of the area law, at the end, or where A' = 2 c A²/mu.
+/// The greatest contact force: at a joint of the area law, at the end, or where its slope along the travel, which has the sign of
+/// A' - 2 c A²/mu, falls through zero.
 fn peak_n(passage: &Passage<'_>, moments: &[Moment]) -> f64 {
     let geometry = passage.geometry;
     let end = moments.last().map_or(0.0, |moment| moment.travel_m);
-    let force = |q: f64| {
-        geometry.area_m2(q)
-            * (passage.strength_pa + passage.drag_kg_m3 * larger(passage.slip_squared(q), 0.0))
-    };
     let mut peak = 0.0;
     for piece in geometry.pieces().iter().filter(|piece| piece.from_m < end) {
-        let to = smaller(piece.to_m, end);
         let area = |q: f64| piece.law.area_m2(&geometry.nose, q);
-        let h = 1e-6 * (to - piece.from_m);
+        let mut press = |q: f64| {
+            let drag = passage.drag_kg_m3 * larger(passage.slip_squared(q), 0.0);
+            peak = larger(peak, area(q) * (passage.strength_pa + drag));
+        };
+        let to = smaller(piece.to_m, end);
+        let part_m = (to - piece.from_m) / PARTS as f64;
+        let h = SLOPE * part_m;
         let turning = |q: f64| {
             let slope = (area(q + h) - area(q - h)) / (2.0 * h);
             slope - 2.0 * passage.drag_kg_m3 * area(q) * area(q) * passage.mobility_per_kg
         };
-        let inside = in_bracket(piece.from_m + h, to - h, turning);
-        for q in [piece.from_m, inside, to] {
-            peak = larger(peak, force(smaller(q, end)));
+        press(piece.from_m);
+        press(to);
+        // A hair inside, so that the slope is taken on the piece.
+        let place =
+            |part: usize| (piece.from_m + part_m * part as f64).clamp(piece.from_m + h, to - h);
+        let slopes: [f64; PARTS + 1] = std::array::from_fn(|part| turning(place(part)));
+        for part in 0..PARTS {
+            if slopes[part] > 0.0 && slopes[part + 1] <= 0.0 {
+                press(in_bracket(place(part), place(part + 1), turning));
+            }
         }
     }
     peak

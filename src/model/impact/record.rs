@@ -1,17 +1,28 @@
 //! What is written down along the way: series, events, extremes and work.
 
 use crate::model::impact::problem::Problem;
+use crate::model::impact::thinning::{Kept, thinned};
 use crate::model::impact::window::Window;
 use crate::model::motion::{Expansion, Motion, State};
 use crate::model::run::{Arrest, Event, EventKind, Mode, Sample};
-use crate::numerics::root::first_fall;
+use crate::numerics::root::each_fall;
 use crate::numerics::series::{evaluate, slope};
+use crate::numerics::{larger, maximum};
 
 /// Points drawn within each step of the solver, its end included.
 const POINTS_PER_STEP: usize = 8;
 
-/// Rows after which only the solver's own steps are kept.
+/// Rows after which only the solver's own steps are kept, and rows at which what follows those is thinned: memory stays bounded
+/// however many steps there are.
 const POINTS_MAX: usize = 20_000;
+const ROWS_MAX: usize = 120_000;
+/// Intervals of time of which each keeps its envelope when rows are thinned; twenty times the columns of a wide chart.
+const INTERVALS: usize = 4_000;
+/// The same for a look at a run that is still going on.
+const LOOK: Kept = Kept { first: 4_000, intervals: 1_000 };
+
+/// Part of a series' variation by which it may miss its quantity at the end of a step.
+const CONVERGED: f64 = 1e-7;
 
 /// Energies that have to be integrated along the way, J.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
@@ -29,6 +40,8 @@ pub(super) struct Record<'a> {
     /// Where the run so far is shown, if anywhere.
     pub(super) window: Option<&'a Window>,
     pub(super) series: Vec<Sample>,
+    /// Rows have been left out of the series.
+    pub(super) is_thinned: bool,
     pub(super) events: Vec<Event>,
     pub(super) work: Work,
     pub(super) first_arrest: Option<Arrest>,
@@ -103,9 +116,19 @@ impl Record<'_> {
     }
 
     pub(super) fn point(&mut self, setting: &Setting<'_>, t_s: f64, state: &State, is_step: bool) {
-        if self.keep_series {
-            self.series.push(setting.sample(t_s, state, is_step));
+        if !self.keep_series {
+            return;
         }
+        self.series.push(setting.sample(t_s, state, is_step));
+        if self.series.len() >= ROWS_MAX {
+            self.series = thinned(&self.series, Kept { first: POINTS_MAX, intervals: INTERVALS });
+            self.is_thinned = true;
+        }
+    }
+
+    /// The series so far, thinned to what a chart can show.
+    pub(super) fn look(series: &[Sample]) -> Vec<Sample> {
+        thinned(series, LOOK)
     }
 
     /// Note a displacement that may be the greatest so far.
@@ -134,9 +157,21 @@ impl Record<'_> {
             force[0] -= stop.stiffness_n_m * stop.position_m;
             self.work.stop_j += integral(&force, &e.plate_speed, span) * h;
         }
+        let motion = setting.motion;
         match setting.mode {
-            Mode::Penetrating => self.pressed(greatest(&e.contact, span)),
-            Mode::Fused => self.demand(setting, &e.mechanism, span),
+            Mode::Penetrating => {
+                let value = |s: f64| motion.contact_force(&e.state(s));
+                let known = self.peak_contact_n;
+                self.pressed(Arc { span, known, value }.greatest(&e.contact));
+            }
+            Mode::Fused => {
+                let value = |s: f64| motion.mechanism_force(&e.state(s));
+                let [push, pull] = self.known_loads_n(setting);
+                let push = Arc { span, known: push, value }.greatest(&e.mechanism);
+                let back = Arc { span, known: pull, value: |s| -value(s) };
+                let pull = back.greatest(&e.mechanism.map(|c| -c));
+                self.carried(setting, push, pull);
+            }
             Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
         }
         if self.keep_series && self.series.len() < POINTS_MAX {
@@ -162,15 +197,6 @@ impl Record<'_> {
         if contact_n > self.peak_contact_n {
             self.peak_contact_n = contact_n;
         }
-    }
-
-    /// What the interface carries, or would have to carry, while fused.
-    fn demand<const N: usize>(&mut self, setting: &Setting<'_>, force: &[f64; N], span: f64) {
-        let mut pull = *force;
-        for c in &mut pull {
-            *c = -*c;
-        }
-        self.carried(setting, greatest(force, span), greatest(&pull, span));
     }
 
     /// The greatest forces of the mechanism, forwards and backwards, noted so far, as far as the interface's strength says, N.
@@ -209,14 +235,36 @@ fn integral<const N: usize>(f: &[f64; N], g: &[f64; N], span: f64) -> f64 {
     sum * span
 }
 
-/// The greatest value of a series on [0, span]: at an end, or where its slope falls through zero.
-fn greatest<const N: usize>(c: &[f64; N], span: f64) -> f64 {
-    let mut best = c[0];
-    let end = evaluate(c, span);
-    best = if end > best { end } else { best };
-    if let Some(s) = first_fall(&slope(c), span) {
-        let top = evaluate(c, s);
-        best = if top > best { top } else { best };
+/// A quantity along a step of an expansion, as a function of the time, in time units.
+struct Arc<F> {
+    span: f64,
+    /// What it must exceed to matter.
+    known: f64,
+    value: F,
+}
+
+impl<F: Fn(f64) -> f64> Arc<F> {
+    /// The greatest value: at an end, or where the slope of its series falls through zero. The series only tells where: the value
+    /// there is that of the state. A series that has not converged, although those of the state have, tells nothing.
+    fn greatest<const N: usize>(&self, series: &[f64; N]) -> f64 {
+        let (start, end) = (series[0], (self.value)(self.span));
+        let best = larger(start, end);
+        // The most by which series and slope may vary.
+        let (mut size, mut bend, mut power) = (0.0, 0.0, 1.0);
+        for (j, c) in series.iter().enumerate().skip(1) {
+            bend += if j > 1 { j as f64 * (c * power).abs() } else { 0.0 };
+            power *= self.span;
+            size += (c * power).abs();
+        }
+        let off = (evaluate(series, self.span) - end).abs();
+        if off <= CONVERGED * size {
+            if bend <= series[1].abs() || start + size <= self.known {
+                return best;
+            }
+            let mut most = best;
+            each_fall(&slope(series), self.span, |s| most = larger((self.value)(s), most));
+            return most;
+        }
+        larger(maximum::greatest(0.0, self.span, self.known, &self.value), best)
     }
-    best
 }

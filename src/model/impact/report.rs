@@ -72,6 +72,7 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         separation: record.separation.filter(|_| outcome == Outcome::Separated),
         interface_demand_ratio: record.push_ratio,
         error_estimate: None,
+        error_estimates: Vec::new(),
         series: record.series,
         events: record.events,
         ledger,
@@ -131,7 +132,15 @@ fn warnings(
     let record = &track.record;
     let mut list = Vec::new();
     if !end.is_complete() {
-        list.push(Warning::EndedEarly(end));
+        let (t_s, horizon_s) = (track.t_s, problem.horizon_s);
+        list.push(if problem.horizon_is_asked {
+            Warning::HorizonNotReached { reason: end, t_s, horizon_s }
+        } else {
+            Warning::EndedEarly(end)
+        });
+    }
+    if record.is_thinned {
+        list.push(Warning::SeriesThinned { rows: record.series.len(), steps: track.steps });
     }
     if let (Some(t_s), Some(ratio)) = (record.push_exceeded_s, record.push_ratio) {
         list.push(Warning::InterfacePush { ratio, t_s });

@@ -12,7 +12,7 @@ use crate::model::motion::State;
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::implicit::{ImplicitSystem, Step, WEIGHTS, interpolate, step, step_factor};
 use crate::numerics::root::in_bracket;
-use crate::numerics::{larger, smaller};
+use crate::numerics::{larger, maximum, smaller};
 
 mod unknowns;
 
@@ -272,7 +272,7 @@ impl Track<'_> {
         ControlFlow::Continue(fired)
     }
 
-    /// Work by the method's own quadrature, extremes at the stages, points to draw.
+    /// Work by the method's own quadrature, extremes of its dense output, points to draw.
     fn write_down(&mut self, system: &Unknowns<'_>, y: &[f64; 4], solved: &Step<4>, h: f64) {
         let motion = system.motion;
         let mut record = std::mem::take(&mut self.record);
@@ -280,20 +280,26 @@ impl Track<'_> {
         for (stage, weight) in solved.stages.iter().zip(WEIGHTS) {
             let state = system.state(stage);
             record.worked(&setting, &state, h * weight);
-            match self.mode {
-                Mode::Penetrating => record.pressed(motion.contact_force(&state)),
-                Mode::Fused => {
-                    let force = motion.mechanism_force(&state);
-                    record.carried(&setting, force, -force);
-                }
-                Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
+        }
+        let along = |s: f64| system.state(&interpolate(y, solved, s));
+        match self.mode {
+            Mode::Penetrating => {
+                let force = |s: f64| motion.contact_force(&along(s));
+                record.pressed(maximum::greatest(0.0, 1.0, record.peak_contact_n, force));
             }
+            Mode::Fused => {
+                let [push, pull] = record.known_loads_n(&setting);
+                let force = |s: f64| motion.mechanism_force(&along(s));
+                let push = maximum::greatest(0.0, 1.0, push, force);
+                let pull = maximum::greatest(0.0, 1.0, pull, |s| -force(s));
+                record.carried(&setting, push, pull);
+            }
+            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
         }
         if record.keep_series {
             for point in 1..=POINTS_PER_STEP {
                 let s = point as f64 / (POINTS_PER_STEP + 1) as f64;
-                let state = system.state(&interpolate(y, solved, s));
-                record.point(&setting, self.t_s + s * h, &state, false);
+                record.point(&setting, self.t_s + s * h, &along(s), false);
             }
         }
         self.record = record;

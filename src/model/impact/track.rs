@@ -15,7 +15,7 @@ use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
 use crate::model::impact::report;
 use crate::model::impact::stride::Taken;
-use crate::model::impact::verdict::{Asked, DEAD, FAINT, Farthest};
+use crate::model::impact::verdict::{Asked, DEAD, FAINT, Farthest, Swing};
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
 use crate::model::run::{EndReason, Mode, Outcome};
@@ -115,6 +115,10 @@ pub(super) struct Track<'a> {
     pub(super) farthest: Farthest,
     /// When the outcome was last asked for, on a curve.
     pub(super) asked: Option<Asked>,
+    /// How far the first swing of the joined body has come.
+    pub(super) swing: Swing,
+    /// The second computation, which the first is compared with.
+    pub(super) is_second: bool,
 }
 
 impl<'a> Track<'a> {
@@ -175,6 +179,8 @@ impl<'a> Track<'a> {
             noticed_m: 0.0,
             farthest: Farthest::Pending,
             asked: None,
+            swing: Swing::Back,
+            is_second: false,
         }
     }
 
@@ -188,7 +194,7 @@ impl<'a> Track<'a> {
                 return EndReason::Cancelled;
             }
             if let Some(window) = self.record.window {
-                window.show(|| report::gather(self.problem, self.clone(), EndReason::Cancelled));
+                window.show(|| report::gather(self.problem, self.look(), EndReason::Cancelled));
             }
             if let Some(reason) = self.budget_used_up() {
                 return self.end_early(reason);
@@ -244,6 +250,15 @@ impl<'a> Track<'a> {
         self.work.set(self.work.get() + expansions);
     }
 
+    /// The run so far, with no more of its series than a chart can show.
+    fn look(&mut self) -> Self {
+        let series = std::mem::take(&mut self.record.series);
+        let mut copy = self.clone();
+        copy.record.series = Record::look(&series);
+        self.record.series = series;
+        copy
+    }
+
     /// What follows an event, and which method goes on.
     pub(super) fn take(&mut self, trigger: Trigger) {
         self.event_count += usize::from(trigger.changes_course());
@@ -297,9 +312,10 @@ impl<'a> Track<'a> {
         self.pushed = if pushed == 0.0 { self.pushed } else { pushed };
     }
 
-    /// A run whose outcome is known is complete even when its tail is cut short.
+    /// A run whose outcome is known is complete even when its tail is cut short, unless it was to go as far as a horizon.
     fn end_early(&self, reason: EndReason) -> EndReason {
-        if self.decided.is_some() { EndReason::Decided } else { reason }
+        let is_complete = self.decided.is_some() && !self.problem.horizon_is_asked;
+        if is_complete { EndReason::Decided } else { reason }
     }
 
     /// Whether the plate cannot move: rigid, held by its stop, or as good as immobile.

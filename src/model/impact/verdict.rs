@@ -31,6 +31,8 @@ const LAST_SLIPS: f64 = 2e-2;
 const SLIP_RESERVE: f64 = 1.25;
 /// Loss of energy, relative, from which on the outcome is asked for again: far above rounding, far below a swing's.
 const LOST: f64 = 1e-9;
+/// Part of the interface's load by which it may still grow without being followed.
+const DEMANDED: f64 = 1e-9;
 /// How far a stop that gives way to a spring driving the plate away is followed, m.
 const FARTHEST_M: f64 = 1e3;
 /// A plate slowed by its damper alone to this part of its speed has arrived, for the eye.
@@ -47,6 +49,17 @@ pub(super) enum Farthest {
     Pending,
 }
 
+/// How far the joined body has come on its first swing forward, in which its mechanism pushes most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Swing {
+    /// Not begun.
+    Back,
+    /// On its way.
+    Forward,
+    /// Turned back.
+    Turned,
+}
+
 /// What the outcome depends on while projectile and plate are together: if none of it changes, it stays the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Asked {
@@ -58,6 +71,7 @@ pub(super) struct Asked {
 impl Track<'_> {
     /// Whether, and why, the run is over.
     pub(super) fn finished(&mut self) -> Option<EndReason> {
+        self.follow_swing();
         let at_horizon = self.t_s >= self.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
         if self.decided.is_none() && self.may_have_decided() {
             let outcome = self.outcome();
@@ -79,6 +93,7 @@ impl Track<'_> {
         }
         let wanted = self.problem.horizon_is_asked
             || self.is_swinging()
+            || self.demand_may_grow()
             || (self.record.keep_series && self.in_tail());
         (!wanted).then_some(EndReason::Decided)
     }
@@ -132,6 +147,38 @@ impl Track<'_> {
     fn is_swinging(&self) -> bool {
         matches!(self.farthest, Farthest::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
             && !self.problem.mechanism.spring.is_absent()
+    }
+
+    /// Note what the interface carries as soon as both bodies are one, and whether their first swing forward is over.
+    fn follow_swing(&mut self) {
+        if self.mode != Mode::Fused {
+            return;
+        }
+        if self.record.push_ratio.is_none() && !self.is_still() {
+            let motion = self.motion();
+            let force = motion.mechanism_force(&self.state);
+            let mut record = std::mem::take(&mut self.record);
+            record.carried(&self.setting(&motion), force, -force);
+            self.record = record;
+        }
+        self.swing = match self.swing {
+            Swing::Back if self.state.plate_m_s > 0.0 => Swing::Forward,
+            Swing::Forward if self.state.plate_m_s <= 0.0 => Swing::Turned,
+            swing => swing,
+        };
+    }
+
+    /// Whether the fused interface may yet have to carry more than it has so far: until the first swing forward is over, unless
+    /// the energy that is left cannot push harder.
+    fn demand_may_grow(&self) -> bool {
+        let strength = self.interface_n();
+        self.mode == Mode::Fused
+            && self.swing != Swing::Turned
+            && !self.is_still()
+            && strength > 0.0
+            && self.record.push_ratio.is_some_and(|known| {
+                self.push_at(self.energy_j()) > known * strength * (1.0 + DEMANDED)
+            })
     }
 
     /// The outcome, if nothing can change it any more; else `Moving`.

@@ -8,10 +8,11 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use crate::model::estimate::{self, ROUNDING};
 use crate::model::impact::{Observer, Settings};
 use crate::model::interaction::course::{Course, Fired, Tag, say};
 use crate::model::interaction::pair::{N, Push, V, W};
-use crate::model::interaction::{ModelNote, Values, difference, notes_of};
+use crate::model::interaction::{ModelNote, Values, notes_of};
 use crate::model::run::{EndReason, EstimateBasis, EventKind, Mode, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::numerics::explicit::Boundary;
@@ -26,11 +27,7 @@ pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>
     let mut run = once(scene, settings.series, 1.0, observer);
     if settings.estimate && run.end.is_complete() {
         let second = once(scene, false, TIGHTER, observer);
-        run.error_estimate = difference(
-            run.final_penetration_m,
-            second.final_penetration_m,
-            EstimateBasis::SecondComputation,
-        );
+        estimate::set(&mut run, &second, EstimateBasis::SecondComputation, ROUNDING);
     }
     run
 }

@@ -9,9 +9,10 @@ use std::sync::Arc;
 
 use crate::model::appendix::{Scheme, State};
 use crate::model::contact_phase::{Ending, Refusal};
+use crate::model::estimate::{self, ROUNDING};
 use crate::model::impact::{Observer, Settings};
 use crate::model::interaction::course::say;
-use crate::model::interaction::{ModelNote, blank, difference, notes_of};
+use crate::model::interaction::{ModelNote, blank, notes_of};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::{
     Arrest, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, Outcome, Run, Sample, Warning,
@@ -54,16 +55,7 @@ pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>
         let half =
             Listing { step_s: 0.5 * scene.contact.appendix.step_s, ..scene.contact.appendix };
         let second = once(scene, half, false, observer);
-        let measure = |run: &Run| match run.outcome {
-            Outcome::Perforated => run.exit_time_s,
-            Outcome::Arrested | Outcome::Separated | Outcome::Moving => run.final_penetration_m,
-        };
-        // First order: the half step leaves half of the error.
-        let doubled = difference(measure(&run), measure(&second), EstimateBasis::HalfStep);
-        run.error_estimate = doubled.map(|mut estimate| {
-            estimate.relative *= 2.0;
-            estimate
-        });
+        estimate::set(&mut run, &second, EstimateBasis::HalfStep, ROUNDING);
     }
     run
 }

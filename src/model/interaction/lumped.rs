@@ -6,10 +6,11 @@
 
 use std::sync::Arc;
 
+use crate::model::estimate;
 use crate::model::impact::{Observer, Settings};
 use crate::model::interaction::course::{Course, Fired, Tag, say};
 use crate::model::interaction::pair::{N, Push, Q, V, W, X};
-use crate::model::interaction::{Values, difference, notes_of};
+use crate::model::interaction::{Values, notes_of};
 use crate::model::run::{EndReason, EstimateBasis, EventKind, Mode, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::numerics::explicit::{Boundary, System as _};
@@ -37,11 +38,7 @@ pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>
     let mut run = once(scene, settings.series, 1.0, observer);
     if settings.estimate && run.end.is_complete() {
         let second = once(scene, false, TIGHTER, observer);
-        run.error_estimate = difference(
-            run.final_penetration_m,
-            second.final_penetration_m,
-            EstimateBasis::SecondComputation,
-        );
+        estimate::set(&mut run, &second, EstimateBasis::SecondComputation, estimate::ROUNDING);
     }
     run
 }

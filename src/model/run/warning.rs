@@ -4,8 +4,8 @@ use std::fmt;
 
 use crate::model::interaction::ModelNote;
 use crate::model::mechanism::load::Limit;
-use crate::model::run::{AtLeast, EndReason, Outcome};
-use crate::model::units;
+use crate::model::run::{AtLeast, EndReason, EnergyLedger, Outcome};
+use crate::model::units::{self, Engineering};
 
 /// What a careful reader should know about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,6 +44,22 @@ pub enum Warning {
         outcome: Outcome,
         /// What is known as a lower bound only.
         at_least: AtLeast,
+    },
+    /// The run did not come as far as it was asked to.
+    HorizonNotReached {
+        /// Why.
+        reason: EndReason,
+        /// Where it stopped, s.
+        t_s: f64,
+        /// The horizon, s.
+        horizon_s: f64,
+    },
+    /// Of so many steps the series has fewer rows, which show the same curves.
+    SeriesThinned {
+        /// Rows.
+        rows: usize,
+        /// Steps.
+        steps: usize,
     },
     /// The rigid mount, too, is perforated: there is no baseline to compare with.
     NoBaseline,
@@ -122,6 +138,21 @@ impl fmt::Display for Warning {
                     )
                 }
             }
+            Self::HorizonNotReached { reason, t_s, horizon_s } => {
+                let time = |value| Engineering { value, unit: "s", digits: 4 };
+                write!(
+                    f,
+                    "the horizon of {} was not reached: the run stopped at t = {} ({})",
+                    time(*horizon_s),
+                    time(*t_s),
+                    reason.words()
+                )
+            }
+            Self::SeriesThinned { rows, steps } => write!(
+                f,
+                "the series has {rows} rows for {steps} steps: its beginning in full, then first, last, least and greatest values of \
+                 short intervals"
+            ),
             Self::Model(note) => f.write_str(&note.words()),
             Self::PlateMeetsNext { plate, travel_m, gap_m } => write!(
                 f,

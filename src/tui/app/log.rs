@@ -203,6 +203,9 @@ fn cost(lines: &mut Vec<LogLine>, run: &Run) {
             EstimateBasis::HalfStep => {
                 format!("{:.1e} (twice the difference to half the step)", estimate.relative)
             }
+            EstimateBasis::OutcomeDiffers(other) => {
+                format!("unknown: outcome differs (a tighter computation ends {other})")
+            }
         },
     );
     let omitted: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();

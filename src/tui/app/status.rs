@@ -213,6 +213,7 @@ impl App {
                     EstimateBasis::SecondComputation | EstimateBasis::HalfStep => {
                         format!("err est {:.0e}", estimate.relative)
                     }
+                    EstimateBasis::OutcomeDiffers(_) => "err est unknown".to_owned(),
                 },
             ));
         }
@@ -297,6 +298,8 @@ pub fn warning_text(warning: &Warning) -> String {
         | Warning::PenetrationResumed { .. }
         | Warning::EnergyDrift { .. }
         | Warning::EndedEarly(_)
+        | Warning::HorizonNotReached { .. }
+        | Warning::SeriesThinned { .. }
         | Warning::Model(_)
         | Warning::Limit(_)
         | Warning::PlateMeetsNext { .. }

@@ -7,7 +7,7 @@
 
 use std::f64::consts::E;
 
-use crate::model::closed_form::{Ending, Passage};
+use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::Geometry;
 use crate::model::impact::lean::expansion::Constants;
 use crate::model::impact::lean::{Contact, ContactEnd};
@@ -20,14 +20,12 @@ use crate::numerics::quadrature::GAUSS_16;
 const SHARE: f64 = 0.03;
 
 /// Shots on a rigid or free plate that leave with a part of their velocity between these are done in closed form: above, an
-/// integration is as good and cheaper; below, the quadrature for the time is not fine enough.
+/// integration is as good and cheaper; below, the velocity left has few digits.
 const FAST_EXIT: f64 = 0.5;
 const SLOW_EXIT: f64 = 0.05;
 /// c v²/S up to which the exponents of the drag are within [`NEAR`].
 const NEAR_EXCESS: f64 = E - 1.0;
 const _: () = assert!(NEAR == 1.0);
-/// Points of the graded quadrature on each of its stretches.
-const CLOSED_POINTS: usize = 2;
 
 /// When a contact ends that starts at zero travel, s; `None` where the rule has not converged to `tolerance`, or a piece has no
 /// polynomial area.
@@ -144,7 +142,7 @@ fn closed(
         }
     };
     // Near the ballistic limit the time wants a finer rule.
-    let t_s = t_s.or_else(|| Some(passage.history(ending, CLOSED_POINTS).last()?.t_s))?;
+    let t_s = t_s.or_else(|| Some(passage.history(ending, Rule::FINE).last()?.t_s))?;
     let share = c.cos * c.plate_mobility / c.slip_mobility;
     let plate_displacement_m = start_m + share * (c.velocity_m_s * t_s - travel_m);
     Some(ContactEnd {
@@ -215,7 +213,7 @@ mod tests {
                 passage.velocity_m_s = limit * (1.0 - 10f64.powf(-f64::from(i) / 40.0 - 0.02));
                 let ending = passage.ending();
                 let Ending::Arrest { travel_m } = ending else { panic!("perforated") };
-                let exact = passage.history(ending, 4).last().unwrap().t_s;
+                let exact = passage.history(ending, Rule::FINEST).last().unwrap().t_s;
                 for tolerance in [1e-6, 1e-8, 1e-10] {
                     if let Some(t_s) = arrest_time_s(&passage, travel_m, tolerance) {
                         found += 1;

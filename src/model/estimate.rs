@@ -1,0 +1,97 @@
+//! How far the results of a run may be off: the difference of each to a second, better computation of the same scene.
+//!
+//! An estimate is relative to the quantity itself. It is never below what rounding leaves of the quantity, which is more for what
+//! is a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
+
+use crate::model::results;
+use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, QuantityError, Run};
+use crate::numerics::larger;
+
+/// Rounding that no second computation can see, relative.
+pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// What rounding errors of a quantity are relative to besides its own size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Scale {
+    Own,
+    ImpactVelocity,
+    CockingDistance,
+}
+
+/// The results that have an estimate of their own.
+const ESTIMATED: [(&str, Scale); 13] = [
+    ("first_arrest_penetration_m", Scale::Own),
+    ("first_arrest_time_s", Scale::Own),
+    ("first_arrest_plate_displacement_m", Scale::CockingDistance),
+    ("first_arrest_plate_velocity_m_s", Scale::ImpactVelocity),
+    ("final_penetration_m", Scale::Own),
+    ("peak_contact_force_n", Scale::Own),
+    ("max_plate_displacement_m", Scale::CockingDistance),
+    ("stroke_m", Scale::CockingDistance),
+    ("residual_velocity_m_s", Scale::ImpactVelocity),
+    ("exit_time_s", Scale::Own),
+    ("separation_time_s", Scale::Own),
+    ("separation_velocity_m_s", Scale::ImpactVelocity),
+    ("interface_demand_ratio", Scale::Own),
+];
+
+/// Set a run's estimates from a second computation. `floor` is what neither computation can see, relative. Computations that do
+/// not end alike say nothing of each other.
+pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
+    if run.outcome != second.outcome {
+        let basis = EstimateBasis::OutcomeDiffers(second.outcome);
+        run.error_estimate = Some(ErrorEstimate { relative: f64::INFINITY, basis });
+        return;
+    }
+    // First order: half the step leaves half of the error.
+    let factor = if basis == EstimateBasis::HalfStep { 2.0 } else { 1.0 };
+    run.error_estimates = ESTIMATED
+        .iter()
+        .filter_map(|(name, scale)| {
+            let column = results::find(name)?;
+            let (value, other) = (column.value(run)?, column.value(second)?);
+            let scale = match scale {
+                Scale::Own => 0.0,
+                Scale::ImpactVelocity => run.scene.projectile.velocity_m_s,
+                Scale::CockingDistance => run.start_m().abs(),
+            };
+            let relative = difference(value, other, scale, floor)? * factor;
+            Some(QuantityError { name: column.name, relative })
+        })
+        .collect();
+    // The depth of a perforation is the plate's own: what was computed is when it is reached.
+    let judged = match run.outcome {
+        Outcome::Perforated => "exit_time_s",
+        Outcome::Arrested | Outcome::Separated | Outcome::Moving => "final_penetration_m",
+    };
+    let found = run.error_estimates.iter().find(|error| error.name == judged);
+    run.error_estimate = found.map(|error| ErrorEstimate { relative: error.relative, basis });
+}
+
+/// The relative difference of two values of which neither is known better than to rounding; nothing for those of zero, or not finite.
+fn difference(value: f64, other: f64, scale: f64, floor: f64) -> Option<f64> {
+    let size = other.abs();
+    let rounding = larger(floor, ROUNDING * scale / size);
+    let relative = larger((value - other).abs() / size, rounding);
+    relative.is_finite().then_some(relative)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_estimated_quantity_is_a_result() {
+        for (name, _) in ESTIMATED {
+            assert!(results::find(name).is_some(), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_small_difference_of_large_numbers_has_their_rounding() {
+        assert_eq!(difference(1.0, 1.0, 0.0, 1e-15), Some(1e-15));
+        assert_eq!(difference(0.01, 0.01, 100.0, 1e-15), Some(ROUNDING * 1e4));
+        assert!((difference(1.01, 1.0, 100.0, 1e-15).unwrap() - 0.01).abs() < 1e-15);
+        assert_eq!(difference(0.0, 0.0, 1.0, 1e-15), None);
+    }
+}
