@@ -15,6 +15,8 @@ pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
 enum Scale {
     Own,
     ImpactVelocity,
+    /// Just above the ballistic limit what is left is the difference of the squares of two velocities.
+    LimitVelocity,
     CockingDistance,
 }
 
@@ -28,8 +30,8 @@ const ESTIMATED: [(&str, Scale); 13] = [
     ("peak_contact_force_n", Scale::Own),
     ("max_plate_displacement_m", Scale::CockingDistance),
     ("stroke_m", Scale::CockingDistance),
-    ("residual_velocity_m_s", Scale::ImpactVelocity),
-    ("exit_time_s", Scale::Own),
+    ("residual_velocity_m_s", Scale::LimitVelocity),
+    ("exit_time_s", Scale::LimitVelocity),
     ("separation_time_s", Scale::Own),
     ("separation_velocity_m_s", Scale::ImpactVelocity),
     ("interface_demand_ratio", Scale::Own),
@@ -50,12 +52,16 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
         .filter_map(|(name, scale)| {
             let column = results::find(name)?;
             let (value, other) = (column.value(run)?, column.value(second)?);
-            let scale = match scale {
+            let struck = run.scene.projectile.velocity_m_s;
+            let rounding = match scale {
                 Scale::Own => 0.0,
-                Scale::ImpactVelocity => run.scene.projectile.velocity_m_s,
-                Scale::CockingDistance => run.start_m().abs(),
+                Scale::ImpactVelocity => ROUNDING * struck / other.abs(),
+                Scale::LimitVelocity => {
+                    f64::EPSILON * (struck / run.residual_velocity_m_s?).powi(2)
+                }
+                Scale::CockingDistance => ROUNDING * run.start_m().abs() / other.abs(),
             };
-            let relative = difference(value, other, scale, floor)? * factor;
+            let relative = difference(value, other, larger(floor, rounding))? * factor;
             Some(QuantityError { name: column.name, relative })
         })
         .collect();
@@ -68,11 +74,9 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
     run.error_estimate = found.map(|error| ErrorEstimate { relative: error.relative, basis });
 }
 
-/// The relative difference of two values of which neither is known better than to rounding; nothing for those of zero, or not finite.
-fn difference(value: f64, other: f64, scale: f64, floor: f64) -> Option<f64> {
-    let size = other.abs();
-    let rounding = larger(floor, ROUNDING * scale / size);
-    let relative = larger((value - other).abs() / size, rounding);
+/// The relative difference of two values, of which neither is known better than to a floor; nothing for those of zero.
+fn difference(value: f64, other: f64, floor: f64) -> Option<f64> {
+    let relative = larger((value - other).abs() / other.abs(), floor);
     relative.is_finite().then_some(relative)
 }
 
@@ -88,10 +92,10 @@ mod tests {
     }
 
     #[test]
-    fn a_small_difference_of_large_numbers_has_their_rounding() {
-        assert_eq!(difference(1.0, 1.0, 0.0, 1e-15), Some(1e-15));
-        assert_eq!(difference(0.01, 0.01, 100.0, 1e-15), Some(ROUNDING * 1e4));
-        assert!((difference(1.01, 1.0, 100.0, 1e-15).unwrap() - 0.01).abs() < 1e-15);
-        assert_eq!(difference(0.0, 0.0, 1.0, 1e-15), None);
+    fn a_difference_is_relative_and_not_below_its_floor() {
+        assert_eq!(difference(1.0, 1.0, 1e-15), Some(1e-15));
+        assert!((difference(-1.01, -1.0, 1e-15).unwrap() - 0.01).abs() < 1e-15);
+        assert_eq!(difference(0.0, 0.0, 1e-15), None);
+        assert_eq!(difference(1.0, 0.0, 1e-15), None);
     }
 }

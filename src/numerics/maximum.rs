@@ -16,11 +16,23 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
 /// The greatest value of `f` between `from` and `to`, where it has no more than one maximum in each of eight cells. Maxima are
 /// located only if they may exceed `known`.
-pub fn greatest(from: f64, to: f64, known: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub fn greatest(from: f64, to: f64, known: f64, f: impl Fn(f64) -> f64) -> f64 {
+    greatest_of(from, to, known, &f, &f)
+}
+
+/// The same of a function that is costly within the interval: its maxima are looked for where a `rough` one has them, which equals
+/// it at the ends.
+pub fn greatest_of(
+    from: f64,
+    to: f64,
+    known: f64,
+    rough: impl Fn(f64) -> f64,
+    exact: impl Fn(f64) -> f64,
+) -> f64 {
     let cell = (to - from) / CELLS as f64;
     let place = |i: usize| if i == CELLS { to } else { from + cell * i as f64 };
-    let values: [f64; CELLS + 1] = std::array::from_fn(|i| f(place(i)));
-    let mut best = values.iter().fold(f64::NEG_INFINITY, |best, value| larger(*value, best));
+    let values: [f64; CELLS + 1] = std::array::from_fn(|i| rough(place(i)));
+    let mut best = larger(values[0], values[CELLS]);
     for (i, value) in values.iter().enumerate() {
         let (before, after) = (i.saturating_sub(1), if i == CELLS { i } else { i + 1 });
         let (down, up) = (value - values[before], value - values[after]);
@@ -28,19 +40,19 @@ pub fn greatest(from: f64, to: f64, known: f64, mut f: impl FnMut(f64) -> f64) -
             continue;
         }
         let rises_inside = match i {
-            0 => f(from + INSIDE * cell) > *value,
-            CELLS => f(to - INSIDE * cell) > *value,
+            0 => rough(from + INSIDE * cell) > *value,
+            CELLS => rough(to - INSIDE * cell) > *value,
             _ => true,
         };
         if rises_inside {
-            best = larger(in_bracket(place(before), place(after), &mut f), best);
+            best = larger(in_bracket(place(before), place(after), &exact), best);
         }
     }
     best
 }
 
 /// The value of `f` at its maximum between `a` and `b`.
-fn in_bracket(a: f64, b: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
+fn in_bracket(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut a, mut b, tolerance) = (a, b, LOCATED * (b - a));
     let mut x = a + GOLDEN * (b - a);
     let (mut w, mut v) = (x, x);
@@ -93,7 +105,9 @@ fn in_bracket(a: f64, b: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::greatest;
+    use std::cell::Cell;
+
+    use super::{greatest, greatest_of};
 
     const UNKNOWN: f64 = f64::NEG_INFINITY;
 
@@ -122,12 +136,18 @@ mod tests {
 
     #[test]
     fn what_cannot_exceed_the_known_is_not_located() {
-        let mut asked = 0;
-        let mut count = |s: f64| {
-            asked += 1;
+        let asked = Cell::new(0);
+        let count = |s: f64| {
+            asked.set(asked.get() + 1);
             -(s - 0.5) * (s - 0.5)
         };
-        let _ = greatest(0.0, 1.0, 1.0, &mut count);
-        assert_eq!(asked, 9);
+        let _ = greatest(0.0, 1.0, 1.0, count);
+        assert_eq!(asked.get(), 9);
+    }
+
+    #[test]
+    fn the_value_is_the_exact_functions_own() {
+        let found = greatest_of(0.0, 1.0, UNKNOWN, |s| 7.0 * s * (1.0 - s), |s| s * (1.0 - s));
+        assert!((found - 0.25).abs() < 1e-15, "{found}");
     }
 }

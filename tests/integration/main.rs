@@ -11,6 +11,8 @@ mod decided;
 #[cfg(test)]
 mod estimate;
 #[cfg(test)]
+mod extremes;
+#[cfg(test)]
 mod files;
 #[cfg(test)]
 mod hostile;

@@ -42,6 +42,8 @@ pub struct Fine {
     pub t_s: Number,
     /// Depth then, m.
     pub depth_m: Number,
+    /// Velocity of the projectile relative to the plate then, along its own axis, m/s.
+    pub slip_m_s: Number,
     /// Plate displacement then, m.
     pub plate_m: Number,
     /// Plate velocity then, m/s.
@@ -181,8 +183,9 @@ fn solve_to(scene: &Scene, truncation: f64) -> Result<Fine, Refusal> {
     for steps in 1..=STEPS_MAX {
         if let Some(ending) = walk.step()? {
             let depth_m = problem.depth_m(walk.state[0]);
-            let [_, _, plate_m, plate_m_s] = walk.state;
-            return Ok(Fine { ending, t_s: walk.t_s, depth_m, plate_m, plate_m_s, steps });
+            let [_, slip_m_s, plate_m, plate_m_s] = walk.state;
+            let t_s = walk.t_s;
+            return Ok(Fine { ending, t_s, depth_m, slip_m_s, plate_m, plate_m_s, steps });
         }
     }
     Err(Refusal::TooStiff)

@@ -16,9 +16,6 @@ use crate::numerics::larger;
 /// Displacements this part apart are the same.
 const AS_FAR: f64 = 1e-8;
 
-/// An energy residual above this earns a warning.
-const DRIFT: f64 = 1e-8;
-
 /// Gather what a track has found.
 pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) -> Run {
     let outcome = track.decided.map_or_else(|| track.outcome(), |decided| decided.0);
@@ -156,10 +153,7 @@ fn warnings(
     if let Some(t_s) = record.resumed_s {
         list.push(Warning::PenetrationResumed { t_s });
     }
-    let residual = ledger.residual();
-    if residual.is_nan() || residual.abs() >= DRIFT {
-        list.push(Warning::EnergyDrift { residual });
-    }
+    list.extend(Warning::of_ledger(ledger));
     if !problem.rigid {
         let far = match track.farthest {
             Farthest::Known(x) => larger(x, record.farthest_m),

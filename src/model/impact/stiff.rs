@@ -281,17 +281,24 @@ impl Track<'_> {
             let state = system.state(stage);
             record.worked(&setting, &state, h * weight);
         }
-        let along = |s: f64| system.state(&interpolate(y, solved, s));
+        // Within a step that passes a boundary layer the polynomial through its stages says little: another step is taken to there.
+        let rough = |s: f64| system.state(&interpolate(y, solved, s));
+        let along = |s: f64| {
+            let trial = step::<4, 12>(system, y, s * h, system.guess(y, s * h));
+            trial.map_or_else(|| rough(s), |trial| system.state(&trial.stages[2]))
+        };
+        let greatest = |known: f64, force: &dyn Fn(&State) -> f64| {
+            maximum::greatest_of(0.0, 1.0, known, |s| force(&rough(s)), |s| force(&along(s)))
+        };
         match self.mode {
             Mode::Penetrating => {
-                let force = |s: f64| motion.contact_force(&along(s));
-                record.pressed(maximum::greatest(0.0, 1.0, record.peak_contact_n, force));
+                let known = record.peak_contact_n;
+                record.pressed(greatest(known, &|state| motion.contact_force(state)));
             }
             Mode::Fused => {
                 let [push, pull] = record.known_loads_n(&setting);
-                let force = |s: f64| motion.mechanism_force(&along(s));
-                let push = maximum::greatest(0.0, 1.0, push, force);
-                let pull = maximum::greatest(0.0, 1.0, pull, |s| -force(s));
+                let push = greatest(push, &|state| motion.mechanism_force(state));
+                let pull = greatest(pull, &|state| -motion.mechanism_force(state));
                 record.carried(&setting, push, pull);
             }
             Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
@@ -299,7 +306,8 @@ impl Track<'_> {
         if record.keep_series {
             for point in 1..=POINTS_PER_STEP {
                 let s = point as f64 / (POINTS_PER_STEP + 1) as f64;
-                record.point(&setting, self.t_s + s * h, &along(s), false);
+                let state = if self.mode == Mode::Penetrating { along(s) } else { rough(s) };
+                record.point(&setting, self.t_s + s * h, &state, false);
             }
         }
         self.record = record;

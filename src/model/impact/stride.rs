@@ -316,9 +316,12 @@ impl Track<'_> {
                 record.point(&setting, self.t_s + y[0], state, false);
             }
         }
+        // At the place where the polynomial through the points is greatest: another way leads there.
         let greatest = |known: f64, force: &dyn Fn(&State) -> f64| {
-            let within = graded.greatest(known, |z, y| force(&clock.state(z, y)));
-            larger(within, larger(force(&self.state), force(end)))
+            let at = graded.greatest_at(known, |z, y| force(&clock.state(z, y)));
+            let within = at.and_then(|z| self.unbroken(clock, z));
+            let ends = larger(force(&self.state), force(end));
+            within.map_or(ends, |within| larger(force(&within.end), ends))
         };
         match self.mode {
             Mode::Penetrating => {

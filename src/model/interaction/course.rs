@@ -25,6 +25,8 @@ const STEPS_MAX: usize = 400_000;
 const EVENTS_MAX: usize = 20_000;
 /// Events after which a plate that rattles about its neutral position is no longer stopped there: steps pass over the kink.
 const KINKS_MAX: usize = 200;
+/// How far before its elastic stop, per length, a plate is that has been put there.
+const AT_STOP: f64 = 1e-12;
 /// Points of a stretch to draw.
 const POINTS: usize = 48;
 /// Points in all to draw.
@@ -327,6 +329,12 @@ impl<'a> Course<'a> {
             } else if pair.has_elastic_stop() {
                 tags.push((Tag::Kink, plane(X, -1.0, pair.stop_at)));
                 tags.push((Tag::Kink, plane(X, 1.0, -pair.stop_at)));
+                if self.y[X] - pair.stop_at > -AT_STOP * (1.0 + pair.stop_at.abs()) {
+                    // Its damper would pull a plate that goes back fast, and it only pushes.
+                    for sign in [1.0, -1.0] {
+                        tags.push((Tag::Kink, pair.stop_plane(sign)));
+                    }
+                }
             }
         } else if let Push::Spring { stiffness, slack, damping } = pair.push {
             // cos F - G as a function of the state, while the plate is held.
@@ -419,6 +427,7 @@ impl<'a> Course<'a> {
         if !end.is_complete() {
             run.warnings.push(Warning::EndedEarly(end));
         }
+        run.warnings.extend(Warning::of_ledger(&run.ledger));
         run
     }
 }

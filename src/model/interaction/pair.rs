@@ -164,6 +164,15 @@ impl Pair {
         if force > 0.0 { force } else { 0.0 }
     }
 
+    /// Where spring and damper of the elastic stop, taken together with this sign, fall to zero.
+    pub(super) fn stop_plane(&self, sign: f64) -> Boundary<N> {
+        let mut boundary =
+            Boundary { offset: -sign * self.stop_stiffness * self.stop_at, slope: [0.0; N] };
+        boundary.slope[X] = sign * self.stop_stiffness;
+        boundary.slope[W] = sign * self.stop_damping;
+        boundary
+    }
+
     pub(super) fn has_elastic_stop(&self) -> bool {
         self.stop.is_some_and(|stop| stop.kind == crate::model::scene::StopKind::Elastic)
     }

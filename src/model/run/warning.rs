@@ -6,6 +6,7 @@ use crate::model::interaction::ModelNote;
 use crate::model::mechanism::load::Limit;
 use crate::model::run::{AtLeast, EndReason, EnergyLedger, Outcome};
 use crate::model::units::{self, Engineering};
+use crate::model::units::{self, Engineering};
 
 /// What a careful reader should know about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,6 +77,18 @@ pub enum Warning {
         /// The gap, m.
         gap_m: f64,
     },
+}
+
+/// An energy residual above this earns a warning.
+const DRIFT: f64 = 1e-8;
+
+impl Warning {
+    /// That a ledger does not close, if it does not.
+    pub fn of_ledger(ledger: &EnergyLedger) -> Option<Self> {
+        let residual = ledger.residual();
+        let is_closed = residual.abs() < DRIFT;
+        (!is_closed).then_some(Self::EnergyDrift { residual })
+    }
 }
 
 impl fmt::Display for Warning {

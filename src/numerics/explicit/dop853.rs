@@ -72,12 +72,14 @@ pub fn integrate<const N: usize>(
             let crossed = ends.first(system.boundaries(), |s| dense.at(s));
             if let Some((index, guess)) = crossed {
                 let boundary = system.boundaries()[index];
-                let (s, y) = land(&boundary, &y, guess, |s| {
+                let landed = land(&boundary, &y, guess, |s| {
                     let y = step(system, (t, &y, &f), s * length, count).y;
                     count.evaluations += 1;
                     (y, system.rate(t + s * length, &y).map(|f| f * length))
                 });
-                return Reached { t: t + s * length, y, stop: Stop::Boundary(index), step: h };
+                if let Some((s, y)) = landed {
+                    return Reached { t: t + s * length, y, stop: Stop::Boundary(index), step: h };
+                }
             }
         }
         let least = if error > 1e-10 { error } else { 1e-10 };

@@ -54,12 +54,14 @@ pub fn integrate<const N: usize>(
                     return ended(t_next, y_next, Stop::Boundary(index));
                 }
                 let boundary = system.boundaries()[index];
-                let (s, y) = land(&boundary, &y, guess, |s| {
+                let landed = land(&boundary, &y, guess, |s| {
                     let y = step(system, (t, &y, &f), s * h, count);
                     count.evaluations += 1;
                     (y, system.rate(t + s * h, &y).map(|f| f * h))
                 });
-                return ended(t + s * h, y, Stop::Boundary(index));
+                if let Some((s, y)) = landed {
+                    return ended(t + s * h, y, Stop::Boundary(index));
+                }
             }
         }
         (t, y, f) = (t_next, y_next, f_next);
