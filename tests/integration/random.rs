@@ -70,14 +70,22 @@ impl Random {
 pub(crate) fn scene(changes: &[(&'static str, f64)]) -> Arc<Scene> {
     let mut scene = Scene::default();
     for (name, value) in changes {
-        variables::set_by_name(&mut scene, name, &format!("{value:e}"), Bare::Si).unwrap();
+        variables::set_by_name(&mut scene, name, &word(name, *value), Bare::Si).unwrap();
     }
     Arc::new(scene)
 }
 
+/// A value as it is typed: an angle has its unit.
+fn word(name: &str, value: f64) -> String {
+    let unit = if name == "theta" { " rad" } else { "" };
+    format!("{value:e}{unit}")
+}
+
 /// The changes as they are typed behind `cmra run`.
 pub(crate) fn typed(changes: &[(&'static str, f64)]) -> String {
-    let words: Vec<String> =
-        changes.iter().map(|(name, value)| format!("--set {name}={value:e}")).collect();
+    let words: Vec<String> = changes
+        .iter()
+        .map(|(name, value)| format!("--set '{name}={}'", word(name, *value)))
+        .collect();
     words.join(" ")
 }

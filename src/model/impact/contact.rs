@@ -13,7 +13,7 @@ use crate::numerics::{larger, smaller};
 /// Shots that leave more slowly than this part of their velocity are integrated: the closed form's slip loses digits there.
 const LIMIT_MARGIN: f64 = 0.05;
 /// Points to draw on each stretch of the closed form.
-const POINTS: usize = 8;
+const POINTS: usize = 16;
 /// Parts of a stretch of the area law on each of which the contact force has at most one maximum, and the part of one over which
 /// its slope is taken.
 const PARTS: usize = 16;
