@@ -6,7 +6,6 @@ use crate::model::interaction::ModelNote;
 use crate::model::mechanism::load::Limit;
 use crate::model::run::{AtLeast, EndReason, EnergyLedger, Outcome};
 use crate::model::units::{self, Engineering};
-use crate::model::units::{self, Engineering};
 
 /// What a careful reader should know about a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
