@@ -96,7 +96,9 @@ pub fn simulate_openly(
     let mut track = Track::new(&problem, tolerance, settings.series);
     track.record.window = Some(window);
     let end = compute::<TERMS>(&mut track, observer);
-    let by_strides = track.stride_error;
+    // Rounding adds up over implicit steps, in which large forces hold each other, like a random walk.
+    let rounding = ROUNDING * (1.0 + track.stiff_steps as f64).sqrt();
+    let floor = larger(track.stride_error, rounding);
     let mut run = report::gather(&problem, track, end);
     if settings.estimate && run.end.is_complete() {
         let series = std::mem::take(&mut run.series);
@@ -109,7 +111,7 @@ pub fn simulate_openly(
         let basis =
             if is_closed { EstimateBasis::ClosedForm } else { EstimateBasis::SecondComputation };
         if let Some(second) = second {
-            estimate::set(&mut run, &second, basis, larger(by_strides, ROUNDING));
+            estimate::set(&mut run, &second, basis, floor);
         }
     }
     run.stack = stack::follow(scene, &mut run, *settings, observer)?.map(Arc::new);

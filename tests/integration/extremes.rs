@@ -64,7 +64,7 @@ fn valid_the_peak_on_an_oblique_foil_is_that_of_the_engaged_area() {
     assert_near(peak, 23.974, 1e-4);
 }
 
-/// Whatever steps: with a series, and without, to rounding the same, and no row above it.
+/// Whatever steps: with a series, and without, to rounding the same, and no row above it by more than the tolerance.
 #[test]
 fn the_peak_force_is_no_less_than_the_rows_and_does_not_depend_on_them() {
     let mut random = Random(0x5eed_0015);
@@ -85,7 +85,7 @@ fn the_peak_force_is_no_less_than_the_rows_and_does_not_depend_on_them() {
             continue;
         }
         let peak = found.peak_contact_force_n.unwrap();
-        if greatest_of_rows(&found) > peak * (1.0 + 1e-12) {
+        if greatest_of_rows(&found) > peak * (1.0 + 1e-12 + own.run.tolerance) {
             told.push(format!("rows: {}", typed(&changes)));
         }
         let alone = without_series(&own).peak_contact_force_n.unwrap();
