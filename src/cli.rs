@@ -23,6 +23,7 @@ mod json;
 mod libraries;
 mod limit;
 mod man;
+mod models;
 mod optimise;
 mod outlook;
 mod output;
@@ -44,7 +45,6 @@ mod sweep;
 mod table;
 mod validate;
 mod workbench;
-mod worth;
 
 pub use error::CliError;
 pub use output::report;
@@ -89,8 +89,9 @@ enum Command {
     Validate(validate::ValidateArguments),
     /// Formulas, the screening matrix, and the design principles of the thesis
     Design(design::DesignArguments),
-    /// Compare the scene with a rigid mount, a free plate and a solid plate of equal areal mass
-    Worth(worth::WorthArguments),
+    /// Compare with a solid plate at equal areal mass: does moving armour pay, and where (--map)
+    #[command(alias = "worth")]
+    Compare(compare::CompareArguments),
     /// Find every value of a variable that gives a result a wanted value
     Seek(seek::SeekArguments),
     /// Look for the designs that nothing beats: one best under constraints, or a Pareto front
@@ -176,7 +177,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Reproduce(arguments)) => reproduce::run(&arguments),
         Some(Command::Validate(arguments)) => validate::run(&arguments),
         Some(Command::Design(arguments)) => design::run(&arguments),
-        Some(Command::Worth(arguments)) => worth::run(&arguments),
+        Some(Command::Compare(arguments)) => compare::run(&arguments),
         Some(Command::Seek(arguments)) => seek::run(&arguments),
         Some(Command::Optimise(arguments)) => optimise::run(&arguments),
         Some(Command::Scatter(arguments)) => scatter::run(&arguments),

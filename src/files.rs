@@ -8,6 +8,7 @@ pub mod accuracy;
 pub mod atomic;
 pub mod bundled;
 pub mod clean;
+pub mod compare;
 pub mod csv;
 pub mod error;
 pub mod export;
@@ -28,7 +29,7 @@ pub mod style;
 pub mod sweep;
 pub mod thesis;
 pub mod validation;
-pub mod worth;
+
 pub mod write;
 
 mod read_stack;

@@ -4,6 +4,7 @@
 //! Whoever wants a time measured passes the clock in.
 
 pub mod accuracy;
+pub mod compare;
 pub mod fit;
 pub mod limit;
 pub mod models;
@@ -16,4 +17,3 @@ pub mod stack;
 pub mod sweep;
 pub mod thesis;
 pub mod validation;
-pub mod worth;

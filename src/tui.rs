@@ -6,6 +6,7 @@
 
 pub mod app;
 pub mod chart;
+pub mod efficiency_map;
 pub mod message;
 pub mod theme;
 pub mod update;

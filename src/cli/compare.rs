@@ -1,160 +1,189 @@
-//! `cmra run SCENE --compare models|quirks`: the interaction models, or the quirks of Appendix A, side by side.
+//! `cmra compare [SCENE]`: the comparison at equal areal mass, and its map, as a page, CSV or JSON.
 
-use std::fmt::Write as _;
-use std::time::Instant;
+mod page;
 
-use clap::ValueEnum;
-use serde_json::Value;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use clap::Args;
 
 use crate::cli::CliError;
-use crate::cli::reproduce::wrapped;
+use crate::cli::pace::Pace;
+use crate::cli::scene::SceneArguments;
+use crate::cli::sweep::axes::over;
+use crate::cli::table::TableArguments;
+use crate::files::compare as files;
 use crate::files::preset::Preset;
-use crate::files::rows::{Rows, number};
-use crate::model::results;
-use crate::model::run::Outcome;
-use crate::model::units::{Engineering, fixed_significant};
-use crate::study::models::{Comparison, Row, What, compare};
+use crate::model::scene::Scene;
+use crate::model::units::{self, Bare, Quantity};
+use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
+use crate::study::compare::{Hardware, compare};
+use crate::study::sweep::Axis;
+use crate::study::sweep::crew::Crew;
 
-/// What to compare.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Compare {
-    /// The interaction models of thesis section 8.2: Table 8.1 with numbers
-    Models,
-    /// Appendix A as printed, and with each of its quirks put right
-    Quirks,
+/// Points that an axis of a map may have.
+const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
+/// Points a thread computes at once.
+const PIECE: u64 = 16;
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The map: --map v_i=10..90:101,gamma=0.2..7:101:log, or names alone: --map v_i,gamma.\n\
+                  Above the line of 1 the armour is lighter than the solid plate that stops the same shot."
+)]
+pub(super) struct CompareArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Velocity that everything is sized for and judged at, m/s or with a unit [default: that of the scene]
+    #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true)]
+    design_velocity: Option<String>,
+    /// Energy that a kilogram of the spring or absorber takes up, J/kg or with a unit (10kJ/kg) [default: that of the scene, or of its wire]
+    #[arg(long, value_name = "ENERGY", allow_hyphen_values = true)]
+    spring_energy: Option<String>,
+    /// Mass of the spring, kg or with a unit [default: the least for the energy that it stores]
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true)]
+    spring_mass: Option<String>,
+    /// Mass of damper, stop and mount together, kg or with a unit
+    #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true)]
+    mount_mass: String,
+    /// Stroke that there is room for, m or with a unit [default: enough]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    stroke: Option<String>,
+    /// Draw a map of the mass efficiency over two variables, each NAME or NAME=LO..HI:COUNT[:log]
+    #[arg(long, value_name = "X,Y")]
+    map: Option<String>,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
-const COLUMNS: [&str; 18] = [
-    "scene",
-    "model",
-    "outcome",
-    "final_penetration_m",
-    "first_arrest_penetration_m",
-    "percent_of_baseline",
-    "max_plate_displacement_m",
-    "peak_contact_force_n",
-    "penetration_deviation",
-    "displacement_deviation",
-    "force_deviation",
-    "error_estimate",
-    "energy_residual",
-    "run_time_s",
-    "steps",
-    "with",
-    "strength",
-    "weakness",
-];
-
-/// The comparison as a page and as rows.
-pub(super) fn compute(preset: &Preset, what: Compare) -> Result<(String, Rows), CliError> {
-    let what = match what {
-        Compare::Models => What::Models,
-        Compare::Quirks => What::Quirks,
-    };
-    let start = Instant::now();
-    let found = compare(&preset.scene, what, &|| start.elapsed().as_secs_f64())?;
-    Ok((page(&preset.name, &found), rows(&preset.name, &found)))
-}
-
-fn rows(name: &str, found: &Comparison) -> Rows {
-    let row = |row: &Row| {
-        let run = &row.run;
-        vec![
-            Value::from(name),
-            Value::from(row.name),
-            Value::from(run.outcome.word()),
-            number(run.final_penetration_m),
-            number(run.first_arrest.map(|arrest| arrest.penetration_m)),
-            number(run.percent_of_baseline()),
-            number(run.max_plate_displacement_m),
-            number(run.peak_contact_force_n),
-            number(found.depth_error(row)),
-            number(found.travel_error(row)),
-            number(found.force_error(row)),
-            number(results::find("error_estimate").and_then(|column| column.value(run))),
-            number(Some(run.ledger.residual())),
-            number(Some(row.took_s)),
-            Value::from(run.cost.steps),
-            Value::from(row.with.as_str()),
-            Value::from(row.judged.0),
-            Value::from(row.judged.1),
-        ]
-    };
-    let refused = |(model, reason): &(&str, String)| {
-        let mut row = vec![Value::Null; COLUMNS.len()];
-        (row[0], row[1]) = (Value::from(name), Value::from(*model));
-        (row[2], row[17]) = (Value::from("refused"), Value::from(reason.as_str()));
-        row
-    };
-    let rows = found.rows.iter().map(row).chain(found.refused.iter().map(refused)).collect();
-    Rows { columns: COLUMNS.to_vec(), rows }
-}
-
-fn page(name: &str, found: &Comparison) -> String {
-    let (title, first) = match found.what {
-        What::Models => ("the interaction models of Table 8.1", "hydrodynamic"),
-        What::Quirks => ("Appendix A, quirk by quirk", "as printed"),
-    };
-    let mut page = format!("{name}: {title}\n\n");
-    let _ = writeln!(
-        page,
-        "{:<18}{:>10}{:>9}  {:>10}{:>9}  {:>9}{:>9}  {:>8}",
-        "model", "depth mm", "against", "travel mm", "against", "peak kN", "against", "run time"
-    );
-    for row in &found.rows {
-        line(&mut page, found, row);
+/// Compare; a mechanism that does not pay is an answer, too.
+pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
+    arguments.table.check_beside()?;
+    let hardware = arguments.hardware()?;
+    let mut preset = arguments.scene.load()?;
+    if let Some(text) = &arguments.design_velocity {
+        let velocity = amount("--design-velocity", text, Quantity::Velocity, "230m/s")?;
+        preset.scene.projectile.velocity_m_s = velocity;
     }
-    let _ = writeln!(
-        page,
-        "\nagainst: deviation from {first}; -: does not exist; travel: greatest displacement of the plate\n\
-         run time: shortest of several, without series and error estimate"
-    );
-    for (name, reason) in &found.refused {
-        wrapped(&mut page, "refused", &format!("{name}: {reason}"));
+    if let Some(text) = &arguments.spring_energy {
+        let energy = amount("--spring-energy", text, Quantity::SpecificEnergy, "197J/kg")?;
+        preset.scene.mechanism.energy_j_kg = Some(energy);
     }
-    let told: Vec<&Row> = found.rows.iter().filter(|row| !row.with.is_empty()).collect();
-    if found.what == What::Models {
-        for row in told {
-            let _ = writeln!(page, "{}: {}", row.name, row.with);
-        }
-        page.push('\n');
-        for row in &found.rows {
-            let _ = writeln!(page, "{:<18}{}; {}", row.name, row.judged.0, row.judged.1);
-        }
-        page.push_str("finite elements    not made here: the fifth model of Table 8.1 needs a solver of its own\n");
+    if let Some(text) = &arguments.map {
+        let axes = axes(&preset.scene, text)?;
+        return arguments.draw_map(&preset, axes, hardware);
     }
-    page
+    let scene = Arc::new(preset.scene);
+    let mut pace = Pace::begin();
+    let watch = &mut |done, total| pace.count(done, total, "candidates");
+    let report = compare(&scene, hardware, watch)?;
+    pace.clear();
+    let name = preset.name.as_str();
+    let rows = files::rows(name, &report);
+    let page = || page::text(name, &report);
+    let object = || files::json(name, &report);
+    arguments.table.of(&arguments.scene, &scene).deliver_report(page, object, &rows)?;
+    Ok(pace.exit_code(true))
 }
 
-fn line(page: &mut String, found: &Comparison, row: &Row) {
-    let run = &row.run;
-    let scaled = |value: Option<f64>, scale: f64| {
-        value.map_or_else(|| "-".to_owned(), |value| fixed_significant(value * scale, 4))
+impl CompareArguments {
+    fn hardware(&self) -> Result<Hardware, CliError> {
+        let spring = self.spring_mass.as_deref();
+        let stroke = self.stroke.as_deref();
+        Ok(Hardware {
+            spring_kg: spring.map(|text| mass("--spring-mass", text)).transpose()?,
+            mount_kg: mass("--mount-mass", &self.mount_mass)?,
+            stroke_m: stroke
+                .map(|text| amount("--stroke", text, Quantity::Length, "20mm"))
+                .transpose()?,
+        })
+    }
+
+    fn draw_map(
+        &self,
+        preset: &Preset,
+        axes: [Axis; 2],
+        hardware: Hardware,
+    ) -> Result<ExitCode, CliError> {
+        let total = axes.iter().map(Axis::count).product::<u64>();
+        let total = usize::try_from(total).unwrap_or(usize::MAX);
+        let crew = Crew { piece: PIECE, ..Crew::of_machine() };
+        let mut pace = Pace::begin();
+        let watch = &mut |done| pace.count(done, total, "points");
+        let map = Map::compute(&preset.scene, axes, hardware, crew, watch)?;
+        pace.clear();
+        let name = preset.name.as_str();
+        let page = page::map(name, &map);
+        let table = self.table.of(&self.scene, &preset.scene);
+        table.deliver(&page, &files::map_rows(name, &map))?;
+        Ok(pace.exit_code(map.is_complete()))
+    }
+}
+
+/// The two axes of `--map`.
+fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    let [x, y] = parts[..] else {
+        return Err(CliError::Option(format!(
+            "--map {text}: give two variables, for example v_i,gamma or v_i=10..90:101,gamma=0.2..7:101:log"
+        )));
     };
-    let percent = |value: Option<f64>| {
-        value.map_or_else(
-            || "-".to_owned(),
-            |value| {
-                let places = usize::from(value.abs() < 1.0);
-                format!("{:+.places$} %", 100.0 * value)
-            },
-        )
-    };
-    let depth = match run.outcome {
-        Outcome::Perforated => "perforated".to_owned(),
-        Outcome::Arrested | Outcome::Separated | Outcome::Moving => {
-            scaled(run.final_penetration_m, 1e3)
+    let axis = |part: &str| {
+        if part.contains('=') {
+            over(part, Some(COUNT_USUAL), &COUNTS)
+        } else {
+            Ok(usual_axis(scene, part, COUNT_USUAL)?)
         }
     };
-    let took = Engineering { value: row.took_s, unit: "s", digits: 3 }.to_string();
-    let _ = writeln!(
-        page,
-        "{:<18}{depth:>10}{:>9}  {:>10}{:>9}  {:>9}{:>9}  {took:>8}",
-        row.name,
-        percent(found.depth_error(row)),
-        scaled(run.max_plate_displacement_m, 1e3),
-        percent(found.travel_error(row)),
-        scaled(run.peak_contact_force_n, 1e-3),
-        percent(found.force_error(row)),
-    );
+    let (x, y) = (axis(x)?, axis(y)?);
+    if x.variable().key == y.variable().key {
+        return Err(CliError::Option(format!(
+            "--map {text}: both variables are {}; give two different ones",
+            x.symbol()
+        )));
+    }
+    Ok([x, y])
+}
+
+fn mass(option: &str, text: &str) -> Result<f64, CliError> {
+    let value = read(option, text, Quantity::Mass)?;
+    if value >= 0.0 {
+        return Ok(value);
+    }
+    Err(CliError::Option(format!("{option} {text}: a mass is 0 kg or more, for example 20g")))
+}
+
+/// A quantity above zero.
+fn amount(option: &str, text: &str, quantity: Quantity, example: &str) -> Result<f64, CliError> {
+    let value = read(option, text, quantity)?;
+    if value > 0.0 {
+        return Ok(value);
+    }
+    Err(CliError::Option(format!("{option} {text}: must be greater than 0, for example {example}")))
+}
+
+fn read(option: &str, text: &str, quantity: Quantity) -> Result<f64, CliError> {
+    let value = units::parse(text, quantity, Bare::Si)
+        .map_err(|problem| CliError::Option(format!("{option} {text}: {problem}")))?;
+    if value.is_finite() {
+        return Ok(value);
+    }
+    Err(CliError::Option(format!("{option} {text}: must be a finite number")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_map_has_two_different_variables() {
+        let scene = Scene::default();
+        let [x, y] = axes(&scene, "v_i=10..90:5,gamma").unwrap();
+        assert_eq!((x.symbol(), x.count(), y.symbol(), y.count()), ("v_i", 5, "gamma", 101));
+        for (text, word) in
+            [("v_i", "two variables"), ("v_i,v_i", "both variables"), ("v_i,gama", "gama")]
+        {
+            assert!(axes(&scene, text).unwrap_err().to_string().contains(word), "{text}");
+        }
+    }
 }

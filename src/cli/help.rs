@@ -13,7 +13,7 @@ use crate::tui::message::BINDINGS;
 /// The commands by what they are for. A test checks that each stands in one group.
 const GROUPS: [(&str, &[&str]); 4] = [
     ("Run and explore", &["run", "sweep"]),
-    ("Decide", &["limit", "fit", "worth", "seek", "optimise", "sensitivity", "montecarlo"]),
+    ("Decide", &["limit", "fit", "compare", "seek", "optimise", "sensitivity", "montecarlo"]),
     ("Check", &["accuracy", "stability", "reproduce", "validate"]),
     ("Data", &["presets", "libraries", "design", "keys", "help", "paths", "completions", "man"]),
 ];

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use crate::cli::compare::{self, Compare};
+use crate::cli::models::{self, Compare};
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
@@ -115,7 +115,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if let Some(what) = arguments.compare {
         arguments.table.check_beside()?;
         let preset = arguments.scene.load()?;
-        let (page, rows) = compare::compute(&preset, what)?;
+        let (page, rows) = models::compute(&preset, what)?;
         let table = arguments.table.of(&arguments.scene, &preset.scene);
         return table.deliver(&page, &rows).map(|()| ExitCode::SUCCESS);
     }

@@ -81,6 +81,17 @@ pub fn json(name: &str, report: &Report) -> String {
     put("impact_velocity_m_s", number(Some(report.scene.projectile.velocity_m_s)));
     put("margin", number(report.margin()));
     put("caution", report.caution().map_or(Value::Null, Value::from));
+    let load = report.load.unwrap_or_default();
+    put("stroke_at_limit_m", number(load.stroke_m));
+    put("stored_energy_at_limit_j", number(load.stored_j));
+    put("peak_mount_force_at_limit_n", number(load.mount_force_n));
+    let closures = report.closures.map(|closures| {
+        json!({
+            "double_yield_dishing_m_s": number(closures.double_yield_m_s),
+            "cavity_no_dishing_m_s": number(closures.cavity_m_s),
+        })
+    });
+    put("closures", closures.unwrap_or(Value::Null));
     put("recht_ipson", recht_ipson.unwrap_or(Value::Null));
     put("lambert_jonas", lambert_jonas.unwrap_or(Value::Null));
     put("scatter", scatter.unwrap_or(Value::Null));

@@ -17,14 +17,19 @@ use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::smaller;
+use crate::study::compare::{Load, outcome, residual_m_s};
 use fit::{LambertJonas, RechtIpson};
 use scatter::{Scatter, Scattering};
 
+mod at_limit;
 pub mod fit;
 pub mod scatter;
+pub mod words;
 
-/// Velocities that are looked at, m/s.
-pub const RANGE_M_S: (f64, f64) = (1.0, 5e3);
+pub use at_limit::Closures;
+
+/// Velocities that are looked at, m/s: no limit beyond them is given, by closed form or by outcome.
+pub const RANGE_M_S: (f64, f64) = (1.0, 3e3);
 /// Points of the scan over them, at equal ratios.
 const SCAN: usize = 41;
 /// Relative width to which the limit is closed in.
@@ -155,7 +160,9 @@ impl Limit {
                 edge(stopped_m_s, "stopped", low),
                 edge(perforated_m_s, "perforated", high),
             )),
-            Self::Never => Some(format!("no limit: nothing from {low} to {high} m/s perforates")),
+            Self::Never => Some(format!(
+                "limit beyond {high} m/s: nothing from {low} to {high} m/s perforates"
+            )),
             Self::Always => {
                 Some(format!("no limit: everything from {low} to {high} m/s perforates"))
             }
@@ -196,7 +203,21 @@ enum Verdict {
 
 impl Verdict {
     /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
+    /// In a stack the last plate that is struck decides; what protrudes from one before the base plate does not count.
     fn of(run: &Run, criterion: Criterion) -> Self {
+        if let Some(stack) = &run.stack {
+            let is_base = stack.behind.len() == stack.elements;
+            let criterion = if is_base { criterion } else { Criterion::Passage };
+            return match stack.behind.last() {
+                _ if stack.outcome == Outcome::Separated => Self::Stopped,
+                Some(last) => Self::of_plate(last, criterion),
+                None => Self::of_plate(run, criterion),
+            };
+        }
+        Self::of_plate(run, criterion)
+    }
+
+    fn of_plate(run: &Run, criterion: Criterion) -> Self {
         let thickness_m = match criterion {
             Criterion::Passage => f64::INFINITY,
             Criterion::Protrusion => run.scene.effective_thickness_m(),
@@ -243,6 +264,10 @@ pub struct Report {
     pub criterion: Criterion,
     /// The limit.
     pub limit: Limit,
+    /// What a shot just below the limit asks of the mechanism and its mount; `None` without a limit.
+    pub load: Option<Load>,
+    /// The limits by both closures, where the flow strength comes from a yield stress.
+    pub closures: Option<Closures>,
     /// The curve, in order of velocity.
     pub shots: Vec<Shot>,
     /// Recht and Ipson's law through the curve.
@@ -278,7 +303,6 @@ pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 /// A [`VariableError`] when the scene makes no physical sense.
 pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Report, VariableError> {
     variables::validate(scene)?;
-    variables::require_single(scene)?;
     let samples = effort.scattering.map_or(0, |scattering| scattering.samples);
     let mut range =
         Range::new(scene, SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples, watch);
@@ -288,6 +312,8 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
         scene: Arc::clone(scene),
         criterion: effort.criterion,
         limit,
+        load: None,
+        closures: None,
         shots: range.curve(limit),
         recht_ipson: None,
         lambert_jonas: None,
@@ -295,6 +321,8 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
         is_complete: true,
     };
     if let Some(velocity_m_s) = limit.velocity_m_s() {
+        report.load = range.load(velocity_m_s);
+        report.closures = range.closures();
         let perforated: Vec<(f64, f64)> = report
             .shots
             .iter()
@@ -316,7 +344,6 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
 /// As [`find`].
 pub fn alone(scene: &Arc<Scene>, watch: Watch<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
-    variables::require_single(scene)?;
     Ok(Range::new(scene, SCAN + 40 + 2 * BESIDE.len(), watch).whole_limit())
 }
 
@@ -371,7 +398,8 @@ impl<'s, 'w> Range<'s, 'w> {
     fn verdict(&mut self, impact_m_s: f64) -> Option<Verdict> {
         let scene = self.scene;
         let decided = scene.interface.law == InterfaceLaw::Fused
-            && scene.contact.model == ContactModel::Hydrodynamic;
+            && scene.contact.model == ContactModel::Hydrodynamic
+            && scene.stack.base_thickness_m.is_none();
         if decided {
             if !self.goes_on() {
                 return None;
@@ -386,15 +414,32 @@ impl<'s, 'w> Range<'s, 'w> {
         Some(self.shoot(impact_m_s)?.1)
     }
 
+    /// What a shot just below a limit asks of the mechanism; `None` when stopped.
+    fn load(&mut self, limit_m_s: f64) -> Option<Load> {
+        let (done, total) = (self.done.min(self.total), self.total);
+        let scene = self.scene;
+        self.goes_on()
+            .then(|| at_limit::load(scene, limit_m_s, &mut || (self.watch)(done, total)))?
+    }
+
+    /// The limits by both closures; `None` where there is but one, or when stopped.
+    fn closures(&mut self) -> Option<Closures> {
+        let (done, total) = (self.done.min(self.total), self.total);
+        let scene = self.scene;
+        self.goes_on().then(|| Closures::of(scene, &mut |_, _| (self.watch)(done, total)))?
+    }
+
     /// The limit within a range, looked for with so many points, to a relative width.
     fn limit(&mut self, (low, high): (f64, f64), points: usize, width: f64) -> Limit {
         let by_passage = self.criterion == Criterion::Passage;
         if let Some(velocity_m_s) = closed_form(self.scene).filter(|_| by_passage) {
             // No strength, no limit.
-            return if velocity_m_s > 0.0 {
+            return if velocity_m_s <= 0.0 {
+                Limit::Always
+            } else if velocity_m_s <= RANGE_M_S.1 {
                 Limit::Found { velocity_m_s, basis: Basis::ClosedForm, stopped_at_m_s: None }
             } else {
-                Limit::Always
+                Limit::Never
             };
         }
         self.search((low, high), points, width).unwrap_or(Limit::Unknown)
@@ -565,14 +610,17 @@ fn shoot(
     let settings = Settings { series: false, estimate: false };
     let own = aimed(scene, impact_m_s);
     let mut run = simulate(&own, &settings, observer);
-    if run.as_ref().is_ok_and(|run| Verdict::of(run, criterion) == Verdict::Undecided) {
+    if run
+        .as_ref()
+        .is_ok_and(|run| run.stack.is_none() && Verdict::of(run, criterion) == Verdict::Undecided)
+    {
         run = follow(&own, observer);
     }
     // The scene has been found valid, and so is any velocity above zero.
     run.map_or(
         (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, Verdict::Undecided),
         |run| {
-            let (outcome, residual_m_s) = (run.outcome, run.residual_velocity_m_s);
+            let (outcome, residual_m_s) = (outcome(&run), residual_m_s(&run));
             (Shot { impact_m_s, outcome, residual_m_s }, Verdict::of(&run, criterion))
         },
     )
@@ -584,7 +632,8 @@ pub fn closed_form(scene: &Scene) -> Option<f64> {
     let mechanism = &scene.mechanism;
     let rigid = scene.plate.mount == Mount::Rigid;
     let acts = !Mechanism::of(scene).is_absent() || mechanism.stop.position_m.is_some();
-    if (acts && !rigid) || scene.contact.model != ContactModel::Hydrodynamic {
+    let is_stack = scene.stack.base_thickness_m.is_some();
+    if (acts && !rigid) || is_stack || scene.contact.model != ContactModel::Hydrodynamic {
         return None;
     }
     let geometry = Geometry::of(scene);

@@ -12,7 +12,7 @@ pub mod error;
 pub mod evaluate;
 pub mod grid;
 pub mod quadratic;
-mod quick;
+pub(in crate::study) mod quick;
 mod sobol;
 pub mod summary;
 

@@ -66,7 +66,7 @@ pub enum Tab {
     Thesis,
     /// The ballistic limit and the velocity left beyond it.
     Limit,
-    /// Designs that reach a goal, that nothing beats; what matters, how it scatters, whether it is worth it.
+    /// Designs that reach a goal, that nothing beats; what matters, how it scatters, mass efficiency.
     Search,
 }
 

@@ -1,4 +1,4 @@
-//! Searches as studies of the background thread: goal seek, fronts, sensitivity, scatter, and whether the mechanism is worth it.
+//! Searches as studies of the background thread: goal seek, fronts, sensitivity, scatter, and the comparison at equal areal mass.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -9,7 +9,13 @@ use crate::study::search::scatter;
 use crate::study::search::seek::{self, Goal};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
-use crate::study::worth::{self, Masses};
+use crate::study::sweep::crew::Crew;
+
+/// Points along each axis of the map of the mass efficiency, and points that a thread computes at once.
+const MAP_POINTS: u64 = 41;
+const MAP_PIECE: u64 = 16;
+use crate::study::compare::map::{self, Map};
+use crate::study::compare::{self, Hardware};
 
 /// What is looked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +35,8 @@ pub enum Request {
     },
     /// How results scatter when inputs do.
     Scatter(scatter::Task),
-    /// Whether the mechanism is worth it.
-    Worth,
+    /// The comparison at equal areal mass, and its map.
+    Compare,
 }
 
 /// What was found.
@@ -44,8 +50,17 @@ pub enum Answer {
     Sensitivity(Arc<sensitivity::Report>),
     /// See [`Request::Scatter`].
     Scatter(Arc<scatter::Report>),
-    /// See [`Request::Worth`].
-    Worth(Arc<worth::Report>),
+    /// See [`Request::Compare`].
+    Compare(Arc<Comparison>),
+}
+
+/// A comparison at equal areal mass with its map, where there is one.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// The candidates.
+    pub report: compare::Report,
+    /// Mass efficiency over impact velocity and mass ratio.
+    pub map: Option<Map>,
 }
 
 /// Told with the runs done, how many there are, and what there is to show so far; `Break` stops.
@@ -85,12 +100,34 @@ pub(super) fn make(
                 .map(|report| Answer::Scatter(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
-        Request::Worth => {
-            worth::compare(scene, Masses::default(), &mut |done, total| tell(done, total, &nothing))
-                .map(|report| Answer::Worth(Arc::new(report)))
-                .map_err(|error| error.to_string())
-        }
+        Request::Compare => compared(scene, tell),
     }
+}
+
+/// The comparison with its map around the scene; a scene without such a map, a stack for one, has none.
+fn compared(scene: &Arc<Scene>, tell: Tell<'_>) -> Result<Answer, String> {
+    let axes = [("v_i", MAP_POINTS), ("gamma", MAP_POINTS)]
+        .map(|(name, count)| map::usual_axis(scene, name, count).ok());
+    let points = usize::try_from(MAP_POINTS * MAP_POINTS).unwrap_or(usize::MAX);
+    let whole = points + compare::Candidate::ALL.len();
+    let report =
+        compare::compare(scene, Hardware::default(), &mut |done, _| tell(done, whole, &|| None));
+    let report = report.map_err(|error| error.to_string())?;
+    let [Some(x), Some(y)] = axes else {
+        return Ok(Answer::Compare(Arc::new(Comparison { report, map: None })));
+    };
+    if !report.is_complete {
+        return Ok(Answer::Compare(Arc::new(Comparison { report, map: None })));
+    }
+    let part = || {
+        let comparison = Comparison { report: report.clone(), map: None };
+        Some(Answer::Compare(Arc::new(comparison)))
+    };
+    let done = whole - points;
+    let watch: map::Watch<'_> = &mut |cells| tell(done + cells, whole, &part);
+    let crew = Crew { piece: MAP_PIECE, ..Crew::of_machine() };
+    let map = Map::compute(scene, [x, y], Hardware::default(), crew, watch).ok();
+    Ok(Answer::Compare(Arc::new(Comparison { report, map })))
 }
 
 #[cfg(test)]

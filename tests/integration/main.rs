@@ -7,6 +7,8 @@ mod charts;
 #[cfg(test)]
 mod cli;
 #[cfg(test)]
+mod compare;
+#[cfg(test)]
 mod decided;
 #[cfg(test)]
 mod estimate;
@@ -80,5 +82,3 @@ mod trouble;
 mod units;
 #[cfg(test)]
 mod validation;
-#[cfg(test)]
-mod worth;

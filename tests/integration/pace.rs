@@ -52,7 +52,7 @@ fn a_search_is_stopped_within_a_run() {
         ("scatter", "0 of 10000 runs"),
         ("optimise", " of 20200 runs"),
         ("sweep --over gamma=1..3:9", "none of the points was finished"),
-        ("worth", "0 of 4 candidates"),
+        ("compare", "0 of 4 candidates"),
     ] {
         let words = format!("{command} {scene}");
         let arguments: Vec<&str> = words.split(' ').collect();

@@ -3,12 +3,16 @@
 use std::fmt::Write as _;
 
 use crate::model::units::{fixed_significant, significant};
-use crate::study::limit::{Limit, Report};
+use crate::study::limit::{Limit, Report, words};
+use crate::tui::app::status::wrap;
 use crate::tui::chart::{Axis, Chart, Curve, EventLine, Legend, Scale, Unit, ViewRange};
 use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;
 const HEIGHT: u16 = 18;
+/// Columns of a label, and of the text behind it.
+const LABEL: usize = 16;
+const TEXT: usize = 64;
 /// Points of a drawn law.
 const LAW_POINTS: usize = 200;
 /// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
@@ -54,6 +58,18 @@ fn head(page: &mut String, report: &Report) {
             100.0 * margin,
             velocity(own)
         );
+    }
+    let load = report.load.as_ref();
+    if load.is_some() {
+        let none = "nothing stops plate and projectile: no stroke, no mount force".to_owned();
+        let load = load.and_then(words::load).unwrap_or(none);
+        let _ = writeln!(page, "at the limit    {load}");
+    }
+    if let Some(closures) = &report.closures {
+        for (line, text) in wrap(&words::closures(closures), TEXT).into_iter().enumerate() {
+            let label = if line == 0 { "closure band" } else { "" };
+            let _ = writeln!(page, "{label:<LABEL$}{text}");
+        }
     }
     if let Some(caution) = report.caution() {
         let _ = writeln!(page, "caution         {caution}");

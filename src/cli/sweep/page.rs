@@ -203,14 +203,7 @@ fn map(page: &mut String, plan: &Plan, (x, y): (&Axis, &Axis), output: usize, ro
     lines(page, &map.to_lines(WIDTH, MAP_HEIGHT, Theme::PLAIN));
     let range = ViewRange::of(Scale::Linear, values()).unwrap_or_default();
     let unit = Unit::with_prefix(range, column.unit());
-    page.push_str("  scale");
-    for band in 0..levels.bands() {
-        let (from, _) = levels.band(band);
-        let (symbol, _) = chart::heatmap::swatch(band, levels.bands(), Theme::PLAIN);
-        let _ = write!(page, "  {} [{symbol}]", units::significant(from * unit.factor, 4));
-    }
-    let (_, top) = levels.band(levels.bands() - 1);
-    let _ = writeln!(page, "  {} {}", units::significant(top * unit.factor, 4), unit.name);
+    page.push_str(&key(&levels, unit.factor, &unit.name));
     let mut marks: Vec<(char, &str)> = rows
         .iter()
         .filter(|row| shown(row, output, column).is_none())
@@ -222,6 +215,19 @@ fn map(page: &mut String, plan: &Plan, (x, y): (&Axis, &Axis), output: usize, ro
         let _ = writeln!(page, "  {letter} {words}");
     }
     page.push('\n');
+}
+
+/// The bands of a map with their bounds, times a factor, in a unit.
+pub(in crate::cli) fn key(levels: &Levels, factor: f64, unit: &str) -> String {
+    let mut line = "  scale".to_owned();
+    for band in 0..levels.bands() {
+        let (from, _) = levels.band(band);
+        let (symbol, _) = chart::heatmap::swatch(band, levels.bands(), Theme::PLAIN);
+        let _ = write!(line, "  {} [{symbol}]", units::significant(from * factor, 4));
+    }
+    let (_, top) = levels.band(levels.bands() - 1);
+    let _ = writeln!(line, "  {} {unit}", units::significant(top * factor, 4));
+    line
 }
 
 fn as_index(count: u64) -> usize {

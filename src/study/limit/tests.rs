@@ -198,3 +198,11 @@ fn a_long_shot_is_stopped_within_it() {
     let report = report.unwrap();
     assert_eq!((report.limit, report.is_complete), (Limit::Unknown, false));
 }
+
+#[test]
+fn no_limit_is_given_beyond_the_range() {
+    // A free plate of next to no mass: by the closed form 1.79e18 m/s.
+    let found = found("gamma=0.05 h=1");
+    assert_eq!((found.limit, found.margin()), (Limit::Never, None));
+    assert!(found.limit.absence().unwrap().contains("beyond 3000 m/s"));
+}

@@ -13,13 +13,13 @@ use crate::model::results::ResultColumn;
 use crate::model::run::EndReason;
 use crate::model::scene::{InterfaceLaw, Mount, Scene};
 use crate::numerics::larger;
+use crate::study::compare::load::holds_still;
 use crate::study::search::measure::{
     CONTACT_FORCE, DESIGN_MEASURES, FARTHEST, Way, mass_kg, measure, mount_force_n, needs_course,
 };
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::grid::tells;
 use crate::study::sweep::{Axis, Design, Evaluator, Failure, Fate, Plan, Rows, SweepError};
-use crate::study::worth::load::holds_still;
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
 const PIECE: u64 = 16;

@@ -5,8 +5,8 @@ use crate::model::results::{self, RESULTS, ResultColumn};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Bare, Quantity};
 use crate::numerics::larger;
+use crate::study::compare::{load, spring_energy_j};
 use crate::study::sweep::{self, SweepError};
-use crate::study::worth::{SPRING_KG_PER_J, load, spring_energy_j};
 
 /// The greatest displacement, on which the masses and, without a damper, the force into the mount depend.
 pub(super) const FARTHEST: &str = "max_plate_displacement_m";
@@ -71,7 +71,7 @@ fn own_names() -> Vec<&'static str> {
 /// The spring's least mass, kg; `None` where its energy is not known.
 fn spring_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
     spring_energy_j(scene, 0.0 - scene.plate.cocking_m, farthest_m)
-        .map(|energy| SPRING_KG_PER_J * energy)
+        .map(|energy| energy / scene.mechanism.specific_energy_j_kg())
 }
 
 fn system_kg(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {

@@ -27,7 +27,8 @@ const KNOWN: [&str; 8] = [
 const STROKE: &str = "stroke_m";
 
 /// Part of the scene's tolerance for the contact, so that the rest of the way has its share.
-const SHARE: f64 = 0.3;
+pub(in crate::study) const SHARE: f64 = 0.3;
+
 /// What was found at a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Answer {
@@ -114,7 +115,7 @@ impl<'p> Quick<'p> {
         self.places.clear();
         for (place, index) in points.iter().enumerate() {
             self.plan.place(scene, *index);
-            if self.serves(scene) {
+            if serves(scene, self.travel) {
                 self.contacts.push(Contact::of(scene));
                 self.places.push(place);
             }
@@ -125,18 +126,6 @@ impl<'p> Quick<'p> {
             self.plan.place(scene, points[*place]);
             self.answers[*place] = Some(self.finish(scene, end));
         }
-    }
-
-    /// Whether the scene is one of those the quick way is right for.
-    fn serves(&self, scene: &Scene) -> bool {
-        let mechanism = &scene.mechanism;
-        let sprung = scene.plate.mount == Mount::Sprung;
-        let damped = sprung && mechanism.damper.coefficient > 0.0;
-        scene.contact.model == ContactModel::Hydrodynamic
-            && scene.interface.law == InterfaceLaw::Fused
-            && !(sprung && mechanism.stop.position_m.is_some())
-            && !(damped && self.travel)
-            && scene.run.horizon_s.is_none()
     }
 
     /// All that is asked, from the end of the contact.
@@ -153,6 +142,18 @@ impl<'p> Quick<'p> {
     }
 }
 
+/// Whether the quick way is right for a scene, its greatest displacement asked for or not.
+pub(in crate::study) fn serves(scene: &Scene, travel: bool) -> bool {
+    let mechanism = &scene.mechanism;
+    let sprung = scene.plate.mount == Mount::Sprung;
+    let damped = sprung && mechanism.damper.coefficient > 0.0;
+    scene.contact.model == ContactModel::Hydrodynamic
+        && scene.interface.law == InterfaceLaw::Fused
+        && !(sprung && mechanism.stop.position_m.is_some())
+        && !(damped && travel)
+        && scene.run.horizon_s.is_none()
+}
+
 /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
 fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
     let rigid = Passage::rigid(scene, geometry);
@@ -164,7 +165,7 @@ fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
 
 /// The greatest displacement without a damper: on the way, or where all energy is in the spring; `None` where nothing stops
 /// the plate.
-fn farthest_m(scene: &Scene, end: &ContactEnd) -> Option<f64> {
+pub(in crate::study) fn farthest_m(scene: &Scene, end: &ContactEnd) -> Option<f64> {
     if scene.plate.mount == Mount::Rigid {
         return Some(0.0);
     }

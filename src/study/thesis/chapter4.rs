@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::model::design;
 use crate::model::run::{EventKind, Sample};
 use crate::model::scene::Scene;
+use crate::study::compare::{self, Candidate, Hardware};
 use crate::study::thesis::early::ROD;
 use crate::study::thesis::lab::{
     Lab, Law, both, changed, found, limit_m_s, mm, near, number, number_verdict, pc, rigid,
@@ -13,7 +14,6 @@ use crate::study::thesis::lab::{
 };
 use crate::study::thesis::spread::{falling, rising};
 use crate::study::thesis::{Claim, Opens, Verdict};
-use crate::study::worth::{self, Candidate, Masses};
 
 fn free() -> Scene {
     with(&[("k", 0.0)])
@@ -80,12 +80,12 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |_| {
             let scene = Arc::new(with(&[]));
             let report =
-                worth::compare(&scene, Masses::default(), &mut |_, _| ControlFlow::Continue(()))
+                compare::compare(&scene, Hardware::default(), &mut |_, _| ControlFlow::Continue(()))
                     .ok();
-            let depth = report.as_ref().and_then(worth::Report::depth_over_solid);
+            let depth = report.as_ref().and_then(compare::Report::depth_over_solid);
             let efficiency = report
                 .as_ref()
-                .and_then(|report| report.of(Candidate::Scene)?.mass_efficiency)
+                .and_then(|report| report.of(Candidate::Scene)?.mass_efficiency())
                 .unwrap_or(f64::NAN);
             let depth = depth.unwrap_or(f64::NAN);
             found(

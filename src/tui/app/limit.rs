@@ -11,7 +11,7 @@ use super::status::wrap;
 use crate::model::run::Outcome;
 use crate::model::units::{fixed_significant, significant};
 use crate::study::limit::scatter::{Scatter, Scattering};
-use crate::study::limit::{Criterion, Effort, Limit, Report, Shot};
+use crate::study::limit::{Criterion, Effort, Limit, Report, Shot, words};
 
 /// The scatter of the inputs that is asked for here.
 pub const SCATTERING: Scattering = Scattering { deviation: 0.02, samples: 200, seed: 1 };
@@ -73,6 +73,12 @@ impl Ballistic {
         let Some(report) = &self.report else { return Vec::new() };
         let mut facts: Vec<Fact> = Vec::new();
         let mut add = |label, text: String| facts.push((label, Severity::Note, text));
+        if let Some(load) = report.load.as_ref().and_then(words::load) {
+            add("at the limit", load);
+        }
+        if let Some(closures) = &report.closures {
+            add("closure band", words::closures(closures));
+        }
         if let Some(law) = report.recht_ipson {
             let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
             add("Recht-Ipson", format!("a {a}, p 2, this v_bl; misses by {misfit} m/s (rms)"));
@@ -281,9 +287,6 @@ impl App {
                     format!(": {done} of about {total} shots")
                 });
                 same(Severity::Note, format!("finding the limit{of} (Esc stops)"))
-            }
-            (None, None) if self.needs_single_plate() => {
-                same(Severity::Note, "nothing to look for".to_owned())
             }
             (None, None) => {
                 same(Severity::Note, "not looked for yet: r finds the limit".to_owned())

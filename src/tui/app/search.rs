@@ -7,8 +7,8 @@ use super::accuracy::Measuring;
 use super::layout::{Body, CHART_ROWS};
 use super::notice::Severity;
 use crate::files::error::FileError;
+use crate::files::{compare as compare_file, sensitivity as sensitivity_file};
 use crate::files::{front as front_file, scatter as scatter_file, seek as seek_file};
-use crate::files::{sensitivity as sensitivity_file, worth as worth_file};
 use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::study::search::front::{Design, Front, Task};
@@ -31,8 +31,8 @@ pub enum Page {
     Sensitivity,
     /// How results scatter.
     Scatter,
-    /// Whether the mechanism is worth it.
-    Worth,
+    /// The comparison at equal areal mass.
+    Compare,
 }
 
 /// Rows of words that a chart must leave, frame included.
@@ -41,7 +41,7 @@ const LEAST_WORDS: u16 = 6;
 impl Page {
     /// All pages, in order.
     pub const ALL: [Self; 5] =
-        [Self::Seek, Self::Front, Self::Sensitivity, Self::Scatter, Self::Worth];
+        [Self::Seek, Self::Front, Self::Sensitivity, Self::Scatter, Self::Compare];
 
     /// What it answers, in two or three words.
     pub fn title(self) -> &'static str {
@@ -50,7 +50,7 @@ impl Page {
             Self::Front => "best designs",
             Self::Sensitivity => "what matters",
             Self::Scatter => "scatter",
-            Self::Worth => "is it worth it",
+            Self::Compare => "mass efficiency",
         }
     }
 
@@ -61,7 +61,7 @@ impl Page {
             Self::Front => "front.csv",
             Self::Sensitivity => "sensitivity.csv",
             Self::Scatter => "scatter.csv",
-            Self::Worth => "worth.csv",
+            Self::Compare => "compare.csv",
         }
     }
 
@@ -153,7 +153,7 @@ impl Searching {
         match self.shown().map(|found| &found.answer) {
             Some(Answer::Seek(report)) => report.solutions.len(),
             Some(Answer::Front(front)) => front.designs.len(),
-            Some(Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Worth(_)) | None => 0,
+            Some(Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Compare(_)) | None => 0,
         }
     }
 
@@ -166,7 +166,8 @@ impl Searching {
                 let drawn = |it: &&Summary| it.measure.name == self.setup.output;
                 report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
             }
-            Some(Answer::Sensitivity(_) | Answer::Worth(_)) | None => false,
+            Some(Answer::Compare(found)) => found.map.is_some(),
+            Some(Answer::Sensitivity(_)) | None => false,
         }
     }
 
@@ -184,11 +185,6 @@ impl Searching {
             (true, true) if !self.in_words => 0,
             (true, true) | (false, _) => height,
         }
-    }
-
-    /// Whether the first of the lines names the columns of all others.
-    pub fn has_heads(&self, lines: &[lines::Line]) -> bool {
-        self.page == Page::Worth && lines.first().is_some_and(|line| line.1.starts_with(' '))
     }
 
     /// The first line shown of a page without designs to choose from.
@@ -248,7 +244,7 @@ impl App {
                 Some((scene, format!("design {} of the front", tab.selected() + 1)))
             }
             (
-                Answer::Front(_) | Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Worth(_),
+                Answer::Front(_) | Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Compare(_),
                 _,
             ) => None,
         }
@@ -296,7 +292,7 @@ impl App {
             (Answer::Sensitivity(_), _) => {
                 Some("+-: 95 % confidence; v: the next search; r: again".to_owned())
             }
-            (Answer::Front(_) | Answer::Scatter(_) | Answer::Worth(_), _) => {
+            (Answer::Front(_) | Answer::Scatter(_) | Answer::Compare(_), _) => {
                 Some("v: the next search; z: this pane alone; r computes again".to_owned())
             }
         }
@@ -361,7 +357,7 @@ impl App {
             (Answer::Front(_), _) => return None,
             (Answer::Sensitivity(report), _) => sensitivity_file::rows(&name, report).csv(),
             (Answer::Scatter(report), _) => scatter_file::rows(&name, report).csv(),
-            (Answer::Worth(report), _) => worth_file::rows(&name, report).csv(),
+            (Answer::Compare(found), _) => compare_file::rows(&name, &found.report).csv(),
         })
     }
 }
@@ -378,6 +374,6 @@ fn told(answer: &Answer) -> (bool, Option<String>) {
         Answer::Scatter(report) => {
             (report.is_complete, Some(format!("{} samples", report.samples)))
         }
-        Answer::Worth(report) => (report.is_complete, None),
+        Answer::Compare(found) => (found.report.is_complete, None),
     }
 }

@@ -114,9 +114,14 @@ impl App {
     pub fn needs_single_plate(&self) -> bool {
         let is_empty = match self.tab {
             Tab::Accuracy => self.accuracy.report.is_none(),
-            Tab::Limit => self.limit.report.is_none(),
             Tab::Stability => self.place() == Place::Map && self.stability.map.is_none(),
-            Tab::Run | Tab::Sweep | Tab::Surface | Tab::Log | Tab::Thesis | Tab::Search => false,
+            Tab::Run
+            | Tab::Sweep
+            | Tab::Surface
+            | Tab::Log
+            | Tab::Thesis
+            | Tab::Search
+            | Tab::Limit => false,
         };
         is_empty && crate::model::variables::require_single(&self.scene).is_err()
     }

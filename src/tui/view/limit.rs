@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{NEEDS_SINGLE, columns, put};
+use super::text::{columns, put};
 use crate::model::run::Outcome;
 use crate::study::limit::{Limit, Report, Shot};
 use crate::tui::app::App;
@@ -76,7 +76,6 @@ fn nothing(app: &App, area: Rect, buffer: &mut Buffer) {
         (Some(_), _) => "finding the limit",
         (None, Some(report)) if !report.is_complete => "stopped before there was a curve",
         (None, Some(_)) => "no shot goes through: there is no curve",
-        (None, None) if app.needs_single_plate() => NEEDS_SINGLE,
         (None, None) => "not looked for yet: r finds the limit",
     };
     let column = inner.width.saturating_sub(columns(text)) / 2;

@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::Cursor;
 use super::text::{columns, first_row, paint_row, put, window};
 use crate::model::results::ResultColumn;
+use crate::model::units::significant;
 use crate::study::search::front::{Candidate, Design};
 use crate::study::search::seek;
 use crate::study::sweep::Fate;
@@ -15,11 +16,13 @@ use crate::tui::app::search::lines::LETTERS;
 use crate::tui::app::search::setup::brief;
 use crate::tui::app::search::{Row, SearchField};
 use crate::tui::app::status::clip;
+use crate::tui::chart::heatmap;
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, EventLine, Layout, Legend, Level, Mapping, Scale, Unit, ViewRange,
 };
+use crate::tui::efficiency_map::{levels, with_heatmap};
 use crate::tui::theme::{Pane, Role};
-use crate::worker::searches::Answer;
+use crate::worker::searches::{Answer, Comparison};
 
 /// Where a row's label and value begin.
 const LABEL: u16 = 2;
@@ -52,7 +55,8 @@ pub(super) fn render(
         Answer::Seek(report) => sought(app, report, (top, focused), buffer),
         Answer::Front(_) => layout = front(app, (top, focused), buffer),
         Answer::Scatter(_) => histogram(app, (top, focused), buffer),
-        Answer::Sensitivity(_) | Answer::Worth(_) => {}
+        Answer::Compare(found) => efficiency(app, found, top, buffer),
+        Answer::Sensitivity(_) => {}
     }
     if below == 0 {
         turn(app, top, buffer);
@@ -155,15 +159,12 @@ fn words(app: &App, lines: &[(Severity, String)], area: Rect, buffer: &mut Buffe
     let alone = area.width == app.size.0 && !app.full_pane;
     let hint = if alone { format!("Tab: setup  {hint}") } else { hint.to_owned() };
     let inner = Pane::new(title).right(hint).focused(focused).render(area, buffer, app.theme);
-    // The names of columns stay in sight.
-    let frozen = usize::from(app.searching.has_heads(lines));
     let first = match (more, has_choices) {
         (false, _) => 0,
         (true, true) => first_row(app.searching.selected().min(lines.len()), height, lines.len()),
         (true, false) => app.searching.scrolled().min(lines.len() - height),
     };
-    let shown = lines.iter().take(frozen).chain(lines.iter().skip(first + frozen));
-    for (row, (severity, text)) in (0..inner.height).zip(shown) {
+    for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
         let role = match severity {
             Severity::Note => Role::Text,
             Severity::Warning => Role::Warning,
@@ -287,6 +288,24 @@ fn mark(
     let Some((column, row)) = x.cell(across).zip(y.cell(up)) else { return };
     let row = plot.height.saturating_sub(row + 1);
     put(buffer, plot, (column, row), text, app.theme.style(role));
+}
+
+/// The map of the mass efficiency, and below it what its colours mean.
+fn efficiency(app: &App, found: &Comparison, area: Rect, buffer: &mut Buffer) {
+    let Some(map) = &found.map else { return };
+    let Some(levels) = levels(map) else {
+        let text = "no point has a mass efficiency".to_owned();
+        return words(app, &[(Severity::Warning, text)], area, buffer);
+    };
+    let above = Rect { height: area.height.saturating_sub(1), ..area };
+    with_heatmap(map, &levels, |drawn| drawn.render(above, buffer, app.theme));
+    let mut column = put(buffer, area, (1, above.height), "line: 1 ", app.theme.style(Role::Text));
+    for band in 0..levels.bands() {
+        let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
+        column = put(buffer, area, (column + 1, above.height), &symbol.to_string(), style);
+        let from = format!(" {}", significant(levels.band(band).0, 3));
+        column = put(buffer, area, (column, above.height), &from, app.theme.style(Role::Text));
+    }
 }
 
 /// How often a value falls into each of some bins, as steps.

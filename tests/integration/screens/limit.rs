@@ -42,6 +42,8 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
         scene: Arc::clone(scene),
         criterion: cmra::study::limit::Criterion::Passage,
         limit: Limit::Found { velocity_m_s: V_BL, basis: Basis::Outcome, stopped_at_m_s: None },
+        load: None,
+        closures: None,
         shots: below.chain(above).map(shot).collect(),
         recht_ipson: Some(RechtIpson { a: 0.9412, limit_m_s: V_BL, misfit_m_s: 4.321 }),
         lambert_jonas: Some(LambertJonas { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),

@@ -7,16 +7,18 @@ use std::sync::Arc;
 use super::accuracy::studies;
 use super::bench::Bench;
 use cmra::model::scene::{InterfaceLaw, Scene};
+use cmra::study::compare::map::{Map, usual_axis};
+use cmra::study::compare::{self, Hardware};
 use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
 use cmra::study::search::{scatter, seek};
+use cmra::study::sensitivity;
 use cmra::study::sweep::Fate;
-use cmra::study::worth::Masses;
-use cmra::study::{sensitivity, worth};
+use cmra::study::sweep::crew::Crew;
 use cmra::tui::app::Tab;
 use cmra::tui::app::search::Page;
 use cmra::tui::message::{Effect, Message};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::searches::{Answer, Request};
+use cmra::worker::searches::{Answer, Comparison, Request};
 use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
 use insta::assert_snapshot;
 
@@ -71,8 +73,14 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
             let task = scatter::Task { samples: 500, ..task.clone() };
             Answer::Scatter(Arc::new(scatter::scatter(scene, &task, &mut go_on).unwrap()))
         }
-        Request::Worth => {
-            Answer::Worth(Arc::new(worth::compare(scene, Masses::default(), &mut go_on).unwrap()))
+        Request::Compare => {
+            let hardware = Hardware::default();
+            let report = compare::compare(scene, hardware, &mut go_on).unwrap();
+            let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
+            let crew = Crew { threads: 1, piece: 64 };
+            let watch = &mut |_| ControlFlow::Continue(());
+            let map = Map::compute(scene, axes, hardware, crew, watch).ok();
+            Answer::Compare(Arc::new(Comparison { report, map }))
         }
     }
 }
@@ -217,15 +225,16 @@ fn on_a_small_screen_what_was_found_or_the_setup_has_the_room() {
         // Nothing is cut where it has the whole width.
         assert!(!bench.screen().contains(".. |"), "{}", bench.screen());
     }
-    assert_eq!(bench.app.searching.page, Page::Worth);
+    assert_eq!(bench.app.searching.page, Page::Compare);
+    // The map has the whole room; Tab turns to the words.
+    assert!(bench.screen().contains("line: 1"), "{}", bench.screen());
+    bench.keys("<Tab>");
+    bench.keys(&"k".repeat(100));
     let top = bench.screen();
-    let is_whole =
-        |screen: &str| ["scene", "rigid", "free", "solid"].iter().all(|it| screen.contains(it));
-    assert!(is_whole(&top) && top.contains("Tab: setup"), "{top}");
+    assert!(top.contains("does not pay"), "{top}");
     bench.keys(&"j".repeat(100));
-    // The names of the columns stay in sight.
     let bottom = bench.screen();
-    assert!(is_whole(&bottom) && bottom.contains("mass efficiency"), "{bottom}");
+    assert!(bottom.contains("depth") && bottom != top, "{bottom}");
     bench.keys("k");
     assert_ne!(bench.screen(), bottom);
     bench.keys(&"k".repeat(100));

@@ -4,11 +4,11 @@ use super::setup::brief;
 use super::{Answer, App, Found, Page, Request};
 use crate::model::results::ResultColumn;
 use crate::model::units::{Engineering, significant};
+use crate::study::compare::{self, summary::sentences};
 use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::search::{scatter, seek};
 use crate::study::sensitivity::{self, indices::Index};
 use crate::study::sweep::Fate;
-use crate::study::worth;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{fitted, wrap};
 
@@ -37,7 +37,7 @@ impl App {
             }
             (Answer::Sensitivity(report), _) => matters(report, width),
             (Answer::Scatter(report), _) => scattered(report, self.searching.setup.output, width),
-            (Answer::Worth(report), _) => worthy(report, width),
+            (Answer::Compare(found), _) => compared(&found.report, width),
         }
     }
 
@@ -95,9 +95,6 @@ fn sought(report: &seek::Report, selected: usize) -> Vec<Line> {
     }
     lines
 }
-
-/// Beyond this, m/s, no shot flies: a plate has no limit to speak of.
-const SPEED_MAX_M_S: f64 = 1e6;
 
 fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
     if front.candidates.is_empty() {
@@ -242,25 +239,19 @@ fn scattered(report: &scatter::Report, output: &str, width: usize) -> Vec<Line> 
     lines
 }
 
-fn worthy(report: &worth::Report, width: usize) -> Vec<Line> {
+/// The verdict in sentences, then the figures of the candidates beside each other, as many as fit.
+fn compared(report: &compare::Report, width: usize) -> Vec<Line> {
     let narrow = width < LABEL + 4 * WIDE_CELL;
     let cell = if narrow { CELL } else { WIDE_CELL };
-    // As many candidates beside each other as fit, the others below them.
     let beside = (width.saturating_sub(LABEL) / cell).max(1);
-    let mut lines = Vec::new();
-    let folded = beside < report.entries.len();
-    if folded {
-        lines.extend(wrapped(verdict(report), width));
-    }
+    let sentences = sentences(report).into_iter().map(|text| {
+        let is_caution = text.starts_with("caution");
+        (if is_caution { Severity::Warning } else { Severity::Note }, text)
+    });
+    let mut lines = wrapped(sentences.collect(), width);
     for entries in report.entries.chunks(beside) {
-        if folded {
-            lines.push(note(String::new()));
-        }
-        lines.extend(compared(entries, cell));
-    }
-    if !folded {
         lines.push(note(String::new()));
-        lines.extend(wrapped(verdict(report), width));
+        lines.extend(figures(entries, cell));
     }
     lines
 }
@@ -271,7 +262,7 @@ const CELL: usize = 9;
 const WIDE_CELL: usize = 13;
 
 /// The figures of some candidates beside each other.
-fn compared(entries: &[worth::Entry], cell: usize) -> Vec<Line> {
+fn figures(entries: &[compare::Entry], cell: usize) -> Vec<Line> {
     // Of `rigid mount` the first word says it.
     let narrow = cell < WIDE_CELL;
     let head = |word: &'static str| word.split(' ').next().filter(|_| narrow).unwrap_or(word);
@@ -284,22 +275,24 @@ fn compared(entries: &[worth::Entry], cell: usize) -> Vec<Line> {
     let mut lines = vec![row("", heads.collect())];
     let outcomes = entries.iter().map(|entry| entry.outcome.to_string()).collect();
     lines.push(row("outcome", outcomes));
-    let figures: [(&str, &str, &str); 9] = [
-        ("penetration_m", "depth", "m"),
-        ("limit_velocity_m_s", "limit", "m/s"),
-        ("areal_mass_kg_m2", "areal mass", "kg/m2"),
+    let figures: [(&str, &str, &str); 12] = [
         ("mass_efficiency", "efficiency", ""),
+        ("mass_efficiency_as_built", "as built", ""),
+        ("areal_mass_kg_m2", "areal mass", "kg/m2"),
+        ("limit_velocity_m_s", "limit", "m/s"),
+        ("perforation_velocity_m_s", "perforation", "m/s"),
         ("stroke_m", "stroke", "m"),
-        ("max_plate_displacement_m", "back face", "m"),
+        ("stroke_at_limit_m", "at limit", "m"),
+        ("stored_energy_j", "energy", "J"),
         ("peak_mount_force_n", "mount force", "N"),
+        ("peak_mount_force_at_limit_n", "at limit", "N"),
         ("mount_impulse_n_s", "impulse", "N s"),
-        ("preload_energy_j", "preload", "J"),
+        ("penetration_m", "depth", "m"),
     ];
     for (name, label, unit) in figures {
-        let figure = worth::FIGURES.iter().find(|figure| figure.name == name);
+        let figure = compare::FIGURES.iter().find(|figure| figure.name == name);
         let show = |value: Option<f64>| match (value, unit) {
             (None, _) => "-".to_owned(),
-            (Some(value), "m/s") if value > SPEED_MAX_M_S => "none".to_owned(),
             (Some(value), "" | "kg/m2") => significant(value, 4),
             // Without a prefix: velocities side by side are to be compared.
             (Some(value), "m/s") => format!("{} m/s", significant(value, 3)),
@@ -307,48 +300,6 @@ fn compared(entries: &[worth::Entry], cell: usize) -> Vec<Line> {
         };
         let cells = entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(entry))));
         lines.push(row(label, cells.collect()));
-    }
-    lines
-}
-
-/// What to make of it.
-fn verdict(report: &worth::Report) -> Vec<Line> {
-    let mut lines = Vec::new();
-    let scene = report.of(worth::Candidate::Scene);
-    let verdict = scene.and_then(|entry| entry.mass_efficiency).map_or_else(
-        || "no mass efficiency: the spring's mass or a limit is not known".to_owned(),
-        |ratio| {
-            let word = if ratio > 1.0 { "pays" } else { "does not pay" };
-            format!("mass efficiency {}: the mechanism {word}", significant(ratio, 3))
-        },
-    );
-    lines.push(note(verdict));
-    let percent = |ratio: f64| format!("{:+.1} %", 100.0 * (ratio - 1.0));
-    if let Some(ratio) = report.depth_over_solid() {
-        let depth = |of| report.of(of).and_then(|entry: &worth::Entry| entry.depth_m);
-        // A thick plate dishes less and is then penetrated deeper, which says nothing of its worth.
-        let dishes = depth(worth::Candidate::Rigid) < depth(worth::Candidate::Solid);
-        let judge = if dishes { " (which dishes less: its limit judges better)" } else { "" };
-        let ratio = percent(ratio);
-        lines.push(note(format!("depth against the solid plate of equal mass {ratio}{judge}")));
-    }
-    let against = |of| Some(scene?.depth_m? / report.of(of)?.depth_m?);
-    if let (Some(rigid), Some(free)) =
-        (against(worth::Candidate::Rigid), against(worth::Candidate::Free))
-    {
-        let (rigid, free) = (percent(rigid), percent(free));
-        let text = format!("depth against the rigid mount {rigid}, the merely free plate {free}");
-        lines.push(note(text));
-    }
-    for entry in &report.entries {
-        if let Some(absence) = entry.limit.absence() {
-            lines.push(note(format!("{}: {absence}", entry.candidate.word())));
-        }
-    }
-    lines.extend(report.caution().map(|text| (Severity::Warning, format!("caution: {text}"))));
-    if let Some(kg) = report.spring_kg {
-        let kg = significant(1e3 * kg, 4);
-        lines.push(note(format!("areal mass in kg/m2; least steel spring {kg} g")));
     }
     lines
 }

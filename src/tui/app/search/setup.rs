@@ -262,7 +262,7 @@ impl App {
                 Row::Heading("Show"),
                 Row::Output,
             ]),
-            Page::Worth => {}
+            Page::Compare => {}
         }
         rows
     }
@@ -384,8 +384,10 @@ impl App {
             )
         };
         match self.search_row() {
-            Row::Page => "h/l or v: goal seek, best designs, what matters, scatter, is it worth it"
-                .to_owned(),
+            Row::Page => {
+                "h/l or v: goal seek, best designs, what matters, scatter, mass efficiency"
+                    .to_owned()
+            }
             Row::Heading(_) => String::new(),
             Row::Name | Row::From | Row::To | Row::Spacing => of(self.searching.setup.seek.name),
             Row::Points => "points of the scan: solutions closer together may be missed".to_owned(),
@@ -442,7 +444,7 @@ impl App {
                 seed: 1,
                 threads,
             }),
-            Page::Worth => Request::Worth,
+            Page::Compare => Request::Compare,
         })
     }
 

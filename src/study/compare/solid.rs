@@ -1,4 +1,4 @@
-//! The solid plate with a given limit velocity, in closed form.
+//! The plate with a given limit velocity, rigid or free, in closed form.
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
@@ -8,6 +8,11 @@ use crate::numerics::root::in_bracket;
 /// Thickness, m, of the plate of the scene's material that, held rigidly, has this limit velocity, m/s, against the scene's
 /// projectile; `None` for another contact model, or without strength or limit.
 pub fn thickness_of_limit_m(scene: &Scene, limit_m_s: f64) -> Option<f64> {
+    thickness_of_limit(scene, limit_m_s, false)
+}
+
+/// The same of a plate that moves freely, or not at all.
+pub(super) fn thickness_of_limit(scene: &Scene, limit_m_s: f64, moves: bool) -> Option<f64> {
     if scene.contact.model != ContactModel::Hydrodynamic || limit_m_s <= 0.0 {
         return None;
     }
@@ -18,7 +23,7 @@ pub fn thickness_of_limit_m(scene: &Scene, limit_m_s: f64) -> Option<f64> {
         geometry.swept_m3(geometry.exit_m)
     };
     let geometry = Geometry::of(scene);
-    let passage = Passage { velocity_m_s: limit_m_s, ..Passage::rigid(scene, &geometry) };
+    let passage = Passage { velocity_m_s: limit_m_s, ..Passage::unsprung(scene, &geometry, moves) };
     // At the limit the whole passage takes just the volume that stops the shot, which does not depend on the thickness.
     let volume = passage.stopping_volume_m3()?;
     let (mut thin, mut thick) = (scene.target.thickness_m, scene.target.thickness_m);

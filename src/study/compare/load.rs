@@ -5,6 +5,49 @@ use crate::model::run::{EventKind, Outcome, Run, Sample};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::larger;
 
+/// What a shot asks of the mechanisms and their mounts; in a stack, the greatest of any element. `None` where there is no such
+/// thing, or where it is not known.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Load {
+    /// Greatest displacement of a plate, m.
+    pub farthest_m: Option<f64>,
+    /// Greatest displacement plus cocking distance, m.
+    pub stroke_m: Option<f64>,
+    /// Greatest energy in the springs, J; in a stack of all elements together.
+    pub stored_j: Option<f64>,
+    /// Greatest force into the mount, N; `None` also where a rigid stop is hit.
+    pub mount_force_n: Option<f64>,
+    /// Impulse into the mount up to the greatest displacement, N s; in a stack, of the first element.
+    pub impulse_n_s: Option<f64>,
+    /// Energy in the cocked spring, J; in a stack, of the first element.
+    pub preload_j: Option<f64>,
+}
+
+impl Load {
+    /// Of a run that kept its series.
+    pub fn of(run: &Run) -> Self {
+        let behind = run.stack.iter().flat_map(|stack| stack.behind.iter());
+        let elements = run.stack.as_ref().map_or(1, |stack| stack.elements);
+        let runs = || std::iter::once(run).chain(behind.clone().map(|run| &**run)).take(elements);
+        let greatest = |get: &dyn Fn(&Run) -> Option<f64>| {
+            runs().map(get).try_fold(None, |most: Option<f64>, value| {
+                let value = value?;
+                Some(Some(most.map_or(value, |most| larger(most, value))))
+            })
+        };
+        let has_spring = !Mechanism::of(&run.scene).is_absent();
+        let stored = || runs().map(|run| run.mechanism.stored_j).sum::<Option<f64>>();
+        Self {
+            farthest_m: greatest(&|run| run.max_plate_displacement_m).flatten(),
+            stroke_m: greatest(&|run| run.stroke_m()).flatten(),
+            stored_j: stored(),
+            mount_force_n: greatest(&peak_n).flatten(),
+            impulse_n_s: impulse_n_s(run),
+            preload_j: has_spring.then_some(run.ledger.initial_spring_j),
+        }
+    }
+}
+
 /// The greatest force into the mount, N.
 ///
 /// A rigid mount takes all of the contact force along the plate's normal. A spring's greatest force is at the greatest
@@ -47,7 +90,7 @@ pub(in crate::study) fn holds_still(scene: &Scene, farthest_m: Option<f64>) -> b
 
 /// The impulse into the mount along the plate's normal, N s: what projectile and plate have lost of their momentum when the
 /// plate is farthest out (or at the end of the run, where nothing turns it).
-pub(super) fn impulse_n_s(run: &Run) -> Option<f64> {
+fn impulse_n_s(run: &Run) -> Option<f64> {
     let scene = &run.scene;
     // The other models do not all keep the momentum of the projectile.
     if !run.end.is_complete() || scene.contact.model != ContactModel::Hydrodynamic {

@@ -1,0 +1,554 @@
+//! Comparison at equal areal mass: does moving armour pay?
+//!
+//! One design velocity holds for the whole comparison: the impact velocity v of the scene.
+//!
+//! - Areal mass: the plate is a block of its material, so its face is `m_2`/(rho h). Plate, spring and mount together are divided
+//!   by that face: rho h (1 + (spring + mount)/`m_2`), summed over the elements of a stack, and its base plate.
+//! - Hardware: the spring (or absorber) is sized for the shot at v. It weighs the greatest energy that it stores under that shot,
+//!   over the absorber's energy per mass. Where that shot perforates, it is sized for the fastest shot that is stopped. A mass
+//!   that is given, and that of springs that know it (beams), is taken as it is.
+//! - Limit velocity: the least impact velocity at which the plate is perforated or the hardware fails: the spring would have to
+//!   store more than its mass can, leaves the range of its law (a beam yields, a table ends), or needs more than the stroke
+//!   there is. A spring sized for v holds no faster shot than v.
+//! - Mass efficiency at v: areal mass of the thinnest solid plate on a rigid mount that stops the shot, over the areal mass of
+//!   the thinnest armour of the scene's kind that does. That armour has the scene's mass ratios and mechanisms; all its
+//!   thicknesses are the scene's times one factor, and its springs are sized for v. So both have the limit velocity v. A plate
+//!   thicker than the shot needs gains nothing and loses nothing here. The mechanism pays where this is above 1.
+//! - Mass efficiency as built: areal mass of the solid plate with the candidate's own limit velocity, over the candidate's
+//!   areal mass. Both figures agree where the plate is just thick enough.
+//!
+//! Closed form: without dishing a passage takes the volume pi R² h, and a limit velocity depends on volume over reduced mass alone
+//! (model page, section 2). A free plate therefore needs gamma/(1 + gamma) of the solid plate's thickness. A soft spring then
+//! stores the energy of the common motion, `m_p` v²/(2 (1 + gamma)), and with e J/kg
+//! the mass efficiency is (1 + 1/gamma)/(1 + v²/(2 gamma (1 + gamma) e)): above 1 if and only if e > v²/(2 (1 + gamma)).
+//! Must not know files, threads, screens or a clock.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::impact::{Settings, simulate};
+use crate::model::mechanism::Mechanism;
+use crate::model::run::{EndReason, Outcome, Run};
+use crate::model::scene::{Mount, OwnMass, Scene};
+use crate::model::variables::{self, VariableError};
+use crate::model::{mechanism::Inertia, stack};
+use crate::study::limit::{self, Limit};
+
+mod closed_form;
+mod hardware;
+pub(in crate::study) mod load;
+pub mod map;
+mod sized;
+mod solid;
+pub mod summary;
+
+pub use closed_form::ClosedForm;
+pub use hardware::{Failure, Hardware};
+pub use load::Load;
+pub use sized::{Absence, Sized, areal_mass_kg_m2, mass_efficiency};
+pub use solid::thickness_of_limit_m;
+
+use hardware::Built;
+pub(in crate::study) use hardware::spring_energy_j;
+
+/// How far below a limit the shot is fired that shows what the mechanism bears there, relative.
+const BELOW_LIMIT: f64 = 1e-6;
+/// Relative width to which the velocity is closed in at which the hardware fails.
+const WIDTH: f64 = 1e-9;
+
+/// Who is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Candidate {
+    /// The scene as it is.
+    Scene,
+    /// The same plates, held rigidly.
+    Rigid,
+    /// The same plates without spring, damper, stop and cocking.
+    Free,
+    /// A solid plate of the scene's areal mass, held rigidly.
+    Solid,
+}
+
+impl Candidate {
+    /// All, in the order of tables.
+    pub const ALL: [Self; 4] = [Self::Scene, Self::Rigid, Self::Free, Self::Solid];
+
+    /// The word in files and on screens.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Scene => "scene",
+            Self::Rigid => "rigid mount",
+            Self::Free => "free plate",
+            Self::Solid => "solid plate",
+        }
+    }
+}
+
+/// The figures of one candidate; `None` where a figure does not exist.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Which.
+    pub candidate: Candidate,
+    /// The scene that was run.
+    pub scene: Arc<Scene>,
+    /// What became of the shot at the design velocity.
+    pub outcome: Outcome,
+    /// The plate is stopped by something: a mount, a spring, a damper or a stop.
+    pub is_held: bool,
+    /// Everything of it over the plate's face, kg/m²; `None` where the spring's mass is not known.
+    pub areal_kg_m2: Option<f64>,
+    /// The mass of the springs, kg.
+    pub spring_kg: Option<f64>,
+    /// The limit of the plate alone: perforation.
+    pub perforation: Limit,
+    /// The limit velocity with this hardware, m/s.
+    pub limit_m_s: Option<f64>,
+    /// What fails at that velocity; `None`: the plate is perforated.
+    pub failure: Option<Failure>,
+    /// The thinnest armour of this kind that stops the shot.
+    pub sized: Result<Sized, Absence>,
+    /// Thickness of the solid plate with the same limit velocity, m.
+    pub equivalent_m: Option<f64>,
+    /// Areal mass of that over the candidate's own.
+    pub as_built: Option<f64>,
+    /// What the shot at the design velocity asks of the mechanism.
+    pub load: Load,
+    /// What a shot just below the limit velocity asks of it.
+    pub limit_load: Load,
+    /// Depth of the hole, m; `None` when perforated.
+    pub depth_m: Option<f64>,
+    /// Residual velocity after perforation, m/s.
+    pub residual_m_s: Option<f64>,
+}
+
+impl Entry {
+    /// Mass efficiency at the design velocity.
+    pub fn mass_efficiency(&self) -> Option<f64> {
+        self.sized.as_ref().ok().map(Sized::mass_efficiency)
+    }
+
+    /// Whether nothing in the range of velocities looked at goes through, and nothing fails.
+    pub fn is_beyond(&self) -> bool {
+        self.limit_m_s.is_none() && self.perforation == Limit::Never
+    }
+
+    /// Why there is no limit velocity; `None` where there is one.
+    pub fn no_limit(&self) -> Option<String> {
+        if self.limit_m_s.is_some() { None } else { self.perforation.absence() }
+    }
+}
+
+/// One number of an [`Entry`].
+pub struct Figure {
+    /// Name in files; it ends in its unit.
+    pub name: &'static str,
+    /// Read it.
+    pub get: fn(&Entry) -> Option<f64>,
+}
+
+/// Every number, in the order of files.
+#[rustfmt::skip]
+pub static FIGURES: &[Figure] = &[
+    Figure { name: "mass_efficiency", get: Entry::mass_efficiency },
+    Figure { name: "sized_thickness_m", get: |entry| entry.sized.as_ref().ok().map(|sized| sized.scene.target.thickness_m) },
+    Figure { name: "sized_areal_mass_kg_m2", get: |entry| entry.sized.as_ref().ok().map(|sized| sized.areal_kg_m2) },
+    Figure { name: "solid_areal_mass_kg_m2", get: |entry| entry.sized.as_ref().ok().map(|sized| sized.solid_areal_kg_m2) },
+    Figure { name: "mass_efficiency_as_built", get: |entry| entry.as_built },
+    Figure { name: "areal_mass_kg_m2", get: |entry| entry.areal_kg_m2 },
+    Figure { name: "spring_mass_kg", get: |entry| entry.spring_kg },
+    Figure { name: "limit_velocity_m_s", get: |entry| entry.limit_m_s },
+    Figure { name: "perforation_velocity_m_s", get: |entry| entry.perforation.velocity_m_s() },
+    Figure { name: "equivalent_thickness_m", get: |entry| entry.equivalent_m },
+    Figure { name: "stroke_m", get: |entry| entry.load.stroke_m },
+    Figure { name: "stored_energy_j", get: |entry| entry.load.stored_j },
+    Figure { name: "peak_mount_force_n", get: |entry| entry.load.mount_force_n },
+    Figure { name: "mount_impulse_n_s", get: |entry| entry.load.impulse_n_s },
+    Figure { name: "preload_energy_j", get: |entry| entry.load.preload_j },
+    Figure { name: "stroke_at_limit_m", get: |entry| entry.limit_load.stroke_m },
+    Figure { name: "stored_energy_at_limit_j", get: |entry| entry.limit_load.stored_j },
+    Figure { name: "peak_mount_force_at_limit_n", get: |entry| entry.limit_load.mount_force_n },
+    Figure { name: "max_plate_displacement_m", get: |entry| entry.load.farthest_m },
+    Figure { name: "thickness_m", get: |entry| Some(entry.scene.target.thickness_m) },
+    Figure { name: "residual_velocity_m_s", get: |entry| entry.residual_m_s },
+    Figure { name: "penetration_m", get: |entry| entry.depth_m },
+];
+
+/// Whether the mechanism pays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It stops the shot, and is lighter than the solid plate that does.
+    Pays,
+    /// It stops the shot, and is heavier.
+    DoesNotPay,
+    /// The design shot perforates it.
+    Perforated,
+    /// Nothing stops plate and projectile.
+    NothingStops,
+    /// The mechanism fails under the design shot.
+    Fails(Failure),
+    /// Nobody knows: the run is undecided, or a figure is missing.
+    Unknown,
+}
+
+impl Verdict {
+    /// In words, for a page.
+    pub fn words(self) -> String {
+        match self {
+            Self::Pays => "the mechanism pays".to_owned(),
+            Self::DoesNotPay => "the mechanism does not pay".to_owned(),
+            Self::Perforated => "not met: the design shot perforates the plate as built".to_owned(),
+            Self::NothingStops => "not met: nothing stops plate and projectile".to_owned(),
+            Self::Fails(failure) => format!("not met: under the design shot {}", failure.words()),
+            Self::Unknown => "undecided".to_owned(),
+        }
+    }
+
+    /// Whether it pays; `None` where that is not known.
+    pub fn pays(self) -> Option<bool> {
+        match self {
+            Self::Pays => Some(true),
+            Self::DoesNotPay | Self::Perforated | Self::NothingStops | Self::Fails(_) => {
+                Some(false)
+            }
+            Self::Unknown => None,
+        }
+    }
+}
+
+/// The comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The scene; its impact velocity is the design velocity.
+    pub scene: Arc<Scene>,
+    /// What is built besides the plates.
+    pub hardware: Hardware,
+    /// The first plate's face, m².
+    pub face_m2: f64,
+    /// The springs know their own mass.
+    pub spring_is_own: bool,
+    /// A stop takes up energy, and its mass is not counted.
+    pub has_stop: bool,
+    /// The candidates, without those that cannot be made or were not reached.
+    pub entries: Vec<Entry>,
+    /// Whether it was done to its end.
+    pub is_complete: bool,
+}
+
+impl Report {
+    /// One candidate's figures.
+    pub fn of(&self, candidate: Candidate) -> Option<&Entry> {
+        self.entries.iter().find(|entry| entry.candidate == candidate)
+    }
+
+    /// First requirement of chapter 4: depth over that in a solid plate of equal mass.
+    pub fn depth_over_solid(&self) -> Option<f64> {
+        Some(self.of(Candidate::Scene)?.depth_m? / self.of(Candidate::Solid)?.depth_m?)
+    }
+
+    /// What measurements say against the limits, and so against the mass efficiency; see [`Limit::caution`].
+    pub fn caution(&self) -> Option<String> {
+        self.entries.iter().find_map(|entry| entry.perforation.caution(&entry.scene))
+    }
+
+    /// Whether the mechanism pays.
+    pub fn verdict(&self) -> Verdict {
+        let Some(own) = self.of(Candidate::Scene) else { return Verdict::Unknown };
+        let design_m_s = self.scene.projectile.velocity_m_s;
+        if !own.is_held && own.outcome != Outcome::Perforated {
+            return Verdict::NothingStops;
+        }
+        match own.outcome {
+            Outcome::Perforated => return Verdict::Perforated,
+            // A run that still oscillates is decided by the limit.
+            Outcome::Moving if own.perforation.velocity_m_s().is_none_or(|it| it < design_m_s) => {
+                return Verdict::Unknown;
+            }
+            Outcome::Arrested | Outcome::Separated | Outcome::Moving => {}
+        }
+        if let Some(failure) =
+            own.failure.filter(|_| own.limit_m_s.is_none_or(|it| it < design_m_s))
+        {
+            return Verdict::Fails(failure);
+        }
+        match own.mass_efficiency() {
+            Some(efficiency) if efficiency > 1.0 => Verdict::Pays,
+            Some(_) => Verdict::DoesNotPay,
+            None => Verdict::Unknown,
+        }
+    }
+
+    /// The closed form without dishing, where it applies.
+    pub fn closed_form(&self) -> Option<ClosedForm> {
+        ClosedForm::of(&self.scene, &self.hardware)
+    }
+}
+
+/// Steps of a run after which it is asked again.
+const LOOK: u32 = 64;
+
+/// Asked now and then with candidates done and how many there are; `Break` stops, and keeps what there is.
+pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
+
+/// The least impact velocity that perforates a scene's plate or stack, m/s; `None` where there is none.
+pub fn limit_velocity_m_s(scene: &Arc<Scene>) -> Option<f64> {
+    let limit = limit::alone(scene, &mut |_, _| ControlFlow::Continue(()));
+    limit.ok().and_then(Limit::velocity_m_s)
+}
+
+/// Compare.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense.
+pub fn compare(
+    scene: &Arc<Scene>,
+    hardware: Hardware,
+    watch: Watch<'_>,
+) -> Result<Report, VariableError> {
+    variables::validate(scene)?;
+    let elements = elements(scene);
+    let mut report = Report {
+        scene: Arc::clone(scene),
+        hardware,
+        face_m2: face_m2(scene),
+        spring_is_own: hardware.spring_kg.is_none() && hardware::is_own(scene),
+        has_stop: elements.iter().any(|element| Mechanism::of(element).stop.is_some()),
+        entries: Vec::new(),
+        is_complete: false,
+    };
+    let total = Candidate::ALL.len();
+    for (done, candidate) in Candidate::ALL.into_iter().enumerate() {
+        let areal = report.entries.first().map(|entry: &Entry| entry.areal_kg_m2);
+        let Some(made) = make(scene, candidate, areal.flatten()) else { continue };
+        let mut judge = Judge {
+            scene: Arc::new(made),
+            hardware: if candidate == Candidate::Scene { hardware } else { Hardware::bare() },
+            go_on: &mut || watch(done, total),
+        };
+        let Some(entry) = judge.entry(candidate)? else { return Ok(report) };
+        report.entries.push(entry);
+    }
+    report.is_complete = true;
+    Ok(report)
+}
+
+/// The plates of a scene that its mechanisms carry, the base plate of a stack not among them.
+pub(in crate::study) fn elements(scene: &Scene) -> Vec<Scene> {
+    if scene.stack.base_thickness_m.is_none() {
+        return vec![scene.clone()];
+    }
+    let mut plates = stack::plates(scene);
+    plates.pop();
+    plates
+}
+
+/// The area of a plate, m²: its mass over rho h.
+pub fn face_m2(scene: &Scene) -> f64 {
+    scene.plate_mass_kg() / (scene.target.density_kg_m3 * scene.target.thickness_m)
+}
+
+/// A candidate, given the areal mass of the scene itself; `None` where that would be needed and is not known.
+fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option<Scene> {
+    let mut own = scene.clone();
+    own.sweep = None;
+    if candidate == Candidate::Scene {
+        hold_spring_mass(&mut own);
+        return Some(own);
+    }
+    if candidate == Candidate::Solid {
+        own.stack = stack_of_none();
+        own.target.thickness_m = areal_kg_m2? / scene.target.density_kg_m3;
+    }
+    let mount = if candidate == Candidate::Free { Mount::Sprung } else { Mount::Rigid };
+    let bare = |plate: &mut crate::model::scene::Plate,
+                mechanism: &mut crate::model::scene::Mechanism| {
+        plate.cocking_m = 0.0;
+        plate.mount = mount;
+        mechanism.stop.position_m = None;
+        mechanism.remove_springs();
+        mechanism.damper.coefficient = 0.0;
+    };
+    bare(&mut own.plate, &mut own.mechanism);
+    for layer in &mut own.stack.layers {
+        bare(&mut layer.plate, &mut layer.mechanism);
+    }
+    Some(own)
+}
+
+fn stack_of_none() -> crate::model::scene::Stack {
+    crate::model::scene::Stack::default()
+}
+
+/// A spring whose mass is counted by the energy of the shot keeps the mass that the design shot gives it.
+fn hold_spring_mass(scene: &mut Scene) {
+    let mass_kg = Inertia::of(scene).spring_mass_kg;
+    let spring = &mut scene.mechanism.spring;
+    let is_alone = scene.mechanism.combination == crate::model::scene::Combination::Alone;
+    if is_alone && spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() {
+        spring.mass_kg = mass_kg;
+    }
+}
+
+/// One run, with its series for the mount force; `None` when it was stopped.
+fn fire(
+    scene: &Arc<Scene>,
+    velocity_m_s: f64,
+    go_on: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Option<Run>, VariableError> {
+    let settings = Settings { series: true, estimate: false };
+    let mut aimed = (**scene).clone();
+    aimed.projectile.velocity_m_s = velocity_m_s;
+    let mut steps = 0_u32;
+    let run = simulate(&Arc::new(aimed), &settings, &mut |_| {
+        steps = steps.wrapping_add(1);
+        if steps.is_multiple_of(LOOK) { go_on() } else { ControlFlow::Continue(()) }
+    })?;
+    Ok((run.end != EndReason::Cancelled).then_some(run))
+}
+
+/// What became of the shot, in the plate or in the stack.
+pub(in crate::study) fn outcome(run: &Run) -> Outcome {
+    run.stack.as_ref().map_or(run.outcome, |stack| stack.outcome)
+}
+
+/// The residual velocity behind the plate, or behind the base plate of the stack, m/s.
+pub(in crate::study) fn residual_m_s(run: &Run) -> Option<f64> {
+    run.stack.as_ref().map_or(run.residual_velocity_m_s, |stack| stack.residual_velocity_m_s)
+}
+
+/// The limit velocity with the hardware, and what fails there; without a failure the plate is perforated.
+#[derive(Clone, Copy, Debug, Default)]
+struct BuiltLimit {
+    limit_m_s: Option<f64>,
+    failure: Option<Failure>,
+}
+
+/// One candidate on its way to an entry.
+struct Judge<'g> {
+    scene: Arc<Scene>,
+    hardware: Hardware,
+    go_on: &'g mut dyn FnMut() -> ControlFlow<()>,
+}
+
+impl Judge<'_> {
+    /// The entry; `None` when stopped.
+    fn entry(&mut self, candidate: Candidate) -> Result<Option<Entry>, VariableError> {
+        let scene = Arc::clone(&self.scene);
+        let design_m_s = scene.projectile.velocity_m_s;
+        let perforation = limit::alone(&scene, &mut |_, _| (self.go_on)())?;
+        if perforation == Limit::Unknown {
+            return Ok(None);
+        }
+        let Some(run) = self.fire(design_m_s)? else { return Ok(None) };
+        // Where the design shot perforates, the hardware is that of the fastest shot that is stopped.
+        let sizing = match perforation.velocity_m_s() {
+            Some(limit) if outcome(&run) == Outcome::Perforated => {
+                let Some(run) = self.fire(limit * (1.0 - BELOW_LIMIT))? else { return Ok(None) };
+                Some(run)
+            }
+            Some(_) | None => None,
+        };
+        let built = Built::of(&scene, &self.hardware, sizing.as_ref().unwrap_or(&run));
+        let Some(BuiltLimit { limit_m_s, failure }) = self.limit(perforation, &built)? else {
+            return Ok(None);
+        };
+        let limit_load = match limit_m_s {
+            Some(limit) => {
+                let Some(run) = self.fire(limit * (1.0 - BELOW_LIMIT))? else { return Ok(None) };
+                Load::of(&run)
+            }
+            None => Load::default(),
+        };
+        if (self.go_on)().is_break() {
+            return Ok(None);
+        }
+        let sized = sized::sized(&scene, &self.hardware, sized::WIDTH);
+        let areal_kg_m2 = built.areal_kg_m2(&scene);
+        let equivalent_m = limit_m_s.and_then(|limit| thickness_of_limit_m(&scene, limit));
+        let equivalent = equivalent_m.map(|thickness| thickness * scene.target.density_kg_m3);
+        let stays = matches!(outcome(&run), Outcome::Arrested | Outcome::Separated);
+        let depth_m =
+            run.stack.as_ref().map_or(run.final_penetration_m, |stack| stack.penetration_m);
+        Ok(Some(Entry {
+            candidate,
+            outcome: outcome(&run),
+            is_held: is_held(&scene),
+            areal_kg_m2,
+            spring_kg: built.spring_kg(),
+            perforation,
+            limit_m_s,
+            failure,
+            sized,
+            equivalent_m,
+            as_built: equivalent.zip(areal_kg_m2).map(|(equal, own)| equal / own),
+            load: Load::of(&run),
+            limit_load,
+            depth_m: depth_m.filter(|_| stays),
+            residual_m_s: residual_m_s(&run),
+            scene,
+        }))
+    }
+
+    fn fire(&mut self, velocity_m_s: f64) -> Result<Option<Run>, VariableError> {
+        fire(&self.scene, velocity_m_s, self.go_on)
+    }
+
+    /// The limit velocity with this hardware, and what fails there; `None` when stopped.
+    fn limit(
+        &mut self,
+        perforation: Limit,
+        built: &Built,
+    ) -> Result<Option<BuiltLimit>, VariableError> {
+        let plate_m_s = perforation.velocity_m_s();
+        let top_m_s = match plate_m_s {
+            Some(velocity_m_s) => velocity_m_s,
+            None if perforation == Limit::Never => limit::RANGE_M_S.1,
+            None => return Ok(Some(BuiltLimit::default())),
+        };
+        let failure_at = |judge: &mut Self, velocity_m_s: f64| {
+            judge.fire(velocity_m_s).map(|run| run.map(|run| built.failure(&run)))
+        };
+        let Some(at_top) = failure_at(self, top_m_s * (1.0 - BELOW_LIMIT))? else {
+            return Ok(None);
+        };
+        let Some(mut failure) = at_top else {
+            return Ok(Some(BuiltLimit { limit_m_s: plate_m_s, failure: None }));
+        };
+        // What was sized for a shot holds it, and nothing faster.
+        let design_m_s = self.scene.projectile.velocity_m_s;
+        let (mut holds, mut fails) = (0.0, top_m_s);
+        for velocity_m_s in [design_m_s, design_m_s * (1.0 + BELOW_LIMIT)] {
+            if velocity_m_s < fails {
+                match failure_at(self, velocity_m_s)? {
+                    None => return Ok(None),
+                    Some(None) => holds = velocity_m_s,
+                    Some(Some(found)) => (fails, failure) = (velocity_m_s, found),
+                }
+            }
+        }
+        if holds >= design_m_s && fails <= design_m_s * (1.0 + BELOW_LIMIT) {
+            return Ok(Some(BuiltLimit { limit_m_s: Some(design_m_s), failure: Some(failure) }));
+        }
+        while fails - holds > WIDTH * fails && fails > limit::RANGE_M_S.0 {
+            let middle = 0.5 * (holds + fails);
+            match failure_at(self, middle)? {
+                None => return Ok(None),
+                Some(None) => holds = middle,
+                Some(Some(found)) => (fails, failure) = (middle, found),
+            }
+        }
+        let limit_m_s = (fails > limit::RANGE_M_S.0).then_some(fails);
+        Ok(Some(BuiltLimit { limit_m_s, failure: Some(failure) }))
+    }
+}
+
+/// Whether something stops the plates of a scene.
+fn is_held(scene: &Scene) -> bool {
+    scene.plate.mount == Mount::Rigid
+        || elements(scene).iter().all(|element| {
+            let mechanism = Mechanism::of(element);
+            !mechanism.is_absent() || mechanism.stop.is_some()
+        })
+}
+
+#[cfg(test)]
+mod tests;

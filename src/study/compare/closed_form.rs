@@ -1,0 +1,39 @@
+//! The comparison in closed form: a free plate without dishing on a soft spring; see the module's head for the derivation.
+
+use crate::model::scene::{ContactModel, Mount, Scene};
+use crate::study::compare::Hardware;
+
+/// What the closed form says of a design.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClosedForm {
+    /// Mass efficiency at the design velocity.
+    pub mass_efficiency: f64,
+    /// The energy per mass above which the mechanism pays, J/kg.
+    pub needed_j_per_kg: f64,
+    /// The velocity below which it pays with the given energy per mass, m/s.
+    pub pays_below_m_s: f64,
+}
+
+impl ClosedForm {
+    /// For a mass ratio, an impact velocity, m/s, and an energy per mass, J/kg.
+    pub fn new(mass_ratio: f64, velocity_m_s: f64, energy_j_per_kg: f64) -> Self {
+        let (gamma, e) = (mass_ratio, energy_j_per_kg);
+        let needed = velocity_m_s * velocity_m_s / (2.0 * (1.0 + gamma));
+        Self {
+            mass_efficiency: (1.0 + 1.0 / gamma) / (1.0 + needed / (gamma * e)),
+            needed_j_per_kg: needed,
+            pays_below_m_s: (2.0 * (1.0 + gamma) * e).sqrt(),
+        }
+    }
+
+    /// For a scene; `None` for a rigid mount, a stack, an oblique shot, another contact model, and a spring's mass that is given.
+    pub fn of(scene: &Scene, hardware: &Hardware) -> Option<Self> {
+        let fits = scene.plate.mount == Mount::Sprung
+            && scene.stack.base_thickness_m.is_none()
+            && scene.projectile.obliquity_deg == 0.0
+            && scene.contact.model == ContactModel::Hydrodynamic
+            && hardware.spring_kg.is_none();
+        let (gamma, velocity_m_s) = (scene.plate.mass_ratio, scene.projectile.velocity_m_s);
+        fits.then(|| Self::new(gamma, velocity_m_s, scene.mechanism.specific_energy_j_kg()))
+    }
+}

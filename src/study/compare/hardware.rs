@@ -1,0 +1,209 @@
+//! What is built besides the plates, what it weighs, and when it fails.
+
+use crate::model::mechanism::load::exceeded;
+use crate::model::mechanism::{Inertia, Mechanism};
+use crate::model::run::Run;
+use crate::model::scene::{Mount, Scene};
+use crate::study::compare::elements;
+
+/// Energies this part apart are the same.
+const SAME: f64 = 1e-9;
+
+/// What is built besides each plate. The energy that a spring or absorber takes up per mass is a variable of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Hardware {
+    /// The spring's mass, >= 0 kg; `None`: that of the scene's own springs where they know it, or the least for the energy.
+    pub spring_kg: Option<f64>,
+    /// Everything else that carries the plate, >= 0 kg.
+    pub mount_kg: f64,
+    /// The stroke there is, > 0 m; `None`: enough.
+    pub stroke_m: Option<f64>,
+}
+
+/// What fails before the plate is perforated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Failure {
+    /// The spring would have to store more than its mass can.
+    Energy,
+    /// The spring leaves the range of its law; what the range is.
+    Range(&'static str),
+    /// The stroke is longer than there is room for.
+    Stroke,
+}
+
+impl Failure {
+    /// What happens, as the end of a sentence.
+    pub fn words(self) -> String {
+        match self {
+            Self::Energy => "the spring is full: its mass stores no more energy".to_owned(),
+            Self::Range(what) => what.to_owned(),
+            Self::Stroke => "the stroke is longer than the room there is".to_owned(),
+        }
+    }
+
+    /// One or two words for a table.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Energy => "spring full",
+            Self::Range(_) => "spring law",
+            Self::Stroke => "stroke",
+        }
+    }
+}
+
+impl Hardware {
+    /// The same without anything but the plate.
+    pub(super) fn bare() -> Self {
+        Self { spring_kg: Some(0.0), mount_kg: 0.0, stroke_m: None }
+    }
+}
+
+/// What a shot asks of the mechanism of one element.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Demand {
+    /// Greatest displacement, m; `None` where nothing stops the plate, or where it is not known.
+    pub(super) farthest_m: Option<f64>,
+    /// Greatest energy in the springs, J.
+    pub(super) stored_j: Option<f64>,
+}
+
+impl Demand {
+    /// Of an element and its greatest displacement.
+    pub(super) fn of(element: &Scene, farthest_m: Option<f64>) -> Self {
+        let start_m = 0.0 - element.plate.cocking_m;
+        Self { farthest_m, stored_j: spring_energy_j(element, start_m, farthest_m) }
+    }
+
+    /// Of an element that is not struck.
+    fn of_rest(element: &Scene) -> Self {
+        Self::of(element, Some(0.0 - element.plate.cocking_m))
+    }
+
+    /// The demands of every element of a run's scene.
+    pub(super) fn of_run(run: &Run, elements: &[Scene]) -> Vec<Self> {
+        let behind = run.stack.iter().flat_map(|stack| stack.behind.iter());
+        let mut runs = std::iter::once(run).chain(behind.map(|run| &**run));
+        let demand = |element: &Scene| {
+            let struck = runs.next();
+            struck.map_or_else(
+                || Self::of_rest(element),
+                |run| Self::of(element, run.max_plate_displacement_m),
+            )
+        };
+        elements.iter().map(demand).collect()
+    }
+}
+
+/// The mass of an element's springs for a demand, kg; `None` where it is not known.
+pub(super) fn spring_kg(hardware: &Hardware, element: &Scene, demand: &Demand) -> Option<f64> {
+    hardware
+        .spring_kg
+        .or_else(|| Inertia::of(element).spring_mass_kg)
+        .or_else(|| demand.stored_j.map(|stored| stored / element.mechanism.specific_energy_j_kg()))
+}
+
+/// Whether the springs of a scene know their own mass.
+pub(super) fn is_own(scene: &Scene) -> bool {
+    Inertia::of(scene).spring_mass_kg.is_some()
+}
+
+/// What fails of an element when a spring of this capacity, J, meets the demand.
+pub(super) fn failure(
+    hardware: &Hardware,
+    element: &Scene,
+    demand: &Demand,
+    capacity_j: f64,
+) -> Option<Failure> {
+    let farthest_m = demand.farthest_m.filter(|_| element.plate.mount == Mount::Sprung)?;
+    if let Some(limit) = exceeded(element, farthest_m).first() {
+        return Some(Failure::Range(limit.what));
+    }
+    let stroke_m = farthest_m + element.plate.cocking_m;
+    if hardware.stroke_m.is_some_and(|room| stroke_m > room * (1.0 + SAME)) {
+        return Some(Failure::Stroke);
+    }
+    demand.stored_j.filter(|stored| *stored > capacity_j * (1.0 + SAME)).map(|_| Failure::Energy)
+}
+
+/// The energy that springs of this mass can store, J: without bound in beams, whose law says itself how far it goes.
+pub(super) fn capacity_j(hardware: &Hardware, element: &Scene, spring_kg: Option<f64>) -> f64 {
+    if hardware.spring_kg.is_none() && element.mechanism.spring.kind.is_beam() {
+        return f64::INFINITY;
+    }
+    spring_kg.map_or(f64::INFINITY, |kg| kg * element.mechanism.specific_energy_j_kg())
+}
+
+/// Hardware that was built for a shot.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Built {
+    hardware: Hardware,
+    elements: Vec<Scene>,
+    /// The springs' mass, kg, and what they can store, J, by element.
+    springs_kg: Vec<Option<f64>>,
+    capacities_j: Vec<f64>,
+}
+
+impl Built {
+    /// Size the springs of a scene for a run.
+    pub(super) fn of(scene: &Scene, hardware: &Hardware, run: &Run) -> Self {
+        let elements = elements(scene);
+        let demands = Demand::of_run(run, &elements);
+        let pairs = || elements.iter().zip(&demands);
+        let springs_kg: Vec<Option<f64>> =
+            pairs().map(|(element, demand)| spring_kg(hardware, element, demand)).collect();
+        let capacities_j = elements
+            .iter()
+            .zip(&springs_kg)
+            .map(|(element, kg)| capacity_j(hardware, element, *kg))
+            .collect();
+        Self { hardware: *hardware, elements, springs_kg, capacities_j }
+    }
+
+    /// All springs together, kg; `None` where one is not known.
+    pub(super) fn spring_kg(&self) -> Option<f64> {
+        self.springs_kg.iter().copied().sum()
+    }
+
+    /// Everything over the plates' faces, kg/m².
+    pub(super) fn areal_kg_m2(&self, scene: &Scene) -> Option<f64> {
+        areal_kg_m2(scene, &self.hardware, &self.springs_kg)
+    }
+
+    /// What fails first under a shot.
+    pub(super) fn failure(&self, run: &Run) -> Option<Failure> {
+        let demands = Demand::of_run(run, &self.elements);
+        let mut each = self.elements.iter().zip(&demands).zip(&self.capacities_j);
+        each.find_map(|((element, demand), capacity_j)| {
+            failure(&self.hardware, element, demand, *capacity_j)
+        })
+    }
+}
+
+/// Areal mass of a scene with springs of these masses, kg, by element, kg/m².
+pub(super) fn areal_kg_m2(
+    scene: &Scene,
+    hardware: &Hardware,
+    springs_kg: &[Option<f64>],
+) -> Option<f64> {
+    let mut sum = 0.0;
+    for (element, spring_kg) in elements(scene).iter().zip(springs_kg) {
+        let plate = element.target.density_kg_m3 * element.target.thickness_m;
+        let besides_kg = (*spring_kg)? + hardware.mount_kg;
+        sum += plate * (1.0 + besides_kg / element.plate_mass_kg());
+    }
+    let base = scene.stack.base_thickness_m;
+    Some(sum + base.map_or(0.0, |thickness| thickness * scene.target.density_kg_m3))
+}
+
+/// Greatest energy in the springs between where the plate starts and its greatest displacement, J.
+pub(in crate::study) fn spring_energy_j(
+    scene: &Scene,
+    start_m: f64,
+    farthest_m: Option<f64>,
+) -> Option<f64> {
+    let spring = Mechanism::of(scene).spring;
+    if scene.plate.mount == Mount::Rigid || spring.is_absent() {
+        return Some(0.0);
+    }
+    Some(spring.greatest_energy(start_m, farthest_m?))
+}

@@ -1,0 +1,128 @@
+//! A map of the mass efficiency over two variables, and the line on which it is 1.
+
+use std::ops::{ControlFlow, Range};
+
+use crate::model::scene::Scene;
+use crate::model::variables::{self, Kind};
+use crate::study::compare::sized::{Absence, sized};
+use crate::study::compare::{Hardware, hold_spring_mass};
+use crate::study::sweep::crew::Crew;
+use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
+
+/// Points along an axis, where none are asked for.
+pub const COUNT_USUAL: u64 = 101;
+/// Relative width to which thicknesses are closed in, and the tolerance of the shots, at least: the efficiency is as good.
+const WIDTH: f64 = 1e-5;
+const TOLERANCE: f64 = 1e-6;
+/// Least and greatest value of a usual axis over the scene's own value; of the impact velocity, of any other variable.
+const AROUND_VELOCITY: (f64, f64) = (0.1, 2.0);
+const AROUND: (f64, f64) = (0.1, 10.0);
+
+/// Mass efficiency over two variables.
+#[derive(Clone, Debug)]
+pub struct Map {
+    plan: Plan,
+    /// By point: the second variable runs fastest. Fewer than all where it was stopped.
+    pub cells: Vec<Result<f64, Absence>>,
+}
+
+/// Asked now and then with the points done; `Break` stops.
+pub type Watch<'a> = &'a mut dyn FnMut(usize) -> ControlFlow<()>;
+
+impl Map {
+    /// The map of a scene over two axes.
+    ///
+    /// # Errors
+    /// A [`SweepError`] where scene or axes make no sense.
+    pub fn compute(
+        scene: &Scene,
+        axes: [Axis; 2],
+        hardware: Hardware,
+        crew: Crew,
+        watch: Watch<'_>,
+    ) -> Result<Self, SweepError> {
+        let mut own = scene.clone();
+        own.sweep = None;
+        if own.run.tolerance < TOLERANCE {
+            own.run.tolerance = TOLERANCE;
+        }
+        let plan = Plan::new(&own, axes.to_vec(), Design::Factorial, &["final_penetration_m"])?;
+        let mut cells = Vec::new();
+        let hire = || {
+            let mut placed = plan.base().clone();
+            let plan = &plan;
+            move |piece: Range<u64>| {
+                let cell = |index| {
+                    plan.place(&mut placed, index);
+                    let mut own = placed.clone();
+                    hold_spring_mass(&mut own);
+                    sized(&own, &hardware, WIDTH).map(|sized| sized.mass_efficiency())
+                };
+                piece.map(cell).collect::<Vec<_>>()
+            }
+        };
+        let _stopped = crew.work(0..plan.points(), hire, |_, piece| {
+            cells.extend(piece);
+            watch(cells.len())
+        });
+        Ok(Self { plan, cells })
+    }
+
+    /// The scene that the axes change.
+    pub fn scene(&self) -> &Scene {
+        self.plan.base()
+    }
+
+    /// The variable across.
+    pub fn x(&self) -> &Axis {
+        &self.plan.axes()[0]
+    }
+
+    /// The variable up.
+    pub fn y(&self) -> &Axis {
+        &self.plan.axes()[1]
+    }
+
+    /// Whether every point was computed.
+    pub fn is_complete(&self) -> bool {
+        self.cells.len() as u64 == self.plan.points()
+    }
+
+    /// A point, counted along both axes from their first values; `None` where it was not reached.
+    pub fn cell(&self, x: u64, y: u64) -> Option<Result<f64, Absence>> {
+        let index = usize::try_from(x * self.y().count() + y).ok()?;
+        self.cells.get(index).copied()
+    }
+
+    /// Where the mass efficiency is 1 along the row of the second variable's value `y`: values of the first, by linear
+    /// interpolation between points.
+    pub fn line_of_one(&self, y: u64) -> Vec<f64> {
+        let excess = |x: u64| Some(self.cell(x, y)?.ok()? - 1.0);
+        let crossing = |x: u64| {
+            let (here, next) = (excess(x)?, excess(x + 1)?);
+            let share = here / (here - next);
+            let (from, to) = (self.x().value(x), self.x().value(x + 1));
+            ((here > 0.0) != (next > 0.0)).then_some(from + share * (to - from))
+        };
+        (0..self.x().count() - 1).filter_map(crossing).collect()
+    }
+}
+
+/// The axis of a variable that is asked for by its name alone: around the scene's own value at equal ratios, or over the range
+/// of Table 9.2.
+///
+/// # Errors
+/// A [`SweepError`] for an unknown or wordy variable, and one without such a range.
+pub fn usual_axis(scene: &Scene, name: &str, count: u64) -> Result<Axis, SweepError> {
+    let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
+    let variable = variables::find(name).map_err(unknown)?;
+    let Kind::Number(number) = &variable.kind else {
+        return Axis::new(name, (0.0, 1.0), count, Spacing::Linear);
+    };
+    let (low, high) = if variable.symbol == "v_i" { AROUND_VELOCITY } else { AROUND };
+    match ((number.get)(scene).filter(|own| *own > 0.0), number.thesis_range) {
+        (Some(own), _) => Axis::new(name, (low * own, high * own), count, Spacing::Log),
+        (None, Some(ends)) => Axis::new(name, ends, count, Spacing::Linear),
+        (None, None) => Axis::new(name, (0.0, 0.0), count, Spacing::Linear),
+    }
+}

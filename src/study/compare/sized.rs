@@ -1,0 +1,208 @@
+//! The thinnest armour of a scene's kind that stops its shot, and the thinnest solid plate that does.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::impact::lean::contact_end;
+use crate::model::impact::{Settings, simulate};
+use crate::model::run::Outcome;
+use crate::model::scene::{Mount, Scene};
+use crate::study::compare::hardware::{self, Demand, Failure, Hardware};
+use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
+use crate::study::compare::{Built, elements, outcome};
+use crate::study::sweep::quick;
+
+/// Relative width to which the thickness is closed in.
+pub(super) const WIDTH: f64 = 1e-9;
+/// How often a bracket is widened by a factor of two before the search is given up.
+const WIDENED_MAX: usize = 20;
+
+/// Why there is no such armour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Absence {
+    /// No solid plate has this limit velocity: no strength, or another contact model.
+    NoSolid,
+    /// No thickness within a factor of a million of the solid plate's is just enough.
+    NoThickness,
+    /// The spring's mass is not known.
+    NoSpringMass,
+    /// The mechanism fails under the shot.
+    Fails(Failure),
+}
+
+impl Absence {
+    /// In words.
+    pub fn words(self) -> String {
+        match self {
+            Self::NoSolid => "no solid plate to compare with".to_owned(),
+            Self::NoThickness => "no thickness is just enough for the shot".to_owned(),
+            Self::NoSpringMass => "the spring's mass is not known".to_owned(),
+            Self::Fails(failure) => failure.words(),
+        }
+    }
+}
+
+/// The thinnest armour of a scene's kind that stops its shot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sized {
+    /// The scene with that thickness.
+    pub scene: Arc<Scene>,
+    /// Its thicknesses over the scene's.
+    pub factor: f64,
+    /// The mass of its springs, kg.
+    pub spring_kg: f64,
+    /// Its areal mass, kg/m².
+    pub areal_kg_m2: f64,
+    /// Areal mass of the thinnest solid plate on a rigid mount that stops the shot, kg/m².
+    pub solid_areal_kg_m2: f64,
+}
+
+impl Sized {
+    /// Areal mass of the solid plate over that of the armour.
+    pub fn mass_efficiency(&self) -> f64 {
+        self.solid_areal_kg_m2 / self.areal_kg_m2
+    }
+}
+
+/// Mass efficiency of a valid scene at its own impact velocity; `None` where there is none. Opens no file and keeps nothing:
+/// scene in, number out.
+pub fn mass_efficiency(scene: &Scene, hardware: &Hardware) -> Option<f64> {
+    sized(scene, hardware, WIDTH).ok().map(|sized| sized.mass_efficiency())
+}
+
+/// Areal mass of a valid scene as built, its springs sized for its own shot, kg/m²; `None` where it is not known.
+pub fn areal_mass_kg_m2(scene: &Scene, hardware: &Hardware) -> Option<f64> {
+    let settings = Settings { series: false, estimate: false };
+    let run = simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(()));
+    Built::of(scene, hardware, &run.ok()?).areal_kg_m2(scene)
+}
+
+/// Size a valid scene for its own impact velocity, to this relative width of its thickness.
+pub(super) fn sized(scene: &Scene, hardware: &Hardware, width: f64) -> Result<Sized, Absence> {
+    let velocity_m_s = scene.projectile.velocity_m_s;
+    let solid_m = thickness_of_limit_m(scene, velocity_m_s).ok_or(Absence::NoSolid)?;
+    let (factor, shot) = least_factor(scene, solid_m / scene.target.thickness_m, width)?;
+    let own = scaled(scene, factor);
+    let mut springs_kg = Vec::new();
+    for (element, demand) in elements(&own).iter().zip(&shot.demands) {
+        let spring_kg = hardware::spring_kg(hardware, element, demand);
+        let capacity_j = hardware::capacity_j(hardware, element, spring_kg);
+        if let Some(failure) = hardware::failure(hardware, element, demand, capacity_j) {
+            return Err(Absence::Fails(failure));
+        }
+        springs_kg.push(spring_kg);
+    }
+    let areal = hardware::areal_kg_m2(&own, hardware, &springs_kg);
+    let known = areal.zip(springs_kg.iter().copied().sum::<Option<f64>>());
+    let (areal_kg_m2, spring_kg) = known.ok_or(Absence::NoSpringMass)?;
+    let solid_areal_kg_m2 = solid_m * scene.target.density_kg_m3;
+    Ok(Sized { scene: Arc::new(own), factor, spring_kg, areal_kg_m2, solid_areal_kg_m2 })
+}
+
+/// The scene with all thicknesses times a factor; mass ratios stay, so the faces change.
+fn scaled(scene: &Scene, factor: f64) -> Scene {
+    let mut own = scene.clone();
+    own.target.thickness_m *= factor;
+    own.stack.base_thickness_m = own.stack.base_thickness_m.map(|thickness| thickness * factor);
+    for layer in &mut own.stack.layers {
+        layer.target.thickness_m *= factor;
+    }
+    own
+}
+
+/// A shot, as far as the sizing has to know it.
+struct Shot {
+    stopped: bool,
+    demands: Vec<Demand>,
+}
+
+/// The shot at a scene, by the contact kernel where that is enough.
+fn shoot(scene: &Scene) -> Option<Shot> {
+    if scene.stack.base_thickness_m.is_none() && quick::serves(scene, true) {
+        let contact = contact_end(scene, quick::SHARE * scene.run.tolerance);
+        if let Some(end) = contact {
+            let demand = Demand::of(scene, quick::farthest_m(scene, &end));
+            return Some(Shot { stopped: end.arrested, demands: vec![demand] });
+        }
+    }
+    let settings = Settings { series: false, estimate: false };
+    let run = simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(()));
+    let run = run.ok()?;
+    // An undecided run is no proof that the plate stops the shot.
+    let stopped = match outcome(&run) {
+        Outcome::Arrested | Outcome::Separated => true,
+        Outcome::Moving => run.final_penetration_m.or(run.penetration_at_most_m).is_some(),
+        Outcome::Perforated => false,
+    };
+    Some(Shot { stopped, demands: Demand::of_run(&run, &elements(scene)) })
+}
+
+/// The least factor of the thicknesses that stops the shot, and that shot.
+fn least_factor(scene: &Scene, solid: f64, width: f64) -> Result<(f64, Shot), Absence> {
+    let try_out = |factor: f64| shoot(&scaled(scene, factor)).ok_or(Absence::NoThickness);
+    let is_stack = scene.stack.base_thickness_m.is_some();
+    // A plate that its mechanism does not help is as good as a free or a rigid one.
+    let free = thickness_of_limit(scene, scene.projectile.velocity_m_s, true)
+        .map_or(solid, |thickness| thickness / scene.target.thickness_m);
+    let (mut thin, mut thick) = if is_stack {
+        // Between what all its plates together and what each of them alone would need.
+        (0.5 * solid, 1.1 * solid)
+    } else if scene.plate.mount == Mount::Rigid {
+        (solid * (1.0 - width), solid * (1.0 + width))
+    } else {
+        (free * (1.0 - width), solid * (1.0 + width))
+    };
+    let mut stops = try_out(thick)?;
+    for _ in 0..WIDENED_MAX {
+        if stops.stopped {
+            break;
+        }
+        thin = thick;
+        thick *= 2.0;
+        stops = try_out(thick)?;
+    }
+    if !stops.stopped {
+        return Err(Absence::NoThickness);
+    }
+    let mut widened = 0;
+    loop {
+        let shot = try_out(thin)?;
+        if !shot.stopped {
+            break;
+        }
+        (thick, stops) = (thin, shot);
+        thin *= 0.5;
+        widened += 1;
+        if widened == WIDENED_MAX {
+            return Err(Absence::NoThickness);
+        }
+    }
+    close_in((thin, thick), stops, width, &try_out)
+}
+
+/// Closes in the least factor between one that is perforated and one that is not.
+fn close_in(
+    (mut thin, mut thick): (f64, f64),
+    mut stops: Shot,
+    width: f64,
+    try_out: &dyn Fn(f64) -> Result<Shot, Absence>,
+) -> Result<(f64, Shot), Absence> {
+    // A soft spring hardly moves the limit of a free plate: the first steps keep near the thin end.
+    let mut step = 2.0 * width;
+    while thin * (1.0 + step) < 0.5 * (thin + thick) {
+        let near = thin * (1.0 + step);
+        let shot = try_out(near)?;
+        if shot.stopped {
+            (thick, stops) = (near, shot);
+            break;
+        }
+        thin = near;
+        step *= 32.0;
+    }
+    while thick - thin > width * thick {
+        let middle = 0.5 * (thin + thick);
+        let shot = try_out(middle)?;
+        if shot.stopped { (thick, stops) = (middle, shot) } else { thin = middle }
+    }
+    Ok((thick, stops))
+}

@@ -1,0 +1,109 @@
+//! What a comparison comes to, in sentences: the same on the command line and in the workbench.
+
+use crate::model::units::{fixed_significant, significant};
+use crate::study::compare::{Candidate, Entry, Report, Sized, Verdict};
+
+/// The sentences, the verdict first.
+pub fn sentences(report: &Report) -> Vec<String> {
+    let mut lines = Vec::new();
+    let design = velocity(report.scene.projectile.velocity_m_s);
+    let Some(own) = report.of(Candidate::Scene) else {
+        return vec!["cancelled before the scene itself was judged".to_owned()];
+    };
+    let verdict = report.verdict();
+    match (verdict, own.mass_efficiency()) {
+        (Verdict::Pays | Verdict::DoesNotPay, Some(efficiency)) => {
+            let efficiency = fixed_significant(efficiency, 4);
+            lines.push(format!("mass efficiency {efficiency} at {design}: {}", verdict.words()));
+        }
+        (_, _) => lines.push(format!("{} ({design})", verdict.words())),
+    }
+    lines.push(sized(own, verdict));
+    lines.extend(as_built(own));
+    if let Some(closed) = report.closed_form() {
+        lines.push(format!(
+            "closed form {}, without dishing on a soft spring: pays if e > v^2/(2 (1 + gamma)) = {} J/kg, which is below {} \
+             with {} J/kg",
+            fixed_significant(closed.mass_efficiency, 4),
+            significant(closed.needed_j_per_kg, 4),
+            velocity(closed.pays_below_m_s),
+            significant(report.scene.mechanism.specific_energy_j_kg(), 4)
+        ));
+    }
+    lines.extend(limits(report));
+    if let Some(ratio) = report.depth_over_solid() {
+        lines.push(format!(
+            "depth {:+.1} % against the solid plate of equal areal mass",
+            100.0 * (ratio - 1.0)
+        ));
+    }
+    lines.extend(report.caution().map(|caution| format!("caution: {caution}")));
+    lines
+}
+
+/// The two armours that just stop the shot.
+fn sized(own: &Entry, verdict: Verdict) -> String {
+    let sized: &Sized = match &own.sized {
+        Ok(sized) => sized,
+        Err(absence) => return format!("no mass efficiency: {}", absence.words()),
+    };
+    let density = sized.scene.target.density_kg_m3;
+    let solid_m = sized.solid_areal_kg_m2 / density;
+    let efficiency = match verdict {
+        Verdict::Pays | Verdict::DoesNotPay => String::new(),
+        Verdict::Perforated | Verdict::NothingStops | Verdict::Fails(_) | Verdict::Unknown => {
+            format!(", mass efficiency {}", fixed_significant(sized.mass_efficiency(), 4))
+        }
+    };
+    format!(
+        "just enough for the shot: this armour with {} mm and {} g of spring, {} kg/m^2; a solid plate of {} mm, {} kg/m^2{efficiency}",
+        fixed_significant(1e3 * sized.scene.target.thickness_m, 4),
+        fixed_significant(1e3 * sized.spring_kg, 4),
+        fixed_significant(sized.areal_kg_m2, 4),
+        fixed_significant(1e3 * solid_m, 4),
+        fixed_significant(sized.solid_areal_kg_m2, 4),
+    )
+}
+
+/// How the armour as it stands compares.
+fn as_built(own: &Entry) -> Option<String> {
+    let ratio = own.as_built?;
+    let thickness = fixed_significant(1e3 * own.scene.target.thickness_m, 4);
+    let limit = velocity(own.limit_m_s?);
+    let factor = own.sized.as_ref().ok().map(|sized| 1.0 / sized.factor);
+    let needs = factor.map_or_else(String::new, |factor| {
+        format!("; its {thickness} mm are {} times what the shot needs", significant(factor, 3))
+    });
+    Some(format!(
+        "as built mass efficiency {} at its own limit velocity of {limit}{needs}",
+        fixed_significant(ratio, 4)
+    ))
+}
+
+/// What governs the limit velocities, and which do not exist.
+fn limits(report: &Report) -> Vec<String> {
+    let mut lines = Vec::new();
+    for entry in &report.entries {
+        let word = entry.candidate.word();
+        if let (Some(failure), Some(limit)) = (entry.failure, entry.limit_m_s) {
+            let plate = entry.perforation.velocity_m_s().map_or_else(
+                || "beyond the range looked at".to_owned(),
+                |plate| format!("at {}", velocity(plate)),
+            );
+            lines.push(format!(
+                "{word}: limit velocity {}, where {}; the plate is perforated {plate}",
+                velocity(limit),
+                failure.words()
+            ));
+        }
+        lines.extend(entry.no_limit().map(|absence| format!("{word}: {absence}")));
+        if !entry.is_held {
+            lines.push(format!("{word}: nothing stops plate and projectile, they fly on"));
+        }
+    }
+    lines
+}
+
+fn velocity(value_m_s: f64) -> String {
+    format!("{} m/s", fixed_significant(value_m_s, 4))
+}

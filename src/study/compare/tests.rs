@@ -1,0 +1,286 @@
+//! The comparison against closed forms.
+
+use super::*;
+use crate::model::units::Bare;
+use crate::study::compare::map::{Map, usual_axis};
+use crate::study::sweep::crew::Crew;
+use crate::study::sweep::{Axis, Spacing};
+
+/// tau²/(4 rho G) of a steel coil: 7e8² / (4 * 7850 * 7.93e10) J/kg, by hand.
+const STEEL_COIL_J_PER_KG: f64 = 196.7856;
+
+fn scene(pairs: &str) -> Scene {
+    let mut scene = Scene::default();
+    for pair in pairs.split_whitespace() {
+        let (name, value) = pair.split_once('=').unwrap();
+        variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+    }
+    scene
+}
+
+fn report(pairs: &str, hardware: Hardware) -> Report {
+    let watch = &mut |_, _| ControlFlow::Continue(());
+    compare(&Arc::new(scene(pairs)), hardware, watch).unwrap()
+}
+
+fn plain(pairs: &str) -> Report {
+    report(pairs, Hardware::default())
+}
+
+fn efficiency(pairs: &str) -> f64 {
+    mass_efficiency(&scene(pairs), &Hardware::default()).unwrap()
+}
+
+fn close(a: f64, b: f64, relative: f64) -> bool {
+    (a / b - 1.0).abs() <= relative
+}
+
+#[test]
+fn valid_depths_and_limits_of_the_model_page() {
+    let found = plain("");
+    let (rigid, free) = (found.of(Candidate::Rigid).unwrap(), found.of(Candidate::Free).unwrap());
+    assert!((rigid.depth_m.unwrap() - 7.113_055e-3).abs() < 5e-10);
+    assert!(close(free.depth_m.unwrap(), 4.568_088_344_392e-3, 1e-12));
+    assert!((rigid.limit_m_s.unwrap() - 232.295_378).abs() < 5e-7);
+    assert!((free.limit_m_s.unwrap() - 347.708_052).abs() < 5e-7);
+    // Momentum: a rigid mount takes all of it; nothing holds a free plate.
+    assert!(close(rigid.load.impulse_n_s.unwrap(), 2.95, 1e-15));
+    let load = free.load;
+    assert!(load.impulse_n_s.is_none() && load.mount_force_n.is_none() && load.stroke_m.is_none());
+    assert!(rigid.is_held && !free.is_held && found.is_complete);
+}
+
+/// The closed form of the module's head, with numbers worked out by hand: 196.7856 J/kg and gamma = 1 give
+/// (2 (1 + 1) 196.7856)^(1/2) = 28.056 m/s.
+#[test]
+fn valid_closed_form_of_the_design_page() {
+    let coil = Scene::default().mechanism.specific_energy_j_kg();
+    assert!((coil - STEEL_COIL_J_PER_KG).abs() < 5e-4, "{coil}");
+    let closed = ClosedForm::new(1.0, 28.06, STEEL_COIL_J_PER_KG);
+    assert!((closed.pays_below_m_s - 28.056).abs() < 5e-4, "{closed:?}");
+    assert!((closed.mass_efficiency - 1.0).abs() < 5e-4, "{closed:?}");
+    // v²/(2 (1 + gamma)) = 100²/4.
+    let closed = ClosedForm::new(1.0, 100.0, STEEL_COIL_J_PER_KG);
+    assert!(close(closed.needed_j_per_kg, 2500.0, 1e-15));
+    assert!(close(closed.mass_efficiency, 2.0 / (1.0 + 2500.0 / STEEL_COIL_J_PER_KG), 1e-5));
+}
+
+/// Without dishing on a soft spring the comparison of runs is the closed form, whatever the plate's own thickness.
+#[test]
+fn a_soft_spring_without_dishing_pays_as_the_closed_form_says() {
+    assert!((efficiency("dishing=false k=1 v_i=28.06") - 1.0).abs() < 5e-4);
+    for (pairs, gamma, v) in [
+        ("v_i=10", 1.0, 10.0),
+        ("v_i=28.06 h=3mm", 1.0, 28.06),
+        ("v_i=30 h=100mm", 1.0, 30.0),
+        ("v_i=50 gamma=4", 4.0, 50.0),
+        ("v_i=100 C_d=0", 1.0, 100.0),
+    ] {
+        let expected = ClosedForm::new(gamma, v, STEEL_COIL_J_PER_KG).mass_efficiency;
+        let found = efficiency(&format!("dishing=false k=1 {pairs}"));
+        assert!(close(found, expected, 1e-5), "{pairs}: {found} {expected}");
+    }
+    // A better absorber pays at higher velocity: the line is at (4 e)^(1/2).
+    let at = |v: f64| efficiency(&format!("dishing=false k=1 e_spring=1e4 v_i={v}"));
+    assert!(close(at(200.0), 1.0, 1e-5) && at(150.0) > 1.0 && at(250.0) < 1.0);
+}
+
+/// The shot that sizes the spring judges it: a spring sized for 10 m/s holds 10 m/s, not the 347 m/s of its plate.
+#[test]
+fn a_sized_spring_holds_the_design_shot_and_no_faster_one() {
+    for v in [10.0, 30.0, 50.0, 100.0] {
+        let found = plain(&format!("k=1e5 v_i={v}"));
+        let own = found.of(Candidate::Scene).unwrap();
+        assert!(close(own.limit_m_s.unwrap(), v, 1e-5), "{v}: {:?}", own.limit_m_s);
+        assert_eq!(own.failure, Some(Failure::Energy));
+        assert!(own.perforation.velocity_m_s().unwrap() > 300.0);
+        assert!(close(own.limit_load.stored_j.unwrap(), own.load.stored_j.unwrap(), 1e-5));
+        // 25.4 mm are far more than such a shot needs.
+        assert!(own.as_built.unwrap() < own.mass_efficiency().unwrap());
+    }
+    // A spring twice as heavy holds the shot with twice the energy: the energy goes with v² (k soft, momentum shared).
+    let one = plain("k=1e3 v_i=20").of(Candidate::Scene).unwrap().spring_kg.unwrap();
+    let hardware = Hardware { spring_kg: Some(2.0 * one), ..Hardware::default() };
+    let twice = report("k=1e3 v_i=20", hardware);
+    let limit = twice.of(Candidate::Scene).unwrap().limit_m_s.unwrap();
+    assert!(close(limit, 20.0 * 2f64.sqrt(), 1e-4), "{limit}");
+    // Half of it does not even hold the design shot.
+    let half = report("k=1e3 v_i=20", Hardware { spring_kg: Some(0.5 * one), ..hardware });
+    assert_eq!(half.verdict(), Verdict::Fails(Failure::Energy));
+    assert!(half.of(Candidate::Scene).unwrap().sized.is_err());
+}
+
+#[test]
+fn stroke_that_is_not_there_ends_the_armour() {
+    // The plate swings as one body after the contact: the stroke is the common velocity over the frequency, 10 m/s (0.059/1e4)^(1/2).
+    let free = plain("k=1e4 v_i=20");
+    let stroke = free.of(Candidate::Scene).unwrap().load.stroke_m.unwrap();
+    assert!(close(stroke, 10.0 * (0.059f64 / 1e4).sqrt(), 1e-2), "{stroke}");
+    let short = Hardware { stroke_m: Some(0.5 * stroke), ..Hardware::default() };
+    let found = report("k=1e4 v_i=20", short);
+    let own = found.of(Candidate::Scene).unwrap();
+    assert_eq!(found.verdict(), Verdict::Fails(Failure::Stroke));
+    assert!(close(own.limit_m_s.unwrap(), 10.0, 1e-2), "{:?}", own.limit_m_s);
+}
+
+#[test]
+fn a_perforated_or_merely_free_plate_never_meets_the_criterion() {
+    let found = plain("h=3mm v_i=300 k=1e3");
+    let own = found.of(Candidate::Scene).unwrap();
+    assert_eq!((own.outcome, found.verdict()), (Outcome::Perforated, Verdict::Perforated));
+    assert_eq!(found.verdict().pays(), Some(false));
+    assert!(own.limit_m_s.unwrap() < 300.0 && own.depth_m.is_none());
+    let free = plain("k=0 b=0 v_i=10");
+    assert_eq!(free.verdict(), Verdict::NothingStops);
+    assert!(!free.verdict().words().starts_with("met"));
+    assert!(summary::sentences(&free).iter().any(|line| line.contains("nothing stops")));
+}
+
+/// A plate of next to no mass, held by next to nothing: its limit as a free plate would be 1e18 m/s and more.
+#[test]
+fn there_is_no_limit_beyond_the_range() {
+    for pairs in ["gamma=0.05", "gamma=0.00056 n=1 interface=plastic"] {
+        let found = plain(pairs);
+        for entry in &found.entries {
+            assert!(entry.limit_m_s.is_none_or(|limit| limit <= 3000.0), "{pairs} {entry:?}");
+            for figure in FIGURES {
+                let value = (figure.get)(entry);
+                assert!(
+                    value.is_none_or(|it| it.is_finite() && it.abs() < 1e12),
+                    "{pairs} {value:?}"
+                );
+            }
+        }
+        let solid = found.of(Candidate::Solid).unwrap();
+        assert!(solid.is_beyond() && solid.no_limit().unwrap().contains("beyond 3000 m/s"));
+    }
+}
+
+#[test]
+fn a_rigid_plate_is_its_own_solid_plate() {
+    for pairs in ["", "theta=30deg", "C_d=0", "h=3mm"] {
+        let found = plain(pairs);
+        let rigid = found.of(Candidate::Rigid).unwrap();
+        assert!(close(rigid.mass_efficiency().unwrap(), 1.0, 1e-8), "{pairs} {rigid:?}");
+        assert!(close(rigid.as_built.unwrap(), 1.0, 1e-12), "{pairs} {rigid:?}");
+        let solid = found.of(Candidate::Solid).unwrap();
+        let own = found.of(Candidate::Scene).unwrap();
+        assert!(close(solid.areal_kg_m2.unwrap(), own.areal_kg_m2.unwrap(), 1e-15));
+    }
+}
+
+/// Without dishing a passage takes the volume pi R² h, and the limit depends on volume over reduced mass alone: a free plate is
+/// worth a rigid one thicker by 1 + 1/gamma, with drag or without.
+#[test]
+fn a_free_plate_is_worth_one_plus_one_over_gamma() {
+    for (pairs, gamma) in [("gamma=1 C_d=0", 1.0), ("gamma=1", 1.0), ("gamma=4", 4.0)] {
+        let found = plain(&format!("dishing=false {pairs}"));
+        let free = found.of(Candidate::Free).unwrap();
+        assert!(close(free.mass_efficiency().unwrap(), 1.0 + 1.0 / gamma, 1e-8), "{pairs}");
+        assert!(close(free.as_built.unwrap(), 1.0 + 1.0 / gamma, 1e-12), "{pairs}");
+    }
+}
+
+/// After the arrest plate and projectile swing as one; at the turn all of it is in the spring.
+#[test]
+fn the_spring_stores_what_the_swing_brings() {
+    let found = plain("k=1e5");
+    let own = found.of(Candidate::Scene).unwrap();
+    let farthest = own.load.farthest_m.unwrap();
+    let stored = own.load.stored_j.unwrap();
+    assert!(close(own.load.mount_force_n.unwrap(), 1e5 * farthest, 1e-12));
+    assert!(close(stored, 0.5e5 * farthest * farthest, 1e-12));
+    // At the turn both bodies are at rest: the mount has all of the momentum.
+    assert!(close(own.load.impulse_n_s.unwrap(), 2.95, 1e-6), "{:?}", own.load);
+    assert!(close(own.spring_kg.unwrap(), 5.081e-3 * stored, 1e-3));
+    assert!(found.depth_over_solid().unwrap() < 1.0);
+}
+
+#[test]
+fn areal_mass_is_all_mass_over_the_face_of_the_plate() {
+    let hardware = Hardware { spring_kg: Some(0.0295), mount_kg: 0.0295, ..Hardware::default() };
+    let found = report("gamma=2", hardware);
+    // Spring and mount weigh as much as the plate: twice the thickness.
+    let solid = found.of(Candidate::Solid).unwrap();
+    assert!(close(solid.scene.target.thickness_m, 2.0 * 0.0254, 1e-14));
+    assert!(close(found.face_m2 * 2710.0 * 0.0254, 0.059, 1e-14));
+    let areal = areal_mass_kg_m2(&scene("gamma=2"), &hardware).unwrap();
+    assert!(close(areal, 2.0 * 2710.0 * 0.0254, 1e-14));
+}
+
+#[test]
+fn preload_is_the_energy_of_the_cocked_spring_and_a_rigid_stop_has_no_greatest_force() {
+    let found = plain("k=1e5 d=5mm");
+    let own = found.of(Candidate::Scene).unwrap();
+    assert!(close(own.load.preload_j.unwrap(), 0.5 * 1e5 * 25e-6, 1e-14));
+    assert!(close(own.load.stroke_m.unwrap(), own.load.farthest_m.unwrap() + 5e-3, 1e-14));
+    let stopped = plain("k=1e5 x_stop=5mm");
+    assert!(stopped.has_stop);
+    assert!(stopped.of(Candidate::Scene).unwrap().load.mount_force_n.is_none());
+}
+
+#[test]
+fn what_does_not_exist_is_absent() {
+    let found = plain("k=0 b=0");
+    let load = found.of(Candidate::Scene).unwrap().load;
+    assert!(load.stroke_m.is_none() && load.preload_j.is_none() && load.mount_force_n.is_none());
+    // No spring, no mass of a spring: the solid plate is the rigid one.
+    assert_eq!(found.of(Candidate::Scene).unwrap().spring_kg, Some(0.0));
+    let perforated = plain("v_i=400");
+    let own = perforated.of(Candidate::Rigid).unwrap();
+    assert!(own.depth_m.is_none() && own.residual_m_s.is_some());
+    let mut asked = 0;
+    let stop = &mut |_, _| {
+        asked += 1;
+        if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let cut = compare(&Arc::new(Scene::default()), Hardware::default(), stop).unwrap();
+    assert!(!cut.is_complete && cut.entries.is_empty());
+}
+
+/// Two equal rigid plates and a base of the same thickness, without dishing and drag: each takes its share of the energy, so the
+/// limit is that of one plate of all three thicknesses, v² = 2 S pi R² (3 h)/m, and so is the solid plate of equal mass.
+#[test]
+fn a_stack_of_rigid_plates_is_as_good_as_their_sum() {
+    let pairs = "dishing=false C_d=0 mount=rigid h=3mm elements=2 h_base=3mm v_i=60";
+    let found = plain(pairs);
+    let own = found.of(Candidate::Scene).unwrap();
+    let volume = std::f64::consts::PI * 0.00635f64.powi(2) * 9e-3;
+    let limit = (2.0 * 1.52e8 * volume / 0.0295).sqrt();
+    assert!(close(own.limit_m_s.unwrap(), limit, 1e-6), "{:?} {limit}", own.limit_m_s);
+    assert!(close(own.areal_kg_m2.unwrap(), 2710.0 * 9e-3, 1e-14));
+    assert!(close(own.as_built.unwrap(), 1.0, 1e-6), "{:?}", own.as_built);
+    assert!(close(own.mass_efficiency().unwrap(), 1.0, 1e-6), "{:?}", own.sized);
+}
+
+#[test]
+fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
+    let axis = |name, ends, count| Axis::new(name, ends, count, Spacing::Linear).unwrap();
+    let axes = [axis("v_i", (10.0, 90.0), 41), axis("gamma", (0.5, 7.0), 4)];
+    let base = scene("dishing=false k=1");
+    let compute = |threads| {
+        let crew = Crew { threads, piece: 7 };
+        let watch = &mut |_| ControlFlow::Continue(());
+        Map::compute(&base, axes, Hardware::default(), crew, watch).unwrap()
+    };
+    let map = compute(1);
+    assert!(map.is_complete());
+    for y in 0..4 {
+        let gamma = map.y().value(y);
+        let line = (2.0 * (1.0 + gamma) * STEEL_COIL_J_PER_KG).sqrt();
+        let found = map.line_of_one(y);
+        assert!(found.len() == 1 && (found[0] - line).abs() < 0.05, "{gamma}: {found:?} {line}");
+        let expected = ClosedForm::new(gamma, 10.0, STEEL_COIL_J_PER_KG).mass_efficiency;
+        assert!(close(map.cell(0, y).unwrap().unwrap(), expected, 1e-4));
+    }
+    assert_eq!(map.cells, compute(2).cells, "no digit depends on the threads");
+    let mut asked = 0;
+    let stop = &mut |_| {
+        asked += 1;
+        if asked == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let crew = Crew { threads: 1, piece: 7 };
+    let cut = Map::compute(&base, axes, Hardware::default(), crew, stop).unwrap();
+    assert!(!cut.is_complete() && cut.cells.len() == 14);
+    assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
+}

@@ -1,0 +1,69 @@
+//! What goes with a limit velocity: what the mechanism bears there, and the band between the closures of the flow strength.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::impact::{Settings, simulate};
+use crate::model::run::EndReason;
+use crate::model::scene::{Closure, Scene};
+use crate::study::compare::Load;
+use crate::study::limit::{Watch, aimed, alone};
+
+/// How far below the limit the shot is fired that shows what the mechanism bears, relative.
+const BELOW: f64 = 1e-6;
+
+/// Limit velocities by the two closures, m/s; `None` where there is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closures {
+    /// Flow strength 2 Y, with dishing, drag on half of rho v²/2: made for thin plates.
+    pub double_yield_m_s: Option<f64>,
+    /// Pressure in an expanding cavity, without dishing, twice that drag: made for thick ones.
+    pub cavity_m_s: Option<f64>,
+}
+
+impl Closures {
+    /// By both closures; `None` where the flow strength does not come from a yield stress, or when stopped.
+    pub(super) fn of(scene: &Scene, watch: Watch<'_>) -> Option<Self> {
+        let by = |closure: Closure, watch: Watch<'_>| {
+            let mut own = scene.clone();
+            own.sweep = None;
+            let layers = own.stack.layers.iter_mut().map(|layer| &mut layer.target);
+            for target in std::iter::once(&mut own.target).chain(layers) {
+                if target.closure == Closure::Given {
+                    continue;
+                }
+                // Virostek's law has half the drag of cavity expansion on a hemisphere.
+                let drag = match (target.closure, closure) {
+                    (Closure::DoubleYield, Closure::Cavity) => 2.0,
+                    (Closure::Cavity, Closure::DoubleYield) => 0.5,
+                    (_, _) => 1.0,
+                };
+                target.drag_coefficient *= drag;
+                (target.closure, target.dishing) = (closure, closure == Closure::DoubleYield);
+            }
+            alone(&Arc::new(own), watch).ok().and_then(super::Limit::velocity_m_s)
+        };
+        (scene.target.closure != Closure::Given).then(|| Self {
+            double_yield_m_s: by(Closure::DoubleYield, watch),
+            cavity_m_s: by(Closure::Cavity, watch),
+        })
+    }
+
+    /// The band, m/s, the lower end first; `None` where a closure has no limit.
+    pub fn band_m_s(self) -> Option<(f64, f64)> {
+        let (a, b) = self.double_yield_m_s.zip(self.cavity_m_s)?;
+        Some(if a < b { (a, b) } else { (b, a) })
+    }
+}
+
+/// What a shot just below this limit asks of the mechanism and its mount; `None` when stopped.
+pub(super) fn load(
+    scene: &Scene,
+    limit_m_s: f64,
+    go_on: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Option<Load> {
+    let settings = Settings { series: true, estimate: false };
+    let own = aimed(scene, limit_m_s * (1.0 - BELOW));
+    let run = simulate(&own, &settings, &mut |_| go_on()).ok()?;
+    (run.end != EndReason::Cancelled).then(|| Load::of(&run))
+}

@@ -1,0 +1,161 @@
+//! `cmra compare` as a user meets it.
+
+use serde_json::Value;
+
+use crate::support::{cmra, says};
+
+fn output(arguments: &[&str]) -> String {
+    says("compare", arguments, 0).0
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let mut all = vec!["--json"];
+    all.extend(arguments);
+    serde_json::from_str(&output(&all)).unwrap()
+}
+
+#[test]
+fn valid_numbers_of_the_model_page_stand_side_by_side() {
+    let found = json(&[]);
+    let number = |candidate: &str, key: &str| found["candidates"][candidate][key].as_f64().unwrap();
+    for (candidate, depth, limit) in [
+        ("rigid_mount", 7.113_055e-3, 232.295_378),
+        ("free_plate", 4.568_088_344_392e-3, 347.708_052),
+    ] {
+        assert!((number(candidate, "penetration_m") - depth).abs() < 5e-10);
+        assert!((number(candidate, "limit_velocity_m_s") - limit).abs() < 5e-7);
+    }
+    // The solid plate's thickness is that of all the mass over the plate's face.
+    let mass = 0.0295 + found["spring_mass_kg"].as_f64().unwrap();
+    let thickness = mass / 0.0295 * 0.0254;
+    assert!((number("solid_plate", "thickness_m") / thickness - 1.0).abs() < 1e-12);
+    assert!(found["candidates"]["free_plate"]["stroke_m"].is_null());
+    assert!(found["candidates"]["free_plate"]["peak_mount_force_n"].is_null());
+}
+
+/// The closed form: steel coil, gamma = 1, without dishing: 1.000 at 28.06 m/s. The old name still works.
+#[test]
+fn valid_break_even_velocity_of_a_steel_coil() {
+    let scene = ["--set", "dishing=off", "--set", "k=1", "--design-velocity", "28.06"];
+    let found = json(&scene);
+    for value in [&found["mass_efficiency"], &found["closed_form"]["mass_efficiency"]] {
+        assert!((value.as_f64().unwrap() - 1.0).abs() < 5e-4, "{value}");
+    }
+    let below = found["closed_form"]["pays_below_m_s"].as_f64().unwrap();
+    assert!((below - 28.056).abs() < 5e-4, "{below}");
+    assert_eq!(says("worth", &scene, 0).0, output(&scene));
+    let given = ["--spring-energy", "10kJ/kg", "--set", "dishing=off", "--set", "k=1"];
+    assert_eq!(json(&given)["pays"], Value::Bool(true));
+}
+
+/// 10, 30, 50 and 100 m/s gave 2.119, 1.115, 0.572 and 0.174 for one plate: a light spring beside the limit of a heavy one.
+#[test]
+fn one_design_velocity_sizes_and_judges() {
+    for v in ["10", "30", "50", "100"] {
+        let found = json(&["--set", &format!("v_i={v}")]);
+        let own = &found["candidates"]["scene"];
+        let limit = own["limit_velocity_m_s"].as_f64().unwrap();
+        assert!((limit / v.parse::<f64>().unwrap() - 1.0).abs() < 1e-5, "{v}: {limit}");
+        assert_eq!(own["governed_by"], "spring full");
+        assert!(own["stored_energy_at_limit_j"].as_f64().unwrap() > 0.0);
+        assert!(own["stroke_at_limit_m"].as_f64().unwrap() > 0.0);
+    }
+}
+
+#[test]
+fn the_page_begins_with_the_verdict_and_says_how_mass_was_taken() {
+    let page = output(&["--spring-energy", "20kJ/kg", "--mount-mass", "0.001"]);
+    let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("{words}: {page}"));
+    assert!(at("the mechanism pays") < at("limit velocity, m/s"));
+    assert!(at("limit velocity, m/s") < at("stroke, mm"));
+    assert!(at("stroke, mm") < at("mount force, kN") && at("mount force, kN") < at("\ndepth, mm"));
+    at("mount: 1.00 g");
+    assert!(page.lines().all(|line| line.len() <= 80), "{page}");
+    // With the mass of a steel spring the same scene does not pay.
+    assert!(output(&[]).contains("the mechanism does not pay"));
+    let perforated = output(&["--set", "h=3mm", "--set", "v_i=300"]);
+    assert!(perforated.contains("not met: the design shot perforates"), "{perforated}");
+    assert!(!perforated.replace("not met", "").contains("met:"), "{perforated}");
+}
+
+#[test]
+fn a_limit_beyond_the_range_is_said_and_no_absurd_number_is_shown() {
+    for scene in [&["gamma=0.05"][..], &["gamma=0.00056", "n=1", "interface=plastic"]] {
+        let set: Vec<&str> = scene.iter().flat_map(|pair| ["--set", pair]).collect();
+        let page = output(&set);
+        assert!(page.contains("beyond 3000"), "{page}");
+        assert!(!page.contains("inf") && !page.contains("NaN"), "{page}");
+        // No number of more than 1e12.
+        let digits = page.split(|letter: char| !letter.is_ascii_digit());
+        assert!(digits.map(str::len).all(|length| length <= 12) && !page.contains("e8"), "{page}");
+    }
+}
+
+/// In the words of `cmra limit`: they are its limits.
+#[test]
+fn oblique_limits_come_with_a_caution() {
+    let oblique = ["--set", "theta=30deg"];
+    let limit = says("limit", &["--json", "--scatter", "0", oblique[0], oblique[1]], 0).0;
+    let limit: Value = serde_json::from_str(&limit).unwrap();
+    let caution = limit["caution"].as_str().unwrap();
+    assert!(output(&oblique).contains("caution: "), "{}", output(&oblique));
+    assert_eq!(json(&oblique)["caution"].as_str(), Some(caution));
+    assert!(!output(&[]).contains("caution"));
+    assert!(json(&[])["caution"].is_null());
+}
+
+#[test]
+fn candidates_are_rows_and_bad_options_are_refused() {
+    let table = output(&["--csv", "-", "--set", "v_i=400"]);
+    let lines: Vec<&str> = table.lines().collect();
+    assert!(lines[0].starts_with("scene,candidate,outcome,governed_by,mass_efficiency,"));
+    let words: Vec<&str> = lines[1..].iter().filter_map(|line| line.split(',').nth(1)).collect();
+    assert_eq!(words, ["scene", "rigid mount", "free plate", "solid plate"]);
+    // Perforated: no depth.
+    assert!(lines[2].ends_with(','), "{}", lines[2]);
+    for (option, value, told) in [
+        ("--mount-mass", "-1g", "0 kg or more"),
+        ("--spring-mass", "2mm", "--spring-mass 2mm"),
+        ("--design-velocity", "0", "greater than 0"),
+        ("--stroke", "2kg", "--stroke 2kg"),
+        ("--spring-energy", "5mm", "--spring-energy 5mm"),
+        ("--map", "v_i", "two variables"),
+        ("--map", "v_i,nonsense", "nonsense"),
+    ] {
+        let refused = cmra("compare", &[option, value]).assert().code(2);
+        let text = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+        assert!(text.contains(told), "{text}");
+    }
+}
+
+#[test]
+fn the_map_is_drawn_with_its_line_and_written_as_rows() {
+    let map =
+        ["--map", "v_i=10..90:21,gamma=0.2..7:11:log", "--set", "dishing=off", "--set", "k=1"];
+    let page = output(&map);
+    for words in ["mass efficiency, up: gamma", "line of 1", "v_i at which", "scale"] {
+        assert!(page.contains(words), "{words}: {page}");
+    }
+    // At gamma = 7 the line is at (2 (1 + 7) 196.785)^(1/2) = 56.11 m/s, interpolated between points 4 m/s apart.
+    let last = page.lines().last().unwrap();
+    let at: f64 = last.split_whitespace().last().unwrap().parse().unwrap();
+    assert!((at - 56.11).abs() < 0.3, "{last}");
+    let mut csv = map.to_vec();
+    csv.extend(["--csv", "-"]);
+    let table = output(&csv);
+    let lines: Vec<&str> = table.lines().collect();
+    assert_eq!(lines[0], "scene,v_i,gamma,mass_efficiency,no_mass_efficiency");
+    assert_eq!(lines.len(), 1 + 21 * 11);
+}
+
+/// A stack is compared like any armour: three elements and a base of the preset, 250 m/s.
+#[test]
+fn stacks_are_compared() {
+    let found: Value = serde_json::from_str(&output(&["array-stacked", "--json"])).unwrap();
+    let own = &found["candidates"]["scene"];
+    assert_eq!(own["outcome"], "arrested");
+    assert!((own["penetration_m"].as_f64().unwrap() - 18.3287e-3).abs() < 5e-8);
+    // More than the shot that it stops; plates of 9 mm and a base of 10 mm weigh 51.49 kg/m² without springs.
+    assert!(own["perforation_velocity_m_s"].as_f64().unwrap() > 250.0);
+    assert!(own["areal_mass_kg_m2"].as_f64().unwrap() > 2710.0 * 0.019);
+}
