@@ -80,8 +80,12 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |_| {
             let scene = Arc::new(with(&[]));
             let report =
-                compare::compare(&scene, Hardware::default(), &mut |_, _| ControlFlow::Continue(()))
-                    .ok();
+                compare::compare(
+                    &scene,
+                    Hardware::default(),
+                    &mut |_, _| ControlFlow::Continue(()),
+                )
+                .ok();
             let depth = report.as_ref().and_then(compare::Report::depth_over_solid);
             let efficiency = report
                 .as_ref()
