@@ -421,7 +421,6 @@ impl Variable {
                 )
             }
         };
-        // What was written, even where it is no number.
         let written = if value.is_finite() { units::shortest(value) } else { value.to_string() };
         VariableError::Impossible {
             symbol: self.symbol,
