@@ -306,7 +306,7 @@ fn interrupted(what: &str) -> String {
     std::io::Read::read_to_string(&mut child.stderr.take().unwrap(), &mut err).unwrap();
     assert_eq!(status.code(), Some(1), "{err}");
     assert!(err.contains("interrupted") && err.contains("are kept"), "{err}");
-    let rows = rows(&fs::read_to_string(place.path().join("x.csv")).unwrap());
+    let rows = rows(&fs::read_to_string(place.path().join("x.partial.csv")).unwrap());
     assert!(rows.len() > 10 && rows.len() < 10_000_000);
     assert!(rows.iter().all(|row| row.len() == rows[0].len()), "every row is whole");
     err
