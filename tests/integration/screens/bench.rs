@@ -286,6 +286,7 @@ pub(crate) fn made(scene: &Arc<Scene>) -> Run {
         separation: None,
         interface_demand_ratio: Some(0.108),
         error_estimate: Some(ErrorEstimate { relative: 3e-12, basis }),
+        error_estimates: Vec::new(),
         series: shape.series(TURN_S),
         events: vec![
             Event { t_s: 55e-6, kind: EventKind::NoseBuried },
