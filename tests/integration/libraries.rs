@@ -29,12 +29,12 @@ fn valid_limits_follow_from_the_names_alone() {
 #[test]
 fn set_wins_over_an_entry_and_a_flow_strength_of_ones_own_counts() {
     let found = |more: &[&str]| -> Value {
-        let arguments = [&["--json", "--material", "aa7039"], more].concat();
+        let arguments = [&["--json", "--material", "weldox-460e"], more].concat();
         serde_json::from_str(&says("run", &arguments, 0).0).unwrap()
     };
     let variables = found(&["--set", "rho=2700", "--threat", "thesis-shot"])["variables"].clone();
     assert_eq!(variables["target.density_kg_m3"], 2700.0);
-    assert_eq!(variables["target.yield_pa"], 337e6);
+    assert_eq!(variables["target.yield_pa"], 490e6);
     assert_eq!(variables["target.closure"], "cavity");
     let given = found(&["--set", "S_y=152MPa"])["variables"].clone();
     assert_eq!(given["target.closure"], "given");
