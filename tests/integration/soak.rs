@@ -46,7 +46,7 @@ fn random_keys_resizes_clicks_and_pastes_do_no_harm() {
                 terminal.resize(columns, rows);
             }
             1 => terminal.send(&format!("\x1b[<0;{};{}M", random.below(90), random.below(30))),
-            2 => terminal.send("\x1b[200~gamma=2\nq\x1b[201~"),
+            2 => terminal.send("\x1b[200~gamma=2\nx\x1b[201~"),
             _ => terminal.send(random.of(&KEYS)),
         }
         events += 1;
