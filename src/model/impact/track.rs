@@ -32,8 +32,8 @@ const EVENTS_MAX: usize = 400_000;
 /// an undamped spring goes on for ever.
 const TURNS_MAX: usize = 1_000;
 const UNDECIDED_STEPS: usize = 15_000;
-/// How many times as many steps the first contact may take: it ends.
-const FIRST_CONTACT: usize = 6;
+/// The steps, tried ones too, that the first contact may take instead: it ends.
+const FIRST_CONTACT_STEPS: usize = 80_000;
 
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
@@ -232,11 +232,12 @@ impl<'a> Track<'a> {
     fn budget_used_up(&self) -> Option<EndReason> {
         let in_first_contact = self.mode == Mode::Penetrating && self.record.first_arrest.is_none();
         let patience = self.problem.patience;
-        let steps = UNDECIDED_STEPS * patience * if in_first_contact { FIRST_CONTACT } else { 1 };
+        let most = if in_first_contact { FIRST_CONTACT_STEPS } else { UNDECIDED_STEPS };
+        let steps = self.steps + if in_first_contact { self.rejected } else { 0 };
         let swings_on =
             !self.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX * patience;
         let is_worked_off = self.work.get() > WORK_MAX;
-        if swings_on && (self.steps > steps || is_worked_off) {
+        if swings_on && (steps > most * patience || is_worked_off) {
             Some(EndReason::Swings)
         } else if self.event_count > EVENTS_MAX {
             Some(EndReason::EventBudget)
