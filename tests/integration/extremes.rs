@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use cmra::model::impact::lean::{Contact, run_abreast};
 use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::{EndReason, Mode, Run, Sample, Warning};
 use cmra::model::scene::Scene;
@@ -173,4 +174,27 @@ fn the_lumped_model_books_the_energy_of_its_stop() {
     let pairs = "k=2876.9 gamma=0.10275 v_i=39.949 x_stop=0.0019604 stop_kind=elastic k_stop=140960000 b_stop=957.05";
     let found = run(scene(&format!("model=lumped b=0 {pairs}")));
     assert!(found.ledger.residual().abs() < 2e-6, "{:e}", found.ledger.residual());
+}
+
+/// The contact kernel of sweeps and the simulation take other steps: they agree within the scene's tolerance.
+#[test]
+fn a_sweep_and_a_run_agree_within_the_tolerance() {
+    let mut random = Random(4_711);
+    for tolerance in [1e-6, 1e-9] {
+        for _ in 0..100 {
+            let mut own = Scene::default();
+            own.plate.mass_ratio = 0.8 + 6.2 * random.unit();
+            own.mechanism.spring.coefficient = 7.5e6 * random.unit();
+            own.mechanism.spring.exponent = 0.5 + 1.5 * random.unit();
+            own.mechanism.damper.coefficient = random.log_or_zero(0.5, 1.0, 2e3);
+            own.run.tolerance = tolerance;
+            let ends = run_abreast(&[Contact::of(&own)], 0.3 * tolerance, true);
+            let (Some(end), Some(arrest)) = (ends[0], without_series(&own).first_arrest) else {
+                continue;
+            };
+            assert!(end.arrested);
+            assert_near(end.penetration_m, arrest.penetration_m, tolerance);
+            assert_near(end.t_s, arrest.t_s, tolerance);
+        }
+    }
 }

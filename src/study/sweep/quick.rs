@@ -2,6 +2,9 @@
 //!
 //! Sound where nothing after the first arrest (or perforation) can change what is asked: the fused interface, no stop, and, for
 //! the displacement, no damper. Whatever does not fit is left to the full simulation by giving no answer.
+//!
+//! The answers agree with those of the full simulation within the scene's tolerance, not to the last digit: the contact is integrated
+//! by other steps.
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
