@@ -36,9 +36,9 @@ pub(super) struct FitArguments {
 pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
     let is_calibrated = arguments.scene.is_given();
     if is_calibrated {
-        arguments.table.check_beside()?
+        arguments.table.check_beside()?;
     } else {
-        arguments.table.check()?
+        arguments.table.check()?;
     }
     let path = Path::new(&arguments.shots);
     let table = shots::read(path)?;
