@@ -4,8 +4,17 @@
 //! is a small difference of large numbers: a velocity far below that of the impact, a displacement far below the cocking distance.
 
 use crate::model::results;
-use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, QuantityError, Run};
+use crate::model::run::{ErrorEstimate, EstimateBasis, Outcome, Run};
 use crate::numerics::larger;
+
+/// A relative error estimate of one result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuantityError {
+    /// The result's name.
+    pub name: &'static str,
+    /// The estimate, relative to it.
+    pub relative: f64,
+}
 
 /// Rounding that no second computation can see, relative.
 pub const ROUNDING: f64 = 16.0 * f64::EPSILON;

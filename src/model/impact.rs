@@ -20,6 +20,7 @@ use track::Track;
 use window::Window;
 
 mod contact;
+mod demand;
 mod events;
 pub mod forced;
 mod guard;
@@ -28,6 +29,7 @@ mod overdue;
 mod problem;
 mod record;
 mod report;
+mod rest;
 mod start;
 mod stiff;
 mod stride;

@@ -6,6 +6,7 @@
 use std::fmt;
 use std::sync::Arc;
 
+use crate::model::estimate::QuantityError;
 use crate::model::scene::Scene;
 use crate::model::stack::StackRun;
 
@@ -302,15 +303,6 @@ pub struct ErrorEstimate {
     pub relative: f64,
     /// How it was obtained.
     pub basis: EstimateBasis,
-}
-
-/// A relative error estimate of one result.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct QuantityError {
-    /// The result's name.
-    pub name: &'static str,
-    /// The estimate, relative to it.
-    pub relative: f64,
 }
 
 /// How an error estimate was obtained.

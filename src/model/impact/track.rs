@@ -10,12 +10,13 @@ use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
 use crate::model::impact::Observer;
+use crate::model::impact::demand::Swing;
 use crate::model::impact::guard::Trigger;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
 use crate::model::impact::report;
 use crate::model::impact::stride::Taken;
-use crate::model::impact::verdict::{Asked, DEAD, FAINT, Farthest, Swing};
+use crate::model::impact::verdict::{Asked, Farthest};
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
 use crate::model::run::{EndReason, Mode, Outcome};
@@ -271,34 +272,6 @@ impl<'a> Track<'a> {
             self.creeps = false;
             self.resting = false;
             self.stretch_steps = 0;
-        }
-    }
-
-    /// A plate that swings about zero without contact, with no energy worth the name, rests there until it is struck again; one
-    /// that nothing will strike any more, on a spring whose swings grow ever faster, a little earlier: they never end.
-    fn come_to_rest(&mut self) {
-        let Some(law) = self.problem.mechanism.spring.power().filter(|law| law.coefficient > 0.0)
-        else {
-            return;
-        };
-        let for_good = self.decided.is_some() && law.exponent < 1.0;
-        let least = match self.mode {
-            Mode::FreeFlight => DEAD,
-            Mode::Withdrawing | Mode::Closing if self.problem.grip == 0.0 => DEAD,
-            Mode::Perforated | Mode::Fused if for_good => FAINT,
-            Mode::Penetrating
-            | Mode::Withdrawing
-            | Mode::Closing
-            | Mode::Fused
-            | Mode::Perforated => return,
-        };
-        if !self.is_still() && !self.stop_touches && self.has_less_than(least) {
-            if self.mode != Mode::Fused {
-                self.state.slip_m_s += self.state.plate_m_s * self.problem.cos;
-            }
-            (self.state.plate_m, self.state.plate_m_s) = (0.0, 0.0);
-            self.resting = true;
-            self.stiff = false;
         }
     }
 

@@ -31,8 +31,6 @@ const LAST_SLIPS: f64 = 2e-2;
 const SLIP_RESERVE: f64 = 1.25;
 /// Loss of energy, relative, from which on the outcome is asked for again: far above rounding, far below a swing's.
 const LOST: f64 = 1e-9;
-/// Part of the interface's load by which it may still grow without being followed.
-const DEMANDED: f64 = 1e-9;
 /// How far a stop that gives way to a spring driving the plate away is followed, m.
 const FARTHEST_M: f64 = 1e3;
 /// A plate slowed by its damper alone to this part of its speed has arrived, for the eye.
@@ -47,17 +45,6 @@ pub(super) enum Farthest {
     Unbounded,
     /// The plate is still on its way.
     Pending,
-}
-
-/// How far the joined body has come on its first swing forward, in which its mechanism pushes most.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Swing {
-    /// Not begun.
-    Back,
-    /// On its way.
-    Forward,
-    /// Turned back.
-    Turned,
 }
 
 /// What the outcome depends on while projectile and plate are together: if none of it changes, it stays the same.
@@ -149,38 +136,6 @@ impl Track<'_> {
             && !self.problem.mechanism.spring.is_absent()
     }
 
-    /// Note what the interface carries as soon as both bodies are one, and whether their first swing forward is over.
-    fn follow_swing(&mut self) {
-        if self.mode != Mode::Fused {
-            return;
-        }
-        if self.record.push_ratio.is_none() && !self.is_still() {
-            let motion = self.motion();
-            let force = motion.mechanism_force(&self.state);
-            let mut record = std::mem::take(&mut self.record);
-            record.carried(&self.setting(&motion), force, -force);
-            self.record = record;
-        }
-        self.swing = match self.swing {
-            Swing::Back if self.state.plate_m_s > 0.0 => Swing::Forward,
-            Swing::Forward if self.state.plate_m_s <= 0.0 => Swing::Turned,
-            swing => swing,
-        };
-    }
-
-    /// Whether the fused interface may yet have to carry more than it has so far: until the first swing forward is over, unless
-    /// the energy that is left cannot push harder.
-    fn demand_may_grow(&self) -> bool {
-        let strength = self.interface_n();
-        self.mode == Mode::Fused
-            && self.swing != Swing::Turned
-            && !self.is_still()
-            && strength > 0.0
-            && self.record.push_ratio.is_some_and(|known| {
-                self.push_at(self.energy_j()) > known * strength * (1.0 + DEMANDED)
-            })
-    }
-
     /// The outcome, if nothing can change it any more; else `Moving`.
     pub(super) fn outcome(&self) -> Outcome {
         match self.mode {
@@ -201,7 +156,7 @@ impl Track<'_> {
     }
 
     /// Energy of the plate (with the projectile, when joined), spring and elastic stop, J.
-    fn energy_j(&self) -> f64 {
+    pub(super) fn energy_j(&self) -> f64 {
         let w = self.state.plate_m_s;
         0.5 * self.moving_kg() * w * w + self.potential_j(self.state.plate_m)
     }
@@ -430,7 +385,7 @@ impl Track<'_> {
     }
 
     /// The most the interface can be pushed with this much energy left, N.
-    fn push_at(&self, energy_j: f64) -> f64 {
+    pub(super) fn push_at(&self, energy_j: f64) -> f64 {
         if self.leaves_for_good() {
             // A damper holds back: it pulls.
             return 0.0;

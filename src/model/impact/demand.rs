@@ -1,0 +1,52 @@
+//! What the fused interface has to carry: followed until the first swing forward is over.
+
+use crate::model::impact::track::Track;
+use crate::model::run::Mode;
+
+/// Part of the interface's load by which it may still grow without being followed.
+const DEMANDED: f64 = 1e-9;
+
+/// How far the joined body has come on its first swing forward, in which its mechanism pushes most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Swing {
+    /// Not begun.
+    Back,
+    /// On its way.
+    Forward,
+    /// Turned back.
+    Turned,
+}
+
+impl Track<'_> {
+    /// Note what the interface carries as soon as both bodies are one, and whether their first swing forward is over.
+    pub(super) fn follow_swing(&mut self) {
+        if self.mode != Mode::Fused {
+            return;
+        }
+        if self.record.push_ratio.is_none() && !self.is_still() {
+            let motion = self.motion();
+            let force = motion.mechanism_force(&self.state);
+            let mut record = std::mem::take(&mut self.record);
+            record.carried(&self.setting(&motion), force, -force);
+            self.record = record;
+        }
+        self.swing = match self.swing {
+            Swing::Back if self.state.plate_m_s > 0.0 => Swing::Forward,
+            Swing::Forward if self.state.plate_m_s <= 0.0 => Swing::Turned,
+            swing => swing,
+        };
+    }
+
+    /// Whether the fused interface may yet have to carry more than it has so far: until the first swing forward is over, unless
+    /// the energy that is left cannot push harder.
+    pub(super) fn demand_may_grow(&self) -> bool {
+        let strength = self.interface_n();
+        self.mode == Mode::Fused
+            && self.swing != Swing::Turned
+            && !self.is_still()
+            && strength > 0.0
+            && self.record.push_ratio.is_some_and(|known| {
+                self.push_at(self.energy_j()) > known * strength * (1.0 + DEMANDED)
+            })
+    }
+}

@@ -1,0 +1,35 @@
+//! When a plate that swings without contact is taken to be at rest.
+
+use crate::model::impact::track::Track;
+use crate::model::impact::verdict::{DEAD, FAINT};
+use crate::model::run::Mode;
+
+impl Track<'_> {
+    /// A plate that swings about zero without contact, with no energy worth the name, rests there until it is struck again; one
+    /// that nothing will strike any more, on a spring whose swings grow ever faster, a little earlier: they never end.
+    pub(super) fn come_to_rest(&mut self) {
+        let Some(law) = self.problem.mechanism.spring.power().filter(|law| law.coefficient > 0.0)
+        else {
+            return;
+        };
+        let for_good = self.decided.is_some() && law.exponent < 1.0;
+        let least = match self.mode {
+            Mode::FreeFlight => DEAD,
+            Mode::Withdrawing | Mode::Closing if self.problem.grip == 0.0 => DEAD,
+            Mode::Perforated | Mode::Fused if for_good => FAINT,
+            Mode::Penetrating
+            | Mode::Withdrawing
+            | Mode::Closing
+            | Mode::Fused
+            | Mode::Perforated => return,
+        };
+        if !self.is_still() && !self.stop_touches && self.has_less_than(least) {
+            if self.mode != Mode::Fused {
+                self.state.slip_m_s += self.state.plate_m_s * self.problem.cos;
+            }
+            (self.state.plate_m, self.state.plate_m_s) = (0.0, 0.0);
+            self.resting = true;
+            self.stiff = false;
+        }
+    }
+}
