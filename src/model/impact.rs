@@ -19,6 +19,8 @@ use record::Record;
 use track::Track;
 use window::Window;
 
+mod bounds;
+mod budget;
 mod contact;
 mod demand;
 mod events;

@@ -10,8 +10,10 @@ use crate::model::estimate::QuantityError;
 use crate::model::scene::Scene;
 use crate::model::stack::StackRun;
 
+mod at_least;
 mod warning;
 
+pub use at_least::AtLeast;
 pub use warning::Warning;
 
 /// One computed impact.
@@ -95,22 +97,6 @@ impl Outcome {
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.word())
-    }
-}
-
-/// Lower bounds: what a run that ends undecided has reached so far. `None` where the value is final, or nothing is known.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct AtLeast {
-    /// Depth of the hole so far, m.
-    pub penetration_m: Option<f64>,
-    /// Greatest plate displacement so far, m.
-    pub plate_displacement_m: Option<f64>,
-}
-
-impl AtLeast {
-    /// Whether there is none: every value is final.
-    pub fn is_empty(self) -> bool {
-        self == Self::default()
     }
 }
 

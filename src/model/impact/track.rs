@@ -24,18 +24,6 @@ use crate::numerics::larger;
 
 /// Taylor steps after which a stretch is handed to the implicit method.
 const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
-/// Work after which a run ends early, in Taylor expansions: about a second.
-const WORK_MAX: usize = 400_000;
-/// Events after which a run ends early.
-const EVENTS_MAX: usize = 400_000;
-
-/// Turns and events, five hundred swings, and steps after which a run that was given no horizon ends while still moving. A plate on
-/// an undamped spring goes on for ever.
-const TURNS_MAX: usize = 1_000;
-const UNDECIDED_STEPS: usize = 15_000;
-/// The steps, tried ones too, that the first contact may take instead: it ends.
-const FIRST_CONTACT_STEPS: usize = 80_000;
-
 /// A passage through zero within this many ticks of the clock takes no time.
 const PASSED_TICKS: f64 = 16.0;
 
@@ -226,30 +214,6 @@ impl<'a> Track<'a> {
                 ControlFlow::Continue(Some(trigger)) => self.take(trigger),
             }
         }
-    }
-
-    /// Why the run ends before anything is decided, if it has done all it may. The work is counted, never timed: the same scene
-    /// ends at the same step on every machine.
-    fn budget_used_up(&self) -> Option<EndReason> {
-        let in_first_contact = self.mode == Mode::Penetrating && self.record.first_arrest.is_none();
-        let patience = self.problem.patience;
-        let most = if in_first_contact { FIRST_CONTACT_STEPS } else { UNDECIDED_STEPS };
-        let steps = self.steps + if in_first_contact { self.rejected } else { 0 };
-        let swings_on =
-            !self.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX * patience;
-        let is_worked_off = self.work.get() > WORK_MAX;
-        if swings_on && (steps > most * patience || is_worked_off) {
-            Some(EndReason::Swings)
-        } else if self.event_count > EVENTS_MAX {
-            Some(EndReason::EventBudget)
-        } else {
-            is_worked_off.then_some(EndReason::StepBudget)
-        }
-    }
-
-    /// Count work done, in Taylor expansions.
-    pub(super) fn worked(&self, expansions: usize) {
-        self.work.set(self.work.get() + expansions);
     }
 
     /// The run so far, with no more of its series than a chart can show.
@@ -490,22 +454,4 @@ pub(super) fn is_finite(state: &State) -> bool {
 /// The side of zero of a number, or `other` for zero itself.
 pub(super) fn side(z: f64, other: f64) -> f64 {
     if z == 0.0 { other } else { sign(z) }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::sync::Arc;
-
-    use super::*;
-    use crate::model::scene::Scene;
-
-    #[test]
-    fn work_is_counted_until_the_budget_is_used_up() {
-        let problem = Problem::of(&Arc::new(Scene::default()));
-        let track = Track::new(&problem, 1e-9, false);
-        track.worked(WORK_MAX);
-        assert_eq!(track.budget_used_up(), None);
-        track.worked(1);
-        assert_eq!(track.budget_used_up(), Some(EndReason::StepBudget));
-    }
 }

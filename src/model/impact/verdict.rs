@@ -27,8 +27,6 @@ const RATTLES: usize = 24;
 /// Excess of the interface's load over its strength, relative, from which on the remaining slips are taken at once. They
 /// are exact in energy but for the drag, far below rounding at such slips.
 const LAST_SLIPS: f64 = 2e-2;
-/// How many times the path that the energy above the holding swing pays for is left to slips: the last one may take some more.
-const SLIP_RESERVE: f64 = 1.25;
 /// Loss of energy, relative, from which on the outcome is asked for again: far above rounding, far below a swing's.
 const LOST: f64 = 1e-9;
 /// How far a stop that gives way to a spring driving the plate away is followed, m.
@@ -162,7 +160,7 @@ impl Track<'_> {
     }
 
     /// Energy in spring and elastic stop at a displacement, J.
-    fn potential_j(&self, x: f64) -> f64 {
+    pub(super) fn potential_j(&self, x: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
         let pressed = larger(x - mechanism.stop_at_m, 0.0);
         let stop = mechanism
@@ -192,7 +190,7 @@ impl Track<'_> {
     }
 
     /// How far forward the plate can go with this energy, m.
-    fn reach_with(&self, energy: f64) -> f64 {
+    pub(super) fn reach_with(&self, energy: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
         let spring = mechanism.spring.forward(self.state.plate_m, energy);
         smaller(spring, mechanism.stop_at_m + self.pressed_with(energy))
@@ -324,25 +322,6 @@ impl Track<'_> {
             || self.slips_stay_within(energy)
     }
 
-    /// Whether a projectile that still slips to and fro within its hole neither comes to its bottom nor out of it.
-    ///
-    /// Each slip begins with more energy than the swing has in which the friction just holds, and loses some of it. So the paths of
-    /// all slips to come but the last add up to no more than what the friction needs to take the energy above that.
-    fn slips_stay_within(&self, energy_j: f64) -> bool {
-        let (geometry, q) = (&self.problem.geometry, self.state.travel_m);
-        let way = smaller(q, self.deepest_m - q);
-        let mechanism = &self.problem.mechanism;
-        if way <= 0.0 || mechanism.rigid_stop().is_some() {
-            return false;
-        }
-        let area = smaller(geometry.area_m2(q - way), geometry.area_m2(q + way));
-        let friction = self.problem.grip * self.problem.strength_pa * area;
-        let left_j = energy_j - friction * way / SLIP_RESERVE;
-        left_j >= self.potential_j(self.state.plate_m)
-            && self.push_at(left_j) <= friction
-            && self.pull_at(left_j) <= friction
-    }
-
     /// Whether the plate has left its elastic stop with nothing to bring it back.
     fn leaves_for_good(&self) -> bool {
         let mechanism = &self.problem.mechanism;
@@ -350,38 +329,6 @@ impl Track<'_> {
             && self.state.plate_m_s <= 0.0
             && !self.stop_touches
             && self.state.plate_m <= mechanism.stop_at_m
-    }
-
-    /// Whether the plate cannot go farther than it has been, whatever becomes of the energy there is.
-    pub(super) fn has_been_farthest(&self) -> bool {
-        let so_far = self.record.farthest_m;
-        self.reach_with(self.energy_left_j()) <= so_far * (1.0 + 1e-12)
-    }
-
-    /// The greatest depth for which there is energy left, m: all of it at work at the bottom of the hole. `None` where that would be
-    /// enough to perforate, or where a spring may give more than it has taken.
-    pub(super) fn depth_at_most_m(&self) -> Option<f64> {
-        let problem = self.problem;
-        let geometry = &problem.geometry;
-        problem.mechanism.spring.power()?;
-        let swept = geometry.swept_m3(self.deepest_m) + self.energy_left_j() / problem.strength_pa;
-        if swept.is_nan() || swept >= geometry.swept_m3(geometry.exit_m) {
-            return None;
-        }
-        let travel_m =
-            in_bracket(self.deepest_m, geometry.exit_m, |q| geometry.swept_m3(q) - swept);
-        Some(geometry.depth_m(travel_m))
-    }
-
-    /// Energy of plate, projectile, spring and elastic stop, J.
-    fn energy_left_j(&self) -> f64 {
-        let apart_j = if self.mode == Mode::Fused {
-            0.0
-        } else {
-            let v = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
-            0.5 * self.problem.projectile_kg * v * v
-        };
-        self.energy_j() + apart_j
     }
 
     /// The most the interface can be pushed with this much energy left, N.
@@ -406,7 +353,7 @@ impl Track<'_> {
     }
 
     /// The most the interface can be pulled with this much energy left, N.
-    fn pull_at(&self, energy_j: f64) -> f64 {
+    pub(super) fn pull_at(&self, energy_j: f64) -> f64 {
         let mechanism = &self.problem.mechanism;
         if mechanism.spring.is_absent() && self.state.plate_m_s >= 0.0 && mechanism.stop.is_none() {
             // Nothing sends the plate back: the damper only pushes against the projectile.

@@ -7,7 +7,8 @@ use crate::model::impact::{Settings, simulate};
 use crate::model::run::EndReason;
 use crate::model::scene::{Closure, Scene};
 use crate::study::compare::Load;
-use crate::study::limit::{Watch, aimed, alone};
+use crate::study::limit::search::aimed;
+use crate::study::limit::{Watch, alone};
 
 /// How far below the limit the shot is fired that shows what the mechanism bears, relative.
 const BELOW: f64 = 1e-6;

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use crate::model::scene::{Closure, Scene, SpringKind};
 use crate::numerics::random::Random;
-use crate::study::limit::{Limit, Range};
+use crate::study::limit::Limit;
+use crate::study::limit::search::Range;
 
 /// Each sample's limit is looked for within this factor of the nominal one, with so many points, to this relative width.
 const WITHIN: f64 = 2.0;

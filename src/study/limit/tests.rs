@@ -1,6 +1,9 @@
 //! Limits against closed forms, scatter against its own law, and the absence of a limit said as such.
 
+use super::search::{Verdict, WIDTH};
 use super::*;
+use crate::model::impact::{Settings, simulate};
+use crate::model::scene::InterfaceLaw;
 use crate::model::units::Bare;
 
 const PLAIN: Effort = Effort { criterion: Criterion::Passage, scattering: None };

@@ -1,0 +1,356 @@
+//! Shots at a scene with other velocities, and the search for the limit between those that are stopped and those that perforate.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::contact_phase::Ending;
+use crate::model::first_contact::first_contact;
+use crate::model::impact::{Settings, follow, simulate};
+use crate::model::run::{Outcome, Run};
+use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
+use crate::numerics::smaller;
+use crate::study::compare::{Load, outcome, residual_m_s};
+use crate::study::limit::{
+    ABOVE, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot, Watch, at_limit,
+    closed_form,
+};
+
+/// Relative width to which the limit is closed in.
+pub(super) const WIDTH: f64 = 1e-10;
+/// Undecided shots, each followed for about a second, that are spent on each edge of the velocities that no run decides, and the
+/// relative width of those up to which they are one limit for any purpose.
+const UNDECIDED_MAX: usize = 8;
+const ONE_POINT: f64 = 1e-8;
+/// Where the outcomes on either side of a limit are looked at, relative to it: all below are stopped and all above perforate, or it
+/// is no single limit.
+pub(super) const BESIDE: [f64; 7] = [1e-7, 1e-5, 1e-3, 1e-2, 0.05, 0.15, 0.3];
+/// How often a lower limit may be found beside one.
+const LOWER_MAX: usize = 4;
+/// The runs' tolerance, at the most.
+const TOLERANCE: f64 = 1e-10;
+/// What a shot tells of the limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Verdict {
+    Perforated,
+    Stopped,
+    /// Its run ended before that was decided.
+    Undecided,
+}
+
+impl Verdict {
+    /// A shot that has no energy left to go through is stopped, whether it is arrested or may still leave the way it came.
+    /// In a stack the last plate that is struck decides; what protrudes from one before the base plate does not count.
+    pub(super) fn of(run: &Run, criterion: Criterion) -> Self {
+        if let Some(stack) = &run.stack {
+            let is_base = stack.behind.len() == stack.elements;
+            let criterion = if is_base { criterion } else { Criterion::Passage };
+            return match stack.behind.last() {
+                _ if stack.outcome == Outcome::Separated => Self::Stopped,
+                Some(last) => Self::of_plate(last, criterion),
+                None => Self::of_plate(run, criterion),
+            };
+        }
+        Self::of_plate(run, criterion)
+    }
+
+    fn of_plate(run: &Run, criterion: Criterion) -> Self {
+        let thickness_m = match criterion {
+            Criterion::Passage => f64::INFINITY,
+            Criterion::Protrusion => run.scene.effective_thickness_m(),
+        };
+        let sure_m = run.final_penetration_m.or(run.at_least.penetration_m);
+        let most_m = run.final_penetration_m.or(run.penetration_at_most_m);
+        if run.outcome == Outcome::Perforated || sure_m.is_some_and(|depth| depth > thickness_m) {
+            return Self::Perforated;
+        }
+        match run.outcome {
+            Outcome::Arrested | Outcome::Separated | Outcome::Perforated => Self::Stopped,
+            Outcome::Moving if most_m.is_some_and(|depth| depth <= thickness_m) => Self::Stopped,
+            Outcome::Moving => Self::Undecided,
+        }
+    }
+}
+
+/// Steps of a shot between two questions whether to go on.
+const LOOK: usize = 64;
+
+/// The firing range: shots at a scene, counted.
+pub(super) struct Range<'s, 'w> {
+    scene: &'s Arc<Scene>,
+    pub(super) criterion: Criterion,
+    pub(super) watch: Watch<'w>,
+    pub(super) done: usize,
+    pub(super) total: usize,
+    pub(super) stopped: bool,
+}
+
+impl<'s, 'w> Range<'s, 'w> {
+    pub(super) fn new(scene: &'s Arc<Scene>, total: usize, watch: Watch<'w>) -> Self {
+        let criterion = Criterion::default();
+        Self { scene, criterion, watch, done: 0, total, stopped: false }
+    }
+
+    /// Whether to go on with the next piece of work.
+    pub(super) fn goes_on(&mut self) -> bool {
+        if !self.stopped {
+            let most = if self.done < self.total { self.done } else { self.total };
+            self.stopped = (self.watch)(most, self.total).is_break();
+            self.done += 1;
+        }
+        !self.stopped
+    }
+
+    /// A shot at this velocity, followed until it is decided; `None` when stopped.
+    fn shoot(&mut self, impact_m_s: f64) -> Option<(Shot, Verdict)> {
+        if !self.goes_on() {
+            return None;
+        }
+        let (done, total, watch) = (self.done.min(self.total), self.total, &mut *self.watch);
+        let (mut steps, mut stopped) = (0_usize, false);
+        let shot = shoot(self.scene, self.criterion, impact_m_s, &mut |_t_s| {
+            steps += 1;
+            // A run on the plastic law may have millions of steps.
+            stopped = stopped || (steps.is_multiple_of(LOOK) && watch(done, total).is_break());
+            if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        self.stopped = stopped;
+        (!stopped).then_some(shot)
+    }
+
+    /// Whether a shot goes through; `None` when stopped. What is fused at the first arrest stays: there the first contact alone
+    /// decides.
+    fn verdict(&mut self, impact_m_s: f64) -> Option<Verdict> {
+        let scene = self.scene;
+        let decided = scene.interface.law == InterfaceLaw::Fused
+            && scene.contact.model == ContactModel::Hydrodynamic
+            && scene.stack.base_thickness_m.is_none();
+        if decided {
+            if !self.goes_on() {
+                return None;
+            }
+            if let Ok(end) = first_contact(&aimed(scene, impact_m_s)) {
+                let out = self.criterion == Criterion::Protrusion
+                    && end.depth_m > scene.effective_thickness_m();
+                let through = out || end.ending == Ending::Perforation;
+                return Some(if through { Verdict::Perforated } else { Verdict::Stopped });
+            }
+        }
+        Some(self.shoot(impact_m_s)?.1)
+    }
+
+    /// What a shot just below a limit asks of the mechanism; `None` when stopped.
+    pub(super) fn load(&mut self, limit_m_s: f64) -> Option<Load> {
+        let (done, total) = (self.done.min(self.total), self.total);
+        let scene = self.scene;
+        self.goes_on()
+            .then(|| at_limit::load(scene, limit_m_s, &mut || (self.watch)(done, total)))?
+    }
+
+    /// The limits by both closures; `None` where there is but one, or when stopped.
+    pub(super) fn closures(&mut self) -> Option<Closures> {
+        let (done, total) = (self.done.min(self.total), self.total);
+        let scene = self.scene;
+        self.goes_on().then(|| Closures::of(scene, &mut |_, _| (self.watch)(done, total)))?
+    }
+
+    /// The limit within a range, looked for with so many points, to a relative width.
+    pub(super) fn limit(&mut self, (low, high): (f64, f64), points: usize, width: f64) -> Limit {
+        let by_passage = self.criterion == Criterion::Passage;
+        if let Some(velocity_m_s) = closed_form(self.scene).filter(|_| by_passage) {
+            // No strength, no limit.
+            return if velocity_m_s <= 0.0 {
+                Limit::Always
+            } else if velocity_m_s <= RANGE_M_S.1 {
+                Limit::Found { velocity_m_s, basis: Basis::ClosedForm, stopped_at_m_s: None }
+            } else {
+                Limit::Never
+            };
+        }
+        self.search((low, high), points, width).unwrap_or(Limit::Unknown)
+    }
+
+    /// The limit over all velocities, with a look at the outcomes on either side of it.
+    pub(super) fn whole_limit(&mut self) -> Limit {
+        let mut limit = self.limit(RANGE_M_S, SCAN, WIDTH);
+        for _ in 0..LOWER_MAX {
+            let Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s } = limit else {
+                break;
+            };
+            let Some(beside) = self.beside(velocity_m_s, stopped_at_m_s) else {
+                return Limit::Unknown;
+            };
+            if beside == limit {
+                break;
+            }
+            limit = beside;
+        }
+        limit
+    }
+
+    /// What a limit is after shots on either side of it: a lower one, where one below perforates; no single one, where one above is
+    /// stopped.
+    fn beside(&mut self, limit_m_s: f64, stopped_at_m_s: Option<f64>) -> Option<Limit> {
+        let mut stopped_m_s = None;
+        for part in BESIDE.iter().rev() {
+            let velocity_m_s = limit_m_s * (1.0 - part);
+            match self.verdict(velocity_m_s)? {
+                Verdict::Stopped => stopped_m_s = Some(velocity_m_s),
+                Verdict::Undecided => {
+                    let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
+                    return self.between(lower_m_s, velocity_m_s, Some(limit_m_s));
+                }
+                Verdict::Perforated => {
+                    let lower_m_s = stopped_m_s.unwrap_or(RANGE_M_S.0);
+                    return self.closed_in(lower_m_s, velocity_m_s, WIDTH, Some(limit_m_s));
+                }
+            }
+        }
+        let mut again_m_s = stopped_at_m_s;
+        for part in BESIDE {
+            let velocity_m_s = limit_m_s * (1.0 + part);
+            if again_m_s.is_none_or(|again_m_s| velocity_m_s < again_m_s)
+                && self.verdict(velocity_m_s)? == Verdict::Stopped
+            {
+                again_m_s = Some(velocity_m_s);
+            }
+        }
+        let basis = Basis::Outcome;
+        Some(Limit::Found { velocity_m_s: limit_m_s, basis, stopped_at_m_s: again_m_s })
+    }
+
+    /// The limit between a shot that is stopped and one that perforates.
+    fn closed_in(
+        &mut self,
+        stopped_m_s: f64,
+        through_m_s: f64,
+        width: f64,
+        stopped_at_m_s: Option<f64>,
+    ) -> Option<Limit> {
+        let (mut stopped, mut through) = (stopped_m_s, through_m_s);
+        while through - stopped > width * stopped {
+            let middle = 0.5 * (stopped + through);
+            match self.verdict(middle)? {
+                Verdict::Perforated => through = middle,
+                Verdict::Stopped => stopped = middle,
+                Verdict::Undecided => return self.between(stopped, middle, Some(through)),
+            }
+        }
+        let velocity_m_s = 0.5 * (stopped + through);
+        Some(Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s })
+    }
+
+    /// The limit on both sides of a shot that is not decided: from either side as close to it as shots are decided.
+    fn between(
+        &mut self,
+        stopped_m_s: f64,
+        undecided_m_s: f64,
+        through_m_s: Option<f64>,
+    ) -> Option<Limit> {
+        let (mut stopped, mut above) = (stopped_m_s, undecided_m_s);
+        let mut undecided = 0;
+        while above - stopped > WIDTH * stopped && undecided < UNDECIDED_MAX {
+            let middle = 0.5 * (stopped + above);
+            let verdict = self.verdict(middle)?;
+            undecided += usize::from(verdict == Verdict::Undecided);
+            if verdict == Verdict::Stopped { stopped = middle } else { above = middle }
+        }
+        let (mut below, mut through, mut undecided) = (undecided_m_s, through_m_s, 0);
+        while let Some(perforated) = through.filter(|it| it - below > WIDTH * below)
+            && undecided < UNDECIDED_MAX
+        {
+            let middle = 0.5 * (below + perforated);
+            let verdict = self.verdict(middle)?;
+            undecided += usize::from(verdict == Verdict::Undecided);
+            if verdict == Verdict::Perforated { through = Some(middle) } else { below = middle }
+        }
+        if let Some(through) = through.filter(|through| through - stopped <= ONE_POINT * stopped) {
+            let (velocity_m_s, basis) = (0.5 * (stopped + through), Basis::Outcome);
+            return Some(Limit::Found { velocity_m_s, basis, stopped_at_m_s: None });
+        }
+        let stopped_m_s = (stopped > RANGE_M_S.0).then_some(stopped);
+        Some(Limit::Between { stopped_m_s, perforated_m_s: through })
+    }
+
+    pub(super) fn search(
+        &mut self,
+        (low, high): (f64, f64),
+        points: usize,
+        width: f64,
+    ) -> Option<Limit> {
+        let ratio = (high / low).powf(1.0 / (points - 1) as f64);
+        let mut scan = Vec::new();
+        for point in 0..points {
+            let velocity = low * ratio.powf(point as f64);
+            scan.push((velocity, self.verdict(velocity)?));
+        }
+        let first = scan.iter().position(|point| point.1 == Verdict::Perforated);
+        let below = &scan[..first.unwrap_or(scan.len())];
+        if let Some(undecided) = below.iter().position(|point| point.1 == Verdict::Undecided) {
+            let stopped_m_s = if undecided > 0 { scan[undecided - 1].0 } else { low };
+            return self.between(stopped_m_s, scan[undecided].0, first.map(|first| scan[first].0));
+        }
+        let Some(first) = first else { return Some(Limit::Never) };
+        if first == 0 {
+            // What is stopped only above a range in which everything perforates has no limit velocity either.
+            return Some(Limit::Always);
+        }
+        let later = scan[first..].iter().find(|point| point.1 == Verdict::Stopped);
+        let stopped_at_m_s = later.map(|point| point.0);
+        self.closed_in(scan[first - 1].0, scan[first].0, width, stopped_at_m_s)
+    }
+
+    /// Shots on either side of the limit, denser above it, or over the whole range.
+    pub(super) fn curve(&mut self, limit: Limit) -> Vec<Shot> {
+        let velocities: Vec<f64> = match limit {
+            Limit::Found { velocity_m_s, .. } => {
+                let (from, to) = CURVE;
+                let share = |i: usize, n: usize| i as f64 / n as f64;
+                let below = (0..BELOW).map(|i| from + (1.0 - from) * share(i, BELOW));
+                // The curve is steepest at the limit.
+                let above = (1..=ABOVE).map(|i| 1.0 + (to - 1.0) * share(i, ABOVE).powi(2));
+                below.chain(above).map(|times| times * velocity_m_s).collect()
+            }
+            Limit::Between { .. } | Limit::Never | Limit::Always => {
+                let (low, high): (f64, f64) = RANGE_M_S;
+                let step = (high / low).powf(1.0 / ABOVE as f64);
+                (0..=ABOVE).map(|i| low * step.powf(i as f64)).collect()
+            }
+            Limit::Unknown => Vec::new(),
+        };
+        velocities.into_iter().map_while(|velocity| Some(self.shoot(velocity)?.0)).collect()
+    }
+}
+
+/// The scene with another impact velocity.
+pub(super) fn aimed(scene: &Scene, impact_m_s: f64) -> Arc<Scene> {
+    let mut own = scene.clone();
+    own.projectile.velocity_m_s = impact_m_s;
+    own.run.tolerance = smaller(own.run.tolerance, TOLERANCE);
+    Arc::new(own)
+}
+
+/// A shot at a scene with another impact velocity; one that is left undecided is followed for longer.
+fn shoot(
+    scene: &Scene,
+    criterion: Criterion,
+    impact_m_s: f64,
+    observer: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> (Shot, Verdict) {
+    let settings = Settings { series: false, estimate: false };
+    let own = aimed(scene, impact_m_s);
+    let mut run = simulate(&own, &settings, observer);
+    if run
+        .as_ref()
+        .is_ok_and(|run| run.stack.is_none() && Verdict::of(run, criterion) == Verdict::Undecided)
+    {
+        run = follow(&own, observer);
+    }
+    // The scene has been found valid, and so is any velocity above zero.
+    run.map_or(
+        (Shot { impact_m_s, outcome: Outcome::Moving, residual_m_s: None }, Verdict::Undecided),
+        |run| {
+            let (outcome, residual_m_s) = (outcome(&run), residual_m_s(&run));
+            (Shot { impact_m_s, outcome, residual_m_s }, Verdict::of(&run, criterion))
+        },
+    )
+}
