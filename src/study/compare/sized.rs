@@ -7,9 +7,10 @@ use crate::model::impact::lean::contact_end;
 use crate::model::impact::{Settings, simulate};
 use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
+use crate::study::compare::hardware::Built;
 use crate::study::compare::hardware::{self, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
-use crate::study::compare::{Built, elements, outcome};
+use crate::study::compare::{elements, outcome};
 use crate::study::sweep::quick;
 
 /// Relative width to which the thickness is closed in.

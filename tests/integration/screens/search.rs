@@ -231,7 +231,7 @@ fn on_a_small_screen_what_was_found_or_the_setup_has_the_room() {
     bench.keys("<Tab>");
     bench.keys(&"k".repeat(100));
     let top = bench.screen();
-    assert!(top.contains("does not pay"), "{top}");
+    assert!(top.contains("|mass efficiency 0.15"), "{top}");
     bench.keys(&"j".repeat(100));
     let bottom = bench.screen();
     assert!(bottom.contains("depth") && bottom != top, "{bottom}");
