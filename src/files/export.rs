@@ -178,7 +178,7 @@ pub fn partial_path(csv: &Path) -> PathBuf {
         csv.with_file_name(name)
     };
     let is_taken = |path: &Path| fs::symlink_metadata(path).is_ok();
-    (1..)
+    (1..10_000)
         .map(named)
         .find(|path| !is_taken(path) && !is_taken(&sidecar_path(path, None)))
         .unwrap_or_else(|| named(1))

@@ -204,10 +204,11 @@ pub(super) enum Stopped {
 
 /// Stop until continued. The signal cannot be caught, unlike that of Ctrl-Z, which this program handles itself.
 pub(super) fn stop(whom: Stopped) -> io::Result<()> {
-    Ok(match whom {
-        Stopped::Group => kill_current_process_group(Signal::STOP)?,
-        Stopped::Process => kill_process(getpid(), Signal::STOP)?,
-    })
+    let stopped = match whom {
+        Stopped::Group => kill_current_process_group(Signal::STOP),
+        Stopped::Process => kill_process(getpid(), Signal::STOP),
+    };
+    stopped.map_err(io::Error::from)
 }
 
 /// Whether a shell could continue this process: one of the processes above it in its group has a parent outside of the group, but

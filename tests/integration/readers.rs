@@ -21,11 +21,14 @@ use crate::support::{files_in, in_repository};
 const USUAL: usize = 300;
 const LONG: usize = 1_000_000 / 6;
 
+/// Reads a text.
+type Read<'a> = Box<dyn Fn(&str) -> Result<(), String> + 'a>;
+
 /// A reader, what it is fed with, and what it makes of it: `Ok` where it accepts, else what it says.
 struct Reader<'a> {
     name: &'static str,
     seeds: Vec<Vec<u8>>,
-    read: Box<dyn Fn(&str) -> Result<(), String> + 'a>,
+    read: Read<'a>,
 }
 
 /// Pieces that mean something to one of the readers, and some that should mean nothing to any.
