@@ -60,7 +60,8 @@ pub use output::report;
     disable_help_subcommand = true,
     max_term_width = 100,
     after_help = "SCENE is a preset's name (see `cmra presets`) or the path of a TOML file.\n\
-                  Exit status: 0 done, 1 the computation fell short, 2 the command line or an input file is wrong."
+                  Exit status: 0 done, 1 the computation fell short, 2 the command line or an\n\
+                  input file is wrong."
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -75,32 +76,32 @@ enum Command {
     Run(run::RunArguments),
     /// Run a scene at every point of one or more axes
     Sweep(sweep::SweepArguments),
-    /// Compare every method's error with its run time
+    /// Compare the error and the run time of every method
     Accuracy(accuracy::AccuracyArguments),
-    /// Hold the engine to a battery of stiff and extreme scenes, or map where a fixed step is stable
+    /// Check stiff and extreme scenes; map where a fixed step is stable
     Stability(stability::StabilityArguments),
-    /// Find the ballistic limit, the velocity left beyond it, and how both scatter
+    /// Find the ballistic limit and the residual velocity beyond it
     Limit(limit::LimitArguments),
     /// Find V50 from shots of a test, and the strength that gives it
     Fit(fit::FitArguments),
-    /// Check every claim of the thesis against what is computed
+    /// Check every claim of the thesis
     Reproduce(reproduce::ReproduceArguments),
-    /// Check the model against measurements from outside the thesis
+    /// Compare the model with measurements from the literature
     Validate(validate::ValidateArguments),
-    /// Formulas, the screening matrix, and the design principles of the thesis
+    /// Print formulas, the screening matrix and the design principles
     Design(design::DesignArguments),
-    /// Compare with a solid plate at equal areal mass: does moving armour pay, and where (--map)
+    /// Compare with a solid plate of the same areal mass; draw a map
     #[command(alias = "worth")]
     Compare(compare::CompareArguments),
-    /// Find every value of a variable that gives a result a wanted value
+    /// Find the values of a variable that reach a goal
     Seek(seek::SeekArguments),
-    /// Look for the designs that nothing beats: one best under constraints, or a Pareto front
+    /// Find the best design under constraints, or a Pareto front
     #[command(visible_alias = "optimize")]
     Optimise(optimise::OptimiseArguments),
-    /// Draw the inputs within their tolerances and show how the results spread (Monte Carlo)
+    /// Show how results spread when inputs do
     #[command(name = "montecarlo", alias = "scatter")]
     Scatter(scatter::ScatterArguments),
-    /// Tell which variables matter: one at a time, Morris's elementary effects and Sobol's indices
+    /// Find which variables matter most
     Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
     Presets(presets::PresetsArguments),

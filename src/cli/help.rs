@@ -113,7 +113,7 @@ fn list() -> String {
         let _ = writeln!(text, "  {name:<12} {about}");
     }
     let _ = writeln!(text, "  {KEYS:<12} every key of the workbench");
-    text + "\nor a command: `cmra help run` is `cmra run --help`. `cmra --help` lists the commands.\n"
+    text + "\nor a command: `cmra help run` prints `cmra run --help`.\n`cmra --help` lists the commands.\n"
 }
 
 /// The table of keys, pane by pane.

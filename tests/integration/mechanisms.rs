@@ -70,7 +70,7 @@ fn energy_is_kept_on_every_kind() {
         "interface=plastic horizon=0.008",
         "b=40 horizon=0.01",
         "h=0.004 v_i=150",
-        "theta=0.4 tol=1e-11",
+        "theta=0.4rad tol=1e-11",
     ];
     for kind in kinds {
         for more in ways {

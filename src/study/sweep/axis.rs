@@ -227,9 +227,11 @@ fn impossible(variable: &'static Variable, number: &Number, end: f64) -> SweepEr
         Allowed::Below(low, _) if end < low => Some(units::shortest(low)),
         Allowed::Below(_, high) => Some(format!("a value below {}", units::shortest(high))),
     };
+    // A refusal repeats what was written, also where that is no number to show as a result.
+    let value = if end.is_finite() { units::shortest(end) } else { end.to_string() };
     SweepError::ImpossibleEnd {
         axis: variable.symbol,
-        value: format!("{} {unit}", units::shortest(end)).trim_end().to_owned(),
+        value: format!("{value} {unit}").trim_end().to_owned(),
         meaning: variable.meaning,
         allowed: number.allowed.describe(number.quantity),
         cure: limit.map_or_else(
