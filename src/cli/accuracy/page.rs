@@ -45,7 +45,7 @@ fn counts(page: &mut String, report: &Report) {
     });
     let _ = writeln!(
         page,
-        "\n{} methods, {points} points: {measured} compared with a reference, {} without result; auto answers {answered} of \
+        "\n{} methods, {points} runs: {measured} compared, {} without result; auto answers {answered} of \
          {asked}",
         report.methods.len(),
         points - measured

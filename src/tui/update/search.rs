@@ -16,7 +16,7 @@ use crate::tui::app::dialog::{Table, wrap};
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::layout::Body;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::search::setup::{Setup, bound, read_bound};
+use crate::tui::app::search::setup::{Setup, bound, read_bound, read_end};
 use crate::tui::app::search::{Found, Page, Row, SearchField};
 use crate::tui::app::sweep::numeric;
 use crate::tui::app::{App, Tab};
@@ -371,17 +371,7 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
         |text: &str| measure(text).map(|column| column.name).map_err(|error| error.to_string());
     match row {
         Row::Name => setup.seek = bound(&scene, text)?,
-        Row::From | Row::To => {
-            let (low, high) = setup.seek.ends;
-            let shown = crate::model::units::shortest;
-            let log = if setup.seek.log { ":log" } else { "" };
-            let range = if row == Row::From {
-                format!("{text}..{}{log}", shown(high))
-            } else {
-                format!("{}..{text}{log}", shown(low))
-            };
-            setup.seek = read_bound(&setup.seek, &range)?;
-        }
+        Row::From | Row::To => setup.seek = read_end(&setup.seek, row == Row::From, text)?,
         Row::Points => setup.points = count(text, &SCAN)?,
         Row::Result => setup.goal.0 = name(text)?,
         Row::Goal => {

@@ -155,7 +155,7 @@ fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
     bench.keys("<C-u>1e5<Enter>");
     assert!((bench.app.searching.setup.seek.ends.0 - 1e5).abs() < 1e-9);
     bench.keys("<Enter>2MN/m<Enter>");
-    assert!((bench.app.searching.setup.seek.ends.1 - 2e6).abs() < 1e-6);
+    assert!((bench.app.searching.setup.seek.ends.1 - 2e6).abs() < 1e-6, "{}", bench.screen());
     bench.keys("l");
     assert!(bench.app.searching.setup.seek.log);
     bench.keys("G<Enter>3kg<Enter>");

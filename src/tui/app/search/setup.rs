@@ -189,6 +189,20 @@ pub fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
     axis(&new, 2).map(|_| new)
 }
 
+/// Read one end of a bound, the low or the high one, with a unit or without; the other end stays.
+///
+/// # Errors
+/// What is wrong with the text.
+pub fn read_end(old: &Bound, low: bool, text: &str) -> Result<Bound, String> {
+    let variable = variables::find(old.name).map_err(|error| error.to_string())?;
+    let Kind::Number(number) = &variable.kind else { return Err("no numbers".to_owned()) };
+    let end =
+        units::parse(text, number.quantity, Bare::Stored).map_err(|problem| problem.to_string())?;
+    let ends = if low { (end, old.ends.1) } else { (old.ends.0, end) };
+    let new = Bound { ends, on: true, ..old.clone() };
+    axis(&new, 2).map(|_| new)
+}
+
 /// A checked axis of a bound.
 fn axis(bound: &Bound, count: u64) -> Result<Axis, String> {
     let spacing = if bound.log { Spacing::Log } else { Spacing::Linear };
