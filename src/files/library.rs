@@ -84,7 +84,7 @@ pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry
         None => format!("write one of {} ({list})", names.join(", ")),
     };
     for problem in problems {
-        hint += &format!("\n{problem}");
+        hint = format!("{hint}\n{problem}");
     }
     Err(FileError::UnknownEntry { library: library.word(), name: name.to_owned(), hint })
 }
@@ -265,7 +265,8 @@ mod tests {
         .unwrap();
         let (entries, problems) = list(Some(&paths));
         assert!(entries.iter().any(|entry| entry.name == "mine" && entry.own.is_some()));
-        let told: String = problems.iter().map(|problem| format!("{problem}\n")).collect();
+        let told: Vec<String> = problems.iter().map(ToString::to_string).collect();
+        let told = told.join("\n");
         for words in ["no source", "measured, standard or typical", "threats.toml:9:", "mass_kg"] {
             assert!(told.contains(words), "{words}: {told}");
         }

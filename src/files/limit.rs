@@ -46,8 +46,7 @@ pub fn json(name: &str, report: &Report) -> String {
     });
     let lambert_jonas = report.lambert_jonas.map(|law| {
         json!({
-            "a": number(Some(law.a)),
-            "p": number(Some(law.p)),
+            "a": number(Some(law.a)), "p": number(Some(law.p)),
             "v_bl_m_s": number(Some(law.limit_m_s)),
             "misfit_m_s": number(Some(law.misfit_m_s)),
         })

@@ -82,16 +82,16 @@ fn in_bracket(a: f64, b: f64, f: impl Fn(f64) -> f64) -> f64 {
         let at_u = f(u);
         if at_u >= at_x {
             if u < x {
-                b = x
+                b = x;
             } else {
-                a = x
+                a = x;
             }
             (v, at_v, w, at_w, x, at_x) = (w, at_w, x, at_x, u, at_u);
         } else {
             if u < x {
-                a = u
+                a = u;
             } else {
-                b = u
+                b = u;
             }
             if at_u >= at_w || w.to_bits() == x.to_bits() {
                 (v, at_v, w, at_w) = (w, at_w, u, at_u);

@@ -48,7 +48,7 @@ fn area_m2(r: f64, theta: f64, p: f64) -> f64 {
     area
 }
 
-/// An oblique foil: the force is A(p) - A(p - h_e) times the pressure, and no row of the closed form is near its peak. The speed
+/// An oblique foil: the force is `A(p) - A(p - h_e)` times the pressure, and no row of the closed form is near its peak. The speed
 /// hardly changes (200 to 199.8 m/s), so that the peak is that of the area to a few parts in a thousand.
 #[test]
 fn valid_the_peak_on_an_oblique_foil_is_that_of_the_engaged_area() {
@@ -111,7 +111,7 @@ fn the_peak_force_of_oblique_shots_follows_the_tolerance() {
 }
 
 /// The plate has turned before the first arrest, and swings forward again, undamped: what the interface then carries is
-/// m_p/(m_p + m_2 ...) k x over A S_y at the x at which its energy is all in the spring. The issue's own run gave 0.790.
+/// `m_p/(m_p + m_2 ...) k x` over `A S_y` at the x at which its energy is all in the spring. The issue's own run gave 0.790.
 #[test]
 fn valid_the_interface_demand_is_that_of_the_swing_to_come() {
     let own = scene("m=0.39 gamma=0.43 theta=59deg S_y=2.04e7");

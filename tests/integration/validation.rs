@@ -132,8 +132,8 @@ fn valid_the_pairs_at_30_degrees() {
     assert!((computed - 1.077).abs() < 1.5e-3, "{computed}");
 }
 
-/// N equal hits at one place open the hole of one limit shot: N m/(2 c) ln(1 + c v_N^2/S) is the same volume for every N. Without
-/// drag that is v_1/root(N).
+/// N equal hits at one place open the hole of one limit shot: `N m/(2 c) ln(1 + c v_N^2/S)` is the same volume for every N. Without
+/// drag that is `v_1/root(N)`.
 #[test]
 fn valid_hits_at_the_same_place() {
     let first = row("sphere-on-thin-steel").computed.unwrap();

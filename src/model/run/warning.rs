@@ -90,6 +90,37 @@ impl Warning {
     }
 }
 
+fn still_moving(outcome: Outcome, at_least: &AtLeast) -> String {
+    let depth = at_least.penetration_m.map(|_| "depth");
+    let far = at_least.plate_displacement_m.map(|_| "greatest displacement");
+    let bounds: Vec<&str> = depth.into_iter().chain(far).collect();
+    let decided = match outcome {
+        Outcome::Moving => "the outcome is not decided",
+        Outcome::Arrested | Outcome::Perforated | Outcome::Separated => "the outcome is decided",
+    };
+    if bounds.is_empty() {
+        format!(
+            "still oscillating at the end of the run; {decided}, but nothing later can exceed the depth and the greatest displacement \
+             given"
+        )
+    } else {
+        let bounds = bounds.join(" and ");
+        format!(
+            "still moving when the run ended; {decided}; lower bounds (values so far): {bounds}"
+        )
+    }
+}
+
+fn horizon_not_reached(reason: EndReason, t_s: f64, horizon_s: f64) -> String {
+    let time = |value| Engineering { value, unit: "s", digits: 4 };
+    format!(
+        "the horizon of {} was not reached: the run stopped at t = {} ({})",
+        time(horizon_s),
+        time(t_s),
+        reason.words()
+    )
+}
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -127,38 +158,10 @@ impl fmt::Display for Warning {
             }
             Self::EndedEarly(reason) => f.write_str(reason.words()),
             Self::StillMoving { outcome, at_least } => {
-                let depth = at_least.penetration_m.map(|_| "depth");
-                let far = at_least.plate_displacement_m.map(|_| "greatest displacement");
-                let bounds: Vec<&str> = depth.into_iter().chain(far).collect();
-                let decided = match outcome {
-                    Outcome::Moving => "the outcome is not decided",
-                    Outcome::Arrested | Outcome::Perforated | Outcome::Separated => {
-                        "the outcome is decided"
-                    }
-                };
-                if bounds.is_empty() {
-                    write!(
-                        f,
-                        "still oscillating at the end of the run; {decided}, but nothing later can exceed the depth and the \
-                         greatest displacement given"
-                    )
-                } else {
-                    let bounds = bounds.join(" and ");
-                    write!(
-                        f,
-                        "still moving when the run ended; {decided}; lower bounds (values so far): {bounds}"
-                    )
-                }
+                f.write_str(&still_moving(*outcome, at_least))
             }
             Self::HorizonNotReached { reason, t_s, horizon_s } => {
-                let time = |value| Engineering { value, unit: "s", digits: 4 };
-                write!(
-                    f,
-                    "the horizon of {} was not reached: the run stopped at t = {} ({})",
-                    time(*horizon_s),
-                    time(*t_s),
-                    reason.words()
-                )
+                f.write_str(&horizon_not_reached(*reason, *t_s, *horizon_s))
             }
             Self::SeriesThinned { rows, steps } => write!(
                 f,

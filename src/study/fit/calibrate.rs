@@ -186,7 +186,7 @@ mod tests {
         }
     }
 
-    /// A rigid mount's limit goes with the root of the strength, and is 232.295378 m/s at 152 MPa.
+    /// A rigid mount's limit goes with the root of the strength, and is 232.295378 m/s at 1.52e8 Pa.
     #[test]
     fn strength_from_a_limit_of_a_rigid_mount() {
         let found =
@@ -199,7 +199,7 @@ mod tests {
     }
 
     /// On a spring, and by a closure: the limit of the strength that is found is the limit wanted; and the depth on a rigid mount is
-    /// 7.113055 mm at 152 MPa and 100 m/s (closed form).
+    /// 7.113055 mm at 1.52e8 Pa and 100 m/s (closed form).
     #[test]
     fn strength_on_a_spring_and_from_depths() {
         let mut scene = Scene::default();

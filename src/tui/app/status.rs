@@ -338,7 +338,7 @@ pub fn results(run: &Run) -> Vec<String> {
                 add("depth so far", format!("{so_far} mm (lower bound)"));
             }
             None => {
-                add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)))
+                add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)));
             }
         }
         if run.protrusion_m().is_some() {
