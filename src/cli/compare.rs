@@ -49,7 +49,7 @@ pub(super) struct CompareArguments {
     /// Stroke that there is room for, m or with a unit [default: enough]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     stroke: Option<String>,
-    /// Draw a map of the mass efficiency over two variables, each NAME or NAME=LO..HI:COUNT[:log]
+    /// Draw a map of the mass efficiency over two variables, each `NAME` or `NAME=LO..HI:COUNT[:log]`
     #[arg(long, value_name = "X,Y")]
     map: Option<String>,
     #[command(flatten)]

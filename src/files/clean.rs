@@ -11,7 +11,7 @@ pub fn line(text: &str) -> Cow<'_, str> {
     replaced(text, is_command)
 }
 
-/// A text of several lines, in the way of Unix or of Windows. What it is made of has been through [`line`] already where a line
+/// A text of several lines, in the way of Unix or of Windows. What it is made of has been through `line` already where a line
 /// end would mislead: here, nobody can tell whose it is.
 pub fn page(text: &str) -> Cow<'_, str> {
     if text.contains('\r') {

@@ -25,7 +25,7 @@ pub enum Quantity {
     Length,
     /// m/s
     Velocity,
-    /// deg (the SI unit is rad; angles are kept in degrees, see [`Quantity::si_unit`])
+    /// deg (the SI unit is rad; angles are kept in degrees, see [`Quantity`])
     Angle,
     /// kg/m³
     Density,
