@@ -28,10 +28,7 @@ use ratatui::buffer::Cell;
 use ratatui::layout::{Position, Size};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::Errno;
-use rustix::process::{
-    Pid, Signal, getpgid, getpgrp, getpid, getppid, getsid, kill_current_process_group,
-    kill_process,
-};
+use rustix::process::{Signal, getpid, kill_current_process_group, kill_process};
 use rustix::stdio::stdout;
 use rustix::termios::{QueueSelector, tcflush};
 
@@ -214,26 +211,41 @@ pub(super) fn stop(whom: Stopped) -> io::Result<()> {
 /// Whether a shell could continue this process: one of the processes above it in its group has a parent outside of the group, but
 /// in the same session. Where none has, the system ignores a request to stop by a terminal, and so does this program.
 pub(super) fn could_be_continued() -> bool {
-    let (Ok(session), group) = (getsid(None), getpgrp()) else { return false };
-    let mut above = getppid();
-    while let Some(process) = above {
-        if getsid(Some(process)).ok() != Some(session) {
+    let Some(own) = Relations::of("self") else {
+        // A system without `/proc` does not tell: a shell is the usual case.
+        return true;
+    };
+    let mut parent = own.parent;
+    while let Some(above) = Relations::of(&parent.to_string()) {
+        if above.session != own.session {
             return false;
         }
-        if getpgid(Some(process)).ok() != Some(group) {
+        if above.group != own.group {
             return true;
         }
-        above = parent_of(process);
+        parent = above.parent;
     }
     false
 }
 
-/// The parent of another process, where the system tells.
-fn parent_of(process: Pid) -> Option<Pid> {
-    let stat = std::fs::read_to_string(format!("/proc/{}/stat", process.as_raw_nonzero())).ok()?;
-    // The name in parentheses may hold anything; state and parent follow it.
-    let (_, rest) = stat.rsplit_once(')')?;
-    Pid::from_raw(rest.split_whitespace().nth(1)?.parse().ok()?)
+/// The numbers that relate a process to others. Zero stands for a process outside of the container that this program runs in;
+/// `getsid` and `getpgid` of rustix refuse that zero, so the numbers come from `/proc`.
+struct Relations {
+    parent: u32,
+    group: u32,
+    session: u32,
+}
+
+impl Relations {
+    /// Reads the numbers of a process (its number, or `self`). None where the system does not tell.
+    fn of(process: &str) -> Option<Self> {
+        let stat = std::fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
+        // The name in parentheses may hold anything; state, parent, group and session follow it.
+        let (_, rest) = stat.rsplit_once(')')?;
+        let mut numbers = rest.split_whitespace().skip(1).map(str::parse);
+        let mut next = || numbers.next()?.ok();
+        Some(Self { parent: next()?, group: next()?, session: next()? })
+    }
 }
 
 /// Whether the terminal is ours at present.
