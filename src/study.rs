@@ -17,3 +17,4 @@ pub mod stack;
 pub mod sweep;
 pub mod thesis;
 pub mod validation;
+pub mod validity;

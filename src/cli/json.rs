@@ -4,8 +4,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value, json};
 
 use crate::cli::run::Computed;
-use crate::cli::summary::warnings;
 use crate::model::results::RESULTS;
+use crate::model::run::envelope::warnings;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run};
 use crate::model::scene::Scene;
 use crate::model::stack::StackRun;

@@ -14,6 +14,7 @@ use crate::cli::table::TableArguments;
 use crate::files::limit as rows;
 use crate::study::limit::scatter::Scattering;
 use crate::study::limit::{Criterion, Effort, find};
+use crate::study::validity;
 
 /// Samples at the most.
 const SAMPLES_MAX: usize = 1_000_000;
@@ -86,7 +87,16 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || rows::json(name, &report);
-    let table = arguments.table.of(&arguments.scene, &report.scene);
-    table.deliver_report(page, object, &rows::shots(name, &report))?;
+    // What holds of the limit is what the shot at the limit asks for.
+    let mut at_limit = (*report.scene).clone();
+    if let Some(velocity_m_s) = report.limit.velocity_m_s() {
+        at_limit.projectile.velocity_m_s = velocity_m_s;
+    }
+    let warnings = validity::of_scene(&at_limit);
+    let rows = rows::shots(name, &report);
+    arguments
+        .table
+        .of(&arguments.scene, &report.scene)
+        .deliver_warned(&warnings, page, object, &rows)?;
     Ok(pace.exit_code(true))
 }

@@ -10,13 +10,14 @@ use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{bounds, say_if_long, threads};
-use crate::cli::table::TableArguments;
+use crate::cli::table::{TableArguments, at_top, in_object};
 use crate::files::front as files;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::study::search::field::Field;
 use crate::study::search::front::{Constraint, STEPS_MAX, Task, objectives, optimise};
 use crate::study::search::measure::{measure, parse_value};
 use crate::study::search::nsga::Effort;
+use crate::study::validity;
 
 /// Points of a generation, and generations.
 const POPULATION: (usize, usize) = (8, 2000);
@@ -144,10 +145,15 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
         optimise(&preset.scene, &task, &mut |done, total, _| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();
-    let json = || files::json(name, &task, &fronts);
-    let page = || page::text(name, &task, &fronts);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_text(page, json, || files::csv(name, &task, &fronts))?;
+    let mut warnings = Vec::new();
+    for front in &fronts {
+        let scenes = front.designs.iter().map(|design| front.scene(&task, design));
+        warnings.extend(validity::of_designs(files::law(front.law), scenes, &task.axes));
+    }
+    let json = || in_object(&files::json(name, &task, &fronts), &warnings);
+    let page = || at_top(&page::text(name, &task, &fronts), &warnings);
+    let rows = files::rows(name, &task, &fronts).with_warnings(&warnings);
+    arguments.table.of(&arguments.scene, &preset.scene).deliver_text(page, json, || rows.csv())?;
     let found = fronts.iter().all(|front| !front.designs.is_empty());
     Ok(pace.exit_code(found))
 }

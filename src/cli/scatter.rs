@@ -16,6 +16,7 @@ use crate::model::scene::Scene;
 use crate::study::search::scatter::{
     Task, Tolerance, USUAL_DEVIATION, field, scatter, usual_measures, usual_tolerances,
 };
+use crate::study::validity;
 
 #[derive(Debug, Args)]
 #[command(
@@ -91,8 +92,11 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_report(page, object, &rows)?;
+    let warnings = validity::of_scene(&preset.scene);
+    arguments
+        .table
+        .of(&arguments.scene, &preset.scene)
+        .deliver_warned(&warnings, page, object, &rows)?;
     if report.census[4] > 0 {
         output::note(&format!("{} samples failed and are left out", report.census[4]));
     }

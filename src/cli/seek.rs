@@ -16,6 +16,7 @@ use crate::files::seek as files;
 use crate::study::search::field::Field;
 use crate::study::search::measure::{measure, parse_value};
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek};
+use crate::study::validity;
 
 #[derive(Debug, Args)]
 #[command(
@@ -73,8 +74,15 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_report(page, object, &rows)?;
+    let mut warnings = validity::of_axes(&preset.scene, &[goal.axis]);
+    for solution in &report.solutions {
+        let scene = field.scene(&[solution.place.at]);
+        warnings.extend(validity::of_design("solution", &scene, field.axes(), &warnings));
+    }
+    arguments
+        .table
+        .of(&arguments.scene, &preset.scene)
+        .deliver_warned(&warnings, page, object, &rows)?;
     let found = !report.solutions.is_empty();
     Ok(pace.exit_code(found))
 }

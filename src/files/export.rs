@@ -16,7 +16,7 @@ use crate::files::error::FileError;
 use crate::files::style::Style;
 use crate::files::write;
 use crate::model::results::RESULTS;
-use crate::model::run::Run;
+use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{VARIABLES, Variable, is_used};
@@ -142,7 +142,7 @@ fn outcome(run: &Run, sign: &str) -> String {
         }
     }
     let _ = writeln!(text, "# method: {}", run.cost.method);
-    for warning in &run.warnings {
+    for warning in envelope::warnings(run) {
         let _ = writeln!(text, "# warning: {warning}");
     }
     text

@@ -8,12 +8,13 @@ use std::ops::Range;
 
 use crate::files::error::FileError;
 use crate::model::results::RESULTS;
-use crate::model::run::Run;
+use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Evaluator, Fate, Plan, Rows, Shard};
+use crate::study::validity;
 
 /// Which columns stand after the axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -174,7 +175,7 @@ impl<'p> Sheet<'p> {
             .chain([
                 of(|run| Field::Text(run.cost.method)),
                 of(|run| list(run.omitted.iter().map(|omitted| omitted.words().to_owned()))),
-                of(|run| list(run.warnings.iter().map(ToString::to_string))),
+                of(|run| list(envelope::warnings(run).into_iter())),
                 reason(fate),
             ])
     }
@@ -195,6 +196,9 @@ impl<'p> Sheet<'p> {
             self.plan.outputs().iter().map(|output| quoted(output.name)).collect();
         let _ = writeln!(text, "  \"outputs\": [{}],", outputs.join(", "));
         let _ = writeln!(text, "  \"version\": {},", quoted(env!("CARGO_PKG_VERSION")));
+        let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
+        let warnings: Vec<String> = warnings.iter().map(|text| quoted(text)).collect();
+        let _ = writeln!(text, "  \"warnings\": [{}],", warnings.join(", "));
         text + "  \"rows\": [\n"
     }
 }

@@ -211,8 +211,13 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));
     }
-    let seldom =
-        ["target.closure", "target.yield_pa", "target.modulus_pa", "mechanism.energy_j_kg"];
+    let seldom = [
+        "target.closure",
+        "target.yield_pa",
+        "target.modulus_pa",
+        "mechanism.energy_j_kg",
+        "projectile.nose",
+    ];
     if variable.group == Group::Stack || seldom.contains(&variable.key) {
         return !same(variable.value(scene), variable.value(&Scene::default()));
     }

@@ -58,6 +58,20 @@ pub struct Projectile {
     pub density_kg_m3: f64,
     /// `Y_p`, > 0 Pa: the rod's strength in that formula.
     pub strength_pa: f64,
+    /// The nose's shape: the law is for a hemisphere whatever it is; others are outside the model's validity.
+    pub nose: Nose,
+}
+
+/// The shape of a projectile's nose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Nose {
+    /// A hemisphere, as the law has it.
+    #[default]
+    Hemispherical,
+    /// An ogive or a cone.
+    Pointed,
+    /// Flat, or nearly so: it shears out a plug.
+    Blunt,
 }
 
 /// The plate as a target.
@@ -227,6 +241,7 @@ impl Default for Projectile {
             obliquity_deg: 0.0,
             density_kg_m3: 7850.0,
             strength_pa: 1e9,
+            nose: Nose::Hemispherical,
         }
     }
 }
@@ -321,6 +336,11 @@ impl Scene {
     /// Plate mass `m_2 = gamma m_p`, kg.
     pub fn plate_mass_kg(&self) -> f64 {
         self.plate.mass_ratio * self.projectile.mass_kg
+    }
+
+    /// Side of the plate's square face, `(m_2/(rho h))^(1/2)`, m: the plate is a block of its material.
+    pub fn plate_face_m(&self) -> f64 {
+        (self.plate_mass_kg() / (self.target.density_kg_m3 * self.target.thickness_m)).sqrt()
     }
 
     /// The flow strength in the contact force, Pa: given, or from Y and E by the closure.

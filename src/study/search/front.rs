@@ -178,6 +178,17 @@ pub struct Front {
     pub is_complete: bool,
 }
 
+impl Front {
+    /// The scene of one of its designs.
+    pub fn scene(&self, task: &Task, design: &Design) -> Scene {
+        let mut scene = self.base.clone();
+        for (axis, value) in task.axes.iter().zip(&design.values) {
+            (axis.number().set)(&mut scene, (!value.is_nan()).then_some(*value));
+        }
+        scene
+    }
+}
+
 /// Told with the runs done and how many there are, and now and then with the front so far; `Break` stops.
 pub type Watch<'a> = &'a mut dyn FnMut(usize, usize, Option<&Front>) -> ControlFlow<()>;
 

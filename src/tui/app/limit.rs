@@ -304,6 +304,7 @@ impl App {
                 parts.push(same(Severity::Note, format!("by {}", basis.words())));
             }
             parts.push(same(Severity::Note, format!("curve of {} shots", report.shots.len())));
+            parts.extend(self.validity_part());
         }
         parts
     }

@@ -338,6 +338,7 @@ impl App {
                 }
             }
         }
+        parts.extend(self.validity_part());
         let law = crate::model::variables::find("interface.law");
         let law = law.map_or_else(|_| String::new(), |found| found.show(&self.scene));
         let law = format!("interface {law}");
@@ -352,7 +353,7 @@ impl App {
         Some(match (&found.answer, &*found.request) {
             (Answer::Seek(report), _) => seek_file::rows(&name, report).csv(),
             (Answer::Front(front), Request::Front(task)) => {
-                front_file::csv(&name, task, std::slice::from_ref(&**front))
+                front_file::rows(&name, task, std::slice::from_ref(&**front)).csv()
             }
             (Answer::Front(_), _) => return None,
             (Answer::Sensitivity(report), _) => sensitivity_file::rows(&name, report).csv(),

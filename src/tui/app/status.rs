@@ -5,6 +5,7 @@ use super::quantity::Quantity;
 use super::runs::{RunView, engineering, millimetres, name_of};
 use super::show_duration;
 use super::{App, Tab};
+use crate::model::run::envelope::{self, Check};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::tui::message::Place;
 use crate::tui::theme::columns;
@@ -210,6 +211,7 @@ impl App {
             None => same(severity(run.outcome), run.outcome.word().to_owned()),
         });
         parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
+        parts.extend(self.validity_part());
         if let Some(estimate) = run.error_estimate {
             parts.push(same(
                 Severity::Note,
@@ -231,6 +233,22 @@ impl App {
         ));
         parts.extend(left_out(run));
         parts
+    }
+
+    /// Which rules of the model's validity the scene does not keep, in full and short: by its run where that is there.
+    pub(super) fn validity_part(&self) -> Option<(Severity, String, String)> {
+        let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.is_stale());
+        let found =
+            run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run));
+        // What the interface was asked for stands there already, with its number.
+        let labels: Vec<&str> = found
+            .iter()
+            .filter(|breach| breach.check != Check::Interface)
+            .map(|breach| breach.check.label())
+            .collect();
+        let long = format!("! outside validity: {} (6:Log)", labels.join(", "));
+        let short = format!("! validity {}", labels.len());
+        (!labels.is_empty()).then_some((Severity::Warning, long, short))
     }
 
     fn state_words(&self) -> (Severity, String, String) {
@@ -277,7 +295,8 @@ impl App {
         let mut lines = vec![format!("scene         {name}")];
         lines.extend(results(run));
         // How it ended stands beside the outcome already.
-        let warnings = run.warnings.iter().filter(|it| !matches!(it, Warning::EndedEarly(_)));
+        let ended = Warning::EndedEarly(run.end).to_string();
+        let warnings = envelope::warnings(run).into_iter().filter(|text| *text != ended);
         lines.extend(warnings.map(|warning| format!("{:<LABEL$}{warning}", "warning")));
         let room = usize::from(self.size.0).saturating_sub(LABEL).max(LABEL);
         let hang = |line: String| {

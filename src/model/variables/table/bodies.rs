@@ -1,7 +1,7 @@
 //! What strikes, and what is struck.
 
 use super::{TABLE_9_1, TABLE_9_2};
-use crate::model::scene::{Closure, Mount};
+use crate::model::scene::{Closure, Mount, Nose};
 use crate::model::units::Quantity;
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
 
@@ -60,6 +60,22 @@ pub(super) const ROWS: &[Variable] = &[
         meaning: "projectile strength, for the warning of ricochet alone",
         source: "assumption: 1 GPa",
         kind: number!(Pressure, Allowed::Positive, None, Linear, projectile.strength_pa),
+    },
+    Variable {
+        key: "projectile.nose",
+        symbol: "nose",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "shape of the nose; the law is for a hemisphere, the others only earn a warning",
+        source: "assumption of the model",
+        kind: Kind::Choice(Choice {
+            words: &["hemispherical", "pointed", "blunt"],
+            get: |scene| scene.projectile.nose as usize,
+            set: |scene, index| {
+                scene.projectile.nose =
+                    [Nose::Hemispherical, Nose::Pointed, Nose::Blunt][index.min(2)];
+            },
+        }),
     },
     Variable {
         key: "target.thickness_m",
