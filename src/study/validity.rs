@@ -38,7 +38,7 @@ fn run(scene: &Scene) -> Option<Run> {
 /// What a careful reader of results over these axes should know: of the scene, and what comes up towards the ends of each axis
 /// that the scene itself does not have.
 pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
-    let mut known: Vec<envelope::Check> =
+    let mut known: Vec<Check> =
         envelope::of_scene(scene).iter().map(|breach| breach.check).collect();
     let mut list = of_scene(scene);
     for axis in axes {
