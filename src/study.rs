@@ -9,6 +9,7 @@ pub mod fit;
 pub mod limit;
 pub mod models;
 pub mod principles;
+pub mod quantities;
 pub mod screening;
 pub mod search;
 pub mod sensitivity;

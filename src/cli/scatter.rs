@@ -13,8 +13,9 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::scatter as files;
 use crate::model::scene::Scene;
+use crate::study::quantities;
 use crate::study::search::scatter::{
-    Task, Tolerance, USUAL_DEVIATION, field, scatter, usual_measures, usual_tolerances,
+    Task, Tolerance, USUAL_DEVIATION, field, scatter, usual_tolerances,
 };
 use crate::study::validity;
 
@@ -62,7 +63,7 @@ impl ScatterArguments {
         };
         let named = self.outputs.iter().map(|name| name.trim().to_owned());
         let measures = if self.outputs.is_empty() {
-            usual_measures().into_iter().map(str::to_owned).collect()
+            quantities::usual().map(|it| it.name.to_owned()).collect()
         } else {
             named.collect()
         };

@@ -55,6 +55,8 @@ pub fn json(name: &str, report: &Report) -> String {
     let scatter = report.scatter.map(|found| {
         json!({
             "input_deviation": number(Some(found.scattering.deviation)),
+            "model_bias": number(Some(found.scattering.model.bias)),
+            "model_spread": number(Some(found.scattering.model.spread)),
             "samples": found.scattering.samples,
             "seed": found.scattering.seed,
             "with_limit": found.found,

@@ -7,11 +7,12 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use crate::files::error::FileError;
-use crate::model::results::RESULTS;
+use crate::model::results::of_every_run;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables;
+use crate::study::quantities;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Evaluator, Fate, Plan, Rows, Shard};
 use crate::study::validity;
@@ -75,7 +76,7 @@ impl<'p> Sheet<'p> {
             }
             Columns::All => {
                 names.extend(["scene", "model", "interface", "outcome", "end"]);
-                names.extend(RESULTS.iter().map(|column| column.name));
+                names.extend(of_every_run().map(|column| column.name));
                 names.extend(["method", "omitted", "warnings"]);
             }
         }
@@ -162,7 +163,7 @@ impl<'p> Sheet<'p> {
         let of = move |get: fn(&'a Run) -> Field<'a>| run.map_or(Field::None, get);
         let told = run.filter(|_| !matches!(fate, Fate::Failed(_)));
         let results =
-            RESULTS.iter().map(move |column| number(told.and_then(|run| column.value(run))));
+            of_every_run().map(move |it| number(told.and_then(|run| quantities::value(it, run))));
         self.axes(index)
             .chain([
                 Field::Text(self.scene),

@@ -113,10 +113,24 @@ pub enum Closure {
 pub struct Plate {
     /// gamma = plate mass / projectile mass, > 0.
     pub mass_ratio: f64,
+    /// What gives the plate's size; else the mass ratio follows from it, whatever else changes.
+    pub size: PlateSize,
     /// How it is carried.
     pub mount: Mount,
     /// `d` >= 0 m: the plate starts at x = -d, at rest.
     pub cocking_m: f64,
+}
+
+/// What gives the plate's size.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum PlateSize {
+    /// gamma.
+    #[default]
+    Ratio,
+    /// `m_2` > 0 kg.
+    Mass(f64),
+    /// The side of its square face, > 0 m: the plate is a block of its material.
+    Face(f64),
 }
 
 /// How the plate is carried.
@@ -263,7 +277,7 @@ impl Default for Target {
 
 impl Default for Plate {
     fn default() -> Self {
-        Self { mass_ratio: 1.0, mount: Mount::Sprung, cocking_m: 0.0 }
+        Self { mass_ratio: 1.0, size: PlateSize::Ratio, mount: Mount::Sprung, cocking_m: 0.0 }
     }
 }
 
@@ -336,6 +350,25 @@ impl Scene {
     /// Plate mass `m_2 = gamma m_p`, kg.
     pub fn plate_mass_kg(&self) -> f64 {
         self.plate.mass_ratio * self.projectile.mass_kg
+    }
+
+    /// Gives the plate's size by `size`, and lets gamma follow.
+    pub fn resize(&mut self, size: PlateSize) {
+        self.plate.size = size;
+        self.follow_size();
+    }
+
+    /// Lets gamma follow from the plate's size, after a change of what it depends on.
+    pub fn follow_size(&mut self) {
+        let Target { thickness_m, density_kg_m3, .. } = self.target;
+        match self.plate.size {
+            PlateSize::Ratio => {}
+            PlateSize::Mass(kg) => self.plate.mass_ratio = kg / self.projectile.mass_kg,
+            PlateSize::Face(side_m) => {
+                let kg = density_kg_m3 * thickness_m * side_m * side_m;
+                self.plate.mass_ratio = kg / self.projectile.mass_kg;
+            }
+        }
     }
 
     /// Side of the plate's square face, `(m_2/(rho h))^(1/2)`, m: the plate is a block of its material.

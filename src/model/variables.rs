@@ -9,12 +9,14 @@ use thiserror::Error;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity, QuantityError};
 
+mod describe;
 mod names;
 mod springs;
 mod stack;
 mod table;
 mod used;
 
+pub use describe::used_when;
 pub use names::{edit_distance, find, listing, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;

@@ -4,7 +4,7 @@
 use super::{Kind, Variable, VariableError, springs};
 use crate::model::design::Rod;
 use crate::model::scene::{
-    Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene, StopKind, Target,
+    Closure, ContactModel, InterfaceLaw, Mount, Nose, PlateSize, Scene, StopKind, Target,
 };
 use crate::model::units;
 
@@ -32,7 +32,10 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
         "target.flow_strength_pa" => uses_target(scene) && scene.target.closure == Closure::Given,
         key if key.starts_with("target.") => uses_target(scene),
         key if key.starts_with("contact.") => model_has(model, key),
-        key => sprung || !(key.starts_with("mechanism.") || key == "plate.mass_ratio"),
+        key => {
+            let sizes = ["plate.mass_ratio", "plate.mass_kg", "plate.face_m"].contains(&key);
+            sprung || !(key.starts_with("mechanism.") || sizes)
+        }
     }
 }
 
@@ -59,6 +62,8 @@ pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
     match variable.key {
         "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
         "projectile.nose" => scene.projectile.nose != Nose::Hemispherical,
+        "plate.mass_kg" => matches!(scene.plate.size, PlateSize::Mass(_)),
+        "plate.face_m" => matches!(scene.plate.size, PlateSize::Face(_)),
         "target.yield_pa" => scene.target.closure != Closure::Given,
         "target.modulus_pa" => scene.target.closure == Closure::Cavity,
         "mechanism.energy_j_kg" => scene.mechanism.energy_j_kg.is_some(),

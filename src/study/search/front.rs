@@ -8,11 +8,11 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::ops::ControlFlow;
 
-use crate::model::results::ResultColumn;
-use crate::model::run::EndReason;
+use crate::model::results::{self, ResultColumn};
+use crate::model::run::{EndReason, envelope};
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::quantities::quantity;
 use crate::study::search::field::{Field, Found};
-use crate::study::search::measure::measure;
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
 use crate::study::sweep::{Axis, Failure, Fate, SweepError};
@@ -48,17 +48,41 @@ pub struct Constraint {
     pub at_most: bool,
     /// The bound, SI; percent for percentages.
     pub bound: f64,
+    /// It is one of [`feasibility`], and kept where its measure does not exist: a design without beams cannot yield.
+    pub is_feasibility: bool,
+}
+
+/// What a design must keep to be built, and to be what the model takes it for: name, at most, bound.
+const FEASIBILITY: [(&str, bool, f64); 5] = [
+    ("interface_demand_ratio", true, 1.0),
+    ("yield_margin", false, 1.0),
+    ("travel_margin", false, 1.0),
+    ("fused_stop_hits", true, 0.0),
+    ("face_over_diameter", false, envelope::FACE_LEAST),
+];
+
+/// The constraints of feasibility: the interface carries what it is asked for, no beam yields, no spring leaves its law, no rigid
+/// stop is hit under a fused interface, and the plate's face is large enough. The own mass of the mechanism is in the masses.
+pub fn feasibility() -> impl Iterator<Item = Constraint> {
+    FEASIBILITY.iter().filter_map(|(name, at_most, bound)| {
+        let measure = results::find(name)?;
+        Some(Constraint { measure, at_most: *at_most, bound: *bound, is_feasibility: true })
+    })
 }
 
 impl Constraint {
     /// How far a value is from the bound, relative to that; negative where it breaks the constraint.
-    fn margin(&self, value: f64) -> f64 {
+    fn margin(&self, value: Option<f64>) -> f64 {
+        let Some(value) = value else { return if self.is_feasibility { 1.0 } else { -1.0 } };
         let left = if self.at_most { self.bound - value } else { value - self.bound };
         left / if self.bound == 0.0 { 1.0 } else { self.bound.abs() }
     }
 
-    /// By how much a value violates it, relative to the bound; 0 where it keeps it.
-    pub fn violation(&self, value: f64) -> f64 {
+    /// By how much a value violates it, relative to the bound; 0 where it keeps it, infinite where it has to exist and does not.
+    pub fn violation(&self, value: Option<f64>) -> f64 {
+        if value.is_none() && !self.is_feasibility {
+            return f64::INFINITY;
+        }
         let margin = self.margin(value);
         if margin < 0.0 { -margin } else { 0.0 }
     }
@@ -98,6 +122,21 @@ impl Task {
             }
         }
         list
+    }
+
+    /// The measures to show, by their places: those of objectives and constraints that were named, and what the interface is asked
+    /// for.
+    pub fn shown(&self) -> Vec<usize> {
+        let named = |column: &&'static ResultColumn| {
+            self.objectives.iter().any(|it| it.measure.name == column.name)
+                || self
+                    .constraints
+                    .iter()
+                    .any(|it| !it.is_feasibility && it.measure.name == column.name)
+                || column.name == "interface_demand_ratio"
+        };
+        let measures = self.measures();
+        (0..measures.len()).filter(|at| named(&measures[*at])).collect()
     }
 
     /// Runs for all laws together.
@@ -334,8 +373,7 @@ impl Search<'_> {
     /// How far each constraint is from its bound, relative to that; negative where it is broken.
     fn margins(&self, measures: &[Option<f64>]) -> Vec<f64> {
         let margin = |constraint: &Constraint| {
-            let value = measures[self.task.place(constraint.measure)];
-            value.map_or(-1.0, |value| constraint.margin(value))
+            constraint.margin(measures[self.task.place(constraint.measure)])
         };
         self.task.constraints.iter().map(margin).collect()
     }
@@ -378,10 +416,8 @@ impl Search<'_> {
             Some(if objective.maximise { -value } else { value })
         });
         let objectives: Option<Vec<f64>> = objectives.collect();
-        let broken = self.task.constraints.iter().map(|constraint| {
-            value(constraint.measure).map_or(f64::INFINITY, |value| constraint.violation(value))
-        });
-        let violation: f64 = broken.sum();
+        let broken = self.task.constraints.iter();
+        let violation: f64 = broken.map(|it| it.violation(value(it.measure))).sum();
         match objectives {
             Some(objectives) => Judged { objectives, violation },
             None => Judged {
@@ -457,7 +493,7 @@ impl Search<'_> {
         let judged = self.judge(&candidate.measures);
         let broken = self.task.constraints.iter().position(|constraint| {
             let value = candidate.measures[self.task.place(constraint.measure)];
-            value.is_some_and(|value| constraint.violation(value) > 0.0)
+            value.is_some() && constraint.violation(value) > 0.0
         });
         let beats = |design: &Design| self.judge(&design.measures).dominates(&judged);
         match (broken, judged.is_feasible()) {
@@ -500,7 +536,7 @@ pub fn objectives(
     minimise: &[impl AsRef<str>],
     maximise: &[impl AsRef<str>],
 ) -> Result<Vec<Objective>, SweepError> {
-    let of = |name: &str, maximise| Ok(Objective { measure: measure(name)?, maximise });
+    let of = |name: &str, maximise| Ok(Objective { measure: quantity(name)?, maximise });
     let small = minimise.iter().map(|name| of(name.as_ref(), false));
     let great = maximise.iter().map(|name| of(name.as_ref(), true));
     let named: Vec<Objective> = small.chain(great).collect::<Result<_, SweepError>>()?;

@@ -7,10 +7,10 @@ use crate::model::results::ResultColumn;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, significant};
 use crate::model::variables::{self, Group, Kind};
+use crate::study::quantities::{self, quantity};
 use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
-use crate::study::search::measure::measure;
 use crate::study::search::nsga;
-use crate::study::search::scatter::{self, usual_measures, usual_tolerances};
+use crate::study::search::scatter::{self, usual_tolerances};
 use crate::study::search::seek::{Goal, SCAN_USUAL};
 use crate::study::sensitivity;
 use crate::study::sweep::crew::Crew;
@@ -46,6 +46,8 @@ pub struct Setup {
     pub objectives: [bool; 4],
     /// The greatest stroke allowed, m.
     pub stroke_m: Option<f64>,
+    /// Designs that are not feasible do not count.
+    pub feasible: bool,
     /// Points of a generation, and generations.
     pub effort: (usize, usize),
     /// Measures drawn across and up, by their place.
@@ -67,6 +69,7 @@ impl Default for Setup {
             bounds: Vec::new(),
             objectives: [true; 4],
             stroke_m: Some(1.0),
+            feasible: true,
             effort: (60, 40),
             axes: (0, 1),
             output: "percent_of_baseline",
@@ -104,6 +107,8 @@ pub enum Row {
     Objective(usize),
     /// The greatest stroke.
     Stroke,
+    /// Whether designs have to be feasible.
+    Feasible,
     /// Points of a generation.
     Population,
     /// Generations.
@@ -246,7 +251,7 @@ impl App {
             Page::Front => {
                 rows.push(Row::Heading("Make small"));
                 rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
-                rows.extend([Row::Stroke, Row::Heading("Vary")]);
+                rows.extend([Row::Stroke, Row::Feasible, Row::Heading("Vary")]);
                 rows.extend(bounds());
                 rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
                 rows.extend([Row::Heading("Effort"), Row::Population, Row::Generations]);
@@ -289,7 +294,7 @@ impl App {
     pub fn search_shown(&self, row: Row) -> (String, String) {
         let setup = &self.searching.setup;
         let title =
-            |name: &str| measure(name).map_or_else(|_| name.to_owned(), ResultColumn::title);
+            |name: &str| quantity(name).map_or_else(|_| name.to_owned(), ResultColumn::title);
         let text = |label: &str, value: String| (label.to_owned(), value);
         let on = |on: bool| if on { "yes" } else { "no" }.to_owned();
         let number = |value: f64| significant(value, 5);
@@ -316,6 +321,7 @@ impl App {
             }
             Row::Objective(at) => text(OBJECTIVES[at], on(setup.objectives[at])),
             Row::Stroke => text("stroke at most", self.search_text(row)),
+            Row::Feasible => text("feasible", on(setup.feasible)),
             Row::Population => text("designs", setup.effort.0.to_string()),
             Row::Generations => text("generations", setup.effort.1.to_string()),
             Row::Across => text("across", self.axis_title(setup.axes.0)),
@@ -346,7 +352,7 @@ impl App {
             Row::To => units::shortest(setup.seek.ends.1),
             Row::Points => setup.points.to_string(),
             Row::Result => setup.goal.0.to_owned(),
-            Row::Goal => measure(setup.goal.0)
+            Row::Goal => quantity(setup.goal.0)
                 .map_or_else(|_| String::new(), |column| column.show(setup.goal.1, 6)),
             Row::Bound(at) => self.search_bounds().get(at).map_or_else(String::new, range),
             Row::Stroke => match setup.stroke_m {
@@ -364,6 +370,7 @@ impl App {
             | Row::Heading(_)
             | Row::Spacing
             | Row::Objective(_)
+            | Row::Feasible
             | Row::Across
             | Row::Up => String::new(),
         }
@@ -378,7 +385,7 @@ impl App {
             )
         };
         let result = |name: &str| {
-            measure(name).map_or_else(
+            quantity(name).map_or_else(
                 |_| String::new(),
                 |column| format!("{}: {}", column.title(), column.meaning),
             )
@@ -398,6 +405,9 @@ impl App {
             }
             Row::Objective(at) => result(USUAL[at]),
             Row::Stroke => "designs with a greater stroke do not count; none: no bound".to_owned(),
+            Row::Feasible => {
+                "yes: interface, yield, travel, rigid stop and plate face count".to_owned()
+            }
             Row::Population => {
                 "designs of a generation: the front has as many at the most".to_owned()
             }
@@ -439,7 +449,7 @@ impl App {
             },
             Page::Scatter => Request::Scatter(scatter::Task {
                 tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
-                measures: usual_measures().into_iter().map(str::to_owned).collect(),
+                measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
                 samples: setup.samples,
                 seed: 1,
                 threads,
@@ -459,14 +469,22 @@ impl App {
         let objectives: Vec<Objective> =
             front::objectives(&chosen, &[] as &[&str]).map_err(|error| error.to_string())?;
         let bound = setup.stroke_m.map(|bound| {
-            measure("stroke_m").map(|measure| Constraint { measure, at_most: true, bound })
+            quantity("stroke_m").map(|measure| Constraint {
+                measure,
+                at_most: true,
+                bound,
+                is_feasibility: false,
+            })
         });
         let constraints = bound.transpose().map_err(|error| error.to_string())?;
         let (population, generations) = setup.effort;
         Ok(Task {
             axes,
             objectives,
-            constraints: constraints.into_iter().collect(),
+            constraints: constraints
+                .into_iter()
+                .chain(front::feasibility().filter(|_| setup.feasible))
+                .collect(),
             laws: vec![self.scene.interface.law],
             effort: nsga::Effort { population, generations, seed: 1 },
             threads,
