@@ -44,7 +44,7 @@ pub(super) fn text(computed: &Computed) -> String {
     for column in of_run() {
         entries.push((column.name, result(run, column)));
     }
-    let bounds = RESULTS.iter().filter(|column| column.lower_bound(run).is_some());
+    let bounds = of_run().filter(|column| column.lower_bound(run).is_some());
     entries.push(("lower_bounds", bounds.map(|column| Value::from(column.name)).collect()));
     let optional = |value: Option<f64>| value.map_or(Value::Null, finite);
     entries.push(("penetration_at_most_m", optional(run.penetration_at_most_m)));
