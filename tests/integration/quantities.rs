@@ -98,6 +98,6 @@ fn monte_carlo_varies_what_the_scene_uses() {
     };
     let closed = symbols(&["--set", "closure=double-yield"]);
     assert!(closed.contains(&"Y".to_owned()) && !closed.contains(&"S_y".to_owned()), "{closed:?}");
-    let beam = symbols(&["--set", "spring=cantilever"]);
+    let beam = symbols(&["--set", "spring=prbm-cantilever"]);
     assert!(beam.contains(&"l_beam".to_owned()) && !beam.contains(&"k".to_owned()), "{beam:?}");
 }

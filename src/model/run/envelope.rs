@@ -411,7 +411,7 @@ mod tests {
         assert!((scene.plate_face_m().powi(2) - 0.21e-4).abs() < 0.005e-4);
         let found = of_scene(&scene);
         let text = found.iter().find(|breach| breach.check == Check::Face).unwrap().to_string();
-        assert!(text.contains("4.63 mm square, 0.365 D"), "{text}");
+        assert!(text.contains("4.63 mm square, 0.364 D"), "{text}");
         scene.plate.mount = Mount::Rigid;
         assert!(!checks(&of_scene(&scene)).contains(&Check::Face));
     }

@@ -127,8 +127,8 @@ pub enum ScatterError {
     },
 }
 
-/// What of every scene scatters where nothing is named: what strikes and what is struck.
-const USUAL_KEYS: [&str; 15] = [
+/// What of every scene scatters where nothing is named, besides its springs. The order is part of what a seed means.
+const USUAL_KEYS: [&str; 14] = [
     "projectile.velocity_m_s",
     "projectile.mass_kg",
     "projectile.tip_radius_m",
@@ -143,24 +143,23 @@ const USUAL_KEYS: [&str; 15] = [
     "plate.face_m",
     "plate.cocking_m",
     "mechanism.damper.coefficient",
-    "mechanism.stop.position_m",
 ];
+const STOP: &str = "mechanism.stop.position_m";
 
-/// The inputs that scatter where none are named, lognormal by a relative deviation: all of [`USUAL_KEYS`] and of the springs' own
-/// parameters that the scene uses and that are not zero. Shapes (exponents) and numbers of springs are taken as they are, unless
-/// the spring has no other parameter.
+/// The inputs that scatter where none are named, lognormal by a relative deviation: all of [`USUAL_KEYS`], the springs' own
+/// parameters and the stop, where the scene uses them and they are not zero. Shapes (exponents) and numbers of springs are taken as
+/// they are, unless the spring has no other parameter.
 pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
+    let bodies = USUAL_KEYS.iter().filter_map(|key| variables::find(key).ok());
+    let springs = VARIABLES.iter().filter(|variable| is_springs_own(variable.key, scene));
     let scatters = |variable: &&Variable| {
-        let is_usual = USUAL_KEYS.contains(&variable.key) || is_springs_own(variable.key, scene);
         // What follows from another input varies with that.
         let follows = variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio;
-        is_usual
-            && !follows
-            && variables::is_listed(variable, scene)
-            && variables::is_used(variable, scene)
+        !follows && variables::is_listed(variable, scene) && variables::is_used(variable, scene)
     };
-    VARIABLES
-        .iter()
+    bodies
+        .chain(springs)
+        .chain(variables::find(STOP).ok())
         .filter(scatters)
         .filter_map(|variable| {
             let Kind::Number(number) = &variable.kind else { return None };

@@ -106,7 +106,8 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
         let name = format!("{letter} {:18}", candidate.name);
         let measures = task.measures();
         let value = |at: usize| {
-            format!("{} {}", brief(measures[at]), shown(measures[at], candidate.measures[at]))
+            let found = candidate.measures.get(at).copied().flatten();
+            format!("{} {}", brief(measures[at]), shown(measures[at], found))
         };
         let found: Vec<String> = task.shown().into_iter().map(value).collect();
         let values = found.join(", ");
