@@ -6,12 +6,12 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{be_cautious, say_if_long, threads};
 use crate::cli::sweep::axes::over;
 use crate::cli::table::TableArguments;
+use crate::cli::{CliError, output};
 use crate::files::seek as files;
 use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::field::Field;
@@ -75,8 +75,10 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let mut warnings: Vec<String> = law.into_iter().collect();
-    warnings.extend(validity::of_axes(&preset.scene, &[goal.axis]));
+    if let Some(law) = law {
+        output::note(&law);
+    }
+    let mut warnings = validity::of_axes(&preset.scene, &[goal.axis]);
     for solution in &report.solutions {
         let scene = field.scene(&[solution.place.at]);
         warnings.extend(validity::of_design("solution", &scene, field.axes(), &warnings));

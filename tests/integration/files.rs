@@ -5,7 +5,7 @@ use std::fs;
 use cmra::files::atomic::Existing;
 use cmra::files::preset::save_file;
 use cmra::files::{read, write};
-use cmra::model::scene::{Closure, Combination, ContactModel, Scene, Sweep, SweepAxis};
+use cmra::model::scene::{Closure, Combination, ContactModel, PlateSize, Scene, Sweep, SweepAxis};
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
@@ -190,6 +190,11 @@ prop_compose! {
             scene.target.closure = Closure::Given;
             scene.stack.elements = scene.stack.elements.round();
             scene.stack.base_thickness_m = Some(0.01);
+        }
+        if variables::validate(&scene).is_err() {
+            // The mass ratio that follows from an extreme mass or face is none.
+            scene.resize(PlateSize::Ratio);
+            scene.plate.mass_ratio = 1.0;
         }
         scene
     }
