@@ -14,6 +14,7 @@ use crate::files::export::{self, Meta};
 use crate::files::rows::Rows;
 use crate::files::style::Style;
 use crate::model::scene::Scene;
+use crate::tui::app::status::wrap;
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Args)]
@@ -247,13 +248,18 @@ impl Delivery<'_> {
     }
 }
 
+/// Columns of a line of a page.
+const WIDTH: usize = 80;
+
 /// A page with warnings below its first line.
 pub(super) fn at_top(page: &str, warnings: &[String]) -> String {
     if warnings.is_empty() {
         return page.to_owned();
     }
     let (first, rest) = page.split_once('\n').unwrap_or((page, ""));
-    let lines: String = warnings.iter().map(|warning| format!("  ! {warning}\n")).collect();
+    let hang =
+        |warning: &String| "  ! ".to_owned() + &wrap(warning, WIDTH - 4).join("\n    ") + "\n";
+    let lines: String = warnings.iter().map(hang).collect();
     format!("{first}\n{lines}{rest}")
 }
 
