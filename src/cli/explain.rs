@@ -17,7 +17,7 @@ const QUANTITIES: &str = "quantities";
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
-    /// A variable by symbol, name or key (gamma, thickness), a quantity (limit_velocity_m_s), or `quantities` for all of them
+    /// A variable by symbol, name or key (gamma, thickness), a quantity (`limit_velocity_m_s`), or `quantities` for all of them
     name: String,
     #[command(flatten)]
     table: TableArguments,

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::files::rows::{Rows, number};
+use crate::study::limit::scatter::ModelError;
 use crate::study::limit::{Limit, Report};
 
 /// One row a shot, in order of velocity, with what each fitted law says.
@@ -31,6 +32,10 @@ pub fn shots(name: &str, report: &Report) -> Rows {
     }
 }
 
+fn model_error(model: ModelError) -> Value {
+    json!({ "bias": number(Some(model.bias)), "spread": number(Some(model.spread)) })
+}
+
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> String {
     let (basis, stopped) = match report.limit {
@@ -55,8 +60,7 @@ pub fn json(name: &str, report: &Report) -> String {
     let scatter = report.scatter.map(|found| {
         json!({
             "input_deviation": number(Some(found.scattering.deviation)),
-            "model_bias": number(Some(found.scattering.model.bias)),
-            "model_spread": number(Some(found.scattering.model.spread)),
+            "model_error": model_error(found.scattering.model),
             "samples": found.scattering.samples,
             "seed": found.scattering.seed,
             "with_limit": found.found,

@@ -26,7 +26,7 @@ fn a_limit_velocity_is_a_goal_like_any_other() {
     assert!((h - 0.0254).abs() < 1e-9, "{h}");
 }
 
-/// rho h face²/m_p = 2710 * 0.003 * 0.1²/0.0295, in whatever order they are given.
+/// `rho h face²/m_p` = 2710 * 0.003 * 0.1²/0.0295, in whatever order they are given.
 #[test]
 fn the_mass_ratio_follows_from_the_face() {
     let face = ["--set", "face=100mm"];
@@ -88,7 +88,7 @@ fn variables_and_quantities_are_explained() {
     assert!(error.contains("neither a variable nor a quantity"), "{error}");
 }
 
-/// The closure's yield strength stands in the place of S_y, a beam's own measures in that of k.
+/// The closure's yield strength stands in the place of `S_y`, a beam's own measures in that of k.
 #[test]
 fn monte_carlo_varies_what_the_scene_uses() {
     let symbols = |arguments: &[&str]| -> Vec<String> {

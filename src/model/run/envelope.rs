@@ -375,8 +375,8 @@ mod tests {
     #[test]
     fn every_rule_is_kept_inside_and_each_breach_gives_its_number_and_direction() {
         use Direction::{Conservative, Unconservative, Unknown};
-        assert_eq!(of_scene(&inside()), []);
         type Change = fn(&mut Scene);
+        assert_eq!(of_scene(&inside()), []);
         let cases: [(Change, Check, Direction, &str); 10] = [
             // 0.06/0.02 = 3.
             (|it| it.target.thickness_m = 0.06, Check::Thickness, Conservative, "h/D = 3"),
