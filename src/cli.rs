@@ -17,6 +17,7 @@ mod compare;
 mod completions;
 mod design;
 mod error;
+mod explain;
 mod fit;
 mod help;
 mod json;
@@ -44,6 +45,7 @@ mod summary;
 mod sweep;
 mod table;
 mod validate;
+mod variables;
 mod workbench;
 
 pub use error::CliError;
@@ -111,6 +113,10 @@ enum Command {
     Keys,
     /// Explain a topic (scenes, csv, equations, ...) or a command
     Help(help::HelpArguments),
+    /// List every variable of a scene: symbol, name, default, meaning
+    Variables(variables::VariablesArguments),
+    /// Explain one variable or quantity
+    Explain(explain::ExplainArguments),
     /// Print where this program keeps presets, session and log
     Paths,
     /// Print a completion script for a shell
@@ -187,6 +193,10 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Keys) => help::run_keys(),
         Some(Command::Help(arguments)) => help::run(&arguments),
         Some(Command::Libraries(arguments)) => libraries::run(&arguments),
+        Some(Command::Variables(arguments)) => {
+            variables::run(&arguments).map(|()| ExitCode::SUCCESS)
+        }
+        Some(Command::Explain(arguments)) => explain::run(&arguments).map(|()| ExitCode::SUCCESS),
         Some(Command::Paths) => paths::run(),
         Some(Command::Completions(arguments)) => completions::run(arguments.shell),
         Some(Command::Man(arguments)) => man::run(&arguments),

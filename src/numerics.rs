@@ -4,7 +4,7 @@
 //! Taylor expansion of its solution; [`taylor`] chooses the step such an expansion is good for; [`implicit`] is an
 //! L-stable collocation method for what is too stiff for that; [`explicit`] are the Runge-Kutta methods everything is compared
 //! with; [`graded`] starts where broken powers are singular; [`root`] locates events, [`crossing`] those of which there is
-//! one; [`quadrature`] integrates; [`wide`] is several numbers at once, and [`power`] what their vectors need that the
+//! one; [`quadrature`] integrates; [`random`] and [`statistics`] serve samples; [`wide`] is several numbers at once, and [`power`] what their vectors need that the
 //! standard library has for single ones alone; [`exponential`] has the functions of closed forms.
 //! Everything works on fixed-size arrays; no step allocates; every loop is bounded.
 
@@ -23,6 +23,7 @@ pub mod quadrature;
 pub mod random;
 pub mod root;
 pub mod series;
+pub mod statistics;
 pub mod taylor;
 pub mod wide;
 

@@ -20,6 +20,7 @@ use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
 use crate::study::compare::{Hardware, compare};
 use crate::study::sweep::Axis;
 use crate::study::sweep::crew::Crew;
+use crate::study::validity;
 
 /// Points that an axis of a map may have.
 const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
@@ -82,7 +83,9 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    arguments.table.of(&arguments.scene, &scene).deliver_report(page, object, &rows)?;
+    let warnings = validity::of_scene(&scene);
+    let table = arguments.table.of(&arguments.scene, &scene);
+    table.deliver_warned(&warnings, page, object, &rows)?;
     Ok(pace.exit_code(true))
 }
 

@@ -12,6 +12,7 @@ use crate::cli::{CliError, output};
 use crate::files::rows::{Rows, number};
 use crate::files::thesis;
 use crate::model::design;
+use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::units::{Engineering, significant};
 use crate::model::variables;
@@ -90,6 +91,9 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
     arguments
         .table
         .deliver(&page, &Rows { columns: vec!["name", "value", "unit", "source"], rows })?;
+    for breach in envelope::of_scene(&preset.scene) {
+        output::note(&breach.to_string());
+    }
     for warning in variables::range_warnings(&preset.scene) {
         output::note(&warning.text);
     }

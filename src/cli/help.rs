@@ -15,7 +15,21 @@ const GROUPS: [(&str, &[&str]); 4] = [
     ("Run and explore", &["run", "sweep"]),
     ("Decide", &["limit", "fit", "compare", "seek", "optimise", "sensitivity", "montecarlo"]),
     ("Check", &["accuracy", "stability", "reproduce", "validate"]),
-    ("Data", &["presets", "libraries", "design", "keys", "help", "paths", "completions", "man"]),
+    (
+        "Data",
+        &[
+            "presets",
+            "variables",
+            "explain",
+            "libraries",
+            "design",
+            "keys",
+            "help",
+            "paths",
+            "completions",
+            "man",
+        ],
+    ),
 ];
 
 /// One page of `cmra help`.

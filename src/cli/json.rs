@@ -4,12 +4,13 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value, json};
 
 use crate::cli::run::Computed;
-use crate::cli::summary::warnings;
-use crate::model::results::RESULTS;
+use crate::model::results::{ResultColumn, of_run};
+use crate::model::run::envelope::warnings;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run};
 use crate::model::scene::Scene;
 use crate::model::stack::StackRun;
 use crate::model::variables::{self, VARIABLES, Variable};
+use crate::study::quantities;
 
 /// The object's entries; a plain map would sort them.
 struct Entries(Vec<(&'static str, Value)>);
@@ -40,10 +41,10 @@ pub(super) fn text(computed: &Computed) -> String {
         ("end", Value::from(run.end.words())),
         ("complete", Value::from(run.end.is_complete())),
     ];
-    for column in RESULTS {
-        entries.push((column.name, result(run, column.name)));
+    for column in of_run() {
+        entries.push((column.name, result(run, column)));
     }
-    let bounds = RESULTS.iter().filter(|column| column.lower_bound(run).is_some());
+    let bounds = of_run().filter(|column| column.lower_bound(run).is_some());
     entries.push(("lower_bounds", bounds.map(|column| Value::from(column.name)).collect()));
     let optional = |value: Option<f64>| value.map_or(Value::Null, finite);
     entries.push(("penetration_at_most_m", optional(run.penetration_at_most_m)));
@@ -96,8 +97,8 @@ fn stack_of(first: &Run, stack: &StackRun) -> Value {
             let impact = run.scene.projectile.velocity_m_s;
             row.insert("impact_velocity_m_s".to_owned(), finite(impact));
             row.insert("outcome".to_owned(), Value::from(run.outcome.word()));
-            let own = RESULTS.iter().filter(|column| !column.name.starts_with("stack_"));
-            row.extend(own.map(|column| (column.name.to_owned(), result(run, column.name))));
+            let own = of_run().filter(|column| !column.name.starts_with("stack_"));
+            row.extend(own.map(|column| (column.name.to_owned(), result(run, column))));
             Value::Object(row)
         })
         .collect();
@@ -111,13 +112,13 @@ fn stack_of(first: &Run, stack: &StackRun) -> Value {
 }
 
 /// A result by name; counts stay whole numbers.
-fn result(run: &Run, name: &str) -> Value {
-    match name {
+fn result(run: &Run, column: &ResultColumn) -> Value {
+    match column.name {
         "steps" => Value::from(run.cost.steps),
         "rejected" => Value::from(run.cost.rejected),
         "rhs_evaluations" => Value::from(run.cost.rhs_evaluations),
-        other => crate::model::results::find(other)
-            .and_then(|column| column.value(run).or_else(|| column.lower_bound(run)))
+        _ => quantities::value(column, run)
+            .or_else(|| column.lower_bound(run))
             .map_or(Value::Null, finite),
     }
 }

@@ -12,8 +12,9 @@ use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::files::limit as rows;
-use crate::study::limit::scatter::Scattering;
+use crate::study::limit::scatter::{ModelError, Scattering};
 use crate::study::limit::{Criterion, Effort, find};
+use crate::study::validity;
 
 /// Samples at the most.
 const SAMPLES_MAX: usize = 1_000_000;
@@ -25,6 +26,12 @@ pub(super) struct LimitArguments {
     /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 leaves that out
     #[arg(long, value_name = "PART", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
     scatter: f64,
+    /// Model over measurement less 1, by `cmra validate` (-0.04 or -4%): limits are corrected by it
+    #[arg(long, value_name = "PART", allow_negative_numbers = true, allow_hyphen_values = true, default_value = "0", value_parser = part)]
+    model_bias: f64,
+    /// Standard deviation of model over measurement (0.08 or 8%): widens the band of V50
+    #[arg(long, value_name = "PART", allow_negative_numbers = true, default_value = "0", value_parser = part)]
+    model_spread: f64,
     /// Samples of scattered inputs
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 200)]
     samples: usize,
@@ -58,7 +65,16 @@ impl LimitArguments {
             return Err(CliError::Option(text));
         }
         let (samples, seed) = (self.samples, self.seed);
-        Ok((deviation > 0.0).then_some(Scattering { deviation, samples, seed }))
+        let model = ModelError { bias: self.model_bias, spread: self.model_spread };
+        if model.bias <= -1.0 || !model.bias.is_finite() {
+            let text = format!("--model-bias {} must be above -1: -0.04 for 4 % low", model.bias);
+            return Err(CliError::Option(text));
+        }
+        if !(0.0..=0.5).contains(&model.spread) {
+            let text = format!("--model-spread {} is outside 0..0.5", model.spread);
+            return Err(CliError::Option(text));
+        }
+        Ok((deviation > 0.0).then_some(Scattering { deviation, samples, seed, model }))
     }
 }
 
@@ -86,7 +102,16 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || rows::json(name, &report);
-    let table = arguments.table.of(&arguments.scene, &report.scene);
-    table.deliver_report(page, object, &rows::shots(name, &report))?;
+    // What holds of the limit is what the shot at the limit asks for.
+    let mut at_limit = (*report.scene).clone();
+    if let Some(velocity_m_s) = report.limit.velocity_m_s() {
+        at_limit.projectile.velocity_m_s = velocity_m_s;
+    }
+    let warnings = validity::of_scene(&at_limit);
+    let rows = rows::shots(name, &report);
+    arguments
+        .table
+        .of(&arguments.scene, &report.scene)
+        .deliver_warned(&warnings, page, object, &rows)?;
     Ok(pace.exit_code(true))
 }

@@ -10,13 +10,14 @@ use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{bounds, say_if_long, threads};
-use crate::cli::table::TableArguments;
+use crate::cli::table::{TableArguments, at_top, in_object};
 use crate::files::front as files;
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::field::Field;
-use crate::study::search::front::{Constraint, STEPS_MAX, Task, objectives, optimise};
-use crate::study::search::measure::{measure, parse_value};
+use crate::study::search::front::{Constraint, STEPS_MAX, Task, feasibility, objectives, optimise};
 use crate::study::search::nsga::Effort;
+use crate::study::validity;
 
 /// Points of a generation, and generations.
 const POPULATION: (usize, usize) = (8, 2000);
@@ -34,12 +35,12 @@ pub(super) enum Laws {
 }
 
 #[derive(Debug, Args)]
-#[command(
-    after_help = "Results are the keys of `cmra run --json`, and plate_mass_kg, least_spring_mass_kg, system_mass_kg (plate and least \
-    steel spring), peak_mount_force_n. Without --minimise and --maximise: depth, stroke, system mass and mount force, all small.\n\
+#[command(after_help = "RESULT is any quantity: `cmra explain quantities` lists all. \
+    Without --minimise and --maximise: depth, stroke, system mass and mount force, all small.\n\
+    Feasible designs alone count (`--no-feasibility` counts all): the interface carries what it is asked for, no beam yields, no \
+    spring leaves its law, no rigid stop is hit under a fused interface, and the plate's face is 3 diameters wide or more.\n\
     Several objectives: NSGA-II, the whole front. One objective: the same, then COBYLA from the best design.\n\
-    Exit status 1 when no design keeps every constraint."
-)]
+    Exit status 1 when no design keeps every constraint.")]
 pub(super) struct OptimiseArguments {
     #[command(flatten)]
     scene: SceneArguments,
@@ -57,9 +58,12 @@ pub(super) struct OptimiseArguments {
         long,
         value_name = "RESULT<=VALUE",
         allow_hyphen_values = true,
-        help = "A bound to keep, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit>=VALUE'; may be repeated"
+        help = "A bound to keep, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit_velocity_m_s>=300'; may be repeated"
     )]
     subject_to: Vec<String>,
+    /// Leave out the constraints of feasibility: interface demand, yield and travel of the spring, rigid stop, plate face
+    #[arg(long)]
+    no_feasibility: bool,
     /// The interface laws to look on
     #[arg(long, value_enum, default_value = "both")]
     laws: Laws,
@@ -97,11 +101,15 @@ impl OptimiseArguments {
     }
 
     fn task(&self, scene: &Scene) -> Result<Task, CliError> {
-        let constraints = self.subject_to.iter().map(|text| constraint(text));
+        let named = self.subject_to.iter().map(|text| constraint(text));
+        let mut constraints: Vec<Constraint> = named.collect::<Result<_, _>>()?;
+        if !self.no_feasibility {
+            constraints.extend(feasibility());
+        }
         Ok(Task {
             axes: bounds(&self.over, scene)?,
             objectives: objectives(&self.minimise, &self.maximise)?,
-            constraints: constraints.collect::<Result<_, _>>()?,
+            constraints,
             laws: match self.laws {
                 Laws::Both => vec![InterfaceLaw::Fused, InterfaceLaw::Plastic],
                 Laws::Fused => vec![InterfaceLaw::Fused],
@@ -123,9 +131,9 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
         .ok_or_else(|| {
             refuse("write RESULT<=VALUE or RESULT>=VALUE, for example 'stroke_m<=50mm'")
         })?;
-    let measure = measure(name)?;
+    let measure = quantity(name)?;
     let bound = parse_value(measure, value).map_err(|why| refuse(&why))?;
-    Ok(Constraint { measure, at_most, bound })
+    Ok(Constraint { measure, at_most, bound, is_feasibility: false })
 }
 
 /// Look; exit status 1 when no design keeps every constraint, or after an interrupt.
@@ -144,10 +152,15 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
         optimise(&preset.scene, &task, &mut |done, total, _| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();
-    let json = || files::json(name, &task, &fronts);
-    let page = || page::text(name, &task, &fronts);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_text(page, json, || files::csv(name, &task, &fronts))?;
+    let mut warnings = Vec::new();
+    for front in &fronts {
+        let scenes = front.designs.iter().map(|design| front.scene(&task, design));
+        warnings.extend(validity::of_designs(files::law(front.law), scenes, &task.axes));
+    }
+    let json = || in_object(&files::json(name, &task, &fronts), &warnings);
+    let page = || at_top(&page::text(name, &task, &fronts), &warnings);
+    let rows = files::rows(name, &task, &fronts).with_warnings(&warnings);
+    arguments.table.of(&arguments.scene, &preset.scene).deliver_text(page, json, || rows.csv())?;
     let found = fronts.iter().all(|front| !front.designs.is_empty());
     Ok(pace.exit_code(found))
 }

@@ -13,9 +13,11 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::scatter as files;
 use crate::model::scene::Scene;
+use crate::study::quantities;
 use crate::study::search::scatter::{
-    Task, Tolerance, USUAL_DEVIATION, field, scatter, usual_measures, usual_tolerances,
+    Task, Tolerance, USUAL_DEVIATION, field, scatter, usual_tolerances,
 };
+use crate::study::validity;
 
 #[derive(Debug, Args)]
 #[command(
@@ -61,7 +63,7 @@ impl ScatterArguments {
         };
         let named = self.outputs.iter().map(|name| name.trim().to_owned());
         let measures = if self.outputs.is_empty() {
-            usual_measures().into_iter().map(str::to_owned).collect()
+            quantities::usual().map(|it| it.name.to_owned()).collect()
         } else {
             named.collect()
         };
@@ -91,8 +93,11 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_report(page, object, &rows)?;
+    let warnings = validity::of_scene(&preset.scene);
+    arguments
+        .table
+        .of(&arguments.scene, &preset.scene)
+        .deliver_warned(&warnings, page, object, &rows)?;
     if report.census[4] > 0 {
         output::note(&format!("{} samples failed and are left out", report.census[4]));
     }

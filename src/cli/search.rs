@@ -2,13 +2,32 @@
 
 use std::ops::ControlFlow;
 
+use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::over;
 use crate::cli::{CliError, outlook};
-use crate::model::scene::Scene;
+use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::study::search::field::Field;
 use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Axis, COUNTS};
+
+/// Let a search look on the plastic law, unless `--set interface=...` says otherwise: fused, a search ends where the interface is
+/// asked for more than it can carry. Gives what is to be said of it.
+pub(super) fn be_cautious(arguments: &SceneArguments, scene: &mut Scene) -> Option<String> {
+    let chosen = arguments.set_of(|key| key == "interface.law").is_some();
+    let is_fused = scene.interface.law == InterfaceLaw::Fused
+        && scene.contact.model == ContactModel::Hydrodynamic
+        && scene.plate.mount == Mount::Sprung;
+    if chosen || !is_fused {
+        return None;
+    }
+    scene.interface.law = InterfaceLaw::Plastic;
+    Some(
+        "searched with interface=plastic: a fused interface may be asked for more than it carries; --set interface=fused searches \
+         with it"
+            .to_owned(),
+    )
+}
 
 /// The threads asked for, or one for each core.
 pub(super) fn threads(asked: Option<u16>) -> usize {

@@ -6,22 +6,23 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{say_if_long, threads};
+use crate::cli::search::{be_cautious, say_if_long, threads};
 use crate::cli::sweep::axes::over;
 use crate::cli::table::TableArguments;
+use crate::cli::{CliError, output};
 use crate::files::seek as files;
+use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::field::Field;
-use crate::study::search::measure::{measure, parse_value};
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek};
+use crate::study::validity;
 
 #[derive(Debug, Args)]
 #[command(
     after_help = "The interval is scanned at COUNT points, then every crossing of the goal is closed in; solutions that lie closer \
     together than the scan's points may be missed: raise COUNT.\n\
-    Results are the keys of `cmra run --json`, and plate_mass_kg, least_spring_mass_kg, system_mass_kg, peak_mount_force_n.\n\
+    RESULT is any quantity: `cmra explain quantities` lists all.\n\
     Exit status 1 when nothing reaches the goal."
 )]
 pub(super) struct SeekArguments {
@@ -51,7 +52,7 @@ impl SeekArguments {
         let (name, value) = self.goal.split_once('=').ok_or_else(|| {
             refuse("write RESULT=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")
         })?;
-        let column = measure(name)?;
+        let column = quantity(name)?;
         let target = parse_value(column, value).map_err(|why| refuse(&why))?;
         let axis = over(&self.over, Some(SCAN_USUAL), &SCAN)?;
         let (measure, threads) = (column.name.to_owned(), threads(self.threads));
@@ -63,7 +64,8 @@ impl SeekArguments {
 pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     let goal = arguments.goal()?;
-    let preset = arguments.scene.load()?;
+    let mut preset = arguments.scene.load()?;
+    let law = be_cautious(&arguments.scene, &mut preset.scene);
     let field = Field::new(&preset.scene, vec![goal.axis], &[&goal.measure], goal.threads)?;
     let mut pace = Pace::begin();
     say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX));
@@ -73,8 +75,18 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_report(page, object, &rows)?;
+    if let Some(law) = law {
+        output::note(&law);
+    }
+    let mut warnings = validity::of_axes(&preset.scene, &[goal.axis]);
+    for solution in &report.solutions {
+        let scene = field.scene(&[solution.place.at]);
+        warnings.extend(validity::of_design("solution", &scene, field.axes(), &warnings));
+    }
+    arguments
+        .table
+        .of(&arguments.scene, &preset.scene)
+        .deliver_warned(&warnings, page, object, &rows)?;
     let found = !report.solutions.is_empty();
     Ok(pace.exit_code(found))
 }

@@ -14,6 +14,7 @@ use crate::cli::table::TableArguments;
 use crate::files::sensitivity as files;
 use crate::study::search::field::Field;
 use crate::study::sensitivity::{Effort, study};
+use crate::study::validity;
 
 /// Rows of the design and trajectories at the most.
 const SAMPLES_MAX: usize = 1 << 20;
@@ -82,7 +83,10 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
     let object = || files::json(name, &report);
-    let table = arguments.table.of(&arguments.scene, &preset.scene);
-    table.deliver_report(page, object, &rows)?;
+    let warnings = validity::of_axes(&preset.scene, &report.axes);
+    arguments
+        .table
+        .of(&arguments.scene, &preset.scene)
+        .deliver_warned(&warnings, page, object, &rows)?;
     Ok(pace.exit_code(true))
 }

@@ -5,13 +5,14 @@
 use std::fmt::Write as _;
 
 use crate::cli::run::Computed;
+use crate::cli::table::at_top;
 use crate::files::clean;
 use crate::model::mechanism::Mechanism;
 use crate::model::results;
+use crate::model::run::envelope::warnings;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering};
-use crate::model::variables;
 
 /// Width of the first column.
 const LABEL: usize = 24;
@@ -36,21 +37,7 @@ pub(super) fn text(computed: &Computed) -> String {
     energy(&mut page, run);
     events(&mut page, run);
     cost(&mut page, computed);
-    let warnings = warnings(run);
-    if !warnings.is_empty() {
-        page.push_str("\nwarnings\n");
-        for warning in warnings {
-            let _ = writeln!(page, "  ! {warning}");
-        }
-    }
-    page
-}
-
-/// What a careful reader should know: about the run, then about values outside the range the thesis searched.
-pub(super) fn warnings(run: &Run) -> Vec<String> {
-    let about_run = run.warnings.iter().map(ToString::to_string);
-    let about_range = variables::range_warnings(&run.scene).into_iter().map(|warning| warning.text);
-    about_run.chain(about_range).collect()
+    at_top(&page, &warnings(run))
 }
 
 fn show(value: f64, unit: &'static str) -> String {

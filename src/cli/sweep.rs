@@ -17,7 +17,7 @@ use clap::Args;
 
 use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::{MetaWord, TableArguments, Target, exists};
+use crate::cli::table::{MetaWord, TableArguments, Target, at_top, exists};
 use crate::cli::{self, CliError, outlook, output};
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::export;
@@ -26,6 +26,7 @@ use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
 use crate::model::results;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
+use crate::study::validity;
 use axes::{Asked, DesignWord};
 
 /// Pieces that a sweep has at the least, when its time is estimated from some of them.
@@ -170,7 +171,8 @@ impl Job<'_> {
         })?;
         let took_s = start.elapsed().as_secs_f64();
         let head = page::Head { name, threads: self.crew.threads, took_s };
-        output::print(&page::text(self.plan, &head, &summary, &kept))?;
+        let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
+        output::print(&at_top(&page::text(self.plan, &head, &summary, &kept), &warnings))?;
         Ok(summary)
     }
 

@@ -14,6 +14,7 @@ use crate::files::export::{self, Meta};
 use crate::files::rows::Rows;
 use crate::files::style::Style;
 use crate::model::scene::Scene;
+use crate::tui::app::status::wrap;
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Args)]
@@ -183,6 +184,22 @@ impl Delivery<'_> {
         self.deliver_text(page, object, || rows.csv())
     }
 
+    /// The same with warnings: at the top of the page, as `warnings` in the object and in every row.
+    pub(super) fn deliver_warned(
+        &self,
+        warnings: &[String],
+        page: impl FnOnce() -> String,
+        object: impl FnOnce() -> String,
+        rows: &Rows,
+    ) -> Result<(), CliError> {
+        let rows = rows.with_warnings(warnings);
+        self.deliver_text(
+            || at_top(&page(), warnings),
+            || in_object(&object(), warnings),
+            || rows.csv(),
+        )
+    }
+
     /// The same for a table that is a text already.
     pub(super) fn deliver_text(
         &self,
@@ -231,10 +248,62 @@ impl Delivery<'_> {
     }
 }
 
+/// Columns of a line of a page.
+const WIDTH: usize = 80;
+
+/// A page with warnings below its first line.
+pub(super) fn at_top(page: &str, warnings: &[String]) -> String {
+    if warnings.is_empty() {
+        return page.to_owned();
+    }
+    let (first, rest) = page.split_once('\n').unwrap_or((page, ""));
+    let hang =
+        |warning: &String| "  ! ".to_owned() + &wrap(warning, WIDTH - 4).join("\n    ") + "\n";
+    let lines: String = warnings.iter().map(hang).collect();
+    format!("{first}\n{lines}{rest}")
+}
+
+/// The text of a JSON object with `warnings` as its last entry.
+pub(super) fn in_object(object: &str, warnings: &[String]) -> String {
+    let list: Vec<String> = warnings
+        .iter()
+        .map(|text| format!("\n    {}", serde_json::Value::from(text.as_str())))
+        .collect();
+    let end = if list.is_empty() { "" } else { "\n  " };
+    let entry = format!("\"warnings\": [{}{end}]", list.join(","));
+    match object.trim_end().strip_suffix('}').map(str::trim_end) {
+        Some("{") => format!("{{\n  {entry}\n}}\n"),
+        Some(open) => format!("{open},\n  {entry}\n}}\n"),
+        None => object.to_owned(),
+    }
+}
+
 /// On the command line there is a cure for a file that exists.
 pub(super) fn exists(error: FileError) -> CliError {
     match error {
         FileError::Exists(path) => CliError::Exists { path: path.display().to_string() },
         other => CliError::File(other),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::*;
+
+    #[test]
+    fn warnings_stand_below_the_first_line_and_at_the_end_of_the_object() {
+        let warnings = ["one \"quoted\"".to_owned(), "two".to_owned()];
+        assert_eq!(at_top("head\nrest\n", &warnings), "head\n  ! one \"quoted\"\n  ! two\nrest\n");
+        assert_eq!(at_top("head\n", &[]), "head\n");
+        for object in [json!({}), json!({ "a": { "b": [1] } })] {
+            let text = serde_json::to_string_pretty(&object).unwrap() + "\n";
+            let back: Value = serde_json::from_str(&in_object(&text, &warnings)).unwrap();
+            assert_eq!(back["warnings"], json!(warnings));
+            assert_eq!(back["a"], object["a"]);
+            let none: Value = serde_json::from_str(&in_object(&text, &[])).unwrap();
+            assert_eq!(none["warnings"], json!([]));
+        }
     }
 }

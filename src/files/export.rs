@@ -15,11 +15,12 @@ use crate::files::csv::{self, NamedRun, Rows};
 use crate::files::error::FileError;
 use crate::files::style::Style;
 use crate::files::write;
-use crate::model::results::RESULTS;
-use crate::model::run::Run;
+use crate::model::results::of_run;
+use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{VARIABLES, Variable, is_used};
+use crate::study::quantities;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
@@ -136,13 +137,13 @@ pub fn unit_behind(variable: &Variable) -> String {
 /// What came out of a run, as comment lines; the sign stands between a result's name and its value.
 fn outcome(run: &Run, sign: &str) -> String {
     let mut text = format!("# outcome: {} ({})\n", run.outcome.word(), run.end.words());
-    for column in RESULTS {
-        if let Some(value) = column.value(run) {
+    for column in of_run() {
+        if let Some(value) = quantities::value(column, run) {
             let _ = writeln!(text, "# {}{sign} {}", column.name, units::shortest(value));
         }
     }
     let _ = writeln!(text, "# method: {}", run.cost.method);
-    for warning in &run.warnings {
+    for warning in envelope::warnings(run) {
         let _ = writeln!(text, "# warning: {warning}");
     }
     text

@@ -2,8 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::files::error::FileError;
-use crate::files::rows::number;
+use crate::files::rows::{Rows, number};
 use crate::model::scene::InterfaceLaw;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::sweep::{Axis, Spacing};
@@ -27,39 +26,32 @@ pub fn standing(standing: &Standing) -> &'static str {
     }
 }
 
-/// Every front as CSV: scene, law, kind (`front`, or the name of a candidate), the variables, the measures, the outcome.
-///
-/// # Errors
-/// [`FileError::Csv`] should a row be malformed.
-pub fn csv(name: &str, task: &Task, fronts: &[Front]) -> Result<String, FileError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
+/// Every front as rows: scene, law, kind (`front`, or the name of a candidate), the variables, the measures, the outcome.
+pub fn rows(name: &str, task: &Task, fronts: &[Front]) -> Rows {
     let symbols = task.axes.iter().map(Axis::symbol);
     let measures = task.measures();
     let columns = ["scene", "interface", "design"].into_iter().chain(symbols);
-    writer.write_record(columns.chain(measures.iter().map(|it| it.name)).chain(["outcome"]))?;
-    let text = |value: Option<f64>| {
-        let finite = value.filter(|value| value.is_finite());
-        finite.map_or_else(String::new, crate::model::units::shortest)
-    };
+    let columns = columns.chain(measures.iter().map(|it| it.name)).chain(["outcome"]).collect();
+    let mut rows = Vec::new();
     for front in fronts {
-        let lead = |kind: &str| vec![name.to_owned(), law(front.law).to_owned(), kind.to_owned()];
+        let lead =
+            |kind: &str| -> Vec<Value> { [name, law(front.law), kind].map(Value::from).into() };
         for design in &front.designs {
             let mut row = lead("front");
-            row.extend(design.values.iter().map(|value| text(Some(*value))));
-            row.extend(design.measures.iter().map(|value| text(*value)));
-            row.push(design.fate.word().to_owned());
-            writer.write_record(row)?;
+            row.extend(design.values.iter().map(|value| number(Some(*value))));
+            row.extend(design.measures.iter().map(|value| number(*value)));
+            row.push(Value::from(design.fate.word()));
+            rows.push(row);
         }
         for candidate in &front.candidates {
             let mut row = lead(candidate.name);
-            row.extend(values(task, candidate).into_iter().map(text));
-            row.extend(candidate.measures.iter().map(|value| text(*value)));
-            row.push(standing(&candidate.standing).to_owned());
-            writer.write_record(row)?;
+            row.extend(values(task, candidate).into_iter().map(number));
+            row.extend(candidate.measures.iter().map(|value| number(*value)));
+            row.push(Value::from(standing(&candidate.standing)));
+            rows.push(row);
         }
     }
-    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    Rows { columns, rows }
 }
 
 /// A candidate's values of the variables.

@@ -3,6 +3,8 @@
 use serde_json::{Map, Value, json};
 
 use crate::files::rows::{Rows, number};
+use crate::study::limit::fit::{LambertJonas, RechtIpson};
+use crate::study::limit::scatter::{ModelError, Scatter};
 use crate::study::limit::{Limit, Report};
 
 /// One row a shot, in order of velocity, with what each fitted law says.
@@ -31,41 +33,50 @@ pub fn shots(name: &str, report: &Report) -> Rows {
     }
 }
 
+fn model_error(model: ModelError) -> Value {
+    json!({ "bias": number(Some(model.bias)), "spread": number(Some(model.spread)) })
+}
+
+fn recht_ipson(law: RechtIpson) -> Value {
+    json!({
+        "a": number(Some(law.a)),
+        "v_bl_m_s": number(Some(law.limit_m_s)),
+        "misfit_m_s": number(Some(law.misfit_m_s)),
+    })
+}
+
+fn lambert_jonas(law: LambertJonas) -> Value {
+    json!({
+        "a": number(Some(law.a)), "p": number(Some(law.p)),
+        "v_bl_m_s": number(Some(law.limit_m_s)),
+        "misfit_m_s": number(Some(law.misfit_m_s)),
+    })
+}
+
+/// What the sampled shots come down to.
+fn monte_carlo(found: Scatter) -> Value {
+    json!({
+        "input_deviation": number(Some(found.scattering.deviation)),
+        "model_error": model_error(found.scattering.model),
+        "samples": found.scattering.samples,
+        "seed": found.scattering.seed,
+        "with_limit": found.found,
+        "v50_m_s": number(Some(found.v50_m_s)),
+        "deviation_m_s": number(Some(found.deviation_m_s)),
+        "quantile_05_m_s": number(Some(found.range90_m_s.0)),
+        "quantile_95_m_s": number(Some(found.range90_m_s.1)),
+        "perforated": number(Some(found.perforated)),
+        "perforated_low_95": number(Some(found.perforated95.0)),
+        "perforated_high_95": number(Some(found.perforated95.1)),
+    })
+}
+
 /// Everything, as one object; null for what does not exist.
 pub fn json(name: &str, report: &Report) -> String {
     let (basis, stopped) = match report.limit {
         Limit::Found { basis, stopped_at_m_s, .. } => (Some(basis.words()), stopped_at_m_s),
         Limit::Between { .. } | Limit::Never | Limit::Always | Limit::Unknown => (None, None),
     };
-    let recht_ipson = report.recht_ipson.map(|law| {
-        json!({
-            "a": number(Some(law.a)),
-            "v_bl_m_s": number(Some(law.limit_m_s)),
-            "misfit_m_s": number(Some(law.misfit_m_s)),
-        })
-    });
-    let lambert_jonas = report.lambert_jonas.map(|law| {
-        json!({
-            "a": number(Some(law.a)), "p": number(Some(law.p)),
-            "v_bl_m_s": number(Some(law.limit_m_s)),
-            "misfit_m_s": number(Some(law.misfit_m_s)),
-        })
-    });
-    let scatter = report.scatter.map(|found| {
-        json!({
-            "input_deviation": number(Some(found.scattering.deviation)),
-            "samples": found.scattering.samples,
-            "seed": found.scattering.seed,
-            "with_limit": found.found,
-            "v50_m_s": number(Some(found.v50_m_s)),
-            "deviation_m_s": number(Some(found.deviation_m_s)),
-            "quantile_05_m_s": number(Some(found.range90_m_s.0)),
-            "quantile_95_m_s": number(Some(found.range90_m_s.1)),
-            "perforated": number(Some(found.perforated)),
-            "perforated_low_95": number(Some(found.perforated95.0)),
-            "perforated_high_95": number(Some(found.perforated95.1)),
-        })
-    });
     let mut object = Map::new();
     let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
     put("scene", Value::from(name));
@@ -91,9 +102,9 @@ pub fn json(name: &str, report: &Report) -> String {
         })
     });
     put("closures", closures.unwrap_or(Value::Null));
-    put("recht_ipson", recht_ipson.unwrap_or(Value::Null));
-    put("lambert_jonas", lambert_jonas.unwrap_or(Value::Null));
-    put("scatter", scatter.unwrap_or(Value::Null));
+    put("recht_ipson", report.recht_ipson.map_or(Value::Null, recht_ipson));
+    put("lambert_jonas", report.lambert_jonas.map_or(Value::Null, lambert_jonas));
+    put("scatter", report.scatter.map_or(Value::Null, monte_carlo));
     let shots = report.shots.iter().map(|shot| {
         json!({
             "impact_velocity_m_s": number(Some(shot.impact_m_s)),

@@ -139,6 +139,16 @@ impl<'t> Reader<'t> {
             }
         }
         self.measured_curves(scene, document);
+        // After gamma, which follows from them.
+        for key in ["plate.mass_kg", "plate.face_m"] {
+            let found = VARIABLES.iter().find(|variable| variable.key == key);
+            let plate = document.get("plate").map(Spanned::get_ref);
+            if let (Some(variable), Some(DeValue::Table(plate))) = (found, plate)
+                && let Some(value) = plate.get(&key["plate.".len()..])
+            {
+                self.variable(scene, variable, value);
+            }
+        }
         // Last: an element is like the scene but for what it says.
         if let Some(DeValue::Table(stack)) = document.get("stack").map(Spanned::get_ref)
             && let Some(list) = stack.get("layer")

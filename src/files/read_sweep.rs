@@ -260,7 +260,7 @@ fn outputs(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<String>
             other => {
                 let shown = reader.shown(row);
                 let bare = shown.trim_matches(['"', '\'']);
-                let hint = results::nearest(bare, &[]);
+                let hint = results::nearest(bare);
                 let kind = match other {
                     DeValue::String(_) => "is not a result of a run".to_owned(),
                     other => format!("is {}, not the name of a result", kind_of(other)),

@@ -51,6 +51,18 @@ impl Rows {
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 
+    /// With the warnings of the whole table in every row.
+    #[must_use]
+    pub fn with_warnings(&self, warnings: &[String]) -> Self {
+        let mut own = self.clone();
+        own.columns.push("warnings");
+        let text = warnings.join("; ");
+        for row in &mut own.rows {
+            row.push(Value::from(text.as_str()));
+        }
+        own
+    }
+
     /// As a JSON list of objects.
     pub fn json(&self) -> String {
         let list: Vec<Entries<'_>> =

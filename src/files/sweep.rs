@@ -7,13 +7,15 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use crate::files::error::FileError;
-use crate::model::results::RESULTS;
-use crate::model::run::Run;
+use crate::model::results::of_every_run;
+use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables;
+use crate::study::quantities;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Evaluator, Fate, Plan, Rows, Shard};
+use crate::study::validity;
 
 /// Which columns stand after the axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +76,7 @@ impl<'p> Sheet<'p> {
             }
             Columns::All => {
                 names.extend(["scene", "model", "interface", "outcome", "end"]);
-                names.extend(RESULTS.iter().map(|column| column.name));
+                names.extend(of_every_run().map(|column| column.name));
                 names.extend(["method", "omitted", "warnings"]);
             }
         }
@@ -161,7 +163,7 @@ impl<'p> Sheet<'p> {
         let of = move |get: fn(&'a Run) -> Field<'a>| run.map_or(Field::None, get);
         let told = run.filter(|_| !matches!(fate, Fate::Failed(_)));
         let results =
-            RESULTS.iter().map(move |column| number(told.and_then(|run| column.value(run))));
+            of_every_run().map(move |it| number(told.and_then(|run| quantities::value(it, run))));
         self.axes(index)
             .chain([
                 Field::Text(self.scene),
@@ -174,7 +176,7 @@ impl<'p> Sheet<'p> {
             .chain([
                 of(|run| Field::Text(run.cost.method)),
                 of(|run| list(run.omitted.iter().map(|omitted| omitted.words().to_owned()))),
-                of(|run| list(run.warnings.iter().map(ToString::to_string))),
+                of(|run| list(envelope::warnings(run).into_iter())),
                 reason(fate),
             ])
     }
@@ -195,6 +197,9 @@ impl<'p> Sheet<'p> {
             self.plan.outputs().iter().map(|output| quoted(output.name)).collect();
         let _ = writeln!(text, "  \"outputs\": [{}],", outputs.join(", "));
         let _ = writeln!(text, "  \"version\": {},", quoted(env!("CARGO_PKG_VERSION")));
+        let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
+        let warnings: Vec<String> = warnings.iter().map(|text| quoted(text)).collect();
+        let _ = writeln!(text, "  \"warnings\": [{}],", warnings.join(", "));
         text + "  \"rows\": [\n"
     }
 }

@@ -9,7 +9,7 @@ use toml_edit::{DocumentMut, Item, Table, TableLike};
 
 use crate::files::error::SceneErrors;
 use crate::files::read;
-use crate::model::scene::{Layer, Scene, Spring, SpringKind, Sweep};
+use crate::model::scene::{Layer, PlateSize, Scene, Spring, SpringKind, Sweep};
 use crate::model::units;
 use crate::model::variables::{self, Group, Kind, VARIABLES, Value, Variable};
 
@@ -211,8 +211,19 @@ fn is_written(variable: &Variable, scene: &Scene) -> bool {
             && (basic || !variables::is_listed(variable, &plain));
         return listed || !same(variable.value(scene), variable.value(&plain));
     }
-    let seldom =
-        ["target.closure", "target.yield_pa", "target.modulus_pa", "mechanism.energy_j_kg"];
+    // What is hardly ever there stands in a file only where it is.
+    let seldom = [
+        "target.closure",
+        "target.yield_pa",
+        "target.modulus_pa",
+        "mechanism.energy_j_kg",
+        "projectile.nose",
+        "plate.mass_kg",
+        "plate.face_m",
+    ];
+    if variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio {
+        return false;
+    }
     if variable.group == Group::Stack || seldom.contains(&variable.key) {
         return !same(variable.value(scene), variable.value(&Scene::default()));
     }

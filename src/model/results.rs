@@ -1,21 +1,79 @@
-//! THE table of results: the name, unit and meaning of every number a run comes down to.
+//! THE table of quantities: the name, unit, meaning and source of every number that a scene comes down to.
 //!
-//! JSON keys, the results row of an export and the outputs of a sweep are all taken from here, so that a name means the
-//! same wherever it is met. Nothing here knows files or screens; the time a run took is measured by whoever ran it.
+//! JSON keys, the rows of exports, the outputs of sweeps, and what searches, Monte Carlo and sensitivity analysis ask for are all
+//! taken from here, so that a name means the same everywhere. What a quantity needs decides what it costs: nothing is computed
+//! for a quantity that is not requested. Nothing here knows files or screens; the time a run took is measured by whoever ran it.
 
-use crate::model::run::{AtLeast, Run};
+use crate::model::mechanism::load;
+use crate::model::run::{AtLeast, EventKind, Run, envelope};
+use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::edit_distance;
 
-/// One number a run comes down to.
+/// One quantity.
 #[derive(Clone, Copy, Debug)]
 pub struct ResultColumn {
     /// Name in JSON, CSV and `[sweep] outputs`; it ends in its unit.
     pub name: &'static str,
     /// What it means, in a few words.
     pub meaning: &'static str,
-    /// Read it from a run; `None` where the quantity does not exist, never a number that is not finite.
-    pub get: fn(&Run) -> Option<f64>,
+    /// Where it comes from; `None` where the quantity does not exist, never a number that is not finite.
+    pub source: Source,
+}
+
+/// Where a quantity comes from.
+#[derive(Clone, Copy, Debug)]
+pub enum Source {
+    /// From the scene alone.
+    Scene(fn(&Scene) -> Option<f64>),
+    /// From a run.
+    Run(fn(&Run) -> Option<f64>),
+    /// From a study of the scene or of its run.
+    Study(Studied),
+}
+
+/// What a study finds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Studied {
+    /// The least mass of a steel coil for the greatest energy stored.
+    LeastSpringMass,
+    /// Plate and springs.
+    SystemMass,
+    /// Plate and springs over the plate's face.
+    ArealMass,
+    /// The greatest force into the mount.
+    MountForce,
+    /// The impulse into the mount.
+    MountImpulse,
+    /// The ballistic limit.
+    LimitVelocity,
+    /// Areal mass of the solid plate that does the same, over the scene's.
+    MassEfficiency,
+}
+
+/// What has to be computed for a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Needs {
+    /// Nothing.
+    Scene,
+    /// A run.
+    Run,
+    /// A run with its course in time.
+    Course,
+    /// Many shots.
+    Limit,
+}
+
+impl Needs {
+    /// In words, for people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Scene => "nothing but the scene",
+            Self::Run => "a run",
+            Self::Course => "a run and its course in time",
+            Self::Limit => "many shots (a limit search)",
+        }
+    }
 }
 
 impl PartialEq for ResultColumn {
@@ -27,20 +85,33 @@ impl PartialEq for ResultColumn {
 impl ResultColumn {
     /// The unit its name ends in; `%` for a percentage, empty for a pure number.
     pub fn unit(&self) -> &'static str {
-        let endings =
-            [("_m_s", "m/s"), ("_m", "m"), ("_s", "s"), ("_n", "N"), ("_j", "J"), ("_kg", "kg")];
         if self.name.starts_with("percent") {
             return "%";
         }
-        endings.into_iter().find(|(end, _)| self.name.ends_with(end)).map_or("", |(_, unit)| unit)
+        self.ending().map_or("", |(_, unit)| unit)
     }
 
     /// Its name in words, without the unit: `max plate displacement`.
     pub fn title(&self) -> String {
-        let ending = ["_m_s", "_m", "_s", "_n", "_j", "_kg"]
-            .into_iter()
-            .find(|end| self.name.ends_with(end));
-        self.name.strip_suffix(ending.unwrap_or("")).unwrap_or(self.name).replace('_', " ")
+        let ending = self.ending().map_or("", |(end, _)| end);
+        self.name.strip_suffix(ending).unwrap_or(self.name).replace('_', " ")
+    }
+
+    fn ending(&self) -> Option<(&'static str, &'static str)> {
+        ENDINGS.into_iter().find(|(end, _)| self.name.ends_with(end))
+    }
+
+    /// What has to be computed for it.
+    pub fn needs(&self) -> Needs {
+        match self.source {
+            Source::Scene(_) => Needs::Scene,
+            Source::Run(_) => Needs::Run,
+            Source::Study(studied) => match studied {
+                Studied::LeastSpringMass | Studied::SystemMass | Studied::ArealMass => Needs::Run,
+                Studied::MountForce | Studied::MountImpulse => Needs::Course,
+                Studied::LimitVelocity | Studied::MassEfficiency => Needs::Limit,
+            },
+        }
     }
 
     /// A value with its unit, in so many digits: `64.27 %`, `37.98 mm`, `61.2 g`.
@@ -52,7 +123,7 @@ impl ResultColumn {
             "kg" if value.abs() < 1e3 => {
                 Engineering { value: 1e3 * value, unit: "g", digits }.to_string()
             }
-            "kg" => format!("{} kg", units::significant(value, digits)),
+            unit @ ("kg" | "kg/m2") => format!("{} {unit}", units::significant(value, digits)),
             unit => Engineering { value, unit, digits }.to_string(),
         }
     }
@@ -70,21 +141,55 @@ impl ResultColumn {
         bound.filter(|bound| bound.is_finite())
     }
 
-    /// Its value for a run; `None` where it does not exist.
+    /// Its value for a run; `None` where it does not exist, or where a study has to find it.
     pub fn value(&self, run: &Run) -> Option<f64> {
-        (self.get)(run).filter(|value| value.is_finite())
+        let value = match self.source {
+            Source::Scene(get) => get(&run.scene),
+            Source::Run(get) => get(run),
+            Source::Study(_) => None,
+        };
+        value.filter(|value| value.is_finite())
+    }
+
+    /// Whether it is a number that a run comes down to: limit searches are made on request alone.
+    pub fn is_of_run(&self) -> bool {
+        self.needs() < Needs::Limit
     }
 }
+
+/// How names end, and the units that means; a longer ending stands before its own end.
+const ENDINGS: [(&str, &str); 8] = [
+    ("_kg_m2", "kg/m2"),
+    ("_m_s", "m/s"),
+    ("_n_s", "N s"),
+    ("_m", "m"),
+    ("_s", "s"),
+    ("_n", "N"),
+    ("_j", "J"),
+    ("_kg", "kg"),
+];
 
 const fn column(
     name: &'static str,
     meaning: &'static str,
     get: fn(&Run) -> Option<f64>,
 ) -> ResultColumn {
-    ResultColumn { name, meaning, get }
+    ResultColumn { name, meaning, source: Source::Run(get) }
 }
 
-/// Every numeric result, in the order of files.
+const fn of_scene(
+    name: &'static str,
+    meaning: &'static str,
+    get: fn(&Scene) -> Option<f64>,
+) -> ResultColumn {
+    ResultColumn { name, meaning, source: Source::Scene(get) }
+}
+
+const fn studied(name: &'static str, meaning: &'static str, studied: Studied) -> ResultColumn {
+    ResultColumn { name, meaning, source: Source::Study(studied) }
+}
+
+/// Every quantity, in the order of files.
 #[rustfmt::skip]
 pub static RESULTS: &[ResultColumn] = &[
     column("first_arrest_penetration_m", "depth when projectile and plate first reach common velocity", |run| Some(run.first_arrest?.penetration_m)),
@@ -112,10 +217,54 @@ pub static RESULTS: &[ResultColumn] = &[
     column("stack_penetration_m", "thickness perforated in a stack, and the depth in what stopped the shot", |run| run.stack.as_ref()?.penetration_m),
     column("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", |run| Some(run.stack.as_ref()?.passed() as f64)),
     column("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", |run| run.stack.as_ref()?.residual_velocity_m_s),
+    studied("peak_mount_force_n", "greatest force into the mount: spring, damper and elastic stop", Studied::MountForce),
+    studied("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement", Studied::MountImpulse),
+    column("travel_margin", "how far a spring may go before its law ends or it yields, over how far it goes", travel_margin),
+    column("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", fused_stop_hits),
+    of_scene("plate_mass_kg", "mass of the plate: gamma times that of the projectile", |scene| Some(scene.plate_mass_kg())),
+    studied("least_spring_mass_kg", "least mass of a helical steel spring for the greatest energy stored", Studied::LeastSpringMass),
+    studied("system_mass_kg", "plate and springs: their own mass where it is known, else the least of a steel spring", Studied::SystemMass),
+    studied("areal_mass_kg_m2", "plate and springs over the plate's face", Studied::ArealMass),
+    of_scene("plate_face_m", "side of the plate's square face: the plate is a block of its material", |scene| sprung(scene).then(|| scene.plate_face_m())),
+    of_scene("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", envelope::face_ratio),
+    of_scene("thickness_over_diameter", "plate thickness over projectile diameter, h/D", |scene| Some(envelope::thickness_ratio(scene))),
+    of_scene("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", |scene| Some(envelope::nose_pressure_ratio(scene))),
+    studied("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates", Studied::LimitVelocity),
+    studied("mass_efficiency", "areal mass of the solid plate that does the same, over the scene's own", Studied::MassEfficiency),
     column("steps", "accepted steps", |run| Some(run.cost.steps as f64)),
     column("rejected", "rejected steps", |run| Some(run.cost.rejected as f64)),
     column("rhs_evaluations", "evaluations of the equations of motion", |run| Some(run.cost.rhs_evaluations as f64)),
 ];
+
+fn sprung(scene: &Scene) -> bool {
+    scene.plate.mount == Mount::Sprung
+}
+
+/// The least of limit over displacement, of every spring and limit; `None` where no spring has a limit that a run comes near.
+fn travel_margin(run: &Run) -> Option<f64> {
+    let farthest = run.max_plate_displacement_m.filter(|_| sprung(&run.scene))?;
+    load::travel_margin(&run.scene, run.start_m(), farthest)
+}
+
+fn fused_stop_hits(run: &Run) -> Option<f64> {
+    let scene = &run.scene;
+    let stopped = sprung(scene)
+        && scene.interface.law == InterfaceLaw::Fused
+        && scene.mechanism.stop.position_m.is_some()
+        && scene.mechanism.stop.kind == StopKind::Rigid;
+    let hits = || run.events.iter().filter(|event| event.kind == EventKind::StopHit).count();
+    stopped.then(|| hits() as f64)
+}
+
+/// Every quantity that a run without its course in time comes down to: what a sweep gives where nothing is named.
+pub fn of_every_run() -> impl Iterator<Item = &'static ResultColumn> {
+    RESULTS.iter().filter(|column| column.needs() <= Needs::Run)
+}
+
+/// Every quantity a run with its course comes down to.
+pub fn of_run() -> impl Iterator<Item = &'static ResultColumn> {
+    RESULTS.iter().filter(|column| column.is_of_run())
+}
 
 /// The result with this name, if there is one.
 pub fn find(name: &str) -> Option<&'static ResultColumn> {
@@ -128,22 +277,21 @@ const USUAL: [&str; 6] = [
     "percent_of_baseline",
     "max_plate_displacement_m",
     "stroke_m",
-    "peak_contact_force_n",
-    "residual_velocity_m_s",
+    "system_mass_kg",
+    "limit_velocity_m_s",
 ];
 /// The most names in a hint.
 const NEAREST_MAX: usize = 4;
 /// Columns of a line of the listing.
 const WIDTH: usize = 78;
 
-/// A hint for a name that no result has: the results spelled most like it, of these and of `further` ones that are known where it
-/// was asked for; else those asked for most.
-pub fn nearest(name: &str, further: &[&'static str]) -> String {
+/// A hint for a name that no quantity has: the quantities spelled most like it, else those asked for most.
+pub fn nearest(name: &str) -> String {
     let lower = name.trim().to_lowercase();
     let limit = (lower.chars().count() / 3).max(1);
-    let names = RESULTS.iter().map(|column| column.name).chain(further.iter().copied());
-    let mut ranked: Vec<(usize, &str)> = names
-        .map(|candidate| (distance(&lower, candidate), candidate))
+    let mut ranked: Vec<(usize, &str)> = RESULTS
+        .iter()
+        .map(|column| (distance(&lower, column.name), column.name))
         .filter(|(distance, _)| *distance <= limit)
         .collect();
     // Of those as near as each other the ones asked for most come first.
@@ -153,8 +301,8 @@ pub fn nearest(name: &str, further: &[&'static str]) -> String {
     if !close.is_empty() && !lower.is_empty() {
         return format!("did you mean {}?", close.join(" or "));
     }
-    let usual = [&USUAL[..], further].concat().join(", ");
-    format!("the usual ones are {usual}; `cmra sweep --help` lists all")
+    let usual = USUAL.join(", ");
+    format!("the usual ones are {usual}; `cmra explain quantities` lists all")
 }
 
 /// How far a name is from a result's, or from some words of it that stand together.
@@ -217,16 +365,15 @@ mod tests {
     #[test]
     fn a_name_that_no_result_has_is_told_the_nearest_ones_in_a_line_that_can_be_read() {
         assert!(USUAL.iter().all(|name| find(name).is_some()));
-        assert_eq!(nearest("stroke", &[]), "did you mean `stroke_m`?");
-        assert_eq!(nearest("percnt", &[]), "did you mean `percent_of_baseline`?");
-        assert_eq!(nearest("percent_of_basline", &[]), "did you mean `percent_of_baseline`?");
-        assert!(nearest("penetration", &[]).starts_with("did you mean `final_penetration_m` or "));
-        assert_eq!(nearest("sistem_mass", &["system_mass_kg"]), "did you mean `system_mass_kg`?");
+        assert_eq!(nearest("stroke"), "did you mean `stroke_m`?");
+        assert_eq!(nearest("percnt"), "did you mean `percent_of_baseline`?");
+        assert_eq!(nearest("percent_of_basline"), "did you mean `percent_of_baseline`?");
+        assert!(nearest("penetration").starts_with("did you mean `final_penetration_m` or "));
+        assert_eq!(nearest("sistem_mass"), "did you mean `system_mass_kg`?");
         for strange in ["foo", "", "quux_quux"] {
-            let hint = nearest(strange, &[]);
+            let hint = nearest(strange);
             assert!(hint.contains(&USUAL.join(", ")) && hint.len() < 200, "{strange}: {hint}");
         }
-        assert!(nearest("foo", &["system_mass_kg"]).contains("system_mass_kg"));
     }
 
     #[test]

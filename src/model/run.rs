@@ -11,6 +11,7 @@ use crate::model::scene::Scene;
 use crate::model::stack::StackRun;
 
 mod at_least;
+pub mod envelope;
 mod warning;
 
 pub use at_least::AtLeast;

@@ -58,6 +58,20 @@ pub struct Projectile {
     pub density_kg_m3: f64,
     /// `Y_p`, > 0 Pa: the rod's strength in that formula.
     pub strength_pa: f64,
+    /// The nose's shape: the law is for a hemisphere whatever it is; others are outside the model's validity.
+    pub nose: Nose,
+}
+
+/// The shape of a projectile's nose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Nose {
+    /// A hemisphere, as the law has it.
+    #[default]
+    Hemispherical,
+    /// An ogive or a cone.
+    Pointed,
+    /// Flat, or nearly so: it shears out a plug.
+    Blunt,
 }
 
 /// The plate as a target.
@@ -99,10 +113,24 @@ pub enum Closure {
 pub struct Plate {
     /// gamma = plate mass / projectile mass, > 0.
     pub mass_ratio: f64,
+    /// What gives the plate's size; else the mass ratio follows from it, whatever else changes.
+    pub size: PlateSize,
     /// How it is carried.
     pub mount: Mount,
     /// `d` >= 0 m: the plate starts at x = -d, at rest.
     pub cocking_m: f64,
+}
+
+/// What gives the plate's size.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum PlateSize {
+    /// gamma.
+    #[default]
+    Ratio,
+    /// `m_2` > 0 kg.
+    Mass(f64),
+    /// The side of its square face, > 0 m: the plate is a block of its material.
+    Face(f64),
 }
 
 /// How the plate is carried.
@@ -227,6 +255,7 @@ impl Default for Projectile {
             obliquity_deg: 0.0,
             density_kg_m3: 7850.0,
             strength_pa: 1e9,
+            nose: Nose::Hemispherical,
         }
     }
 }
@@ -248,7 +277,7 @@ impl Default for Target {
 
 impl Default for Plate {
     fn default() -> Self {
-        Self { mass_ratio: 1.0, mount: Mount::Sprung, cocking_m: 0.0 }
+        Self { mass_ratio: 1.0, size: PlateSize::Ratio, mount: Mount::Sprung, cocking_m: 0.0 }
     }
 }
 
@@ -321,6 +350,30 @@ impl Scene {
     /// Plate mass `m_2 = gamma m_p`, kg.
     pub fn plate_mass_kg(&self) -> f64 {
         self.plate.mass_ratio * self.projectile.mass_kg
+    }
+
+    /// Gives the plate's size by `size`, and lets gamma follow.
+    pub fn resize(&mut self, size: PlateSize) {
+        self.plate.size = size;
+        self.follow_size();
+    }
+
+    /// Lets gamma follow from the plate's size, after a change of what it depends on.
+    pub fn follow_size(&mut self) {
+        let Target { thickness_m, density_kg_m3, .. } = self.target;
+        match self.plate.size {
+            PlateSize::Ratio => {}
+            PlateSize::Mass(kg) => self.plate.mass_ratio = kg / self.projectile.mass_kg,
+            PlateSize::Face(side_m) => {
+                let kg = density_kg_m3 * thickness_m * side_m * side_m;
+                self.plate.mass_ratio = kg / self.projectile.mass_kg;
+            }
+        }
+    }
+
+    /// Side of the plate's square face, `(m_2/(rho h))^(1/2)`, m: the plate is a block of its material.
+    pub fn plate_face_m(&self) -> f64 {
+        (self.plate_mass_kg() / (self.target.density_kg_m3 * self.target.thickness_m)).sqrt()
     }
 
     /// The flow strength in the contact force, Pa: given, or from Y and E by the closure.

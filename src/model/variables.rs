@@ -9,12 +9,14 @@ use thiserror::Error;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity, QuantityError};
 
+mod describe;
 mod names;
 mod springs;
 mod stack;
 mod table;
 mod used;
 
+pub use describe::used_when;
 pub use names::{edit_distance, find, listing, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;
@@ -261,7 +263,7 @@ pub enum VariableError {
 pub struct RangeWarning {
     /// The variable's symbol.
     pub symbol: &'static str,
-    /// The sentence: `gamma = 12 is outside 0.8..7 of Table 9.2; the model is still valid`.
+    /// The sentence: `gamma = 12 is outside 0.8..7 of Table 9.2: the thesis has no figure there`.
     pub text: String,
 }
 
@@ -372,21 +374,15 @@ impl Variable {
 
     /// A warning when the value is outside the range the thesis searched.
     pub fn range_warning(&self, scene: &Scene) -> Option<RangeWarning> {
-        if self.symbol == "closure" {
-            return used::closure_reach(scene);
-        }
         let Kind::Number(number) = &self.kind else {
             return None;
         };
-        if self.symbol == "theta" {
-            return used::ricochet(scene);
-        }
         let (low, high) = number.thesis_range?;
         let value = (number.get)(scene)?;
         (!(low..=high).contains(&value)).then(|| RangeWarning {
             symbol: self.symbol,
             text: format!(
-                "{} = {} is outside {}..{} of Table 9.2; the model is still valid",
+                "{} = {} is outside {}..{} of Table 9.2: the thesis has no figure there",
                 self.symbol,
                 units::shortest(value),
                 units::shortest(low),

@@ -5,7 +5,6 @@
 
 pub mod field;
 pub mod front;
-pub mod measure;
 pub mod nsga;
 pub mod recommended;
 pub mod scatter;

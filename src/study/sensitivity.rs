@@ -7,7 +7,7 @@
 use std::ops::ControlFlow;
 
 use crate::model::results::ResultColumn;
-use crate::model::scene::Scene;
+use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::{self, Kind, VARIABLES};
 use crate::study::search::field::{Field, Found};
 use crate::study::sweep::{Axis, Spacing, SweepError};
@@ -108,7 +108,12 @@ pub fn thesis_axes(scene: &Scene) -> Result<Vec<Axis>, SweepError> {
         (number.set)(&mut far, Some(high));
     }
     ranges()
-        .filter(|(variable, ..)| variables::is_used(variable, &far))
+        .filter(|(variable, ..)| {
+            // A mass ratio that follows from the plate's face is no input.
+            let follows =
+                variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio;
+            variables::is_used(variable, &far) && !follows
+        })
         .map(|(variable, _, ends)| Axis::new(variable.symbol, ends, 2, Spacing::Linear))
         .collect()
 }

@@ -114,11 +114,29 @@ impl Plan {
         design: Design,
         outputs: &[impl AsRef<str>],
     ) -> Result<Self, SweepError> {
-        if axes.is_empty() {
-            return Err(SweepError::NoAxis);
-        }
         if axes.len() > AXES_MAX {
             return Err(SweepError::TooManyAxes { count: axes.len(), most: AXES_MAX });
+        }
+        Self::of_axes(scene, axes, design, outputs)
+    }
+
+    /// The same for points that are listed later: any number of axes.
+    pub(in crate::study) fn for_points(
+        scene: &Scene,
+        axes: Vec<Axis>,
+        outputs: &[impl AsRef<str>],
+    ) -> Result<Self, SweepError> {
+        Self::of_axes(scene, axes, Design::Sobol { points: 2, seed: 0 }, outputs)
+    }
+
+    fn of_axes(
+        scene: &Scene,
+        axes: Vec<Axis>,
+        design: Design,
+        outputs: &[impl AsRef<str>],
+    ) -> Result<Self, SweepError> {
+        if axes.is_empty() {
+            return Err(SweepError::NoAxis);
         }
         for (index, axis) in axes.iter().enumerate() {
             if axes[..index].iter().any(|other| other.symbol() == axis.symbol()) {
@@ -217,7 +235,8 @@ impl Plan {
 
     /// Rules between variables are linear: what holds at every corner of the box holds within.
     fn check_corners(&self) -> Result<(), SweepError> {
-        for corner in 0..1u32 << self.axes.len() {
+        // More axes have only listed points, each of which is checked by itself.
+        for corner in 0..1u32 << self.axes.len().min(AXES_MAX) {
             let mut scene = self.base.clone();
             let mut place = Vec::new();
             for (bit, axis) in self.axes.iter().enumerate() {
@@ -240,12 +259,8 @@ impl Plan {
 /// # Errors
 /// [`SweepError::Output`] with the nearest names.
 pub fn output(name: &str) -> Result<&'static ResultColumn, SweepError> {
-    results::find(name.trim()).ok_or_else(|| no_output(name, &[]))
-}
-
-/// Why a name is refused that neither a result nor one of `further` has.
-pub(in crate::study) fn no_output(name: &str, further: &[&'static str]) -> SweepError {
-    SweepError::Output { name: name.to_owned(), hint: results::nearest(name, further) }
+    results::find(name.trim())
+        .ok_or_else(|| SweepError::Output { name: name.to_owned(), hint: results::nearest(name) })
 }
 
 fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {

@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::impact::{Settings, simulate};
+use crate::model::run::envelope::{self, Check};
 use crate::model::scene::{Closure, Scene};
 use crate::model::units::Bare;
 use crate::model::variables;
@@ -214,10 +215,10 @@ pub fn compute(case: &'static Case, preset: &Scene) -> Row {
         other: other(&scene).and_then(|scene| value(case.quantity, &scene)),
         thickness_ratio: 0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m,
         pressure_pa: scene.flow_strength_pa() + scene.drag_kg_m3() * v * v,
-        beyond: variables::range_warnings(&scene)
+        beyond: envelope::of_scene(&scene)
             .into_iter()
-            .find(|warning| warning.symbol == "closure")
-            .map(|warning| warning.text),
+            .find(|breach| breach.check == Check::Thickness)
+            .map(|breach| breach.to_string()),
     }
 }
 

@@ -29,6 +29,7 @@ pub mod status;
 pub mod steps;
 pub mod sweep;
 pub mod thesis;
+mod validity;
 
 use accuracy::Accuracy;
 use charts::Charts;

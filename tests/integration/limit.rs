@@ -61,8 +61,7 @@ fn the_criterion_is_asked_for_and_said() {
 fn shots_are_rows_and_absent_velocities_empty() {
     let table = output(&["--csv", "-", "--scatter", "0"]);
     let mut lines = table.lines();
-    let head =
-        "scene,impact_velocity_m_s,outcome,residual_velocity_m_s,recht_ipson_m_s,lambert_jonas_m_s";
+    let head = "scene,impact_velocity_m_s,outcome,residual_velocity_m_s,recht_ipson_m_s,lambert_jonas_m_s,warnings";
     assert_eq!(lines.next(), Some(head));
     let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 30);

@@ -43,6 +43,8 @@ mod presets;
 #[cfg(test)]
 mod pty;
 #[cfg(test)]
+mod quantities;
+#[cfg(test)]
 mod random;
 #[cfg(test)]
 mod readers;

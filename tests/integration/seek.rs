@@ -27,13 +27,17 @@ fn the_mass_ratio_of_a_known_depth_is_found_and_runs_to_it() {
 
 #[test]
 fn what_cannot_be_reached_exits_1_and_names_the_nearest() {
+    let fused = ["--set", "interface=fused"];
     let arguments = ["--over", "k=0..7.5MN/m", "--goal", "percent_of_baseline=60"];
+    let arguments = [&arguments[..], &fused].concat();
     let (page, _) = out(&arguments, 1);
     for fragment in ["nothing reaches 60 %", "nearest: 64.2", "65 points from 0 N/m^n"] {
         assert!(page.contains(fragment), "{page} lacks {fragment}");
     }
     let (csv, _) = out(&[&arguments[..], &["--csv", "-"]].concat(), 1);
-    assert!(csv.starts_with("scene,kind,variable,key,at,until,output,target,value,outcome\n"));
+    assert!(
+        csv.starts_with("scene,kind,variable,key,at,until,output,target,value,outcome,warnings\n")
+    );
     assert!(csv.contains("thesis-baseline,nearest,k,mechanism.spring.coefficient,0,"), "{csv}");
 }
 

@@ -124,8 +124,9 @@ fn the_terminal_itself_is_no_target_of_an_export() {
     terminal.send("p/");
     terminal.settle(QUIET);
     terminal.send("/dev/tty\r");
+    // Enter has closed the list by now; an escape sent right before the next key would be read as Alt and that key.
     terminal.wait_for("`/dev/tty` is a device or a pipe");
-    close(&mut terminal, "Baseline of chapter 9");
+    assert!(!terminal.screen().contents().contains("Baseline of chapter 9"));
     terminal.send("q");
     assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
     terminal.assert_restored();

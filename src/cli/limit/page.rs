@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::model::units::{fixed_significant, significant};
+use crate::study::limit::scatter::ModelError;
 use crate::study::limit::{Limit, Report, words};
 use crate::tui::app::status::wrap;
 use crate::tui::chart::{Axis, Chart, Curve, EventLine, Legend, Scale, Unit, ViewRange};
@@ -151,11 +152,19 @@ fn scatter(page: &mut String, report: &Report) {
     let asked = found.scattering;
     let _ = writeln!(
         page,
-        "\nevery mass, length and coefficient scattered by {:.3} % ({} samples, seed {})",
+        "\nevery mass, length, strength and coefficient varied by {:.3} % ({} samples, seed {})",
         100.0 * asked.deviation,
         asked.samples,
         asked.seed
     );
+    if asked.model != ModelError::default() {
+        let _ = writeln!(
+            page,
+            "  corrected for the model's bias of {:+.3} %, and varied by its spread of {:.3} %",
+            100.0 * asked.model.bias,
+            100.0 * asked.model.spread
+        );
+    }
     let _ = writeln!(
         page,
         "  V50 {}, standard deviation {}, 90 % of limits in {} to {}",

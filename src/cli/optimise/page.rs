@@ -5,7 +5,9 @@ use std::fmt::Write as _;
 use crate::files::front::law;
 use crate::model::results::ResultColumn;
 use crate::model::units::significant;
-use crate::study::search::front::{Candidate, Design, Front, STEPS_MAX, Standing, Task};
+use crate::study::search::front::{
+    Candidate, Constraint, Design, Front, STEPS_MAX, Standing, Task,
+};
 use crate::study::sweep::Spacing;
 
 /// Designs of a front that are listed.
@@ -21,8 +23,15 @@ pub(super) fn text(name: &str, task: &Task, fronts: &[Front]) -> String {
     };
     let objectives: Vec<String> = task.objectives.iter().map(objective).collect();
     let mut page = format!("{name}: {}\n", objectives.join(", "));
-    for constraint in &task.constraints {
+    let (feasible, named): (Vec<&Constraint>, Vec<&Constraint>) =
+        task.constraints.iter().partition(|constraint| constraint.is_feasibility);
+    for constraint in named {
         let _ = writeln!(page, "  subject to {}", constraint.words());
+    }
+    if !feasible.is_empty() {
+        let words: Vec<String> = feasible.iter().map(|constraint| constraint.words()).collect();
+        let _ = writeln!(page, "  feasible: {}", words.join(", "));
+        page.push_str("            (--no-feasibility leaves this out)\n");
     }
     for axis in &task.axes {
         let (low, high) = axis.ends();
@@ -65,7 +74,7 @@ fn one(page: &mut String, task: &Task, front: &Front) {
         .axes
         .iter()
         .map(|axis| axis.symbol().to_owned())
-        .chain(measures.iter().map(|column| short(column)))
+        .chain(task.shown().into_iter().map(|at| short(measures[at])))
         .fold(String::new(), |line, cell| line + &format!("{cell:>CELL$}"));
     if count > 0 {
         let _ = writeln!(page, "      {head}");
@@ -94,6 +103,9 @@ fn short(column: &ResultColumn) -> String {
         "peak_mount_force_n" => "mount force",
         "system_mass_kg" => "system",
         "peak_contact_force_n" => "contact",
+        "interface_demand_ratio" => "demand",
+        "limit_velocity_m_s" => "limit",
+        "mass_efficiency" => "efficiency",
         _ => return column.title().chars().take(CELL - 1).collect(),
     };
     words.to_owned()
@@ -102,8 +114,7 @@ fn short(column: &ResultColumn) -> String {
 fn cells(task: &Task, design: &Design) -> String {
     let values = design.values.iter().map(|value| significant(*value, 4));
     let measures = task.measures();
-    let results =
-        design.measures.iter().zip(&measures).map(|(value, column)| shown(column, *value));
+    let results = task.shown().into_iter().map(|at| shown(measures[at], design.measures[at]));
     values.chain(results).fold(String::new(), |line, cell| line + &format!("{cell:>CELL$}"))
 }
 
@@ -113,12 +124,8 @@ fn shown(column: &ResultColumn, value: Option<f64>) -> String {
 
 fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
     let measures = task.measures();
-    let found: Vec<String> = candidate
-        .measures
-        .iter()
-        .zip(&measures)
-        .map(|(value, column)| shown(column, *value))
-        .collect();
+    let found = task.shown().into_iter().map(|at| shown(measures[at], candidate.measures[at]));
+    let found: Vec<String> = found.collect();
     let words = match &candidate.standing {
         Standing::OnFront => "on the front: no design of it is better".to_owned(),
         Standing::Beaten { by } => format!("off the front: design {} is better throughout", by + 1),
@@ -140,6 +147,10 @@ fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
 
 /// The first measure a candidate has not.
 fn missing(task: &Task, candidate: &Candidate) -> Option<&'static ResultColumn> {
-    let at = candidate.measures.iter().position(Option::is_none)?;
-    task.measures().get(at).copied()
+    let is_missing = |column: &&&ResultColumn| {
+        let measures = task.measures();
+        let at = measures.iter().position(|other| other.name == column.name);
+        at.is_some_and(|at| candidate.measures[at].is_none())
+    };
+    task.objectives.iter().map(|it| &it.measure).find(is_missing).copied()
 }

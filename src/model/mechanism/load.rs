@@ -3,8 +3,8 @@
 use crate::model::mechanism::inertia::acting;
 use crate::model::mechanism::{kinds, piece::Piece};
 use crate::model::scene::{self, Combination, Scene, SpringKind};
-use crate::numerics::larger;
 use crate::numerics::root::in_bracket;
+use crate::numerics::{larger, smaller};
 
 /// Up to where a spring's law is good, and what happens beyond.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +49,25 @@ pub fn exceeded(scene: &Scene, x_m: f64) -> Vec<Limit> {
         }
     }
     found
+}
+
+/// The least of limit over displacement at either end of the plate's way, of every spring and limit; `None` where no spring has a
+/// limit.
+pub fn travel_margin(scene: &Scene, from_m: f64, to_m: f64) -> Option<f64> {
+    let mut least = None;
+    for x_m in [from_m, to_m] {
+        let shares = shares(&scene.mechanism, x_m);
+        for (spring, asked_m) in acting(&scene.mechanism).zip(shares) {
+            for (_, low_m, high_m) in limits(spring) {
+                let limit_m = if asked_m < 0.0 { low_m } else { high_m };
+                let margin = limit_m / asked_m;
+                if asked_m != 0.0 {
+                    least = Some(least.map_or(margin, |least| smaller(least, margin)));
+                }
+            }
+        }
+    }
+    least
 }
 
 /// Each limit of a spring: what it is, and the displacements between which it is kept, m.

@@ -1,6 +1,6 @@
 //! Variables found by the names people write, and the nearest names where there is none.
 
-use super::{Group, VARIABLES, Variable, VariableError};
+use super::{Group, VARIABLES, Variable, VariableError, describe};
 
 /// The symbols of the thesis, which are asked for most.
 const USUAL: &str = "m_p R v_i theta h rho S_y C_d gamma d b m k n";
@@ -17,7 +17,9 @@ pub fn find(name: &str) -> Result<&'static Variable, VariableError> {
     let exact = VARIABLES.iter().find(|variable| {
         variable.symbol == name || variable.key == name || variable.aliases.contains(&name)
     });
-    exact.ok_or_else(|| VariableError::Unknown { name: name.to_owned(), hint: nearest(name) })
+    exact
+        .or_else(|| describe::named(name))
+        .ok_or_else(|| VariableError::Unknown { name: name.to_owned(), hint: nearest(name) })
 }
 
 /// All symbols by group, a paragraph each, for people.

@@ -18,6 +18,24 @@ macro_rules! number {
     };
 }
 
+/// A required number on which the plate's mass ratio may depend.
+macro_rules! sizing {
+    ($quantity:ident, $($field:ident).+) => {
+        Kind::Number(Number {
+            quantity: Quantity::$quantity,
+            allowed: Allowed::Positive,
+            thesis_range: None,
+            step: Step::Linear,
+            absent: None,
+            get: |scene| Some(scene.$($field).+),
+            set: |scene, value| {
+                scene.$($field).+ = value.unwrap_or_default();
+                scene.follow_size();
+            },
+        })
+    };
+}
+
 /// An optional number at a path of the scene, with the word for its absence.
 macro_rules! optional {
     ($quantity:ident, $allowed:expr, $absent:literal, $($field:ident).+) => {

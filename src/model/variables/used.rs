@@ -1,9 +1,11 @@
 //! Which variables have any effect on a scene, and which of them a list shows at all; and the rule between the two
 //! stiffnesses of the lumped interface.
 
-use super::{Kind, RangeWarning, Variable, VariableError, springs};
+use super::{Kind, Variable, VariableError, springs};
 use crate::model::design::Rod;
-use crate::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Scene, StopKind, Target};
+use crate::model::scene::{
+    Closure, ContactModel, InterfaceLaw, Mount, Nose, PlateSize, Scene, StopKind, Target,
+};
 use crate::model::units;
 
 /// Whether a variable has any effect on this scene; rows without effect are dimmed in the editor.
@@ -30,7 +32,10 @@ pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
         "target.flow_strength_pa" => uses_target(scene) && scene.target.closure == Closure::Given,
         key if key.starts_with("target.") => uses_target(scene),
         key if key.starts_with("contact.") => model_has(model, key),
-        key => sprung || !(key.starts_with("mechanism.") || key == "plate.mass_ratio"),
+        key => {
+            let sizes = ["plate.mass_ratio", "plate.mass_kg", "plate.face_m"].contains(&key);
+            sprung || !(key.starts_with("mechanism.") || sizes)
+        }
     }
 }
 
@@ -56,6 +61,9 @@ pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
 pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
     match variable.key {
         "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
+        "projectile.nose" => scene.projectile.nose != Nose::Hemispherical,
+        "plate.mass_kg" => matches!(scene.plate.size, PlateSize::Mass(_)),
+        "plate.face_m" => matches!(scene.plate.size, PlateSize::Face(_)),
         "target.yield_pa" => scene.target.closure != Closure::Given,
         "target.modulus_pa" => scene.target.closure == Closure::Cavity,
         "mechanism.energy_j_kg" => scene.mechanism.energy_j_kg.is_some(),
@@ -86,20 +94,6 @@ pub fn critical_obliquity_deg(scene: &Scene) -> f64 {
     rod.critical_obliquity_deg(scene.target.density_kg_m3)
 }
 
-/// A warning when the shot is likely to glance off, which no model here contains.
-pub(super) fn ricochet(scene: &Scene) -> Option<RangeWarning> {
-    let critical = critical_obliquity_deg(scene);
-    (is_oblique(scene) && scene.projectile.obliquity_deg > critical).then(|| RangeWarning {
-        symbol: "theta",
-        text: format!(
-            "theta = {} deg is beyond Tate's critical {} deg (rho_p, Y_p assumed unless set): ricochet is likely, and not in \
-             the model",
-            units::shortest(scene.projectile.obliquity_deg),
-            units::significant(critical, 3)
-        ),
-    })
-}
-
 /// The two closures for the flow strength each contain the bulge in their own way: never both.
 pub(super) fn check_closure(scene: &Scene) -> Result<(), VariableError> {
     let Target { closure, dishing, yield_pa, modulus_pa, .. } = scene.target;
@@ -119,27 +113,6 @@ pub(super) fn check_closure(scene: &Scene) -> Result<(), VariableError> {
         )));
     }
     Ok(())
-}
-
-/// A warning where a closure is used beyond the plates it suits.
-pub(super) fn closure_reach(scene: &Scene) -> Option<RangeWarning> {
-    let ratio = 0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m;
-    let text = match scene.target.closure {
-        Closure::DoubleYield if ratio > 1.0 => {
-            "2 Y with dishing is for plates up to about one diameter"
-        }
-        Closure::Cavity if ratio < 0.5 => {
-            "cavity expansion is for plates from about one diameter up"
-        }
-        Closure::Given | Closure::DoubleYield | Closure::Cavity => return None,
-    };
-    Some(RangeWarning {
-        symbol: "closure",
-        text: format!(
-            "h/D = {}: {text}, the other closure suits better",
-            units::significant(ratio, 3)
-        ),
-    })
 }
 
 /// Whether a key below `contact.` belongs to this model.

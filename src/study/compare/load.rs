@@ -90,7 +90,7 @@ pub(in crate::study) fn holds_still(scene: &Scene, farthest_m: Option<f64>) -> b
 
 /// The impulse into the mount along the plate's normal, N s: what projectile and plate have lost of their momentum when the
 /// plate is farthest out (or at the end of the run, where nothing turns it).
-fn impulse_n_s(run: &Run) -> Option<f64> {
+pub(in crate::study) fn impulse_n_s(run: &Run) -> Option<f64> {
     let scene = &run.scene;
     // The other models do not all keep the momentum of the projectile.
     if !run.end.is_complete() || scene.contact.model != ContactModel::Hydrodynamic {

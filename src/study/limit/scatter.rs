@@ -2,17 +2,33 @@
 
 use std::sync::Arc;
 
-use crate::model::scene::{Closure, Scene, SpringKind};
+use crate::model::scene::Scene;
 use crate::numerics::random::Random;
+use crate::numerics::statistics::{moments, quantile, wilson};
 use crate::study::limit::Limit;
 use crate::study::limit::search::Range;
+use crate::study::search::scatter::{Draw, usual_tolerances};
 
 /// Each sample's limit is looked for within this factor of the nominal one, with so many points, to this relative width.
 const WITHIN: f64 = 2.0;
 const POINTS: usize = 9;
 const WIDTH: f64 = 1e-5;
-/// Standard normal quantile of a two-sided 95 % interval.
-const Z95: f64 = 1.959_963_984_540_054;
+/// How far the model itself is off, by `cmra validate`.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct ModelError {
+    /// Model over measurement, less 1: negative where limits come out low; > -1.
+    pub bias: f64,
+    /// Standard deviation of the logarithm of model over measurement, >= 0.
+    pub spread: f64,
+}
+
+impl ModelError {
+    /// What a computed limit is to be multiplied by.
+    fn factor(self, random: &mut Random) -> f64 {
+        let spread = if self.spread > 0.0 { (self.spread * random.normal()).exp() } else { 1.0 };
+        spread / (1.0 + self.bias)
+    }
+}
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +39,8 @@ pub struct Scattering {
     pub samples: usize,
     /// Seed of the random numbers.
     pub seed: u64,
+    /// The error of the model, in every limit besides.
+    pub model: ModelError,
 }
 
 /// What was found.
@@ -46,24 +64,29 @@ pub struct Scatter {
     pub perforated95: (f64, f64),
 }
 
-/// The limits of scattered scenes: masses, lengths, strength, density, drag, spring and damper coefficients each times a
-/// lognormal factor of its own. `None` when stopped, or when too few have a limit.
+/// The limits of scattered scenes: every input of Monte Carlo's own that a limit depends on. `None` when stopped, or when too few
+/// have a limit.
 pub(super) fn scatter(
     scene: &Arc<Scene>,
     scattering: Scattering,
     nominal_m_s: f64,
     range: &mut Range<'_, '_>,
 ) -> Option<Scatter> {
-    let mut random = Random::new(scattering.seed);
+    let mut tolerances = usual_tolerances(scene, scattering.deviation);
+    tolerances.retain(|tolerance| tolerance.symbol() != "v_i");
+    let mut draw = Draw::new(scene, &tolerances, scattering.seed);
+    let mut errors = Random::new(!scattering.seed);
     let mut limits = Vec::new();
-    let (mut without, mut through) = (0, 0usize);
+    let (mut without, mut through) = (0, 0_usize);
     let own_m_s = scene.projectile.velocity_m_s;
     let range_criterion = range.criterion;
     for _ in 0..scattering.samples {
         if !range.goes_on() {
             return None;
         }
-        let sample = Arc::new(scattered(scene, scattering.deviation, &mut random));
+        draw.sample().ok()?;
+        let sample = Arc::new(draw.scene().clone());
+        let factor = scattering.model.factor(&mut errors);
         // Shots within a sample are not counted: a sample is one piece of work. It can be stopped all the same.
         let (done, total) = (range.done.min(range.total), range.total);
         let mut watch = |_: usize, _: usize| (range.watch)(done, total);
@@ -72,25 +95,20 @@ pub(super) fn scatter(
         let around = (nominal_m_s / WITHIN, nominal_m_s * WITHIN);
         match own.limit(around, POINTS, WIDTH) {
             Limit::Found { velocity_m_s, .. } => {
-                through += usize::from(velocity_m_s < own_m_s);
-                limits.push(velocity_m_s);
+                through += usize::from(factor * velocity_m_s < own_m_s);
+                limits.push(factor * velocity_m_s);
             }
             // Beyond the bracket on a known side.
             Limit::Always => {
                 without += 1;
-                through += usize::from(own_m_s > around.0);
+                through += usize::from(own_m_s > factor * around.0);
             }
             Limit::Unknown => return None,
             Limit::Between { .. } | Limit::Never => without += 1,
         }
     }
     limits.sort_by(f64::total_cmp);
-    if limits.len() < 2 {
-        return None;
-    }
-    let count = limits.len() as f64;
-    let mean = limits.iter().sum::<f64>() / count;
-    let variance = limits.iter().map(|limit| (limit - mean).powi(2)).sum::<f64>() / (count - 1.0);
+    let (_, deviation_m_s) = moments(&limits)?;
     let samples = scattering.samples as f64;
     let perforated = through as f64 / samples;
     Some(Scatter {
@@ -98,94 +116,27 @@ pub(super) fn scatter(
         found: limits.len(),
         without,
         v50_m_s: quantile(&limits, 0.5),
-        deviation_m_s: variance.sqrt(),
+        deviation_m_s,
         range90_m_s: (quantile(&limits, 0.05), quantile(&limits, 0.95)),
         perforated,
         perforated95: wilson(perforated, samples),
     })
 }
 
-fn scattered(scene: &Scene, deviation: f64, random: &mut Random) -> Scene {
-    let mut own = scene.clone();
-    let target = &mut own.target;
-    let hardness = match target.closure {
-        Closure::Given => &mut target.flow_strength_pa,
-        Closure::DoubleYield | Closure::Cavity => &mut target.yield_pa,
-    };
-    let mechanism = &mut own.mechanism;
-    // Laws without a coefficient scatter in how many springs there are: in force.
-    let strength = match mechanism.spring.kind {
-        SpringKind::PowerLaw => &mut mechanism.spring.coefficient,
-        SpringKind::Normalised
-        | SpringKind::Cantilever
-        | SpringKind::FixedGuided
-        | SpringKind::Bistable
-        | SpringKind::ConstantForce
-        | SpringKind::Column
-        | SpringKind::Helix
-        | SpringKind::Table => &mut mechanism.spring.count,
-    };
-    // The order is part of what a seed means.
-    for value in [
-        &mut own.projectile.mass_kg,
-        &mut own.projectile.tip_radius_m,
-        &mut target.thickness_m,
-        &mut target.density_kg_m3,
-        hardness,
-        &mut target.drag_coefficient,
-        &mut own.plate.mass_ratio,
-        &mut own.plate.cocking_m,
-        &mut mechanism.damper.coefficient,
-        strength,
-    ] {
-        *value *= (deviation * random.normal()).exp();
-    }
-    // A stop stays in front of the plate it stops.
-    if let Some(position_m) = own.mechanism.stop.position_m.as_mut() {
-        let start_m = -own.plate.cocking_m;
-        *position_m = if *position_m > start_m { *position_m } else { start_m };
-    }
-    own
-}
-
-/// Quantile of sorted values, interpolated.
-pub(in crate::study) fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let place = share * (sorted.len() - 1) as f64;
-    let (mut below, mut beyond) = (0, sorted.len());
-    while beyond - below > 1 {
-        let middle = below + (beyond - below) / 2;
-        if middle as f64 <= place { below = middle } else { beyond = middle }
-    }
-    let above = if below + 1 < sorted.len() { below + 1 } else { below };
-    sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
-}
-
-/// Wilson's interval of a proportion (*Journal of the American Statistical Association* 22 (1927) 209-212).
-pub(in crate::study) fn wilson(p: f64, n: f64) -> (f64, f64) {
-    let z2 = Z95 * Z95;
-    let centre = (p + 0.5 * z2 / n) / (1.0 + z2 / n);
-    let half = Z95 / (1.0 + z2 / n) * (p * (1.0 - p) / n + 0.25 * z2 / (n * n)).sqrt();
-    (centre - half, centre + half)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// A model that comes out 4 % low measures 1/0.96 of it; without spread the factor is that alone, with spread its logarithm has
+    /// the deviation.
     #[test]
-    fn valid_interval_of_wilson() {
-        // E. B. Wilson's formula for 10 of 100, as tabulated by R. G. Newcombe, *Statistics in Medicine* 17 (1998), by hand.
-        let (low, high) = wilson(0.1, 100.0);
-        assert!((low - 0.0552).abs() < 1e-4 && (high - 0.1744).abs() < 1e-4, "{low} {high}");
-        let (low, _) = wilson(0.0, 50.0);
-        assert!(low.abs() < 1e-15);
-    }
-
-    #[test]
-    fn quantiles_lie_between_the_values() {
-        let sorted = [1.0, 2.0, 4.0];
-        for (share, value) in [(0.0, 1.0), (0.25, 1.5), (0.5, 2.0), (0.75, 3.0), (1.0, 4.0)] {
-            assert!((quantile(&sorted, share) - value).abs() < 1e-15);
-        }
+    fn the_error_of_the_model_is_a_factor_on_each_limit() {
+        let mut random = Random::new(7);
+        let low = ModelError { bias: -0.04, spread: 0.0 };
+        assert!((low.factor(&mut random) - 1.0 / 0.96).abs() < 1e-15);
+        let wide = ModelError { bias: 0.0, spread: 0.1 };
+        let logs: Vec<f64> = (0..20_000).map(|_| wide.factor(&mut random).ln()).collect();
+        let (mean, deviation) = moments(&logs).unwrap();
+        assert!(mean.abs() < 3e-3 && (deviation - 0.1).abs() < 2e-3, "{mean} {deviation}");
     }
 }

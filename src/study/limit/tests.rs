@@ -1,5 +1,6 @@
 //! Limits against closed forms, scatter against its own law, and the absence of a limit said as such.
 
+use super::scatter::ModelError;
 use super::search::{Verdict, WIDTH};
 use super::*;
 use crate::model::impact::{Settings, simulate};
@@ -154,7 +155,8 @@ fn a_stopped_search_keeps_what_it_has() {
 
 #[test]
 fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
-    let scattering = Scattering { deviation: 0.03, samples: 300, seed: 1 };
+    let scattering =
+        Scattering { deviation: 0.03, samples: 300, seed: 1, model: ModelError::default() };
     let effort = Effort { scattering: Some(scattering), ..PLAIN };
     let rigid = scene("mount=rigid v_i=232.295378");
     let run = || find(&rigid, effort, &mut |_, _| ControlFlow::Continue(())).unwrap();

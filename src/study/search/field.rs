@@ -5,21 +5,15 @@
 
 use std::ops::{ControlFlow, Range};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::model::impact::{Settings, simulate};
 use crate::model::results::ResultColumn;
-use crate::model::run::EndReason;
-use crate::model::scene::{InterfaceLaw, Mount, Scene};
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
-use crate::study::compare::load::holds_still;
-use crate::study::search::measure::{
-    CONTACT_FORCE, DESIGN_MEASURES, FARTHEST, Way, mass_kg, measure, mount_force_n, needs_course,
-};
+use crate::study::quantities::need_course;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::grid::tells;
-use crate::study::sweep::{Axis, Design, Evaluator, Failure, Fate, Plan, Rows, SweepError};
+use crate::study::sweep::{Axis, Evaluator, Failure, Fate, Plan, SweepError};
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
 const PIECE: u64 = 16;
@@ -39,13 +33,6 @@ pub struct Found {
 #[derive(Clone, Debug)]
 pub struct Field {
     plan: Plan,
-    measures: Vec<&'static ResultColumn>,
-    ways: Vec<Way>,
-    farthest: Option<usize>,
-    contact: Option<usize>,
-    /// The force into the mount is asked for, and the error estimate.
-    needs_course: bool,
-    estimate: bool,
     /// Steps after which a run is given up.
     steps_max: Option<usize>,
     threads: usize,
@@ -65,55 +52,11 @@ impl Field {
         measures: &[impl AsRef<str>],
         threads: usize,
     ) -> Result<Self, SweepError> {
-        let measures: Vec<&'static ResultColumn> =
-            measures.iter().map(|name| measure(name.as_ref())).collect::<Result<_, _>>()?;
-        let mut outputs: Vec<&str> = Vec::new();
-        let mut place = |name: &'static str| {
-            outputs.iter().position(|output| *output == name).unwrap_or_else(|| {
-                outputs.push(name);
-                outputs.len() - 1
-            })
-        };
-        let mut ways = Vec::new();
-        let (mut farthest, mut contact) = (None, None);
-        for column in &measures {
-            let own = DESIGN_MEASURES.iter().any(|other| other.name == column.name);
-            ways.push(match column.name {
-                "plate_mass_kg" => Way::Masses,
-                "peak_mount_force_n" => {
-                    if scene.plate.mount == Mount::Rigid {
-                        contact = Some(place(CONTACT_FORCE));
-                    } else {
-                        farthest = Some(place(FARTHEST));
-                    }
-                    Way::MountForce
-                }
-                _ if own => {
-                    farthest = Some(place(FARTHEST));
-                    Way::Masses
-                }
-                name => Way::Result(place(name)),
-            });
-        }
-        if outputs.is_empty() {
-            // What becomes of a design has to be known all the same.
-            outputs.push("final_penetration_m");
-        }
+        // What becomes of a design has to be known even where no measure is.
+        let names: Vec<&str> = measures.iter().map(AsRef::as_ref).collect();
         // A plan refuses all that a sweep over these axes would refuse.
-        let plan = Plan::new(scene, axes, Design::Sobol { points: 2, seed: 0 }, &outputs)?;
-        let needs_course = ways.contains(&Way::MountForce);
-        let estimate = outputs.contains(&"error_estimate");
-        Ok(Self {
-            plan,
-            measures,
-            ways,
-            farthest,
-            contact,
-            needs_course,
-            estimate,
-            steps_max: None,
-            threads,
-        })
+        let plan = Plan::for_points(scene, axes, &names)?;
+        Ok(Self { plan, steps_max: None, threads })
     }
 
     /// A field whose runs are given up after so many steps: such a design fails with its step budget used up. A search looks at
@@ -130,7 +73,7 @@ impl Field {
 
     /// The measures, in order.
     pub fn measures(&self) -> &[&'static ResultColumn] {
-        &self.measures
+        self.plan.outputs()
     }
 
     /// The scene whose other variables are held.
@@ -160,7 +103,7 @@ impl Field {
         let crew = Crew { threads: self.threads, piece };
         let mut all = Vec::with_capacity(designs.len());
         let hire = || {
-            let mut evaluator = Evaluator::new(&plan, &stop);
+            let mut evaluator = Evaluator::new(&plan, &stop).limited(self.steps_max);
             let (plan, stop) = (&plan, &stop);
             move |points: Range<u64>| self.piece(plan, stop, &mut evaluator, points)
         };
@@ -188,128 +131,60 @@ impl Field {
         evaluator: &mut Evaluator<'p>,
         points: Range<u64>,
     ) -> Vec<Found> {
-        let whole =
-            catch_unwind(AssertUnwindSafe(|| self.rows((plan, stop), evaluator, points.clone())));
+        let whole = catch_unwind(AssertUnwindSafe(|| self.rows(evaluator, points.clone())));
         if let Ok(found) = whole {
             return found;
         }
         // One of them panics: find out which, with evaluators that have not seen it.
         let mut all = Vec::new();
         for point in points {
-            let mut fresh = Evaluator::new(plan, stop);
-            let work = AssertUnwindSafe(|| self.rows((plan, stop), &mut fresh, point..point + 1));
+            let mut fresh = Evaluator::new(plan, stop).limited(self.steps_max);
+            let work = AssertUnwindSafe(|| self.rows(&mut fresh, point..point + 1));
             match catch_unwind(work) {
                 Ok(found) if found.is_empty() => break,
                 Ok(found) => all.extend(found),
                 Err(_) => all.push(Found {
                     fate: Fate::Failed(Failure::Panicked),
-                    values: vec![None; self.measures.len()],
+                    values: vec![None; self.measures().len()],
                 }),
             }
         }
         all
     }
 
-    fn rows(
-        &self,
-        (plan, stop): (&Plan, &AtomicBool),
-        evaluator: &mut Evaluator<'_>,
-        points: Range<u64>,
-    ) -> Vec<Found> {
-        let by_course = |point: &u64| {
-            let course = || self.needs_course && needs_course(&plan.scene(*point));
-            (self.steps_max.is_some() && self.runs_whole()) || course()
-        };
-        let (mut slow, mut quick) = (Vec::new(), Vec::new());
-        for point in points.clone() {
-            if by_course(&point) { slow.push(point) } else { quick.push(point) }
-        }
-        let rows = evaluator.rows_of(&quick);
-        let mut quickly = (0..rows.len()).zip(&quick).map(|(row, point)| {
-            let farthest = self.farthest.and_then(|place| rows.value(row, place));
-            if self.needs_course && holds_still(&plan.scene(*point), farthest) {
-                return self.course(plan.scene(*point), stop);
-            }
-            Some(self.found(plan, &rows, row, *point))
-        });
-        let mut all = Vec::new();
-        for point in points {
-            // What was stopped is not there: no later point counts.
-            let found = if slow.contains(&point) {
-                self.course(plan.scene(point), stop)
-            } else {
-                quickly.next().flatten()
+    fn rows(&self, evaluator: &mut Evaluator<'_>, points: Range<u64>) -> Vec<Found> {
+        let rows = evaluator.rows(points);
+        let found = |row: usize| {
+            let fate = rows.fate(row);
+            let value = |(place, column): (usize, &&'static ResultColumn)| {
+                rows.value(row, place).filter(|_| tells(column, fate))
             };
-            let Some(found) = found else { break };
-            all.push(found);
-        }
-        all
-    }
-
-    fn found(&self, plan: &Plan, rows: &Rows, row: usize, point: u64) -> Found {
-        let fate = rows.fate(row);
-        let at = |place: Option<usize>| place.and_then(|place| rows.value(row, place));
-        let value = |(way, column): (&Way, &&'static ResultColumn)| {
-            if !tells(column, fate) {
-                return None;
-            }
-            match way {
-                Way::Result(place) => rows.value(row, *place),
-                Way::Masses => mass_kg(column.name, &plan.scene(point), at(self.farthest)),
-                Way::MountForce => {
-                    mount_force_n(&plan.scene(point), at(self.farthest), at(self.contact))
-                }
-            }
+            Found { fate, values: self.measures().iter().enumerate().map(value).collect() }
         };
-        Found { fate, values: self.ways.iter().zip(&self.measures).map(value).collect() }
+        // What was stopped is not there: no later point counts.
+        (0..rows.len()).map(found).collect()
     }
 
-    /// Whether there is no quick way: on the plastic law, and where the force into the mount is looked for along the run.
+    /// Whether designs are simulated one by one: on the plastic law, and where a measure is not known from the contact alone.
     fn runs_whole(&self) -> bool {
         let scene = self.plan.base();
         let mut far = scene.clone();
         for axis in self.axes() {
             (axis.number().set)(&mut far, Some(larger(axis.ends().0, axis.ends().1)));
         }
-        scene.interface.law == InterfaceLaw::Plastic || (self.needs_course && needs_course(&far))
-    }
-
-    /// A design by a run, which keeps its series where that is looked at; `None` when it was stopped.
-    fn course(&self, scene: Scene, stop: &AtomicBool) -> Option<Found> {
-        let settings = Settings { series: self.needs_course, estimate: self.estimate };
-        let mut steps = 0;
-        let mut observer = |_t_s: f64| {
-            steps += 1;
-            let given_up = self.steps_max.is_some_and(|most| steps > most);
-            if given_up || stop.load(Ordering::Relaxed) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
-        };
-        let Ok(run) = simulate(&Arc::new(scene), &settings, &mut observer) else {
-            let fate = Fate::Failed(Failure::Refused);
-            return Some(Found { fate, values: vec![None; self.measures.len()] });
-        };
-        if run.end == EndReason::Cancelled {
-            if stop.load(Ordering::Relaxed) {
-                return None;
-            }
-            let fate = Fate::Failed(Failure::Early(EndReason::StepBudget));
-            return Some(Found { fate, values: vec![None; self.measures.len()] });
-        }
-        let fate = Fate::of(&run);
-        let value = |column: &&'static ResultColumn| {
-            tells(column, fate).then(|| column.value(&run)).flatten()
-        };
-        Some(Found { fate, values: self.measures.iter().map(value).collect() })
+        let forced = need_course(self.measures(), &far);
+        scene.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::is_quick(&self.plan)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
+    use crate::model::impact::{Settings, simulate};
     use crate::model::mechanism::Mechanism;
+    use crate::model::run::EndReason;
     use crate::study::sweep::Spacing;
 
     fn axes(list: &[(&str, f64, f64)]) -> Vec<Axis> {

@@ -11,13 +11,15 @@ use std::ops::ControlFlow;
 use crate::model::results::ResultColumn;
 use crate::model::run::EndReason;
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::quantities::quantity;
 use crate::study::search::field::{Field, Found};
-use crate::study::search::measure::measure;
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
 use crate::study::sweep::{Axis, Failure, Fate, SweepError};
+pub use constraint::{Constraint, feasibility};
 use polish::{Trial, polish};
 
+mod constraint;
 mod polish;
 
 /// The objectives of the workbench: depth, stroke, mass and force into the mount.
@@ -37,37 +39,6 @@ pub struct Objective {
     pub measure: &'static ResultColumn,
     /// Great is good.
     pub maximise: bool,
-}
-
-/// A measure with a bound.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Constraint {
-    /// The measure.
-    pub measure: &'static ResultColumn,
-    /// It must be this at most; otherwise at least.
-    pub at_most: bool,
-    /// The bound, SI; percent for percentages.
-    pub bound: f64,
-}
-
-impl Constraint {
-    /// How far a value is from the bound, relative to that; negative where it breaks the constraint.
-    fn margin(&self, value: f64) -> f64 {
-        let left = if self.at_most { self.bound - value } else { value - self.bound };
-        left / if self.bound == 0.0 { 1.0 } else { self.bound.abs() }
-    }
-
-    /// By how much a value violates it, relative to the bound; 0 where it keeps it.
-    pub fn violation(&self, value: f64) -> f64 {
-        let margin = self.margin(value);
-        if margin < 0.0 { -margin } else { 0.0 }
-    }
-
-    /// In words: `stroke <= 50 mm`.
-    pub fn words(&self) -> String {
-        let sign = if self.at_most { "<=" } else { ">=" };
-        format!("{} {sign} {}", self.measure.title(), self.measure.show(self.bound, 4))
-    }
 }
 
 /// What is looked for.
@@ -98,6 +69,21 @@ impl Task {
             }
         }
         list
+    }
+
+    /// The measures to show, by their places: those of objectives and constraints that were named, and what the interface is asked
+    /// for.
+    pub fn shown(&self) -> Vec<usize> {
+        let named = |column: &&'static ResultColumn| {
+            self.objectives.iter().any(|it| it.measure.name == column.name)
+                || self
+                    .constraints
+                    .iter()
+                    .any(|it| !it.is_feasibility && it.measure.name == column.name)
+                || column.name == "interface_demand_ratio"
+        };
+        let measures = self.measures();
+        (0..measures.len()).filter(|at| named(&measures[*at])).collect()
     }
 
     /// Runs for all laws together.
@@ -176,6 +162,17 @@ pub struct Front {
     pub given_up: usize,
     /// Whether it was done to its end.
     pub is_complete: bool,
+}
+
+impl Front {
+    /// The scene of one of its designs.
+    pub fn scene(&self, task: &Task, design: &Design) -> Scene {
+        let mut scene = self.base.clone();
+        for (axis, value) in task.axes.iter().zip(&design.values) {
+            (axis.number().set)(&mut scene, (!value.is_nan()).then_some(*value));
+        }
+        scene
+    }
 }
 
 /// Told with the runs done and how many there are, and now and then with the front so far; `Break` stops.
@@ -323,8 +320,7 @@ impl Search<'_> {
     /// How far each constraint is from its bound, relative to that; negative where it is broken.
     fn margins(&self, measures: &[Option<f64>]) -> Vec<f64> {
         let margin = |constraint: &Constraint| {
-            let value = measures[self.task.place(constraint.measure)];
-            value.map_or(-1.0, |value| constraint.margin(value))
+            constraint.margin(measures[self.task.place(constraint.measure)])
         };
         self.task.constraints.iter().map(margin).collect()
     }
@@ -367,10 +363,8 @@ impl Search<'_> {
             Some(if objective.maximise { -value } else { value })
         });
         let objectives: Option<Vec<f64>> = objectives.collect();
-        let broken = self.task.constraints.iter().map(|constraint| {
-            value(constraint.measure).map_or(f64::INFINITY, |value| constraint.violation(value))
-        });
-        let violation: f64 = broken.sum();
+        let broken = self.task.constraints.iter();
+        let violation: f64 = broken.map(|it| it.violation(value(it.measure))).sum();
         match objectives {
             Some(objectives) => Judged { objectives, violation },
             None => Judged {
@@ -446,7 +440,7 @@ impl Search<'_> {
         let judged = self.judge(&candidate.measures);
         let broken = self.task.constraints.iter().position(|constraint| {
             let value = candidate.measures[self.task.place(constraint.measure)];
-            value.is_some_and(|value| constraint.violation(value) > 0.0)
+            value.is_some() && constraint.violation(value) > 0.0
         });
         let beats = |design: &Design| self.judge(&design.measures).dominates(&judged);
         match (broken, judged.is_feasible()) {
@@ -489,7 +483,7 @@ pub fn objectives(
     minimise: &[impl AsRef<str>],
     maximise: &[impl AsRef<str>],
 ) -> Result<Vec<Objective>, SweepError> {
-    let of = |name: &str, maximise| Ok(Objective { measure: measure(name)?, maximise });
+    let of = |name: &str, maximise| Ok(Objective { measure: quantity(name)?, maximise });
     let small = minimise.iter().map(|name| of(name.as_ref(), false));
     let great = maximise.iter().map(|name| of(name.as_ref(), true));
     let named: Vec<Objective> = small.chain(great).collect::<Result<_, SweepError>>()?;

@@ -7,13 +7,12 @@
 
 use std::ops::ControlFlow;
 
-use crate::model::results::{RESULTS, ResultColumn};
-use crate::model::scene::Scene;
-use crate::model::variables::{self, Kind, Number, VariableError};
+use crate::model::results::ResultColumn;
+use crate::model::scene::{PlateSize, Scene, SpringKind};
+use crate::model::variables::{self, Kind, Number, VARIABLES, Variable, VariableError};
 use crate::numerics::random::Random;
-use crate::study::limit::scatter::{quantile, wilson};
+use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::search::field::Field;
-use crate::study::search::measure::DESIGN_MEASURES;
 use crate::study::sweep::{Axis, Fate, Spacing, SweepError};
 pub use tolerance::{Distribution, Tolerance};
 
@@ -27,8 +26,6 @@ const BATCH: usize = 2048;
 const DRAWS_MAX: usize = 10_000;
 /// The quantiles that are told.
 pub const SHARES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
-/// Standard normal quantile of a two-sided 95 % interval.
-const Z95: f64 = 1.959_963_984_540_054;
 /// Relative deviation where none is asked for.
 pub const USUAL_DEVIATION: f64 = 0.02;
 
@@ -130,26 +127,59 @@ pub enum ScatterError {
     },
 }
 
-/// The measures that say something of a design, in the order of tables: what tells of the computation is left out.
-pub fn usual_measures() -> Vec<&'static str> {
-    let computing = ["energy_residual", "error_estimate", "steps", "rejected", "rhs_evaluations"];
-    let results = RESULTS.iter().map(|column| column.name);
-    let told = results.filter(|name| !computing.contains(name));
-    told.chain(DESIGN_MEASURES.iter().map(|column| column.name)).collect()
+/// What of every scene scatters where nothing is named, besides its springs. The order is part of what a seed means.
+const USUAL_KEYS: [&str; 14] = [
+    "projectile.velocity_m_s",
+    "projectile.mass_kg",
+    "projectile.tip_radius_m",
+    "target.thickness_m",
+    "target.density_kg_m3",
+    "target.flow_strength_pa",
+    "target.yield_pa",
+    "target.modulus_pa",
+    "target.drag_coefficient",
+    "plate.mass_ratio",
+    "plate.mass_kg",
+    "plate.face_m",
+    "plate.cocking_m",
+    "mechanism.damper.coefficient",
+];
+const STOP: &str = "mechanism.stop.position_m";
+
+/// The inputs that scatter where none are named, lognormal by a relative deviation: all of [`USUAL_KEYS`], the springs' own
+/// parameters and the stop, where the scene uses them and they are not zero. Shapes (exponents) and numbers of springs are taken as
+/// they are, unless the spring has no other parameter.
+pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
+    let bodies = USUAL_KEYS.iter().filter_map(|key| variables::find(key).ok());
+    let springs = VARIABLES.iter().filter(|variable| is_springs_own(variable.key, scene));
+    let scatters = |variable: &&Variable| {
+        // What follows from another input varies with that.
+        let follows = variable.key == "plate.mass_ratio" && scene.plate.size != PlateSize::Ratio;
+        !follows && variables::is_listed(variable, scene) && variables::is_used(variable, scene)
+    };
+    bodies
+        .chain(springs)
+        .chain(variables::find(STOP).ok())
+        .filter(scatters)
+        .filter_map(|variable| {
+            let Kind::Number(number) = &variable.kind else { return None };
+            let median = (number.get)(scene).filter(|value| *value > 0.0)?;
+            Tolerance::new(variable.symbol, Distribution::LogNormal { median, deviation }).ok()
+        })
+        .collect()
 }
 
-/// The inputs that scatter where none are named: velocity, masses, lengths, strength, density, drag, spring and damper
-/// coefficients that are not zero, lognormal by a relative deviation.
-pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
-    let symbols = ["v_i", "m_p", "R", "h", "rho", "S_y", "C_d", "gamma", "d", "b", "k"];
-    let found = symbols.iter().filter_map(|symbol| variables::find(symbol).ok());
-    let used = found.filter(|variable| variables::is_used(variable, scene));
-    used.filter_map(|variable| {
-        let Kind::Number(number) = &variable.kind else { return None };
-        let median = (number.get)(scene).filter(|value| *value > 0.0)?;
-        Tolerance::new(variable.symbol, Distribution::LogNormal { median, deviation }).ok()
-    })
-    .collect()
+/// Whether a key is a parameter of a spring that scatters.
+fn is_springs_own(key: &str, scene: &Scene) -> bool {
+    let first = key.strip_prefix("mechanism.spring.").map(|row| (row, &scene.mechanism.spring));
+    let second = || key.strip_prefix("mechanism.second.").map(|row| (row, &scene.mechanism.second));
+    let Some((row, spring)) = first.or_else(second) else { return false };
+    match row {
+        "exponent" | "mass_kg" => false,
+        // A measured curve scatters in force.
+        "count" => spring.kind == SpringKind::Table,
+        _ => true,
+    }
 }
 
 /// Draw and evaluate.
@@ -158,7 +188,7 @@ pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
 /// A [`ScatterError`] when something about it is bad: then nothing has run; or when no draw makes sense.
 pub fn scatter(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Report, ScatterError> {
     let field = field(scene, task)?;
-    let mut draw = Draw::new(scene, task);
+    let mut draw = Draw::new(scene, &task.tolerances, task.seed);
     let mut report = Report {
         tolerances: task.tolerances.clone(),
         redrawn: Vec::new(),
@@ -227,8 +257,8 @@ pub fn field(scene: &Scene, task: &Task) -> Result<Field, ScatterError> {
     Ok(Field::new(scene, axes, &task.measures, task.threads)?)
 }
 
-/// The stream of samples.
-struct Draw<'t> {
+/// The stream of samples: the one random source of every Monte Carlo study.
+pub(in crate::study) struct Draw<'t> {
     tolerances: &'t [Tolerance],
     scene: Scene,
     random: Random,
@@ -236,17 +266,22 @@ struct Draw<'t> {
 }
 
 impl<'t> Draw<'t> {
-    fn new(scene: &Scene, task: &'t Task) -> Self {
+    pub(in crate::study) fn new(scene: &Scene, tolerances: &'t [Tolerance], seed: u64) -> Self {
         Self {
-            tolerances: &task.tolerances,
+            tolerances,
             scene: scene.clone(),
-            random: Random::new(task.seed),
-            redrawn: vec![0; task.tolerances.len()],
+            random: Random::new(seed),
+            redrawn: vec![0; tolerances.len()],
         }
     }
 
+    /// The scene with the values drawn last.
+    pub(in crate::study) fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
     /// A value for every input, which together make physical sense.
-    fn sample(&mut self) -> Result<Vec<f64>, ScatterError> {
+    pub(in crate::study) fn sample(&mut self) -> Result<Vec<f64>, ScatterError> {
         let mut last = None;
         for _ in 0..DRAWS_MAX {
             let mut values = Vec::with_capacity(self.tolerances.len());
@@ -307,22 +342,8 @@ impl Summary {
             quantiles: Vec::new(),
             sorted: values,
         };
-        let count = summary.sorted.len();
-        if count < 2 {
-            return summary;
-        }
-        let n = count as f64;
-        // Shifted by a value, so that a small variance does not drown in a great mean.
-        let origin = summary.sorted[count / 2];
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for value in &summary.sorted {
-            sum += value - origin;
-            squares += (value - origin).powi(2);
-        }
-        let mean = origin + sum / n;
-        let variance = (squares - sum * sum / n) / (n - 1.0);
-        let deviation = if variance > 0.0 { variance.sqrt() } else { 0.0 };
-        let half = Z95 * deviation / n.sqrt();
+        let Some((mean, deviation)) = moments(&summary.sorted) else { return summary };
+        let half = Z95 * deviation / (summary.sorted.len() as f64).sqrt();
         summary.mean = Some((mean, (mean - half, mean + half)));
         summary.deviation = Some(deviation);
         summary.quantiles =

@@ -13,6 +13,7 @@ use crate::model::impact::{self, Settings};
 use crate::model::results::ResultColumn;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
+use crate::study::quantities::{self, need_course};
 use crate::study::sweep::Plan;
 use crate::study::sweep::quick::Quick;
 
@@ -158,6 +159,8 @@ pub struct Evaluator<'p> {
     scene: Arc<Scene>,
     quick: Option<Quick<'p>>,
     settings: Settings,
+    /// Steps after which a run is given up.
+    steps_max: Option<usize>,
 }
 
 impl<'p> Evaluator<'p> {
@@ -170,7 +173,19 @@ impl<'p> Evaluator<'p> {
             scene: Arc::new(plan.base().clone()),
             quick: Quick::of(plan),
             settings: Settings { series: false, estimate },
+            steps_max: None,
         }
+    }
+
+    /// The same, whose runs are given up after so many steps: such a point fails with its step budget used up.
+    #[must_use]
+    pub fn limited(self, steps_max: Option<usize>) -> Self {
+        Self { steps_max, ..self }
+    }
+
+    /// Whether a plan's outputs may be known from the contact alone.
+    pub(in crate::study) fn is_quick(plan: &Plan) -> bool {
+        Quick::of(plan).is_some()
     }
 
     /// The outputs at a piece of the sweep, a row a point; fewer rows when it was stopped.
@@ -187,7 +202,11 @@ impl<'p> Evaluator<'p> {
         let mut rows = Rows::new(plan.outputs().len());
         for (place, index) in points.iter().enumerate() {
             if let Some((fate, answer)) = self.quick.as_ref().and_then(|quick| quick.found(place)) {
-                rows.push(*fate, plan.outputs().iter().map(|output| answer.value(output.name)));
+                if self.quick.as_ref().is_some_and(Quick::needs_scene) {
+                    plan.place(Arc::make_mut(&mut self.scene), *index);
+                }
+                let scene = &self.scene;
+                rows.push(*fate, plan.outputs().iter().map(|output| answer.value(output, scene)));
                 continue;
             }
             if self.one(*index, &mut rows).is_none() {
@@ -204,12 +223,17 @@ impl<'p> Evaluator<'p> {
         }
         let run = self.run(index);
         let fate = match &run {
-            Ok(run) if run.end == EndReason::Cancelled => return None,
+            Ok(run) if run.end == EndReason::Cancelled => {
+                if self.stop.load(Ordering::Relaxed) {
+                    return None;
+                }
+                Fate::Failed(Failure::Early(EndReason::StepBudget))
+            }
             Ok(run) => Fate::of(run),
             Err(failure) => Fate::Failed(*failure),
         };
         let told = run.as_ref().ok().filter(|_| !matches!(fate, Fate::Failed(_)));
-        let value = |output: &&ResultColumn| told.and_then(|run| output.value(run));
+        let value = |output: &&ResultColumn| told.and_then(|run| quantities::value(output, run));
         rows.push(fate, self.plan.outputs().iter().map(value));
         Some((fate, run))
     }
@@ -218,15 +242,17 @@ impl<'p> Evaluator<'p> {
     fn run(&mut self, index: u64) -> Result<Run, Failure> {
         // The last run's scene is gone by now, so nothing is copied.
         self.plan.place(Arc::make_mut(&mut self.scene), index);
-        let stop = self.stop;
+        let (stop, mut steps, most) = (self.stop, 0, self.steps_max);
         let mut observer = |_t_s: f64| {
-            if stop.load(Ordering::Relaxed) {
+            steps += 1;
+            if stop.load(Ordering::Relaxed) || most.is_some_and(|most| steps > most) {
                 ControlFlow::Break(())
             } else {
                 ControlFlow::Continue(())
             }
         };
-        let (scene, settings) = (&self.scene, &self.settings);
+        let series = need_course(self.plan.outputs(), &self.scene);
+        let (scene, settings) = (&self.scene, &Settings { series, ..self.settings });
         // Each point begins anew, so a panic at one leaves nothing behind for the next.
         let work = AssertUnwindSafe(|| impact::simulate(scene, settings, &mut observer));
         match catch_unwind(work) {

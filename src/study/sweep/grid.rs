@@ -8,7 +8,7 @@ use std::ops::{ControlFlow, Range, RangeInclusive};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use crate::model::results::ResultColumn;
+use crate::model::results::{Needs, ResultColumn};
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows, SweepError};
 
@@ -233,6 +233,10 @@ impl Grid {
 
 /// Whether a number means something where a point ended like this: the depth of a perforation does not.
 pub fn tells(output: &ResultColumn, fate: Fate) -> bool {
+    // What does not depend on what became of the shot.
+    if matches!(output.needs(), Needs::Scene | Needs::Limit) {
+        return !matches!(fate, Fate::Failed(_));
+    }
     match fate {
         Fate::Arrested | Fate::Separated => true,
         Fate::Perforated => matches!(output.name, "residual_velocity_m_s" | "exit_time_s"),

@@ -10,9 +10,12 @@ use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
 use crate::model::impact::lean::{Contact, ContactEnd, run_abreast};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
+use crate::model::results::{ResultColumn, Source, Studied};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
+use crate::study::compare::load::holds_still;
+use crate::study::quantities::{mass, mount_force_n, needs_course};
 use crate::study::sweep::Plan;
 use crate::study::sweep::evaluate::Fate;
 
@@ -42,8 +45,17 @@ pub(super) struct Answer {
 }
 
 impl Answer {
-    /// A result by its name; `None` where it does not exist.
-    pub(super) fn value(&self, name: &str) -> Option<f64> {
+    /// A quantity of the point with this scene; `None` where it does not exist.
+    pub(super) fn value(&self, output: &ResultColumn, scene: &Scene) -> Option<f64> {
+        match output.source {
+            Source::Scene(get) => get(scene),
+            Source::Run(_) => self.of_contact(output.name),
+            Source::Study(Studied::MountForce) => mount_force_n(scene, self.farthest_m),
+            Source::Study(studied) => mass(studied, scene, self.farthest_m),
+        }
+    }
+
+    fn of_contact(&self, name: &str) -> Option<f64> {
         let end = self.end?;
         let arrest = end.arrested.then_some(end);
         match name {
@@ -75,6 +87,10 @@ pub(super) struct Quick<'p> {
     plan: &'p Plan,
     /// The displacement is asked for.
     travel: bool,
+    /// The force into the mount is asked for.
+    force: bool,
+    /// An output needs the scene of its point.
+    needs_scene: bool,
     baseline: Baseline,
     /// The contacts of the piece that have to be integrated, and their places.
     contacts: Vec<Contact>,
@@ -85,15 +101,22 @@ pub(super) struct Quick<'p> {
 impl<'p> Quick<'p> {
     /// The quick way for a plan, where its outputs and its held variables allow it.
     pub(super) fn of(plan: &'p Plan) -> Option<Self> {
-        let names = || plan.outputs().iter().map(|output| output.name);
-        if !names().all(|name| KNOWN.contains(&name) || name == STROKE) {
+        if !plan.outputs().iter().all(|output| is_quick(output)) {
             return None;
         }
+        let travels = |output: &&ResultColumn| {
+            matches!(output.source, Source::Study(_))
+                || output.name == "max_plate_displacement_m"
+                || output.name == STROKE
+        };
+        let outputs = || plan.outputs().iter();
         let changes = |group: Group| plan.axes().iter().any(|axis| axis.variable().group == group);
         let fixed = !(changes(Group::Projectile) || changes(Group::Target));
         Some(Self {
             plan,
-            travel: names().any(|name| name == "max_plate_displacement_m" || name == STROKE),
+            travel: outputs().any(travels),
+            force: outputs().any(|output| output.name == "peak_mount_force_n"),
+            needs_scene: outputs().any(|output| !matches!(output.source, Source::Run(_))),
             baseline: if fixed {
                 Baseline::Fixed(baseline_m(plan.base(), &Geometry::of(plan.base())))
             } else {
@@ -103,6 +126,11 @@ impl<'p> Quick<'p> {
             places: Vec::new(),
             answers: Vec::new(),
         })
+    }
+
+    /// Whether a value needs the scene of its point.
+    pub(super) fn needs_scene(&self) -> bool {
+        self.needs_scene
     }
 
     /// What was found at a place of the piece last answered, if anything.
@@ -118,7 +146,7 @@ impl<'p> Quick<'p> {
         self.places.clear();
         for (place, index) in points.iter().enumerate() {
             self.plan.place(scene, *index);
-            if serves(scene, self.travel) {
+            if serves(scene, self.travel) && self.tells_force(scene) {
                 self.contacts.push(Contact::of(scene));
                 self.places.push(place);
             }
@@ -127,8 +155,17 @@ impl<'p> Quick<'p> {
         for (place, end) in self.places.iter().zip(ends) {
             let Some(end) = end else { continue };
             self.plan.place(scene, points[*place]);
-            self.answers[*place] = Some(self.finish(scene, end));
+            let answer = self.finish(scene, end);
+            // A plate that never leaves its place puts the contact force into its mount: that takes a run.
+            let still = self.force && holds_still(scene, answer.1.farthest_m);
+            self.answers[*place] = (!still).then_some(answer);
         }
+    }
+
+    /// Whether the force into the mount, where it is requested, follows from where the plate starts and turns.
+    fn tells_force(&self, scene: &Scene) -> bool {
+        let sprung = scene.plate.mount == Mount::Sprung;
+        !self.force || (sprung && !needs_course(scene) && !Mechanism::of(scene).is_absent())
     }
 
     /// All that is asked, from the end of the contact.
@@ -155,6 +192,21 @@ pub(in crate::study) fn serves(scene: &Scene, travel: bool) -> bool {
         && !(sprung && mechanism.stop.position_m.is_some())
         && !(damped && travel)
         && scene.run.horizon_s.is_none()
+}
+
+/// Whether the quick way can tell a quantity.
+fn is_quick(output: &ResultColumn) -> bool {
+    match output.source {
+        Source::Scene(_) => true,
+        Source::Run(_) => KNOWN.contains(&output.name) || output.name == STROKE,
+        Source::Study(studied) => match studied {
+            Studied::LeastSpringMass
+            | Studied::SystemMass
+            | Studied::ArealMass
+            | Studied::MountForce => true,
+            Studied::MountImpulse | Studied::LimitVelocity | Studied::MassEfficiency => false,
+        },
+    }
 }
 
 /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.

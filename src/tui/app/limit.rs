@@ -10,11 +10,16 @@ use super::notice::Severity;
 use super::status::wrap;
 use crate::model::run::Outcome;
 use crate::model::units::{fixed_significant, significant};
-use crate::study::limit::scatter::{Scatter, Scattering};
+use crate::study::limit::scatter::{ModelError, Scatter, Scattering};
 use crate::study::limit::{Criterion, Effort, Limit, Report, Shot, words};
 
 /// The scatter of the inputs that is asked for here.
-pub const SCATTERING: Scattering = Scattering { deviation: 0.02, samples: 200, seed: 1 };
+pub const SCATTERING: Scattering = Scattering {
+    deviation: 0.02,
+    samples: 200,
+    seed: 1,
+    model: ModelError { bias: 0.0, spread: 0.0 },
+};
 /// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
 const CARRIED: f64 = 0.2;
 
@@ -304,6 +309,7 @@ impl App {
                 parts.push(same(Severity::Note, format!("by {}", basis.words())));
             }
             parts.push(same(Severity::Note, format!("curve of {} shots", report.shots.len())));
+            parts.extend(self.validity_part());
         }
         parts
     }

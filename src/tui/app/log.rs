@@ -4,7 +4,7 @@ use super::App;
 use super::notice::{Notice, Severity};
 use super::runs::engineering;
 use super::status::wrap;
-use crate::model::run::{EnergyLedger, EstimateBasis, Run};
+use crate::model::run::{EnergyLedger, EstimateBasis, Run, envelope};
 use crate::tui::theme;
 
 /// What a line of the Log tab is.
@@ -102,10 +102,11 @@ fn heading(lines: &mut Vec<LogLine>, text: &str) {
 
 fn warnings(lines: &mut Vec<LogLine>, run: &Run, which: &str) {
     heading(lines, &format!("Warnings of the run{which}"));
-    if run.warnings.is_empty() {
+    let warnings = envelope::warnings(run);
+    if warnings.is_empty() {
         push(lines, LineKind::Dim, "none".to_owned());
     }
-    for warning in &run.warnings {
+    for warning in warnings {
         push(lines, LineKind::Warning, format!("! {warning}"));
     }
 }

@@ -14,8 +14,10 @@ use crate::model::units::significant;
 use crate::study::search::front::{Design, Front, Task};
 use crate::study::search::scatter::Summary;
 use crate::worker::searches::{Answer, Request};
-pub use setup::{Bound, Row, SearchField, Setup};
+pub use bounds::Bound;
+pub use setup::{Row, SearchField, Setup};
 
+pub mod bounds;
 pub mod lines;
 pub mod setup;
 
@@ -338,6 +340,7 @@ impl App {
                 }
             }
         }
+        parts.extend(self.validity_part());
         let law = crate::model::variables::find("interface.law");
         let law = law.map_or_else(|_| String::new(), |found| found.show(&self.scene));
         let law = format!("interface {law}");
@@ -352,7 +355,7 @@ impl App {
         Some(match (&found.answer, &*found.request) {
             (Answer::Seek(report), _) => seek_file::rows(&name, report).csv(),
             (Answer::Front(front), Request::Front(task)) => {
-                front_file::csv(&name, task, std::slice::from_ref(&**front))
+                front_file::rows(&name, task, std::slice::from_ref(&**front)).csv()
             }
             (Answer::Front(_), _) => return None,
             (Answer::Sensitivity(report), _) => sensitivity_file::rows(&name, report).csv(),

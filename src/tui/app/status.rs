@@ -5,6 +5,7 @@ use super::quantity::Quantity;
 use super::runs::{RunView, engineering, millimetres, name_of};
 use super::show_duration;
 use super::{App, Tab};
+use crate::model::run::envelope;
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::tui::message::Place;
 use crate::tui::theme::columns;
@@ -210,6 +211,7 @@ impl App {
             None => same(severity(run.outcome), run.outcome.word().to_owned()),
         });
         parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
+        parts.extend(self.validity_part());
         if let Some(estimate) = run.error_estimate {
             parts.push(same(
                 Severity::Note,
@@ -277,7 +279,8 @@ impl App {
         let mut lines = vec![format!("scene         {name}")];
         lines.extend(results(run));
         // How it ended stands beside the outcome already.
-        let warnings = run.warnings.iter().filter(|it| !matches!(it, Warning::EndedEarly(_)));
+        let ended = Warning::EndedEarly(run.end).to_string();
+        let warnings = envelope::warnings(run).into_iter().filter(|text| *text != ended);
         lines.extend(warnings.map(|warning| format!("{:<LABEL$}{warning}", "warning")));
         let room = usize::from(self.size.0).saturating_sub(LABEL).max(LABEL);
         let hang = |line: String| {

@@ -433,6 +433,7 @@ impl App {
             parts.push(same(Severity::Note, text));
         }
         let law = format!("interface {}", self.scene_word("interface.law"));
+        parts.extend(self.validity_part());
         parts.push((Severity::Note, format!("{law} (i switches)"), law));
         parts
     }

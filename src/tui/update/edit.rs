@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::dialog::wrap;
@@ -41,10 +42,17 @@ pub(super) fn set(
         _ => variable.show(&app.scene),
     };
     let label = format!("{} {old} -> {}", variable.symbol, variable.show(&scene));
-    let warning = variable.range_warning(&scene);
+    // What was outside before is marked in the list; what comes to be outside is said.
+    let before = envelope::of_scene(&app.scene);
+    let breach = envelope::of_scene(&scene)
+        .into_iter()
+        .filter(|breach| before.iter().all(|old| old.check != breach.check))
+        .find(|breach| breach.check.symbol() == variable.symbol)
+        .map(|breach| breach.to_string());
+    let warning = breach.or_else(|| variable.range_warning(&scene).map(|warning| warning.text));
     let effects = commit_scene(app, scene, label, stepping);
     if let Some(warning) = warning {
-        app.say(Severity::Warning, warning.text);
+        app.say(Severity::Warning, warning);
     }
     Ok(effects)
 }

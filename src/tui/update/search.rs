@@ -9,14 +9,16 @@ use crossterm::event::{KeyCode, KeyEvent};
 use tui_input::Input;
 
 use super::{edit, input, jobs, table};
-use crate::study::search::measure::{self, measure, parse_value};
+use crate::model::results::RESULTS;
+use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::seek::SCAN;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Table, wrap};
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::layout::Body;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::search::setup::{Setup, bound, read_bound, read_end};
+use crate::tui::app::search::bounds::{bound, read_bound, read_end};
+use crate::tui::app::search::setup::Setup;
 use crate::tui::app::search::{Found, Page, Row, SearchField};
 use crate::tui::app::sweep::numeric;
 use crate::tui::app::{App, Tab};
@@ -251,7 +253,7 @@ fn change(app: &mut App, row: Row, by: isize) {
         let moved = if by > 0 { value + each } else { value.saturating_sub(each) };
         moved.clamp(least, most)
     };
-    let measures = || measure::all().map(|column| column.name);
+    let measures = || RESULTS.iter().map(|column| column.name);
     let next = |name: &str| {
         let all: Vec<&'static str> = measures().collect();
         let at = all.iter().position(|other| *other == name).unwrap_or(0);
@@ -281,6 +283,7 @@ fn change(app: &mut App, row: Row, by: isize) {
         Row::Stroke => {
             setup.stroke_m = if by > 0 { Some(setup.stroke_m.unwrap_or(1.0)) } else { None }
         }
+        Row::Feasible => setup.feasible = by > 0,
         Row::Population => setup.effort.0 = within(setup.effort.0, POPULATIONS),
         Row::Generations => setup.effort.1 = within(setup.effort.1, GENERATIONS),
         Row::Across => setup.axes.0 = wrap(setup.axes.0.min(objectives - 1), by, objectives),
@@ -306,6 +309,11 @@ fn open_field(app: &mut App) -> Vec<Effect> {
         Row::Objective(at) => {
             let before = app.searching.setup.clone();
             app.searching.setup.objectives[at] = !before.objectives[at];
+            note(app, row, before, false);
+        }
+        Row::Feasible => {
+            let before = app.searching.setup.clone();
+            app.searching.setup.feasible = !before.feasible;
             note(app, row, before, false);
         }
         Row::Heading(_) => {}
@@ -368,14 +376,14 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
     let bounds = app.search_bounds();
     let setup = &mut app.searching.setup;
     let name =
-        |text: &str| measure(text).map(|column| column.name).map_err(|error| error.to_string());
+        |text: &str| quantity(text).map(|column| column.name).map_err(|error| error.to_string());
     match row {
         Row::Name => setup.seek = bound(&scene, text)?,
         Row::From | Row::To => setup.seek = read_end(&setup.seek, row == Row::From, text)?,
         Row::Points => setup.points = count(text, &SCAN)?,
         Row::Result => setup.goal.0 = name(text)?,
         Row::Goal => {
-            let column = measure(setup.goal.0).map_err(|error| error.to_string())?;
+            let column = quantity(setup.goal.0).map_err(|error| error.to_string())?;
             setup.goal.1 = parse_value(column, text)?;
         }
         Row::Bound(at) => {
@@ -386,7 +394,7 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
         }
         Row::Stroke if text == "none" => setup.stroke_m = None,
         Row::Stroke => {
-            let column = measure("stroke_m").map_err(|error| error.to_string())?;
+            let column = quantity("stroke_m").map_err(|error| error.to_string())?;
             let value = parse_value(column, text)?;
             if value <= 0.0 {
                 return Err(format!("`{text}` must be greater than 0, or none"));
@@ -409,7 +417,13 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
                 .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
         }
         Row::Samples => setup.samples = count(text, &(2..=1_000_000))?,
-        Row::Page | Row::Heading(_) | Row::Spacing | Row::Objective(_) | Row::Across | Row::Up => {}
+        Row::Page
+        | Row::Heading(_)
+        | Row::Spacing
+        | Row::Objective(_)
+        | Row::Feasible
+        | Row::Across
+        | Row::Up => {}
     }
     Ok(())
 }

@@ -6,6 +6,7 @@ use ratatui::layout::Rect;
 use super::Cursor;
 use super::save::extent;
 use super::text::{columns, paint_row, put, window};
+use crate::model::run::envelope;
 use crate::model::scene::SpringKind;
 use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
@@ -39,12 +40,16 @@ pub(super) fn render(
         return;
     }
     let list = Rect { height: inner.height - 1, ..inner };
+    let breaches = envelope::of_scene(&app.scene);
+    let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
     for (at, row) in (0..list.height).zip(rows.iter().skip(first)) {
         match row {
             Row::Heading(group) => {
                 put(buffer, list, (0, at), group.title(), app.theme.style(Role::Title));
             }
-            Row::Variable(index) => variable(app, *index, (list, at), buffer, cursor),
+            Row::Variable(index) => {
+                variable(app, (*index, &outside), (list, at), buffer, cursor);
+            }
         }
     }
     if rows.is_empty() {
@@ -87,7 +92,7 @@ fn counter(app: &App, rows: &[Row], first: usize, height: usize) -> String {
 
 fn variable(
     app: &App,
-    index: usize,
+    (index, outside): (usize, &[&str]),
     (list, row): (Rect, u16),
     buffer: &mut Buffer,
     cursor: &mut Cursor,
@@ -95,7 +100,9 @@ fn variable(
     let variable = &VARIABLES[index];
     let selected = app.editor.selected == index;
     let used = variables::is_used(variable, &app.scene);
-    let warned = used && variable.range_warning(&app.scene).is_some();
+    let is_outside =
+        variable.range_warning(&app.scene).is_some() || outside.contains(&variable.symbol);
+    let warned = used && is_outside;
     let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
     let style = app.theme.style(if used { Role::Text } else { Role::Dim });
     let field = app.editor.field.as_ref().filter(|field| field.variable == index);

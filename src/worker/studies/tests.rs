@@ -129,7 +129,12 @@ fn a_limit_is_found_and_a_stopped_one_says_so() {
     studies.submit(Study { scene: Arc::new(scene), kind, ..study(1) });
     let limit_m_s = found().limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-    let scattering = limit::scatter::Scattering { deviation: 0.02, samples: 1_000_000, seed: 1 };
+    let scattering = limit::scatter::Scattering {
+        deviation: 0.02,
+        samples: 1_000_000,
+        seed: 1,
+        model: limit::scatter::ModelError::default(),
+    };
     let kind = StudyKind::Limit(limit::Effort {
         criterion: limit::Criterion::Passage,
         scattering: Some(scattering),

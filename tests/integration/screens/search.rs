@@ -306,7 +306,7 @@ fn the_proposed_bounds_of_a_held_variable_can_be_typed() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
     answer(&mut bench);
-    bench.keys("<Tab>jjjjjjjjjjj");
+    bench.keys("<Tab>jjjjjjjjjjjj");
     let row = bench.app.search_row();
     let (label, value) = bench.app.search_shown(row);
     assert_eq!((label.as_str(), value.as_str()), ("m_p", "held"));

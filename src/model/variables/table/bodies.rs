@@ -1,7 +1,7 @@
 //! What strikes, and what is struck.
 
 use super::{TABLE_9_1, TABLE_9_2};
-use crate::model::scene::{Closure, Mount};
+use crate::model::scene::{Closure, Mount, Nose, PlateSize};
 use crate::model::units::Quantity;
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
 
@@ -14,7 +14,7 @@ pub(super) const ROWS: &[Variable] = &[
         group: Group::Projectile,
         meaning: "projectile mass",
         source: TABLE_9_1,
-        kind: number!(Mass, Allowed::Positive, None, Linear, projectile.mass_kg),
+        kind: sizing!(Mass, projectile.mass_kg),
     },
     Variable {
         key: "projectile.tip_radius_m",
@@ -62,13 +62,29 @@ pub(super) const ROWS: &[Variable] = &[
         kind: number!(Pressure, Allowed::Positive, None, Linear, projectile.strength_pa),
     },
     Variable {
+        key: "projectile.nose",
+        symbol: "nose",
+        aliases: &[],
+        group: Group::Projectile,
+        meaning: "shape of the nose; the law is for a hemisphere, the others only earn a warning",
+        source: "assumption of the model",
+        kind: Kind::Choice(Choice {
+            words: &["hemispherical", "pointed", "blunt"],
+            get: |scene| scene.projectile.nose as usize,
+            set: |scene, index| {
+                scene.projectile.nose =
+                    [Nose::Hemispherical, Nose::Pointed, Nose::Blunt][index.min(2)];
+            },
+        }),
+    },
+    Variable {
         key: "target.thickness_m",
         symbol: "h",
         aliases: &[],
         group: Group::Target,
         meaning: "plate thickness",
         source: TABLE_9_1,
-        kind: number!(Length, Allowed::Positive, None, Linear, target.thickness_m),
+        kind: sizing!(Length, target.thickness_m),
     },
     Variable {
         key: "target.density_kg_m3",
@@ -77,7 +93,7 @@ pub(super) const ROWS: &[Variable] = &[
         group: Group::Target,
         meaning: "plate density",
         source: "thesis Table 9.1 (the Appendix has 2780)",
-        kind: number!(Density, Allowed::Positive, None, Linear, target.density_kg_m3),
+        kind: sizing!(Density, target.density_kg_m3),
     },
     Variable {
         key: "target.flow_strength_pa",
@@ -169,7 +185,66 @@ pub(super) const ROWS: &[Variable] = &[
         group: Group::Plate,
         meaning: "mass ratio, plate mass over projectile mass",
         source: TABLE_9_2,
-        kind: number!(Number, Allowed::Positive, Some((0.8, 7.0)), Linear, plate.mass_ratio),
+        kind: Kind::Number(Number {
+            quantity: Quantity::Number,
+            allowed: Allowed::Positive,
+            thesis_range: Some((0.8, 7.0)),
+            step: Step::Linear,
+            absent: None,
+            get: |scene| Some(scene.plate.mass_ratio),
+            set: |scene, value| {
+                scene.plate.size = PlateSize::Ratio;
+                scene.plate.mass_ratio = value.unwrap_or_default();
+            },
+        }),
+    },
+    Variable {
+        key: "plate.mass_kg",
+        symbol: "m_2",
+        aliases: &["m2"],
+        group: Group::Plate,
+        meaning: "plate mass; gamma = m_2/m_p follows from it",
+        source: "none: gamma gives the mass",
+        kind: Kind::Number(Number {
+            quantity: Quantity::Mass,
+            allowed: Allowed::Positive,
+            thesis_range: None,
+            step: Step::Linear,
+            absent: Some("none"),
+            get: |scene| match scene.plate.size {
+                PlateSize::Mass(kg) => Some(kg),
+                PlateSize::Ratio | PlateSize::Face(_) => None,
+            },
+            set: |scene, value| match (value, scene.plate.size) {
+                (Some(kg), _) => scene.resize(PlateSize::Mass(kg)),
+                (None, PlateSize::Mass(_)) => scene.resize(PlateSize::Ratio),
+                (None, PlateSize::Ratio | PlateSize::Face(_)) => {}
+            },
+        }),
+    },
+    Variable {
+        key: "plate.face_m",
+        symbol: "face",
+        aliases: &[],
+        group: Group::Plate,
+        meaning: "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
+        source: "none: gamma gives the mass",
+        kind: Kind::Number(Number {
+            quantity: Quantity::Length,
+            allowed: Allowed::Positive,
+            thesis_range: None,
+            step: Step::Linear,
+            absent: Some("none"),
+            get: |scene| match scene.plate.size {
+                PlateSize::Face(side_m) => Some(side_m),
+                PlateSize::Ratio | PlateSize::Mass(_) => None,
+            },
+            set: |scene, value| match (value, scene.plate.size) {
+                (Some(side_m), _) => scene.resize(PlateSize::Face(side_m)),
+                (None, PlateSize::Face(_)) => scene.resize(PlateSize::Ratio),
+                (None, PlateSize::Ratio | PlateSize::Mass(_)) => {}
+            },
+        }),
     },
     Variable {
         key: "plate.cocking_m",

@@ -1,8 +1,7 @@
 //! An input that scatters: its distribution, and how people write it.
 
-use super::{Axis, Kind, Number, Random, Scene, Spacing, SweepError, variables};
+use super::{Axis, Kind, Number, Random, Scene, Spacing, SweepError, Variable, variables};
 use crate::model::units::{self, Bare, significant};
-use crate::model::variables::Variable;
 
 /// How an input scatters; values in its stored unit.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -104,12 +104,12 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
     for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
         let (severity, words) = standing(candidate, task);
         let name = format!("{letter} {:18}", candidate.name);
-        let found: Vec<String> = candidate
-            .measures
-            .iter()
-            .zip(task.measures())
-            .map(|(value, column)| format!("{} {}", brief(column), shown(column, *value)))
-            .collect();
+        let measures = task.measures();
+        let value = |at: usize| {
+            let found = candidate.measures.get(at).copied().flatten();
+            format!("{} {}", brief(measures[at]), shown(measures[at], found))
+        };
+        let found: Vec<String> = task.shown().into_iter().map(value).collect();
         let values = found.join(", ");
         let long = format!("{name} {words}; {values}");
         let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };

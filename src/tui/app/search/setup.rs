@@ -3,33 +3,21 @@
 use tui_input::Input;
 
 use super::Page;
+use super::bounds::{Bound, axis, bound, range};
 use crate::model::results::ResultColumn;
 use crate::model::scene::Scene;
-use crate::model::units::{self, Bare, significant};
+use crate::model::units::{self, significant};
 use crate::model::variables::{self, Group, Kind};
+use crate::study::quantities::{self, quantity};
 use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
-use crate::study::search::measure::measure;
 use crate::study::search::nsga;
-use crate::study::search::scatter::{self, usual_measures, usual_tolerances};
+use crate::study::search::scatter::{self, usual_tolerances};
 use crate::study::search::seek::{Goal, SCAN_USUAL};
 use crate::study::sensitivity;
+use crate::study::sweep::Axis;
 use crate::study::sweep::crew::Crew;
-use crate::study::sweep::{Axis, Spacing};
 use crate::tui::app::App;
 use crate::worker::searches::Request;
-
-/// A variable with its bounds.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Bound {
-    /// Its symbol.
-    pub name: &'static str,
-    /// First and last value, in the stored unit.
-    pub ends: (f64, f64),
-    /// At equal ratios.
-    pub log: bool,
-    /// It is varied; otherwise held.
-    pub on: bool,
-}
 
 /// What is looked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +34,8 @@ pub struct Setup {
     pub objectives: [bool; 4],
     /// The greatest stroke allowed, m.
     pub stroke_m: Option<f64>,
+    /// Designs that are not feasible do not count.
+    pub feasible: bool,
     /// Points of a generation, and generations.
     pub effort: (usize, usize),
     /// Measures drawn across and up, by their place.
@@ -67,6 +57,7 @@ impl Default for Setup {
             bounds: Vec::new(),
             objectives: [true; 4],
             stroke_m: Some(1.0),
+            feasible: true,
             effort: (60, 40),
             axes: (0, 1),
             output: "percent_of_baseline",
@@ -104,6 +95,8 @@ pub enum Row {
     Objective(usize),
     /// The greatest stroke.
     Stroke,
+    /// Whether designs have to be feasible.
+    Feasible,
     /// Points of a generation.
     Population,
     /// Generations.
@@ -140,73 +133,6 @@ pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount forc
 pub fn brief(column: &ResultColumn) -> String {
     let at = USUAL.iter().position(|name| *name == column.name);
     at.map_or_else(|| column.title(), |at| OBJECTIVES[at].to_owned())
-}
-
-/// The bounds a variable gets when it is chosen: Table 9.2's, or half to double of what the scene has.
-///
-/// # Errors
-/// Why there is no such variable, or none with numbers.
-pub fn bound(scene: &Scene, name: &str) -> Result<Bound, String> {
-    let variable = variables::find(name).map_err(|error| error.to_string())?;
-    let Kind::Number(number) = &variable.kind else {
-        return Err(format!("{} has no numbers, only {}", variable.symbol, variable.allowed()));
-    };
-    let ends = number.thesis_range.unwrap_or_else(|| match (number.get)(scene) {
-        Some(value) if value > 0.0 => {
-            let double = 2.0 * value;
-            (0.5 * value, if number.allowed.contains(double) { double } else { value })
-        }
-        Some(_) | None => (0.0, 1.0),
-    });
-    Ok(Bound { name: variable.symbol, ends, log: false, on: true })
-}
-
-/// Read `0.8..7`, `1e3..7.5e6:log`, with units or without; `off` and `on`.
-///
-/// # Errors
-/// What is wrong with the text.
-pub fn read_bound(old: &Bound, text: &str) -> Result<Bound, String> {
-    match text.trim() {
-        "off" => return Ok(Bound { on: false, ..old.clone() }),
-        "on" => return Ok(Bound { on: true, ..old.clone() }),
-        _ => {}
-    }
-    let (range, log) = match text.trim().strip_suffix(":log") {
-        Some(range) => (range, true),
-        None => (text.trim(), false),
-    };
-    let (low, high) = range.split_once("..").ok_or("write LO..HI, LO..HI:log or off: 0.8..7")?;
-    let variable = variables::find(old.name).map_err(|error| error.to_string())?;
-    let Kind::Number(number) = &variable.kind else { return Err("no numbers".to_owned()) };
-    let read = |text: &str| {
-        units::parse(text, number.quantity, Bare::Stored).map_err(|problem| problem.to_string())
-    };
-    let ends = (read(low)?, read(high)?);
-    if let Some(problem) = units::one_bare_end(low, high, number.quantity) {
-        return Err(problem);
-    }
-    let new = Bound { ends, log, on: true, ..old.clone() };
-    axis(&new, 2).map(|_| new)
-}
-
-/// Read one end of a bound, the low or the high one, with a unit or without; the other end stays.
-///
-/// # Errors
-/// What is wrong with the text.
-pub fn read_end(old: &Bound, low: bool, text: &str) -> Result<Bound, String> {
-    let variable = variables::find(old.name).map_err(|error| error.to_string())?;
-    let Kind::Number(number) = &variable.kind else { return Err("no numbers".to_owned()) };
-    let end =
-        units::parse(text, number.quantity, Bare::Stored).map_err(|problem| problem.to_string())?;
-    let ends = if low { (end, old.ends.1) } else { (old.ends.0, end) };
-    let new = Bound { ends, on: true, ..old.clone() };
-    axis(&new, 2).map(|_| new)
-}
-
-/// A checked axis of a bound.
-fn axis(bound: &Bound, count: u64) -> Result<Axis, String> {
-    let spacing = if bound.log { Spacing::Log } else { Spacing::Linear };
-    Axis::new(bound.name, bound.ends, count, spacing).map_err(|error| error.to_string())
 }
 
 /// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, the shot's and the target's off.
@@ -260,7 +186,7 @@ impl App {
             Page::Front => {
                 rows.push(Row::Heading("Make small"));
                 rows.extend((0..OBJECTIVES.len()).map(Row::Objective));
-                rows.extend([Row::Stroke, Row::Heading("Vary")]);
+                rows.extend([Row::Stroke, Row::Feasible, Row::Heading("Vary")]);
                 rows.extend(bounds());
                 rows.extend([Row::Heading("Show"), Row::Across, Row::Up]);
                 rows.extend([Row::Heading("Effort"), Row::Population, Row::Generations]);
@@ -303,7 +229,7 @@ impl App {
     pub fn search_shown(&self, row: Row) -> (String, String) {
         let setup = &self.searching.setup;
         let title =
-            |name: &str| measure(name).map_or_else(|_| name.to_owned(), ResultColumn::title);
+            |name: &str| quantity(name).map_or_else(|_| name.to_owned(), ResultColumn::title);
         let text = |label: &str, value: String| (label.to_owned(), value);
         let on = |on: bool| if on { "yes" } else { "no" }.to_owned();
         let number = |value: f64| significant(value, 5);
@@ -330,6 +256,7 @@ impl App {
             }
             Row::Objective(at) => text(OBJECTIVES[at], on(setup.objectives[at])),
             Row::Stroke => text("stroke at most", self.search_text(row)),
+            Row::Feasible => text("feasible", on(setup.feasible)),
             Row::Population => text("designs", setup.effort.0.to_string()),
             Row::Generations => text("generations", setup.effort.1.to_string()),
             Row::Across => text("across", self.axis_title(setup.axes.0)),
@@ -360,7 +287,7 @@ impl App {
             Row::To => units::shortest(setup.seek.ends.1),
             Row::Points => setup.points.to_string(),
             Row::Result => setup.goal.0.to_owned(),
-            Row::Goal => measure(setup.goal.0)
+            Row::Goal => quantity(setup.goal.0)
                 .map_or_else(|_| String::new(), |column| column.show(setup.goal.1, 6)),
             Row::Bound(at) => self.search_bounds().get(at).map_or_else(String::new, range),
             Row::Stroke => match setup.stroke_m {
@@ -378,6 +305,7 @@ impl App {
             | Row::Heading(_)
             | Row::Spacing
             | Row::Objective(_)
+            | Row::Feasible
             | Row::Across
             | Row::Up => String::new(),
         }
@@ -392,7 +320,7 @@ impl App {
             )
         };
         let result = |name: &str| {
-            measure(name).map_or_else(
+            quantity(name).map_or_else(
                 |_| String::new(),
                 |column| format!("{}: {}", column.title(), column.meaning),
             )
@@ -412,6 +340,9 @@ impl App {
             }
             Row::Objective(at) => result(USUAL[at]),
             Row::Stroke => "designs with a greater stroke do not count; none: no bound".to_owned(),
+            Row::Feasible => {
+                "yes: interface, yield, travel, rigid stop and plate face count".to_owned()
+            }
             Row::Population => {
                 "designs of a generation: the front has as many at the most".to_owned()
             }
@@ -453,7 +384,7 @@ impl App {
             },
             Page::Scatter => Request::Scatter(scatter::Task {
                 tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
-                measures: usual_measures().into_iter().map(str::to_owned).collect(),
+                measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
                 samples: setup.samples,
                 seed: 1,
                 threads,
@@ -473,24 +404,25 @@ impl App {
         let objectives: Vec<Objective> =
             front::objectives(&chosen, &[] as &[&str]).map_err(|error| error.to_string())?;
         let bound = setup.stroke_m.map(|bound| {
-            measure("stroke_m").map(|measure| Constraint { measure, at_most: true, bound })
+            quantity("stroke_m").map(|measure| Constraint {
+                measure,
+                at_most: true,
+                bound,
+                is_feasibility: false,
+            })
         });
         let constraints = bound.transpose().map_err(|error| error.to_string())?;
         let (population, generations) = setup.effort;
         Ok(Task {
             axes,
             objectives,
-            constraints: constraints.into_iter().collect(),
+            constraints: constraints
+                .into_iter()
+                .chain(front::feasibility().filter(|_| setup.feasible))
+                .collect(),
             laws: vec![self.scene.interface.law],
             effort: nsga::Effort { population, generations, seed: 1 },
             threads,
         })
     }
-}
-
-/// `0.8..7` or `1e3..7.5e6:log`.
-fn range(bound: &Bound) -> String {
-    let (low, high) = bound.ends;
-    let log = if bound.log { ":log" } else { "" };
-    format!("{}..{}{log}", significant(low, 5), significant(high, 5))
 }

@@ -1,0 +1,118 @@
+//! `cmra explain NAME`: one variable or quantity, or all quantities, as a page, CSV or JSON.
+
+use std::fmt::Write as _;
+
+use clap::Args;
+use serde_json::Value;
+
+use crate::cli::table::TableArguments;
+use crate::cli::{CliError, variables};
+use crate::files::rows::Rows;
+use crate::model::results::{self, RESULTS, ResultColumn};
+use crate::model::units::shortest;
+use crate::model::variables::{find, nearest, used_when};
+
+/// The word for all quantities.
+const QUANTITIES: &str = "quantities";
+
+#[derive(Debug, Args)]
+pub(super) struct ExplainArguments {
+    /// A variable by symbol, name or key (gamma, thickness), a quantity (`limit_velocity_m_s`), or `quantities` for all of them
+    name: String,
+    #[command(flatten)]
+    table: TableArguments,
+}
+
+/// Explain.
+pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
+    let table = &arguments.table;
+    table.check()?;
+    let name = arguments.name.trim();
+    if name == QUANTITIES {
+        let all: Vec<&ResultColumn> = RESULTS.iter().collect();
+        return table.deliver(&list(), &quantity_rows(&all));
+    }
+    let spelled = name.replace([' ', '-'], "_");
+    if let Some(quantity) = results::find(name).or_else(|| results::find(&spelled)) {
+        return table.deliver(&quantity_page(quantity), &quantity_rows(&[quantity]));
+    }
+    let Ok(variable) = find(name).or_else(|_| find(&spelled)) else {
+        return Err(CliError::Option(format!(
+            "`{name}` is neither a variable nor a quantity: variables: {}; quantities: {}",
+            nearest(name),
+            results::nearest(name)
+        )));
+    };
+    let mut page = format!("{}: {}\n", variable.symbol, variable.meaning);
+    let mut line = |label: &str, text: &str| {
+        let _ = writeln!(page, "  {label:<12} {text}");
+    };
+    line("name", &variable.name());
+    line("key", variable.key);
+    if !variable.aliases.is_empty() {
+        line("also", &variable.aliases.join(", "));
+    }
+    line("default", &variables::default_of(variable));
+    line("allowed", &variable.allowed());
+    if let Some((low, high)) = variables::thesis_range(variable) {
+        let unit = variable.unit().trim_matches('-');
+        line("thesis", format!("{} to {} {unit}", shortest(low), shortest(high)).trim_end());
+    }
+    line("used", &used_when(variable));
+    line("source", variable.source);
+    line("for example", &format!("--set {}={}", variable.symbol, example(variable)));
+    table.deliver(&page, &variables::rows(std::slice::from_ref(variable)))
+}
+
+/// A value to write: the default, or the first that is allowed.
+fn example(variable: &crate::model::variables::Variable) -> String {
+    let default = variable.show(&crate::model::scene::Scene::default());
+    let words = variable.words();
+    words.last().map_or(default, |word| (*word).to_owned())
+}
+
+fn quantity_page(quantity: &ResultColumn) -> String {
+    let mut page = format!("{}: {}\n", quantity.name, quantity.meaning);
+    let unit = quantity.unit();
+    let _ = writeln!(page, "  {:<12} {}", "unit", if unit.is_empty() { "none" } else { unit });
+    let _ = writeln!(page, "  {:<12} {}", "needs", quantity.needs().words());
+    let _ = writeln!(
+        page,
+        "  {:<12} sweep --outputs, seek --goal, optimise --minimise, --maximise and --subject-to, montecarlo --outputs, sensitivity --output",
+        "usable in"
+    );
+    page
+}
+
+fn list() -> String {
+    let mut page = "quantities: name, what has to be computed, meaning\n\n".to_owned();
+    for quantity in RESULTS {
+        let needs = match quantity.needs() {
+            results::Needs::Scene => "scene",
+            results::Needs::Run => "run",
+            results::Needs::Course => "course",
+            results::Needs::Limit => "limit",
+        };
+        let _ = writeln!(page, "  {:<33} {needs:<7} {}", quantity.name, quantity.meaning);
+    }
+    page.push_str(
+        "\nscene: nothing but the scene; run: a run; course: a run and its course in time; limit: many shots, on request alone\n",
+    );
+    page
+}
+
+fn quantity_rows(quantities: &[&ResultColumn]) -> Rows {
+    let row = |quantity: &&ResultColumn| {
+        vec![
+            Value::from(quantity.name),
+            Value::from(quantity.title()),
+            Value::from(quantity.unit()),
+            Value::from(quantity.meaning),
+            Value::from(quantity.needs().words()),
+        ]
+    };
+    Rows {
+        columns: vec!["key", "label", "unit", "meaning", "needs"],
+        rows: quantities.iter().map(row).collect(),
+    }
+}

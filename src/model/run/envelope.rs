@@ -1,0 +1,442 @@
+//! Envelope of validity: what the model is good for (model page, section 8). One check for every command, page and study.
+//!
+//! Each [`Breach`] gives the number, what it means, and on which side the answer errs. What a scene tells by itself is checked by
+//! [`of_scene`]; what only a run tells (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation: sweeps and
+//! searches pay nothing.
+
+use std::fmt;
+
+use crate::model::mechanism::Mechanism;
+use crate::model::run::{EventKind, Run, Warning};
+use crate::model::scene::{
+    Closure, ContactModel, InterfaceLaw, Mount, Nose, Scene, SpringKind, StopKind,
+};
+use crate::model::units::significant;
+use crate::model::variables;
+
+/// Up to this h/D plates are validated with dishing, from this on without; a tenth of it is "about".
+const THICKNESS: f64 = 1.0;
+const ABOUT: f64 = 0.1;
+/// Strength of a hardened steel projectile, Pa, and the part of it from which it may deform.
+pub const PROJECTILE_STRENGTH_PA: f64 = 2e9;
+const RIGID_UP_TO: f64 = 0.5;
+/// The side of the plate's face over the projectile's diameter, at the least.
+pub const FACE_LEAST: f64 = 3.0;
+/// Quasi-static to moderate impact velocities, m/s.
+const VELOCITIES_M_S: (f64, f64) = (50.0, 1000.0);
+/// How far oblique limits come out low at 30 degrees, percent.
+const OBLIQUE_LOW: f64 = 4.0;
+/// The end of a steel coil that moves faster than this, m/s, sends a wave through its wire that takes it beyond its strength.
+const COIL_END_M_S: f64 = 20.0;
+
+/// One row of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Check {
+    /// Plate thickness over projectile diameter.
+    Thickness,
+    /// The shape of the nose.
+    Nose,
+    /// The pressure on the nose over the projectile's strength.
+    NosePressure,
+    /// The mass of the nose sphere over that of the projectile.
+    NoseMass,
+    /// The plate's face over the projectile's diameter.
+    Face,
+    /// Impact velocity.
+    Velocity,
+    /// Obliquity.
+    Obliquity,
+    /// Velocity, stress and travel of the spring.
+    Spring,
+    /// A rigid stop under a fused interface.
+    Stop,
+    /// What a fused interface is asked to carry.
+    Interface,
+}
+
+impl Check {
+    /// All, in the order of the table.
+    pub const ALL: [Self; 10] = [
+        Self::Thickness,
+        Self::Nose,
+        Self::NosePressure,
+        Self::NoseMass,
+        Self::Face,
+        Self::Velocity,
+        Self::Obliquity,
+        Self::Spring,
+        Self::Stop,
+        Self::Interface,
+    ];
+
+    /// A few words for a status line.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Thickness => "h/D",
+            Self::Nose => "nose",
+            Self::NosePressure => "nose pressure",
+            Self::NoseMass => "nose mass",
+            Self::Face => "plate face",
+            Self::Velocity => "velocity",
+            Self::Obliquity => "obliquity",
+            Self::Spring => "spring",
+            Self::Stop => "rigid stop",
+            Self::Interface => "interface",
+        }
+    }
+
+    /// The variable in whose row the breach is marked.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Thickness => "h",
+            Self::Nose => "nose",
+            Self::NosePressure | Self::Velocity => "v_i",
+            Self::NoseMass => "m_p",
+            Self::Face => "gamma",
+            Self::Obliquity => "theta",
+            Self::Spring => "k",
+            Self::Stop => "x_stop",
+            Self::Interface => "interface",
+        }
+    }
+}
+
+/// On which side the answer errs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// The real plate resists more: limits come out too low, depths too great.
+    Conservative,
+    /// The real plate resists less: limits come out too high, depths too small.
+    Unconservative,
+    /// Not known.
+    Unknown,
+}
+
+impl Direction {
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Conservative => "conservative",
+            Self::Unconservative => "unconservative",
+            Self::Unknown => "direction unknown",
+        }
+    }
+}
+
+/// A rule of the table that a scene or a run does not keep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Breach {
+    /// Which.
+    pub check: Check,
+    /// On which side the answer errs.
+    pub direction: Direction,
+    /// The number and what it means.
+    text: String,
+}
+
+impl fmt::Display for Breach {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "outside validity: {} ({})", self.text, self.direction.word())
+    }
+}
+
+/// Thickness over projectile diameter.
+pub fn thickness_ratio(scene: &Scene) -> f64 {
+    0.5 * scene.target.thickness_m / scene.projectile.tip_radius_m
+}
+
+/// Pressure on the nose at impact, S + c v², over the strength of hardened steel.
+pub fn nose_pressure_ratio(scene: &Scene) -> f64 {
+    let v = scene.projectile.velocity_m_s;
+    (scene.flow_strength_pa() + scene.drag_kg_m3() * v * v) / PROJECTILE_STRENGTH_PA
+}
+
+/// Side of the plate's face over the projectile's diameter; `None` where the plate's mass is not used.
+pub fn face_ratio(scene: &Scene) -> Option<f64> {
+    (scene.plate.mount == Mount::Sprung)
+        .then(|| 0.5 * scene.plate_face_m() / scene.projectile.tip_radius_m)
+}
+
+/// What a scene breaches by itself, in the order of the table.
+pub fn of_scene(scene: &Scene) -> Vec<Breach> {
+    let mut found = target(scene);
+    found.extend(shot(scene));
+    let fused = scene.interface.law == InterfaceLaw::Fused;
+    if fused && has_rigid_stop(scene) {
+        found.push(stop());
+    }
+    found.sort_by_key(|breach| breach.check);
+    found
+}
+
+fn breach(check: Check, direction: Direction, text: String) -> Breach {
+    Breach { check, direction, text }
+}
+
+/// What concerns the plate.
+fn target(scene: &Scene) -> Vec<Breach> {
+    let mut found = Vec::new();
+    let uses_plate =
+        matches!(scene.contact.model, ContactModel::Hydrodynamic | ContactModel::Appendix);
+    let ratio = thickness_ratio(scene);
+    let shown = significant(ratio, 3);
+    if uses_plate && scene.target.dishing && ratio > THICKNESS + ABOUT {
+        let cure = match scene.target.closure {
+            Closure::Given => "set dishing=off and a strength by cavity expansion",
+            Closure::DoubleYield | Closure::Cavity => "set dishing=off and closure=cavity",
+        };
+        let text =
+            format!("h/D = {shown}: with dishing the law is validated up to about 1; {cure}");
+        found.push(breach(Check::Thickness, Direction::Conservative, text));
+    }
+    if uses_plate && !scene.target.dishing && ratio < THICKNESS - ABOUT {
+        let text = format!(
+            "h/D = {shown}: without dishing the law is validated from about 1; a thin plate bulges and resists less; set \
+             dishing=on"
+        );
+        found.push(breach(Check::Thickness, Direction::Unconservative, text));
+    }
+    if let Some(face) = face_ratio(scene).filter(|face| *face < FACE_LEAST) {
+        let text = format!(
+            "the plate's face is {} mm square, {} D: below {FACE_LEAST} D its edges give way and the hole has no room; raise \
+             gamma or set face",
+            significant(1e3 * scene.plate_face_m(), 3),
+            significant(face, 3)
+        );
+        found.push(breach(Check::Face, Direction::Unconservative, text));
+    }
+    found
+}
+
+/// What concerns the shot.
+fn shot(scene: &Scene) -> Vec<Breach> {
+    let mut found = Vec::new();
+    let projectile = &scene.projectile;
+    let v = projectile.velocity_m_s;
+    match projectile.nose {
+        Nose::Hemispherical => {}
+        Nose::Blunt => found.push(breach(
+            Check::Nose,
+            Direction::Unconservative,
+            "nose = blunt: the law is for a hemispherical nose; a blunt one shears out a plug and its limit comes out about 60 % \
+             too high"
+                .to_owned(),
+        )),
+        Nose::Pointed => found.push(breach(
+            Check::Nose,
+            Direction::Unknown,
+            "nose = pointed: the law is for a hemispherical nose".to_owned(),
+        )),
+    }
+    let pressure = nose_pressure_ratio(scene);
+    if pressure > RIGID_UP_TO {
+        let text = format!(
+            "the pressure on the nose S + c v^2 is {} times the 2 GPa of hardened steel: above {RIGID_UP_TO} the projectile may \
+             deform or break",
+            significant(pressure, 3)
+        );
+        found.push(breach(Check::NosePressure, Direction::Conservative, text));
+    }
+    let sphere = 4.0 / 3.0
+        * std::f64::consts::PI
+        * projectile.tip_radius_m.powi(3)
+        * projectile.density_kg_m3;
+    if sphere > projectile.mass_kg {
+        let text = format!(
+            "the nose sphere alone weighs {} g, the projectile {} g: radius, density and mass do not fit",
+            significant(1e3 * sphere, 3),
+            significant(1e3 * projectile.mass_kg, 3)
+        );
+        found.push(breach(Check::NoseMass, Direction::Unknown, text));
+    }
+    let (slow, fast) = VELOCITIES_M_S;
+    if v < slow {
+        let text =
+            format!("v_i = {} m/s is below the {slow} m/s of measurements", significant(v, 4));
+        found.push(breach(Check::Velocity, Direction::Unknown, text));
+    }
+    if v > fast {
+        let text = format!(
+            "v_i = {} m/s is above {fast} m/s: heating, rate and erosion are not modelled",
+            significant(v, 4)
+        );
+        found.push(breach(Check::Velocity, Direction::Unknown, text));
+    }
+    if projectile.obliquity_deg > 0.0 {
+        found.push(oblique(scene));
+    }
+    found
+}
+
+fn oblique(scene: &Scene) -> Breach {
+    let theta = scene.projectile.obliquity_deg;
+    let critical = variables::critical_obliquity_deg(scene);
+    let glances = if theta > critical {
+        format!(
+            "; beyond Tate's critical {} deg, a rule for long rods at high speed, ricochet is likely",
+            significant(critical, 3)
+        )
+    } else {
+        String::new()
+    };
+    let text = format!(
+        "theta = {} deg: limits at 30 deg come out about {OBLIQUE_LOW} % low against ten measured pairs, more for some{glances}",
+        significant(theta, 4)
+    );
+    breach(Check::Obliquity, Direction::Conservative, text)
+}
+
+fn has_rigid_stop(scene: &Scene) -> bool {
+    let stop = &scene.mechanism.stop;
+    scene.plate.mount == Mount::Sprung && stop.position_m.is_some() && stop.kind == StopKind::Rigid
+}
+
+fn stop() -> Breach {
+    let text = "a rigid stop asks the fused interface for an unbounded force: nothing after it is hit is to be believed; set \
+                interface=plastic"
+        .to_owned();
+    breach(Check::Stop, Direction::Unconservative, text)
+}
+
+/// What a run breaches, in the order of the table: its scene, and what its course asked of stop, spring and interface.
+pub fn of_run(run: &Run) -> Vec<Breach> {
+    let scene = &run.scene;
+    let hit = run.events.iter().any(|event| event.kind == EventKind::StopHit);
+    let mut found = of_scene(scene);
+    found.retain(|breach| breach.check != Check::Stop || hit);
+    let coil = |kind| matches!(kind, SpringKind::PowerLaw | SpringKind::Helix);
+    let is_coil = coil(scene.mechanism.spring.kind) && !Mechanism::of(scene).spring.is_absent();
+    let common = run.first_arrest.map(|arrest| arrest.plate_velocity_m_s.abs());
+    let sprung = scene.plate.mount == Mount::Sprung;
+    if let Some(speed) = common.filter(|speed| sprung && is_coil && *speed > COIL_END_M_S) {
+        let text = format!(
+            "the spring's end moves at {} m/s: above about {COIL_END_M_S} m/s a steel coil surges, its stress exceeds the static \
+             one, and its coils may close",
+            significant(speed, 3)
+        );
+        found.push(breach(Check::Spring, Direction::Unconservative, text));
+    }
+    for warning in &run.warnings {
+        let check = match warning {
+            Warning::Limit(_) => Check::Spring,
+            Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => Check::Interface,
+            _ => continue,
+        };
+        found.push(breach(check, Direction::Unconservative, warning.to_string()));
+    }
+    found.sort_by_key(|breach| breach.check);
+    found
+}
+
+/// Everything a careful reader of a run should know: first what is outside the model's validity, then what happened on the way,
+/// then values outside the range the thesis searched.
+pub fn warnings(run: &Run) -> Vec<String> {
+    let is_breach = |warning: &&Warning| {
+        matches!(
+            warning,
+            Warning::Limit(_) | Warning::InterfacePush { .. } | Warning::InterfacePull { .. }
+        )
+    };
+    let mut list: Vec<String> = of_run(run).iter().map(ToString::to_string).collect();
+    list.extend(run.warnings.iter().filter(|it| !is_breach(it)).map(ToString::to_string));
+    list.extend(variables::range_warnings(&run.scene).into_iter().map(|warning| warning.text));
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::impact::{Settings, simulate};
+
+    fn run(scene: &Scene) -> Run {
+        let settings = Settings { series: false, estimate: false };
+        simulate(&Arc::new(scene.clone()), &settings, &mut |_| ControlFlow::Continue(())).unwrap()
+    }
+
+    fn checks(found: &[Breach]) -> Vec<Check> {
+        found.iter().map(|breach| breach.check).collect()
+    }
+
+    /// A scene inside every rule: a 12 mm plate under the 20 mm projectile of Borvik 2002, 10 D wide, on a rigid mount.
+    fn inside() -> Scene {
+        let mut scene = Scene::default();
+        (scene.projectile.mass_kg, scene.projectile.tip_radius_m) = (0.197, 0.01);
+        scene.projectile.velocity_m_s = 200.0;
+        scene.target.thickness_m = 0.012;
+        scene.target.density_kg_m3 = 7850.0;
+        scene.plate.mass_ratio = 7850.0 * 0.012 * 0.2 * 0.2 / 0.197;
+        scene.mechanism.spring.coefficient = 0.0;
+        scene
+    }
+
+    #[test]
+    fn every_rule_is_kept_inside_and_each_breach_gives_its_number_and_direction() {
+        use Direction::{Conservative, Unconservative, Unknown};
+        type Change = fn(&mut Scene);
+        assert_eq!(of_scene(&inside()), []);
+        let cases: [(Change, Check, Direction, &str); 10] = [
+            // 0.06/0.02 = 3.
+            (|it| it.target.thickness_m = 0.06, Check::Thickness, Conservative, "h/D = 3"),
+            (|it| it.target.dishing = false, Check::Thickness, Unconservative, "h/D = 0.6"),
+            (|it| it.projectile.nose = Nose::Blunt, Check::Nose, Unconservative, "60 %"),
+            (|it| it.projectile.nose = Nose::Pointed, Check::Nose, Unknown, "hemispherical"),
+            // 1.5e9/2e9 and a drag of 7850/4 * 200^2 = 7.85e7 Pa more.
+            (|it| it.target.flow_strength_pa = 1.5e9, Check::NosePressure, Conservative, "0.789"),
+            // 4/3 pi 0.01^3 7850 = 32.9 g.
+            (|it| it.projectile.mass_kg = 0.03, Check::NoseMass, Unknown, "32.9 g"),
+            (|it| it.projectile.velocity_m_s = 20.0, Check::Velocity, Unknown, "20 m/s"),
+            (|it| it.projectile.velocity_m_s = 1200.0, Check::Velocity, Unknown, "erosion"),
+            (|it| it.projectile.obliquity_deg = 30.0, Check::Obliquity, Conservative, "4 % low"),
+            (|it| it.mechanism.stop.position_m = Some(0.01), Check::Stop, Unconservative, "stop"),
+        ];
+        for (change, check, direction, number) in cases {
+            let mut scene = inside();
+            change(&mut scene);
+            let found = of_scene(&scene);
+            let breach = found.iter().find(|breach| breach.check == check);
+            let breach = breach.unwrap_or_else(|| panic!("{check:?}: {found:?}"));
+            assert_eq!(breach.direction, direction, "{check:?}");
+            assert!(breach.to_string().contains(number), "{breach}");
+        }
+    }
+
+    /// Model page, section 8: gamma 0.05 of the baseline has a face of 0.21 cm² under a nose of 1.27 cm².
+    #[test]
+    fn a_face_smaller_than_the_nose_is_a_breach() {
+        let mut scene = Scene::default();
+        scene.plate.mass_ratio = 0.05;
+        assert!((scene.plate_face_m().powi(2) - 0.21e-4).abs() < 0.005e-4);
+        let found = of_scene(&scene);
+        let text = found.iter().find(|breach| breach.check == Check::Face).unwrap().to_string();
+        assert!(text.contains("4.63 mm square, 0.364 D"), "{text}");
+        scene.plate.mount = Mount::Rigid;
+        assert!(!checks(&of_scene(&scene)).contains(&Check::Face));
+    }
+
+    /// gamma = 1 moves on at 50 m/s, half of the shot's 100 m/s; a heavy plate at 10 m/s.
+    #[test]
+    fn the_run_tells_of_spring_stop_and_interface() {
+        let mut scene = inside();
+        scene.mechanism.spring.coefficient = 1e6;
+        assert!(!checks(&of_run(&run(&scene))).contains(&Check::Spring));
+        let mut light = Scene::default();
+        light.mechanism.spring.coefficient = 1e5;
+        let text =
+            of_run(&run(&light)).iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
+        assert!(text.contains("end moves at"), "{text}");
+        // A stop that is never reached is no breach of a run, one that is hit is.
+        light.mechanism.stop.position_m = Some(10.0);
+        assert!(!checks(&of_run(&run(&light))).contains(&Check::Stop));
+        light.mechanism.stop.position_m = Some(0.001);
+        assert!(checks(&of_run(&run(&light))).contains(&Check::Stop));
+        // Model page, section 3: cocked by 0.5 m the interface is asked for 25.1 kN and carries 8.7 kN.
+        light.mechanism.stop.position_m = None;
+        light.plate.cocking_m = 0.5;
+        let found = of_run(&run(&light));
+        let breach = found.iter().find(|breach| breach.check == Check::Interface).unwrap();
+        assert!(breach.to_string().contains("asked for 2.8"), "{breach}");
+    }
+}

@@ -1,0 +1,152 @@
+//! What people ask of a variable: its name in words, and when a scene uses it. Both are read off the table and its rules.
+
+use super::{Kind, VARIABLES, Variable, is_listed, is_used};
+use crate::model::scene::Scene;
+
+/// Names that the key does not give.
+const NAMES: [(&str, &str); 11] = [
+    ("projectile.mass_kg", "projectile_mass"),
+    ("projectile.tip_radius_m", "radius"),
+    ("projectile.density_kg_m3", "projectile_density"),
+    ("projectile.strength_pa", "projectile_strength"),
+    ("target.yield_pa", "yield_strength"),
+    ("plate.mass_kg", "plate_mass"),
+    ("mechanism.spring.coefficient", "stiffness"),
+    ("mechanism.spring.kind", "spring_kind"),
+    ("mechanism.damper.coefficient", "damping"),
+    ("interface.law", "interface_law"),
+    ("contact.damping_n_s_m", "interface_damping"),
+];
+/// How keys end in their units, the longer before its own end.
+const UNITS: [&str; 18] = [
+    "_kg_m3", "_kg_m2", "_n_s_m", "_rad_m", "_n_m", "_m_s", "_deg", "_kg", "_pa", "_m2", "_hz",
+    "_j", "_m", "_s", "_n", "_k", "_g", "_rad",
+];
+
+impl Variable {
+    /// Its name in words: `velocity`, `thickness`, `stop_position`. Accepted wherever the symbol is.
+    pub fn name(&self) -> String {
+        if let Some((_, name)) = NAMES.iter().find(|(key, _)| *key == self.key) {
+            return (*name).to_owned();
+        }
+        let parts: Vec<&str> = self.key.split('.').skip(1).collect();
+        let name = parts.join("_");
+        let unit = UNITS.iter().find(|unit| name.ends_with(**unit));
+        let stem = unit.and_then(|unit| name.strip_suffix(unit)).filter(|stem| !stem.is_empty());
+        stem.unwrap_or(&name).to_owned()
+    }
+}
+
+/// The variable with this name in words.
+pub(super) fn named(name: &str) -> Option<&'static Variable> {
+    VARIABLES.iter().find(|variable| variable.name() == name)
+}
+
+/// Changes of the default scene that bring variables into use.
+fn changes() -> Vec<(String, Scene)> {
+    let with = |text: &str, change: fn(&mut Scene)| {
+        let mut scene = Scene::default();
+        change(&mut scene);
+        (text.to_owned(), scene)
+    };
+    let mut list = vec![
+        with("b > 0", |it| it.mechanism.damper.coefficient = 1.0),
+        with("theta > 0", |it| it.projectile.obliquity_deg = 30.0),
+        with("x_stop given", |it| it.mechanism.stop.position_m = Some(0.01)),
+        with("a base plate or more elements", |it| it.stack.base_thickness_m = Some(0.01)),
+        with("m_2 given", |it| it.resize(crate::model::scene::PlateSize::Mass(0.1))),
+        with("face given", |it| it.resize(crate::model::scene::PlateSize::Face(0.1))),
+    ];
+    list.extend(choices(&Scene::default()));
+    list
+}
+
+/// A scene with each word of each choice in turn, but the words it has.
+fn choices(base: &Scene) -> Vec<(String, Scene)> {
+    let mut list = Vec::new();
+    for variable in VARIABLES.iter().filter(|variable| is_used(variable, base)) {
+        let Kind::Choice(choice) = &variable.kind else { continue };
+        for (at, word) in choice.words.iter().enumerate() {
+            if at != (choice.get)(base) {
+                let mut scene = base.clone();
+                (choice.set)(&mut scene, at);
+                list.push((format!("{} = {word}", variable.symbol), scene));
+            }
+        }
+    }
+    list
+}
+
+/// When a scene uses a variable, in words: read off [`is_used`] by changing the default scene in one place, or in two.
+pub fn used_when(variable: &Variable) -> String {
+    let acts = |scene: &Scene| is_used(variable, scene) && is_listed(variable, scene);
+    // What most scenes have.
+    let mut plain = Scene::default();
+    (plain.mechanism.spring.coefficient, plain.mechanism.damper.coefficient) = (1e5, 0.0);
+    if acts(&plain) {
+        let without: Vec<String> = choices(&plain)
+            .into_iter()
+            .filter(|(_, scene)| !acts(scene))
+            .map(|(text, _)| text)
+            .collect();
+        return if without.is_empty() {
+            "always".to_owned()
+        } else {
+            format!("unless {}", without.join(", "))
+        };
+    }
+    let single: Vec<String> =
+        changes().into_iter().filter(|(_, scene)| acts(scene)).map(|(text, _)| text).collect();
+    if !single.is_empty() {
+        return format!("where {}", single.join(" or "));
+    }
+    for (first, base) in changes() {
+        let double: Vec<String> =
+            choices(&base).into_iter().filter(|(_, scene)| acts(scene)).map(|(it, _)| it).collect();
+        if !double.is_empty() {
+            return format!("where {first} and {}", double.join(" or "));
+        }
+    }
+    "in few scenes: see its meaning".to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashMap;
+
+    use super::*;
+    use crate::model::variables::find;
+
+    #[test]
+    fn names_are_unique_and_lead_to_their_variable() {
+        let mut seen: HashMap<String, &str> = HashMap::new();
+        for variable in VARIABLES {
+            let name = variable.name();
+            let before = seen.insert(name.clone(), variable.key);
+            assert_eq!(before, None, "{name}: {}", variable.key);
+            assert_eq!(find(&name).map(|found| found.key), Ok(variable.key), "{name}");
+        }
+        for (name, symbol) in [
+            ("velocity", "v_i"),
+            ("thickness", "h"),
+            ("stiffness", "k"),
+            ("obliquity", "theta"),
+            ("density", "rho"),
+            ("mass_ratio", "gamma"),
+            ("stop_position", "x_stop"),
+        ] {
+            assert_eq!(find(name).map(|found| found.symbol), Ok(symbol), "{name}");
+        }
+    }
+
+    #[test]
+    fn use_is_told_in_words() {
+        let when = |name: &str| used_when(find(name).unwrap());
+        assert_eq!(when("v_i"), "always");
+        assert_eq!(when("m"), "where b > 0");
+        assert_eq!(when("k_stop"), "where x_stop given and stop_kind = elastic");
+        assert!(when("gamma").starts_with("unless mount = rigid"), "{}", when("gamma"));
+        assert!(when("l_beam").contains("spring = "), "{}", when("l_beam"));
+        assert_eq!(when("Y"), "where closure = double-yield or closure = cavity");
+    }
+}

@@ -1,0 +1,73 @@
+//! Statistics of samples: moments, quantiles, and the interval of a proportion.
+
+/// Standard normal quantile of a two-sided 95 % interval.
+pub const Z95: f64 = 1.959_963_984_540_054;
+
+/// Mean and standard deviation; `None` of fewer than two values.
+pub fn moments(values: &[f64]) -> Option<(f64, f64)> {
+    let count = values.len();
+    if count < 2 {
+        return None;
+    }
+    let n = count as f64;
+    // Shifted by a value, so that a small variance is not lost beside a great mean.
+    let origin = values[count / 2];
+    let (mut sum, mut squares) = (0.0, 0.0);
+    for value in values {
+        sum += value - origin;
+        squares += (value - origin).powi(2);
+    }
+    let variance = (squares - sum * sum / n) / (n - 1.0);
+    Some((origin + sum / n, if variance > 0.0 { variance.sqrt() } else { 0.0 }))
+}
+
+/// Quantile of sorted values, interpolated.
+pub fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let place = share * (sorted.len() - 1) as f64;
+    let (mut below, mut beyond) = (0, sorted.len());
+    while beyond - below > 1 {
+        let middle = below + (beyond - below) / 2;
+        if middle as f64 <= place { below = middle } else { beyond = middle }
+    }
+    let above = if below + 1 < sorted.len() { below + 1 } else { below };
+    sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
+}
+
+/// Wilson's 95 % interval of a proportion (*Journal of the American Statistical Association* 22 (1927) 209-212).
+pub fn wilson(p: f64, n: f64) -> (f64, f64) {
+    let z2 = Z95 * Z95;
+    let centre = (p + 0.5 * z2 / n) / (1.0 + z2 / n);
+    let half = Z95 / (1.0 + z2 / n) * (p * (1.0 - p) / n + 0.25 * z2 / (n * n)).sqrt();
+    (centre - half, centre + half)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn valid_interval_of_wilson() {
+        // E. B. Wilson's formula for 10 of 100, as tabulated by R. G. Newcombe, *Statistics in Medicine* 17 (1998), by hand.
+        let (low, high) = wilson(0.1, 100.0);
+        assert!((low - 0.0552).abs() < 1e-4 && (high - 0.1744).abs() < 1e-4, "{low} {high}");
+        let (low, _) = wilson(0.0, 50.0);
+        assert!(low.abs() < 1e-15);
+    }
+
+    #[test]
+    fn quantiles_lie_between_the_values() {
+        let sorted = [1.0, 2.0, 4.0];
+        for (share, value) in [(0.0, 1.0), (0.25, 1.5), (0.5, 2.0), (0.75, 3.0), (1.0, 4.0)] {
+            assert!((quantile(&sorted, share) - value).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn moments_of_a_few_values_beside_a_great_mean() {
+        // 1, 2, 3, 4 have the mean 2.5 and the variance 5/3.
+        let (mean, deviation) = moments(&[1.0, 2.0, 3.0, 4.0].map(|it| it + 1e9)).unwrap();
+        assert!((mean - 2.5 - 1e9).abs() < 1e-6);
+        assert!((deviation - (5.0_f64 / 3.0).sqrt()).abs() < 1e-9);
+        assert_eq!(moments(&[1.0]), None);
+    }
+}

@@ -1,0 +1,129 @@
+//! What a study has to say of the model's validity: the one check of [`envelope`], for a scene, a range of scenes, or designs.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::impact::{Settings, simulate};
+use crate::model::run::envelope::{self, Check};
+use crate::model::run::{EndReason, Run};
+use crate::model::scene::Scene;
+use crate::model::units::{shortest, significant};
+use crate::model::variables;
+use crate::study::sweep::Axis;
+
+/// Steps after which the run of a check is given up: what the scene tells by itself is said all the same.
+const STEPS_MAX: usize = 30_000;
+
+/// What a careful reader of a scene's results should know. One run of it is made.
+pub fn of_scene(scene: &Scene) -> Vec<String> {
+    run(scene).map_or_else(
+        || envelope::of_scene(scene).iter().map(ToString::to_string).collect(),
+        |run| envelope::warnings(&run),
+    )
+}
+
+/// The run of a check; `None` where it takes too long or makes no sense.
+fn run(scene: &Scene) -> Option<Run> {
+    let mut own = scene.clone();
+    own.sweep = None;
+    let settings = Settings { series: false, estimate: false };
+    let mut steps = 0;
+    let run = simulate(&Arc::new(own), &settings, &mut |_| {
+        steps += 1;
+        if steps > STEPS_MAX { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    run.ok().filter(|run| run.end != EndReason::Cancelled)
+}
+
+/// What a careful reader of results over these axes should know: of the scene, and what comes up towards the ends of each axis
+/// that the scene itself does not have.
+pub fn of_axes(scene: &Scene, axes: &[Axis]) -> Vec<String> {
+    let mut known: Vec<Check> =
+        envelope::of_scene(scene).iter().map(|breach| breach.check).collect();
+    let mut list = of_scene(scene);
+    for axis in axes {
+        for end in [axis.ends().0, axis.ends().1] {
+            let mut far = scene.clone();
+            (axis.number().set)(&mut far, Some(end));
+            if variables::validate(&far).is_err() {
+                continue;
+            }
+            for breach in envelope::of_scene(&far) {
+                if !known.contains(&breach.check) {
+                    known.push(breach.check);
+                    list.push(format!("at {} = {}: {breach}", axis.symbol(), shortest(end)));
+                }
+            }
+        }
+    }
+    list
+}
+
+/// What a careful reader of a design should know beyond what is known already, with the values that make it.
+pub fn of_design(name: &str, scene: &Scene, axes: &[Axis], known: &[String]) -> Vec<String> {
+    let lead = lead(name, scene, axes);
+    let found = of_scene(scene).into_iter().filter(|warning| !known.contains(warning));
+    found.map(|warning| format!("{lead}: {warning}")).collect()
+}
+
+/// What a careful reader of a search's designs should know: everything of a single one, of a front how many breach what.
+pub fn of_designs(
+    name: &str,
+    scenes: impl ExactSizeIterator<Item = Scene>,
+    axes: &[Axis],
+) -> Vec<String> {
+    let count = scenes.len();
+    let mut breached = [0_usize; Check::ALL.len()];
+    for scene in scenes {
+        if count == 1 {
+            return of_design(&format!("best design, {name}"), &scene, axes, &[]);
+        }
+        let found =
+            run(&scene).map_or_else(|| envelope::of_scene(&scene), |run| envelope::of_run(&run));
+        for (at, check) in Check::ALL.iter().enumerate() {
+            breached[at] += usize::from(found.iter().any(|breach| breach.check == *check));
+        }
+    }
+    let words = Check::ALL.iter().zip(breached).filter(|(_, found)| *found > 0);
+    let words: Vec<String> =
+        words.map(|(check, found)| format!("{} {found}", check.label())).collect();
+    if words.is_empty() {
+        return Vec::new();
+    }
+    vec![format!(
+        "{name}: of {count} designs so many are outside validity: {} (`cmra run` of a design says why)",
+        words.join(", ")
+    )]
+}
+
+fn lead(name: &str, scene: &Scene, axes: &[Axis]) -> String {
+    let values: Vec<String> = axes
+        .iter()
+        .filter_map(|axis| {
+            let value = (axis.number().get)(scene)?;
+            Some(format!("{}={}", axis.symbol(), significant(value, 4)))
+        })
+        .collect();
+    format!("{name} ({})", values.join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::sweep::Spacing;
+
+    /// The baseline's plate is 2 D thick and 1.63 D wide; h = 2 mm with a face of 73.9 mm is neither, and theta = 30 deg comes up.
+    #[test]
+    fn what_comes_up_at_the_ends_of_an_axis_is_added_once() {
+        let scene = Scene::default();
+        let count =
+            |list: &[String], word: &str| list.iter().filter(|text| text.contains(word)).count();
+        let own = of_scene(&scene);
+        assert_eq!((count(&own, "h/D = 2"), count(&own, "1.63 D")), (1, 1), "{own:?}");
+        let axis = |name, ends| Axis::new(name, ends, 2, Spacing::Linear).unwrap();
+        let axes = [axis("theta", (0.0, 30.0)), axis("h", (0.002, 0.05))];
+        let list = of_axes(&scene, &axes);
+        assert_eq!(count(&list, "at theta = 30: outside validity"), 1, "{list:?}");
+        assert_eq!(count(&list, "h/D"), 1, "{list:?}");
+    }
+}

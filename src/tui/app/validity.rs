@@ -1,0 +1,23 @@
+//! What the status lines say of the model's validity.
+
+use super::App;
+use super::notice::Severity;
+use crate::model::run::envelope::{self, Check};
+
+impl App {
+    /// Which rules of the model's validity the scene does not keep, in full and short: by its run where that is there.
+    pub(super) fn validity_part(&self) -> Option<(Severity, String, String)> {
+        let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.is_stale());
+        let found =
+            run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run));
+        // What the interface was asked for stands there already, with its number.
+        let labels: Vec<&str> = found
+            .iter()
+            .filter(|breach| breach.check != Check::Interface)
+            .map(|breach| breach.check.label())
+            .collect();
+        let long = format!("! outside validity: {} (6:Log)", labels.join(", "));
+        let short = format!("! validity {}", labels.len());
+        (!labels.is_empty()).then_some((Severity::Warning, long, short))
+    }
+}

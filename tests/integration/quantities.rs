@@ -1,0 +1,103 @@
+//! The one table of quantities, the inputs by name, face and mass, and the envelope of validity, as a user meets them.
+
+use serde_json::Value;
+
+use crate::support::says;
+
+fn object(command: &str, arguments: &[&str], code: i32) -> Value {
+    let (text, _) = says(command, &[arguments, &["--json"]].concat(), code);
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+fn warnings(found: &Value) -> String {
+    found["warnings"].as_array().unwrap().iter().map(|it| it.as_str().unwrap()).collect()
+}
+
+/// Model page, section 2: rigid, Table 9.1: 232.295378 m/s at h = 25.4 mm.
+#[test]
+fn a_limit_velocity_is_a_goal_like_any_other() {
+    let goal = ["--goal", "limit_velocity_m_s=232.295378"];
+    let found = object(
+        "seek",
+        &[&["--set", "mount=rigid", "--over", "h=5mm..40mm"], &goal[..]].concat(),
+        0,
+    );
+    let h = found["solutions"][0]["at"].as_f64().unwrap();
+    assert!((h - 0.0254).abs() < 1e-9, "{h}");
+}
+
+/// `rho h face²/m_p` = 2710 * 0.003 * 0.1²/0.0295, in whatever order they are given.
+#[test]
+fn the_mass_ratio_follows_from_the_face() {
+    let face = ["--set", "face=100mm"];
+    let h = ["--set", "thickness=3mm"];
+    for order in [[face, h].concat(), [h, face].concat()] {
+        let run = object("run", &order, 0);
+        let gamma = run["variables"]["plate.mass_ratio"].as_f64().unwrap();
+        assert!((gamma - 2.755_932_203_389_83).abs() < 1e-12, "{gamma}");
+        assert!((run["plate_face_m"].as_f64().unwrap() - 0.1).abs() < 1e-15);
+    }
+    let run = object("run", &["--set", "m_2=81.3g"], 0);
+    assert!((run["plate_mass_kg"].as_f64().unwrap() - 0.0813).abs() < 1e-15);
+}
+
+/// The lightest plate that is 3 D wide: 2710 * 0.0254 * (3 * 0.0127)²/0.0295 = 3.38712.
+#[test]
+fn least_mass_is_not_least_tile() {
+    let over = ["free-plate", "--over", "gamma=0.8..7", "--minimise", "plate_mass_kg"];
+    let quick = ["--population", "20", "--generations", "15", "--laws", "plastic"];
+    let best = |extra: &[&str]| {
+        let found = object("optimise", &[&over[..], &quick, extra].concat(), 0);
+        found["fronts"][0]["designs"][0]["gamma"].as_f64().unwrap()
+    };
+    let feasible = best(&[]);
+    assert!((feasible - 3.387_118).abs() < 1e-4, "{feasible}");
+    assert!((best(&["--no-feasibility"]) - 0.8).abs() < 1e-6);
+}
+
+#[test]
+fn every_study_warns_of_what_is_outside_the_validity() {
+    let stop = object("limit", &["--set", "x_stop=30mm", "--scatter", "0"], 0);
+    assert!(warnings(&stop).contains("a rigid stop asks the fused interface"), "{stop}");
+    let (page, _) = says("limit", &["--scatter", "0"], 0);
+    let second = page.lines().nth(1).unwrap();
+    assert!(second.contains("outside validity: h/D = 2"), "{page}");
+    let (csv, _) = says(
+        "seek",
+        &["free-plate", "--over", "gamma=0.8..7", "--goal", "stroke_m=1", "--csv", "-"],
+        1,
+    );
+    assert!(csv.lines().next().unwrap().ends_with(",warnings"), "{csv}");
+    let narrow = object("run", &["--set", "gamma=12"], 0);
+    assert!(warnings(&narrow).contains("the thesis has no figure there"));
+    assert!(!warnings(&narrow).contains("still valid"));
+}
+
+#[test]
+fn variables_and_quantities_are_explained() {
+    let (page, _) = says("explain", &["thickness"], 0);
+    assert!(page.starts_with("h: plate thickness") && page.contains("0.0254 m"), "{page}");
+    let (page, _) = says("explain", &["limit velocity m s"], 0);
+    assert!(page.contains("many shots"), "{page}");
+    let (list, _) = says("explain", &["quantities"], 0);
+    let (table, _) = says("variables", &[], 0);
+    for (text, name) in [(&list, "mass_efficiency"), (&table, "stop_position"), (&table, "gamma")] {
+        assert!(text.contains(name), "{text} lacks {name}");
+    }
+    let (_, error) = says("explain", &["thicknes"], 2);
+    assert!(error.contains("neither a variable nor a quantity"), "{error}");
+}
+
+/// The closure's yield strength stands in the place of `S_y`, a beam's own measures in that of k.
+#[test]
+fn monte_carlo_varies_what_the_scene_uses() {
+    let symbols = |arguments: &[&str]| -> Vec<String> {
+        let found = object("montecarlo", &[arguments, &["--samples", "2"]].concat(), 0);
+        let inputs = found["inputs"].as_array().unwrap();
+        inputs.iter().map(|it| it["variable"].as_str().unwrap().to_owned()).collect()
+    };
+    let closed = symbols(&["--set", "closure=double-yield"]);
+    assert!(closed.contains(&"Y".to_owned()) && !closed.contains(&"S_y".to_owned()), "{closed:?}");
+    let beam = symbols(&["--set", "spring=prbm-cantilever"]);
+    assert!(beam.contains(&"l_beam".to_owned()) && !beam.contains(&"k".to_owned()), "{beam:?}");
+}
