@@ -44,6 +44,7 @@ mod stability;
 mod summary;
 mod sweep;
 mod table;
+mod usage;
 mod validate;
 mod variables;
 mod workbench;
@@ -144,11 +145,6 @@ pub(crate) enum Glyphs {
     Braille,
 }
 
-/// The words of a command line as they may be shown.
-fn cleaned(written: &[OsString]) -> Vec<OsString> {
-    written.iter().map(|word| clean::line(&word.to_string_lossy()).into_owned().into()).collect()
-}
-
 /// Carry out a command line; the first argument is the program's name.
 ///
 /// # Errors
@@ -161,15 +157,15 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         .and_then(|matches| Arguments::from_arg_matches(&matches));
     let arguments = match parsed {
         Ok(arguments) => arguments,
-        Err(error) if cleaned(&written) != written => {
-            // The parser repeats what was written; a terminal would obey it.
-            let error = Arguments::try_parse_from(cleaned(&written)).err().unwrap_or(error);
-            output::note(error.render().to_string().trim_end());
-            return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
-        }
         Err(error) => {
-            // Help and version go to standard output, errors to standard error; a closed pipe is nobody's concern.
-            let _ = error.print();
+            match usage::line(&error, &help::command(), &written) {
+                // The parser repeats what was written; a terminal would obey it.
+                Some(line) => output::note(&clean::line(&format!("error: {line}"))),
+                // Help and version; a closed pipe ends them quietly.
+                None => {
+                    let _ = error.print();
+                }
+            }
             return Ok(ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2)));
         }
     };

@@ -10,7 +10,7 @@ use clap::Args;
 use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::sweep::axes::over;
+use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::files::compare as files;
 use crate::files::preset::Preset;
@@ -53,6 +53,14 @@ pub(super) struct CompareArguments {
     /// Draw a map of the mass efficiency over two variables, each `NAME` or `NAME=LO..HI:COUNT[:log]`
     #[arg(long, value_name = "X,Y")]
     map: Option<String>,
+    /// The same with an option for each of the two variables
+    #[arg(
+        long,
+        value_name = "NAME[=LO..HI:COUNT[:log]]",
+        allow_hyphen_values = true,
+        conflicts_with = "map"
+    )]
+    over: Vec<String>,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -70,7 +78,8 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
         let energy = amount("--spring-energy", text, Quantity::SpecificEnergy, "197J/kg")?;
         preset.scene.mechanism.energy_j_kg = Some(energy);
     }
-    if let Some(text) = &arguments.map {
+    let over = (!arguments.over.is_empty()).then(|| arguments.over.join(","));
+    if let Some(text) = arguments.map.as_ref().or(over.as_ref()) {
         let axes = axes(&preset.scene, text)?;
         return arguments.draw_map(&preset, axes, hardware);
     }
@@ -133,7 +142,7 @@ fn axes(scene: &Scene, text: &str) -> Result<[Axis; 2], CliError> {
     };
     let axis = |part: &str| {
         if part.contains('=') {
-            over(part, Some(COUNT_USUAL), &COUNTS)
+            range(part, Some(COUNT_USUAL), &COUNTS)
         } else {
             Ok(usual_axis(scene, part, COUNT_USUAL)?)
         }

@@ -1,16 +1,65 @@
-//! `cmra completions SHELL`: a completion script, made from the arguments themselves.
+//! `cmra completions SHELL`: a completion script, made from the arguments themselves, with the names of presets, variables and
+//! quantities.
 
 use std::process::ExitCode;
 
-use clap::CommandFactory as _;
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, Command, CommandFactory as _};
 use clap_complete::Shell;
 
 use crate::cli::{Arguments, CliError, output};
+use crate::files::library;
+use crate::files::paths::Paths;
+use crate::files::preset;
+use crate::model::library::Library;
+use crate::model::results::RESULTS;
+use crate::model::variables::VARIABLES;
 
 /// Print the script.
 pub(super) fn run(shell: Shell) -> Result<ExitCode, CliError> {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Arguments::command(), "cmra", &mut script);
+    clap_complete::generate(shell, &mut named(Arguments::command()), "cmra", &mut script);
     output::print(&String::from_utf8_lossy(&script))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// The commands with the words that each of their arguments may begin with. Only for completion: they accept more.
+fn named(command: Command) -> Command {
+    let owner = command.get_name().to_owned();
+    command.mut_args(|argument| with_names(&owner, argument)).mut_subcommands(named)
+}
+
+fn with_names(owner: &str, argument: Arg) -> Arg {
+    let symbols = |end: &str| -> Vec<String> {
+        VARIABLES.iter().map(|variable| format!("{}{end}", variable.symbol)).collect()
+    };
+    let quantities = |end: &str| -> Vec<String> {
+        RESULTS.iter().map(|quantity| format!("{}{end}", quantity.name)).collect()
+    };
+    let words = match argument.get_id().as_str() {
+        "scene" | "scenes" => presets(),
+        "set" | "over" | "vary" => symbols("="),
+        "map" => symbols(","),
+        "outputs" | "output" | "minimise" | "maximise" => quantities(""),
+        "goal" => quantities("="),
+        "subject_to" => quantities("<="),
+        "name" if owner == "show" => presets(),
+        "name" if owner == "explain" => [symbols(""), quantities("")].concat(),
+        "threat" => entries(Library::Threats),
+        "material" => entries(Library::Materials),
+        "absorber" => entries(Library::Absorbers),
+        _ => return argument,
+    };
+    argument.value_parser(PossibleValuesParser::new(words))
+}
+
+fn presets() -> Vec<String> {
+    let (found, _) = preset::list(Paths::of_user().ok().as_ref());
+    found.into_iter().map(|preset| preset.name).collect()
+}
+
+fn entries(wanted: Library) -> Vec<String> {
+    let (found, _) = library::list(Paths::of_user().ok().as_ref());
+    let found = found.into_iter().filter(|entry| entry.library == wanted);
+    found.map(|entry| entry.name).collect()
 }

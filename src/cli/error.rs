@@ -76,7 +76,7 @@ pub enum CliError {
     #[error(transparent)]
     Scene(Box<VariableError>),
     /// There is no subcommand of this name.
-    #[error("`{name}` is not a subcommand: the subcommands are {known}")]
+    #[error("`{name}` is not a subcommand: {known}")]
     Subcommand {
         /// What was written.
         name: String,

@@ -24,8 +24,8 @@ pub(super) struct LimitArguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 leaves that out
-    #[arg(long, value_name = "PART", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
-    scatter: f64,
+    #[arg(long, alias = "scatter", value_name = "PART", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
+    monte_carlo: f64,
     /// Model over measurement less 1, by `cmra validate` (-0.04 or -4%): limits are corrected by it
     #[arg(long, value_name = "PART", allow_negative_numbers = true, allow_hyphen_values = true, default_value = "0", value_parser = part)]
     model_bias: f64,
@@ -54,10 +54,10 @@ fn criterion(text: &str) -> Result<Criterion, String> {
 
 impl LimitArguments {
     fn scattering(&self) -> Result<Option<Scattering>, CliError> {
-        let deviation = self.scatter;
+        let deviation = self.monte_carlo;
         if !(0.0..=0.5).contains(&deviation) {
             let text =
-                format!("--scatter {deviation} is outside 0..0.5: it is a part, 0.02 for 2 %");
+                format!("--monte-carlo {deviation} is outside 0..0.5: it is a part, 0.02 for 2 %");
             return Err(CliError::Option(text));
         }
         if !(2..=SAMPLES_MAX).contains(&self.samples) {

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use clap::{Args, CommandFactory as _};
 
 use crate::cli::{Arguments, CliError, output};
+use crate::files::error::did_you_mean;
 
 #[derive(Debug, Args)]
 pub(super) struct ManArguments {
@@ -20,7 +21,7 @@ pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
         let found = command.find_subcommand(name).cloned();
         let known = || {
             let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-            names.join(", ")
+            did_you_mean(name, &names).unwrap_or_else(|| format!("use one of {}", names.join(", ")))
         };
         let page =
             found.ok_or_else(|| CliError::Subcommand { name: name.clone(), known: known() })?;

@@ -1,19 +1,24 @@
-//! `cmra presets [show NAME]`: bundled and own presets.
+//! `cmra presets [show NAME]`: bundled and own presets, as a page, CSV or JSON.
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
+use serde_json::Value;
 
+use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, scene};
 use crate::files::clean;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
+use crate::files::rows::Rows;
 
 #[derive(Debug, Args)]
 pub(super) struct PresetsArguments {
     #[command(subcommand)]
     action: Option<Action>,
+    #[command(flatten)]
+    table: TableArguments,
 }
 
 #[derive(Debug, Subcommand)]
@@ -30,13 +35,14 @@ enum Action {
 /// List the presets, or show one.
 pub(super) fn run(arguments: &PresetsArguments) -> Result<ExitCode, CliError> {
     match &arguments.action {
-        None | Some(Action::List) => list(),
+        None | Some(Action::List) => list(&arguments.table),
         Some(Action::Show { name }) => output::print(&scene::named(name.as_ref())?.text),
     }?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn list() -> Result<(), CliError> {
+fn list(table: &TableArguments) -> Result<(), CliError> {
+    table.check()?;
     let paths = Paths::of_user().ok();
     let (presets, problems) = preset::list(paths.as_ref());
     let (bundled, own): (Vec<&Preset>, Vec<&Preset>) =
@@ -48,11 +54,30 @@ fn list() -> Result<(), CliError> {
         let _ = writeln!(text, "\nyour own, in {}", paths.presets.display());
         rows(&mut text, &own, width);
     }
-    output::print(&text)?;
+    table.deliver(&text, &table_of(&presets))?;
     for problem in problems {
         output::note(&format!("not listed: {problem}"));
     }
     Ok(())
+}
+
+/// One row a preset.
+fn table_of(presets: &[Preset]) -> Rows {
+    let row = |preset: &Preset| {
+        let own = match &preset.origin {
+            Origin::Mine(path) | Origin::File(path) => Value::from(path.display().to_string()),
+            Origin::Bundled | Origin::Text => Value::Null,
+        };
+        vec![
+            Value::from(preset.name.as_str()),
+            Value::from(preset.scene.title.as_str()),
+            Value::from(preset.scene.notes.as_str()),
+            Value::from(preset.origin == Origin::Bundled),
+            own,
+        ]
+    };
+    let columns = vec!["name", "title", "notes", "bundled", "file"];
+    Rows { columns, rows: presets.iter().map(row).collect() }
 }
 
 fn rows(text: &mut String, presets: &[&Preset], width: usize) {

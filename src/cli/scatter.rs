@@ -39,7 +39,7 @@ pub(super) struct ScatterArguments {
     )]
     vary: Vec<String>,
     /// Results, separated by commas [default: all but those that tell of the computation]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
     /// Samples
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 10_000)]

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::cli::scene::SceneArguments;
-use crate::cli::sweep::axes::over;
+use crate::cli::sweep::axes::range;
 use crate::cli::{CliError, outlook};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::study::search::field::Field;
@@ -37,7 +37,7 @@ pub(super) fn threads(asked: Option<u16>) -> usize {
 /// Variables and their bounds; without any those of Table 9.2.
 pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliError> {
     if !texts.is_empty() {
-        return texts.iter().map(|text| over(text, Some(*COUNTS.start()), &COUNTS)).collect();
+        return texts.iter().map(|text| range(text, Some(*COUNTS.start()), &COUNTS)).collect();
     }
     let axes = thesis_axes(scene)?;
     if axes.is_empty() {

@@ -9,7 +9,7 @@ use clap::Args;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{be_cautious, say_if_long, threads};
-use crate::cli::sweep::axes::over;
+use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::seek as files;
@@ -54,7 +54,7 @@ impl SeekArguments {
         })?;
         let column = quantity(name)?;
         let target = parse_value(column, value).map_err(|why| refuse(&why))?;
-        let axis = over(&self.over, Some(SCAN_USUAL), &SCAN)?;
+        let axis = range(&self.over, Some(SCAN_USUAL), &SCAN)?;
         let (measure, threads) = (column.name.to_owned(), threads(self.threads));
         Ok(Goal { axis, measure, target, threads })
     }
@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let goal = arguments.goal()?;
     let mut preset = arguments.scene.load()?;
     let law = be_cautious(&arguments.scene, &mut preset.scene);
-    let field = Field::new(&preset.scene, vec![goal.axis], &[&goal.measure], goal.threads)?;
+    let field = Field::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure], goal.threads)?;
     let mut pace = Pace::begin();
     say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX));
     let report = seek(&preset.scene, &goal, &mut |done, total| pace.count(done, total, "runs"))?;
@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     if let Some(law) = law {
         output::note(&law);
     }
-    let mut warnings = validity::of_axes(&preset.scene, &[goal.axis]);
+    let mut warnings = validity::of_axes(&preset.scene, std::slice::from_ref(&goal.axis));
     for solution in &report.solutions {
         let scene = field.scene(&[solution.place.at]);
         warnings.extend(validity::of_design("solution", &scene, field.axes(), &warnings));

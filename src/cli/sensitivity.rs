@@ -28,7 +28,7 @@ pub(super) struct SensitivityArguments {
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
     /// The result: a key of `cmra run --json`
-    #[arg(long, value_name = "NAME", default_value = "percent_of_baseline")]
+    #[arg(long, alias = "outputs", value_name = "NAME", default_value = "percent_of_baseline")]
     output: String,
     /// Rows of the design for Sobol's indices, a power of two; each costs a run a variable and two
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 1024)]

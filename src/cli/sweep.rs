@@ -48,9 +48,9 @@ const PIECES_MIN: u64 = 16;
 pub(super) struct SweepArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// An axis: a variable, its first and last value (SI, or with a unit), the number of points, `:log` for equal ratios; may
-    /// be repeated
-    #[arg(long, value_name = "NAME=LO..HI:COUNT[:log]", allow_hyphen_values = true)]
+    /// An axis: a variable with its first and last value (SI, or with a unit), the number of points and `:log` for equal ratios,
+    /// or with a list of values; may be repeated
+    #[arg(long, value_name = "NAME=LO..HI:COUNT[:log]|NAME=A,B,...", allow_hyphen_values = true)]
     over: Vec<String>,
     /// Which points
     #[arg(long, value_enum, default_value = "factorial")]
@@ -62,7 +62,7 @@ pub(super) struct SweepArguments {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Results to compute, separated by commas; `all` for every key
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
     /// Compute only part I of N
     #[arg(long, value_name = "I/N", default_value = "1/1")]

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::files::clean;
-use crate::model::variables::edit_distance;
 
 /// Why a file could not be read, written or found.
 #[derive(Debug, Error)]
@@ -191,7 +190,7 @@ pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
     let limit = (name.chars().count() / 3).max(1);
     let mut ranked: Vec<(usize, &str)> = candidates
         .iter()
-        .map(|candidate| (edit_distance(&lower, &candidate.to_lowercase()), *candidate))
+        .map(|candidate| (strsim::osa_distance(&lower, &candidate.to_lowercase()), *candidate))
         // Whoever types the beginning of a long name means that name.
         .map(|(distance, candidate)| {
             let begun = lower.len() >= 3 && candidate.to_lowercase().starts_with(&lower);

@@ -274,9 +274,24 @@ fn hint(name: &str, paths: Option<&Paths>) -> String {
     }
     match did_you_mean(name.trim_end_matches(".toml"), &names) {
         Some(hint) => format!("{hint} ({list})"),
-        None if looks_like_path => format!("no such file; check the path ({list})"),
+        None if looks_like_path => {
+            file_hint(name).unwrap_or_else(|| format!("no such file; check the path ({list})"))
+        }
         None => format!("{list}; a file is named by its path, for example ./{name}.toml"),
     }
+}
+
+/// The files beside this one that are spelled most like it.
+fn file_hint(name: &str) -> Option<String> {
+    let path = Path::new(name);
+    let folder = path.parent().filter(|it| !it.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let entries = fs::read_dir(folder).ok()?.flatten();
+    let names: Vec<String> =
+        entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+    let names: Vec<&str> =
+        names.iter().map(String::as_str).filter(|it| it.ends_with(".toml")).collect();
+    let hint = did_you_mean(&path.file_name()?.to_string_lossy(), &names)?;
+    Some(format!("no such file; {hint}"))
 }
 
 /// The comment lines a text begins with, without their `#`.

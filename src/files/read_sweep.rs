@@ -9,10 +9,12 @@ use crate::model::results;
 use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Kind, Number};
-use crate::study::sweep::COUNTS;
+use crate::study::sweep::{Axis, COUNTS, output};
 
 const AXIS_EXAMPLE: &str = r#"{ name = "gamma", from = 0.8, to = 7.0, count = 101 }"#;
-const AXIS_KEYS: [&str; 5] = ["name", "from", "to", "count", "log"];
+const AXIS_KEYS: [&str; 6] = ["name", "from", "to", "count", "log", "values"];
+const RANGE_KEYS: [&str; 4] = ["from", "to", "count", "log"];
+const LIST_EXAMPLE: &str = r#"{ name = "k", values = [1e4, 1e5] }"#;
 
 /// Read the table; `None` when it is unusable (the reader knows why).
 pub(super) fn sweep(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Option<Sweep> {
@@ -102,13 +104,49 @@ fn axis(reader: &mut Reader<'_>, row: &Spanned<DeValue<'_>>) -> Option<SweepAxis
         }
     }
     let (name, variable) = swept(reader, row, table)?;
+    if let Some(values) = table.get("values") {
+        return listed(reader, table, values, &name);
+    }
     let from = bound(reader, row, table, "from", &name, variable);
     let to = bound(reader, row, table, "to", &name, variable);
     let count = count(reader, row, table, &name);
     let log = log(reader, table, &name);
-    let axis = SweepAxis { name, from: from?, to: to?, count: count?, log: log? };
+    let axis =
+        SweepAxis { name, from: from?, to: to?, count: count?, log: log?, values: Vec::new() };
     check_ends(reader, row, &axis);
     Some(axis)
+}
+
+/// An axis over a list of values.
+fn listed(
+    reader: &mut Reader<'_>,
+    table: &DeTable<'_>,
+    value: &Spanned<DeValue<'_>>,
+    name: &str,
+) -> Option<SweepAxis> {
+    if let Some(key) = RANGE_KEYS.into_iter().find(|key| table.contains_key(*key)) {
+        let text = format!(
+            "sweep.axes: {name} has `values` and `{key}`: an axis is a list of values or a range; leave out one of them"
+        );
+        reader.problem(value.span(), text);
+        return None;
+    }
+    let numbers: Option<Vec<f64>> = match value.get_ref() {
+        DeValue::Array(items) => items.iter().map(|item| number(item.get_ref())).collect(),
+        _ => None,
+    };
+    let Some(values) = numbers else {
+        let text = format!(
+            "sweep.axes: values = {} of {name} must be a list of numbers; write for example {LIST_EXAMPLE}",
+            reader.shown(value)
+        );
+        reader.problem(value.span(), text);
+        return None;
+    };
+    let axis: Result<_, _> = Axis::listed(name, &values, &COUNTS);
+    axis.map_err(|problem| reader.problem(value.span(), format!("sweep.axes: {problem}")))
+        .ok()
+        .map(|axis| SweepAxis { name: name.to_owned(), ..axis.asked() })
 }
 
 fn check_ends(reader: &mut Reader<'_>, row: &Spanned<DeValue<'_>>, axis: &SweepAxis) {
@@ -254,8 +292,8 @@ fn outputs(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<String>
     let mut outputs = Vec::new();
     for row in rows {
         match row.get_ref() {
-            DeValue::String(name) if results::find(name).is_some() => {
-                outputs.push(name.clone().into_owned());
+            DeValue::String(name) if output(name).is_ok() => {
+                outputs.extend(output(name).map(|found| found.name.to_owned()));
             }
             other => {
                 let shown = reader.shown(row);

@@ -29,7 +29,7 @@ const COLUMNS: [&str; 18] = [
 /// One row a variable, the one that matters most first.
 pub fn rows(name: &str, report: &Report) -> Rows {
     let row = |at: usize| {
-        let (axis, bar) = (report.axes[at], report.bars[at]);
+        let (axis, bar) = (&report.axes[at], report.bars[at]);
         let effect = report.effects.get(at).copied().unwrap_or_default();
         let indices = report.sobol.as_ref().map(|sobol| sobol.inputs[at]).unwrap_or_default();
         let mut row = vec![

@@ -14,7 +14,7 @@ use crate::model::units;
 use crate::model::variables;
 use crate::study::quantities;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Evaluator, Fate, Plan, Rows, Shard};
+use crate::study::sweep::{Axis, Evaluator, Fate, Plan, Rows, Shard, Spacing};
 use crate::study::validity;
 
 /// Which columns stand after the axes.
@@ -67,8 +67,7 @@ pub struct Sheet<'p> {
 impl<'p> Sheet<'p> {
     /// The sheet of a plan on the scene of this name.
     pub fn new(plan: &'p Plan, scene: &'p str, columns: Columns, texts: Texts) -> Self {
-        let mut names: Vec<&str> =
-            plan.axes().iter().map(crate::study::sweep::Axis::symbol).collect();
+        let mut names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         match columns {
             Columns::Chosen => {
                 names.push("outcome");
@@ -232,15 +231,20 @@ pub fn grid_csv(scene: &str, grid: &Grid) -> Result<Vec<u8>, FileError> {
 /// The end of the JSON, after the rows.
 pub const JSON_TAIL: &str = "\n  ]\n}\n";
 
-fn axis_json(axis: &crate::study::sweep::Axis) -> String {
+fn axis_json(axis: &Axis) -> String {
     let (from, to) = axis.ends();
+    if axis.spacing() == Spacing::Listed {
+        let values: Vec<String> = axis.list().iter().map(|value| units::shortest(*value)).collect();
+        let values = values.join(", ");
+        return format!("{{ \"name\": {}, \"values\": [{values}] }}", quoted(axis.symbol()));
+    }
     format!(
         "{{ \"name\": {}, \"from\": {}, \"to\": {}, \"count\": {}, \"log\": {} }}",
         quoted(axis.symbol()),
         units::shortest(from),
         units::shortest(to),
         axis.count(),
-        axis.spacing() == crate::study::sweep::Spacing::Log
+        axis.spacing() == Spacing::Log
     )
 }
 

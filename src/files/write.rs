@@ -273,10 +273,16 @@ fn sweep_text(sweep: &Sweep) -> String {
     for (index, axis) in sweep.axes.iter().enumerate() {
         let log = if axis.log { ", log = true" } else { "" };
         let comma = if index == 0 { "" } else { "," };
+        let name = quoted(&axis.name);
+        if !axis.values.is_empty() {
+            let values: Vec<String> = axis.values.iter().map(|value| float(*value)).collect();
+            let values = values.join(", ");
+            let _ = write!(text, "{comma}\n    {{ name = {name}, values = [{values}] }}");
+            continue;
+        }
         let _ = write!(
             text,
-            "{comma}\n    {{ name = {}, from = {}, to = {}, count = {}{log} }}",
-            quoted(&axis.name),
+            "{comma}\n    {{ name = {name}, from = {}, to = {}, count = {}{log} }}",
             float(axis.from),
             float(axis.to),
             axis.count

@@ -8,7 +8,6 @@ use crate::model::mechanism::load;
 use crate::model::run::{AtLeast, EventKind, Run, envelope};
 use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
 use crate::model::units::{self, Engineering};
-use crate::model::variables::edit_distance;
 
 /// One quantity.
 #[derive(Clone, Copy, Debug)]
@@ -316,7 +315,7 @@ fn distance(name: &str, result: &str) -> usize {
     let parts = parts.filter(|part| part.len() > 2);
     // Whoever types three letters or more of the beginning of a word means that word.
     let begun = |part: &str| name.len() > 2 && part.starts_with(name);
-    let off = |part: &str| if begun(part) { 0 } else { edit_distance(name, part) };
+    let off = |part: &str| if begun(part) { 0 } else { strsim::osa_distance(name, part) };
     let nearest = parts.map(|part| off(&part) + usize::from(part != result)).min();
     nearest.unwrap_or(usize::MAX)
 }

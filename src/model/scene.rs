@@ -244,6 +244,8 @@ pub struct SweepAxis {
     pub count: usize,
     /// Points at equal ratios instead of equal differences.
     pub log: bool,
+    /// The values themselves, in this order, instead of a range; empty for a range.
+    pub values: Vec<f64>,
 }
 
 impl Default for Projectile {

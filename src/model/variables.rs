@@ -17,7 +17,7 @@ mod table;
 mod used;
 
 pub use describe::used_when;
-pub use names::{edit_distance, find, listing, nearest};
+pub use names::{find, listing, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;
 pub use table::VARIABLES;

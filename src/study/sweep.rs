@@ -259,7 +259,16 @@ impl Plan {
 /// # Errors
 /// [`SweepError::Output`] with the nearest names.
 pub fn output(name: &str) -> Result<&'static ResultColumn, SweepError> {
-    results::find(name.trim())
+    let written = name.trim();
+    let spelled = written.to_lowercase().replace([' ', '-'], "_");
+    // A name without its unit will do where it means one quantity only: `stroke`, `limit velocity`.
+    let bare = || {
+        let mut same = results::RESULTS.iter().filter(|it| it.title().replace(' ', "_") == spelled);
+        same.next().filter(|_| same.next().is_none())
+    };
+    results::find(written)
+        .or_else(|| results::find(&spelled))
+        .or_else(bare)
         .ok_or_else(|| SweepError::Output { name: name.to_owned(), hint: results::nearest(name) })
 }
 

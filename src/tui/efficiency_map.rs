@@ -44,7 +44,7 @@ fn chart_axis(axis: &sweep::Axis) -> Axis<'static> {
     let (from, to) = axis.ends();
     let view = ViewRange::new(from, to);
     let scale = match axis.spacing() {
-        Spacing::Linear => Scale::Linear,
+        Spacing::Linear | Spacing::Listed => Scale::Linear,
         Spacing::Log => Scale::Log10,
     };
     let unit = axis.variable().unit().trim_matches('-');

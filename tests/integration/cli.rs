@@ -182,7 +182,19 @@ fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
         ("run no/such.toml", &["no such file"]),
         ("run .", &["cannot read `.`"]),
         ("presets show cockd", &["did you mean `cocked`"]),
-        ("man swep", &["`swep` is not a subcommand", "run"]),
+        ("man swep", &["`swep` is not a subcommand", "did you mean `sweep`?"]),
+        ("swep cocked --over gamma=1..2:3", &["`swep` is not a subcommand", "`sweep`"]),
+        (
+            "run --sett gamma=2",
+            &["`--sett` is not an option of `cmra run`", "did you mean `--set`?"],
+        ),
+        ("run --csv a.csv --csv-style exel-eu", &["`exel-eu`", "did you mean `excel-eu`?", "crlf"]),
+        ("run --csv", &["--csv", "no value"]),
+        ("sweep --seed many", &["--seed", "many", "invalid digit"]),
+        ("completions bish", &["`bish`", "did you mean `bash`", "fish"]),
+        ("presets shwo cocked", &["`shwo` is not a subcommand of `cmra presets`", "`show`"]),
+        ("seek --goal stroke=1mm", &["--over", "missing", "`cmra seek --help`"]),
+        ("sweep --over k=1e4,1e5 --outputs strok", &["output strok", "`stroke_m`"]),
         ("preset", &["did you mean the subcommand `presets`?"]),
         ("thesis-basline", &["did you mean `thesis-baseline`?"]),
         ("run --csv a.toml", &["`a.toml` cannot be the target", "name a CSV file"]),
@@ -203,7 +215,8 @@ fn contradictory_options_are_refused() {
     for arguments in ["run --json --plain", "run --force", "run --nonsense", "cocked --fresh"] {
         let done = place.cmra(arguments);
         assert_eq!((done.code, done.out.as_str()), (2, ""), "{arguments}");
-        assert!(done.err.contains("Usage"), "{arguments}: {}", done.err);
+        assert!(done.err.starts_with("error: ") && done.err.lines().count() == 1, "{}", done.err);
+        assert!(done.err.contains("--help`"), "{arguments}: {}", done.err);
     }
 }
 

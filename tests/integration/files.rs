@@ -159,7 +159,7 @@ fn value_of(kind: &Kind, size: f64, share: f64) -> Value {
 
 fn sweeps() -> impl Strategy<Value = Option<Sweep>> {
     let axis = (1e-9..1.0e9, any::<bool>(), 2usize..=1_000_000).prop_map(|(to, log, count)| {
-        SweepAxis { name: "k".to_owned(), from: 1e-10, to, count, log }
+        SweepAxis { name: "k".to_owned(), from: 1e-10, to, count, log, values: Vec::new() }
     });
     let sweep = (axis, any::<bool>()).prop_map(|(axis, named)| Sweep {
         axes: vec![axis],

@@ -59,7 +59,7 @@ fn tornado(page: &mut String, report: &Report, shown: &Shown) {
     let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
     order.sort_by(|a, b| swing(b).total_cmp(&swing(a)));
     for at in order {
-        let (axis, bar) = (report.axes[at], report.bars[at]);
+        let (axis, bar) = (&report.axes[at], report.bars[at]);
         let (low, high) = axis.ends();
         let unit = axis.variable().unit();
         let unit = if unit == "-" { String::new() } else { format!(" {unit}") };

@@ -1,4 +1,4 @@
-//! `--over NAME=LO..HI:COUNT[:log]` and the options that say which points a sweep has.
+//! `--over NAME=LO..HI:COUNT[:log]`, `--over NAME=A,B,C` and the options that say which points a sweep has.
 
 use std::ops::RangeInclusive;
 
@@ -6,7 +6,7 @@ use clap::ValueEnum;
 
 use crate::cli::CliError;
 use crate::model::scene::Scene;
-use crate::model::units::{self, Bare};
+use crate::model::units::{self, Bare, Quantity};
 use crate::model::variables::{self, Kind};
 use crate::study::sweep::{Axis, COUNTS, Design, Plan, Spacing, SweepError, USUAL_OUTPUTS};
 
@@ -99,17 +99,71 @@ fn design(asked: &Asked<'_>, axes: &[Axis]) -> Result<Design, CliError> {
     })
 }
 
-/// Read `NAME=LO..HI:COUNT[:log]`; COUNT may be left out where there is a usual one.
+/// The two forms of an axis.
+const FORM: &str =
+    "write NAME=LO..HI:COUNT[:log] or NAME=A,B,C, for example gamma=0.8..7:101 or k=1e4,1e5";
+
+/// Read `NAME=LO..HI:COUNT[:log]` or a list of values, `NAME=A,B,C`; COUNT may be left out where there is a usual one.
 pub(in crate::cli) fn over(
     argument: &str,
     usual: Option<u64>,
     counts: &RangeInclusive<u64>,
 ) -> Result<Axis, CliError> {
     let refuse = |problem: String| CliError::Over { argument: argument.to_owned(), problem };
-    let form = "write NAME=LO..HI:COUNT or NAME=LO..HI:COUNT:log, for example gamma=0.8..7:101";
-    let (name, rest) = argument.split_once('=').ok_or_else(|| refuse(form.to_owned()))?;
-    let (low, rest) = rest.split_once("..").ok_or_else(|| refuse(form.to_owned()))?;
-    let mut parts = rest.split(':');
+    let (name, rest) = argument.split_once('=').ok_or_else(|| refuse(FORM.to_owned()))?;
+    let name = name.trim();
+    if let Some((low, rest)) = rest.split_once("..") {
+        let (high, count, spacing) = high_end(rest, counts).map_err(refuse)?;
+        let missing = || refuse(format!("COUNT is missing; {FORM}"));
+        let count = count.or(usual).ok_or_else(missing)?;
+        let ends = (value(name, low, "LO", refuse)?, value(name, high, "HI", refuse)?);
+        if let Some(problem) = quantity(name).and_then(|it| units::one_bare_end(low, high, it)) {
+            return Err(refuse(problem));
+        }
+        return Ok(Axis::within(name, ends, count, spacing, counts)?);
+    }
+    let parts: Vec<&str> = rest.split(',').map(str::trim).collect();
+    let [first, others @ ..] = &parts[..] else { return Err(refuse(FORM.to_owned())) };
+    if others.is_empty() {
+        return Err(refuse(FORM.to_owned()));
+    }
+    let read = |text: &&str| value(name, text, "the list", refuse);
+    let values = parts.iter().map(read).collect::<Result<Vec<f64>, _>>()?;
+    let mixed =
+        |quantity| others.iter().any(|it| units::one_bare_end(first, it, quantity).is_some());
+    if quantity(name).is_some_and(mixed) {
+        return Err(refuse("give all values of the list a unit, or none".to_owned()));
+    }
+    Ok(Axis::listed(name, &values, counts)?)
+}
+
+/// The same where only a range has a meaning.
+pub(in crate::cli) fn range(
+    argument: &str,
+    usual: Option<u64>,
+    counts: &RangeInclusive<u64>,
+) -> Result<Axis, CliError> {
+    let axis = over(argument, usual, counts)?;
+    if axis.spacing() != Spacing::Listed {
+        return Ok(axis);
+    }
+    let (low, high) = axis.ends();
+    let (low, high) = (units::shortest(low), units::shortest(high));
+    Err(CliError::Over {
+        argument: argument.to_owned(),
+        problem: format!(
+            "a list of values is for `cmra sweep`; write a range here, for example {}={low}..{high}",
+            axis.symbol()
+        ),
+    })
+}
+
+/// What stands after `..`: the other end, the number of points, the spacing.
+fn high_end<'t>(
+    text: &'t str,
+    counts: &RangeInclusive<u64>,
+) -> Result<(&'t str, Option<u64>, Spacing), String> {
+    let mut parts = text.split(':');
     let high = parts.next().unwrap_or_default();
     let (mut count, mut spacing) = (None, Spacing::Linear);
     for part in parts {
@@ -119,33 +173,37 @@ pub(in crate::cli) fn over(
             text if count.is_none() => {
                 let (least, most) = (counts.start(), counts.end());
                 let wrong = || {
-                    refuse(format!(
-                        "COUNT = `{text}` must be a whole number, {least} to {most}; {form}"
-                    ))
+                    format!("COUNT = `{text}` must be a whole number, {least} to {most}; {FORM}")
                 };
                 count = Some(text.parse::<u64>().map_err(|_not_a_number| wrong())?);
             }
-            text => return Err(refuse(format!("`{text}` is neither COUNT nor log; {form}"))),
+            text => return Err(format!("`{text}` is neither COUNT nor log; {FORM}")),
         }
     }
-    let missing = || refuse(format!("COUNT is missing; {form}"));
-    let count = count.or(usual).ok_or_else(missing)?;
-    let name = name.trim();
+    Ok((high, count, spacing))
+}
+
+/// What a variable's numbers measure; `None` for a variable of words, which is refused later with what it may be.
+fn quantity(name: &str) -> Option<Quantity> {
+    match &variables::find(name).ok()?.kind {
+        Kind::Number(number) => Some(number.quantity),
+        Kind::Choice(_) | Kind::Switch { .. } => None,
+    }
+}
+
+/// A value of a variable, in its stored unit.
+fn value(
+    name: &str,
+    text: &str,
+    place: &str,
+    refuse: impl Fn(String) -> CliError,
+) -> Result<f64, CliError> {
     let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
     let variable = variables::find(name).map_err(unknown)?;
-    let read = |text: &str, end: &str| match &variable.kind {
-        Kind::Number(number) => units::parse(text, number.quantity, variable.bare(name, Bare::Si))
-            .map_err(|problem| refuse(format!("{end}: {problem}"))),
-        // Refused below, with what the variable may be.
-        Kind::Choice(_) | Kind::Switch { .. } => Ok(0.0),
-    };
-    let ends = (read(low, "LO")?, read(high, "HI")?);
-    if let Kind::Number(number) = &variable.kind
-        && let Some(problem) = units::one_bare_end(low, high, number.quantity)
-    {
-        return Err(refuse(problem));
-    }
-    Ok(Axis::within(name, ends, count, spacing, counts)?)
+    quantity(name).map_or(Ok(0.0), |quantity| {
+        units::parse(text, quantity, variable.bare(name, Bare::Si))
+            .map_err(|problem| refuse(format!("{place}: {problem}")))
+    })
 }
 
 #[cfg(test)]
@@ -168,10 +226,24 @@ mod tests {
     }
 
     #[test]
+    fn lists_are_read_with_units_in_their_order() {
+        let axis = over("k=1e5,0.01 MN/m,2.5e4", None, &COUNTS);
+        assert!(axis.unwrap_err().to_string().contains("all values of the list a unit, or none"));
+        let axis = over("k = 100kN/m,10 kN/m,1MN/m", None, &COUNTS).unwrap();
+        assert_eq!(axis.list(), [1e5, 1e4, 1e6]);
+        let axis = over("thickness=25.4mm,0,1in", None, &COUNTS).unwrap_err().to_string();
+        assert!(axis.contains("reaches 0 m"), "{axis}");
+        assert!(range("gamma=1,2", None, &COUNTS).unwrap_err().to_string().contains("gamma=1..2"));
+    }
+
+    #[test]
     fn bad_axes_say_what_to_write() {
         for (text, fragments) in [
             ("gamma", &["--over gamma", "NAME=LO..HI:COUNT"][..]),
-            ("gamma=1:5", &["NAME=LO..HI:COUNT"]),
+            ("gamma=1:5", &["NAME=LO..HI:COUNT", "NAME=A,B,C"]),
+            ("gamma=1,two", &["the list", "not a number"]),
+            ("gamma=1,2,1", &["1 stands twice"]),
+            ("gamma=1,", &["the list"]),
             ("gamma=1..2", &["COUNT is missing"]),
             ("gamma=1..2:many", &["COUNT = `many`", "whole number"]),
             ("gamma=1..2:-3", &["COUNT = `-3`"]),

@@ -91,6 +91,11 @@ pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: &Kept)
 }
 
 fn axis_words(axis: &Axis) -> String {
+    if axis.spacing() == Spacing::Listed {
+        let unit = axis.variable().unit().trim_start_matches('-');
+        let values = format!("{} = {} {unit}", axis.symbol(), axis.range().replace(',', ", "));
+        return format!("{}, {} points", values.trim_end(), axis.count());
+    }
     let (from, to) = axis.ends();
     let unit = axis.variable().unit().trim_start_matches('-');
     let log = if axis.spacing() == Spacing::Log { " at equal ratios" } else { "" };
@@ -100,7 +105,7 @@ fn axis_words(axis: &Axis) -> String {
 
 fn scale(axis: &Axis) -> Scale {
     match axis.spacing() {
-        Spacing::Linear => Scale::Linear,
+        Spacing::Linear | Spacing::Listed => Scale::Linear,
         Spacing::Log => Scale::Log10,
     }
 }
@@ -125,7 +130,10 @@ fn curve(page: &mut String, plan: &Plan, axis: &Axis, output: usize, rows: &[Row
         let _ = writeln!(page, "{}: exists nowhere on this axis\n", column.title());
         return;
     };
-    let points: Vec<(f64, f64)> = (0..).map(|index| axis.value(index)).zip(values()).collect();
+    let mut points: Vec<(f64, f64)> = (0..).map(|index| axis.value(index)).zip(values()).collect();
+    if axis.spacing() == Spacing::Listed {
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
     let view = range.padded(Scale::Linear, 0.05);
     let y = chart::Axis::new("", view).unit(Unit::with_prefix(range, column.unit()));
     let curve = Curve::new('*', "", &points);
@@ -176,16 +184,15 @@ fn table(page: &mut String, plan: &Plan, axis: &Axis, rows: &[Row]) {
 fn map(page: &mut String, plan: &Plan, (x, y): (&Axis, &Axis), output: usize, rows: &[Row]) {
     let column = plan.outputs()[output];
     let values = || rows.iter().filter_map(|row| shown(row, output, column));
-    let counts = (as_index(x.count()), as_index(y.count()));
+    let places = (places(x), places(y));
+    let counts = (places.0.len(), places.1.len());
     let Some(levels) = Levels::of(Scale::Linear, values()) else {
         let _ = writeln!(page, "{}: exists nowhere on this grid\n", column.title());
         return;
     };
-    let flip = (x.ends().0 > x.ends().1, y.ends().0 > y.ends().1);
-    let turn = |at: usize, count: usize, flip: bool| if flip { count - 1 - at } else { at };
+    let up = as_index(y.count());
     let spot = |at_x: usize, at_y: usize| {
-        let (at_x, at_y) = (turn(at_x, counts.0, flip.0), turn(at_y, counts.1, flip.1));
-        let row = &rows[at_x * counts.1 + at_y];
+        let row = &rows[places.0[at_x] * up + places.1[at_y]];
         let mark = || Spot::Mark(row.0.letter(), Role::Dim);
         shown(row, output, column).map_or_else(mark, Spot::Value)
     };
@@ -228,6 +235,22 @@ pub(in crate::cli) fn key(levels: &Levels, factor: f64, unit: &str) -> String {
     let (_, top) = levels.band(levels.bands() - 1);
     let _ = writeln!(line, "  {} {unit}", units::significant(top * factor, 4));
     line
+}
+
+/// Cells of a map along an axis whose values are a list.
+const LIST_CELLS: u64 = 60;
+
+/// The point that each cell of a map shows, from the least value of an axis to the greatest: the point itself, or the nearest one
+/// of a list.
+fn places(axis: &Axis) -> Vec<usize> {
+    let (from, to) = axis.ends();
+    if axis.spacing() == Spacing::Listed {
+        let last = (LIST_CELLS - 1) as f64;
+        let value = |cell: u64| from + (to - from) * cell as f64 / last;
+        return (0..LIST_CELLS).map(|cell| as_index(axis.nearest(value(cell)))).collect();
+    }
+    let rising = 0..as_index(axis.count());
+    if from > to { rising.rev().collect() } else { rising.collect() }
 }
 
 fn as_index(count: u64) -> usize {

@@ -8,9 +8,8 @@ use crate::files::clean;
 use crate::files::export;
 use crate::files::preset::Preset;
 use crate::files::sweep::Columns;
-use crate::model::scene::{Scene, Sweep, SweepAxis};
-use crate::model::units;
-use crate::study::sweep::{Design, Plan, Spacing};
+use crate::model::scene::{Scene, Sweep};
+use crate::study::sweep::{Axis, Design, Plan};
 
 /// What was made.
 pub(super) struct Made<'a> {
@@ -54,11 +53,8 @@ pub(super) fn inline(preset: &Preset, made: &Made<'_>) -> String {
     let mut text =
         export::inline_scene(("sweep of", &preset.name), &preset.scene, |one| held(one.key));
     for axis in axes {
-        let ((from, to), count) = (axis.ends(), axis.count());
-        let log = if axis.spacing() == Spacing::Log { ":log" } else { "" };
-        let (from, to) = (units::shortest(from), units::shortest(to));
         let unit = export::unit_behind(axis.variable());
-        let _ = writeln!(text, "# over {}: {from}..{to}:{count}{log}{unit}", axis.variable().key);
+        let _ = writeln!(text, "# over {}: {}{unit}", axis.variable().key, axis.range());
     }
     let design = made.plan.design();
     let _ = match design {
@@ -76,13 +72,7 @@ pub(super) fn inline(preset: &Preset, made: &Made<'_>) -> String {
 }
 
 fn sweep(made: &Made<'_>) -> Sweep {
-    let axes = made.plan.axes().iter().map(|axis| SweepAxis {
-        name: axis.symbol().to_owned(),
-        from: axis.ends().0,
-        to: axis.ends().1,
-        count: usize::try_from(axis.count()).unwrap_or(usize::MAX),
-        log: axis.spacing() == Spacing::Log,
-    });
+    let axes = made.plan.axes().iter().map(Axis::asked);
     let outputs = match made.columns {
         Columns::Chosen => {
             made.plan.outputs().iter().map(|output| output.name.to_owned()).collect()

@@ -37,9 +37,10 @@ impl Variable {
     }
 }
 
-/// The variable with this name in words.
+/// The variable with this name in words, with blanks, `-` or `_` between them.
 pub(super) fn named(name: &str) -> Option<&'static Variable> {
-    VARIABLES.iter().find(|variable| variable.name() == name)
+    let spelled = name.to_lowercase().replace([' ', '-'], "_");
+    VARIABLES.iter().find(|variable| variable.name() == spelled)
 }
 
 /// Changes of the default scene that bring variables into use.

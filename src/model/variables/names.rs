@@ -48,7 +48,8 @@ pub fn nearest(name: &str) -> String {
         .iter()
         .flat_map(|variable| {
             let last = variable.key.rsplit('.').next().unwrap_or(variable.key);
-            let distance = |candidate: &str| edit_distance(&lower, &candidate.to_lowercase());
+            let distance =
+                |candidate: &str| strsim::osa_distance(&lower, &candidate.to_lowercase());
             [
                 (distance(variable.symbol), variable.symbol),
                 (distance(variable.key).min(distance(last) + 1), variable.key),
@@ -68,22 +69,6 @@ pub fn nearest(name: &str) -> String {
     } else {
         format!("did you mean {}?", close.join(" or "))
     }
-}
-
-/// How many letters have to be inserted, removed or replaced to turn `a` into `b`.
-pub fn edit_distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, from) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, to) in b.iter().enumerate() {
-            let substituted = diagonal + usize::from(from != *to);
-            diagonal = row[j + 1];
-            row[j + 1] = substituted.min(row[j] + 1).min(row[j + 1] + 1);
-        }
-    }
-    row[b.len()]
 }
 
 #[cfg(test)]

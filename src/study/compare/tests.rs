@@ -258,10 +258,10 @@ fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
     let axis = |name, ends, count| Axis::new(name, ends, count, Spacing::Linear).unwrap();
     let axes = [axis("v_i", (10.0, 90.0), 41), axis("gamma", (0.5, 7.0), 4)];
     let base = scene("dishing=false k=1");
-    let compute = |threads| {
+    let compute = |threads: usize| {
         let crew = Crew { threads, piece: 7 };
         let watch = &mut |_| ControlFlow::Continue(());
-        Map::compute(&base, axes, Hardware::default(), crew, watch).unwrap()
+        Map::compute(&base, axes.clone(), Hardware::default(), crew, watch).unwrap()
     };
     let map = compute(1);
     assert!(map.is_complete());
@@ -280,7 +280,7 @@ fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
         if asked == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let crew = Crew { threads: 1, piece: 7 };
-    let cut = Map::compute(&base, axes, Hardware::default(), crew, stop).unwrap();
+    let cut = Map::compute(&base, axes.clone(), Hardware::default(), crew, stop).unwrap();
     assert!(!cut.is_complete() && cut.cells.len() == 14);
     assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
 }

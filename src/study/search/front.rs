@@ -455,9 +455,9 @@ impl Search<'_> {
 
     /// The measures of any scene, by a field of one point.
     fn evaluate(&self, scene: &Scene, whole: bool) -> Option<Found> {
-        let axis = *self.field.axes().first()?;
+        let axis = self.field.axes().first()?;
         let names: Vec<&str> = self.field.measures().iter().map(|column| column.name).collect();
-        let field = Field::new(scene, vec![axis], &names, 1).ok()?;
+        let field = Field::new(scene, vec![axis.clone()], &names, 1).ok()?;
         let value = (axis.number().get)(scene).unwrap_or(f64::NAN);
         let go_on = if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
         let ended = field.evaluate(&[vec![value]], &mut |_| go_on);

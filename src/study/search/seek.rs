@@ -111,8 +111,8 @@ pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 /// # Errors
 /// A [`SweepError`] when bounds, name or scene make no sense: then nothing has run.
 pub fn seek(scene: &Scene, goal: &Goal, watch: Watch<'_>) -> Result<Report, SweepError> {
-    let axis = goal.axis;
-    let field = Field::new(scene, vec![axis], &[goal.measure.as_str()], goal.threads)?;
+    let axis = &goal.axis;
+    let field = Field::new(scene, vec![axis.clone()], &[goal.measure.as_str()], goal.threads)?;
     let scan = usize::try_from(axis.count()).unwrap_or(usize::MAX);
     let mut runs = 0;
     let mut fates: Vec<(f64, Fate)> = Vec::new();
@@ -136,12 +136,12 @@ pub fn seek(scene: &Scene, goal: &Goal, watch: Watch<'_>) -> Result<Report, Swee
         fates.iter().find(|(other, _)| other.to_bits() == share.to_bits()).map(|(_, fate)| *fate)
     };
     let mut report = Report {
-        axis,
+        axis: axis.clone(),
         measure: field.measures()[0],
         target: goal.target,
         solutions: Vec::new(),
         jumps: Vec::new(),
-        gaps: gaps(&scanned, &axis, fate_at),
+        gaps: gaps(&scanned, axis, fate_at),
         nearest: None,
         range: range(&seen).map(|(least, most)| (place(least), place(most))),
         scan: scanned.iter().map(|(share, value)| (axis.at_share(*share), *value)).collect(),

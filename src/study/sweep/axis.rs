@@ -4,6 +4,7 @@
 //! what is allowed is one interval for every variable. Rules between variables are the plan's business.
 
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 use crate::model::scene::SweepAxis;
 use crate::model::units;
@@ -20,10 +21,12 @@ pub enum Spacing {
     Linear,
     /// At equal ratios.
     Log,
+    /// At the values of a list.
+    Listed,
 }
 
 /// A checked axis.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Axis {
     variable: &'static Variable,
     number: &'static Number,
@@ -31,12 +34,13 @@ pub struct Axis {
     to: f64,
     count: u64,
     spacing: Spacing,
+    /// The values in their order, where they are listed.
+    list: Arc<[f64]>,
 }
 
 impl std::fmt::Debug for Axis {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { from, to, count, spacing, .. } = self;
-        write!(f, "{}={from}..{to}:{count} {spacing:?}", self.variable.symbol)
+        write!(f, "{}={}", self.variable.symbol, self.range())
     }
 }
 
@@ -46,6 +50,7 @@ impl PartialEq for Axis {
             && self.from.to_bits() == other.from.to_bits()
             && self.to.to_bits() == other.to.to_bits()
             && (self.count, self.spacing) == (other.count, other.spacing)
+            && self.list.iter().map(|it| it.to_bits()).eq(other.list.iter().map(|it| it.to_bits()))
     }
 }
 
@@ -75,14 +80,8 @@ impl Axis {
         spacing: Spacing,
         counts: &RangeInclusive<u64>,
     ) -> Result<Self, SweepError> {
-        let variable = variables::find(name).map_err(|source| SweepError::Axis {
-            axis: name.to_owned(),
-            source: Box::new(source),
-        })?;
+        let (variable, number) = numeric(name)?;
         let axis = variable.symbol;
-        let Kind::Number(number) = &variable.kind else {
-            return Err(SweepError::NoNumbers { axis, choices: variable.allowed() });
-        };
         for end in [from, to] {
             if !number.allowed.contains(end) {
                 return Err(impossible(variable, number, end));
@@ -101,7 +100,40 @@ impl Axis {
             let (least, most) = (*counts.start(), *counts.end());
             return Err(SweepError::Count { axis, count, least, most, value: shown(from) });
         }
-        Ok(Self { variable, number, from, to, count, spacing })
+        Ok(Self { variable, number, from, to, count, spacing, list: Arc::default() })
+    }
+
+    /// An axis over a list of values of the variable `name`, in its stored unit and in their order.
+    ///
+    /// # Errors
+    /// [`SweepError`] for an unknown or wordy variable, fewer than two or too many values, an impossible one, and one that
+    /// stands twice.
+    pub fn listed(
+        name: &str,
+        values: &[f64],
+        counts: &RangeInclusive<u64>,
+    ) -> Result<Self, SweepError> {
+        let (variable, number) = numeric(name)?;
+        let axis = variable.symbol;
+        for (at, value) in values.iter().enumerate() {
+            if !number.allowed.contains(*value) {
+                return Err(impossible(variable, number, *value));
+            }
+            if values[..at].iter().any(|other| units::shortest(*other) == units::shortest(*value)) {
+                return Err(SweepError::ListedTwice { axis, value: units::shortest(*value) });
+            }
+        }
+        let count = values.len() as u64;
+        if !counts.contains(&count) {
+            let (least, most) = (*counts.start(), *counts.end());
+            let value =
+                values.first().map_or_else(|| "VALUE".to_owned(), |it| units::shortest(*it));
+            return Err(SweepError::Count { axis, count, least, most, value });
+        }
+        let from = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let to = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let list = values.into();
+        Ok(Self { variable, number, from, to, count, spacing: Spacing::Listed, list })
     }
 
     /// The axis a scene asks for, where it may have so many points.
@@ -109,6 +141,9 @@ impl Axis {
     /// # Errors
     /// As [`Axis::new`].
     pub fn of(asked: &SweepAxis, counts: &RangeInclusive<u64>) -> Result<Self, SweepError> {
+        if !asked.values.is_empty() {
+            return Self::listed(&asked.name, &asked.values, counts);
+        }
         let spacing = if asked.log { Spacing::Log } else { Spacing::Linear };
         let count = u64::try_from(asked.count).unwrap_or(u64::MAX);
         Self::within(&asked.name, (asked.from, asked.to), count, spacing, counts)
@@ -129,7 +164,38 @@ impl Axis {
         self.variable.symbol
     }
 
-    /// First and last value, in the stored unit.
+    /// The same axis as a scene file has it.
+    pub fn asked(&self) -> SweepAxis {
+        SweepAxis {
+            name: self.symbol().to_owned(),
+            from: self.from,
+            to: self.to,
+            count: usize::try_from(self.count).unwrap_or(usize::MAX),
+            log: self.spacing == Spacing::Log,
+            values: self.list.to_vec(),
+        }
+    }
+
+    /// The values as `--over` has them: `LO..HI:COUNT[:log]`, or a list.
+    pub fn range(&self) -> String {
+        let shown = units::shortest;
+        let log = match self.spacing {
+            Spacing::Listed => {
+                let values: Vec<String> = self.list.iter().map(|value| shown(*value)).collect();
+                return values.join(",");
+            }
+            Spacing::Linear => "",
+            Spacing::Log => ":log",
+        };
+        format!("{}..{}:{}{log}", shown(self.from), shown(self.to), self.count)
+    }
+
+    /// The values of a list in their order; empty for a range.
+    pub fn list(&self) -> &[f64] {
+        &self.list
+    }
+
+    /// First and last value of a range, least and greatest of a list, in the stored unit.
     pub fn ends(&self) -> (f64, f64) {
         (self.from, self.to)
     }
@@ -148,6 +214,9 @@ impl Axis {
     /// values in the other order.
     pub fn value(&self, index: u64) -> f64 {
         let last = self.count - 1;
+        if self.spacing == Spacing::Listed {
+            return self.list[usize::try_from(index.min(last)).unwrap_or(usize::MAX)];
+        }
         if index == 0 {
             return self.from;
         }
@@ -159,6 +228,11 @@ impl Axis {
 
     /// The point whose value is nearest, by the spacing.
     pub fn nearest(&self, value: f64) -> u64 {
+        if self.spacing == Spacing::Listed {
+            let gap = |index: &u64| (self.value(*index) - value).abs();
+            let nearest = (0..self.count).min_by(|a, b| gap(a).total_cmp(&gap(b)));
+            return nearest.unwrap_or(0);
+        }
         let rising = self.from < self.to;
         let before = |index: u64| (self.value(index) < value) == rising;
         // The first point that is not before the value.
@@ -171,28 +245,34 @@ impl Axis {
                 high = middle;
             }
         }
-        let place = |value: f64| match self.spacing {
-            Spacing::Linear => value,
-            Spacing::Log => value.ln(),
-        };
+        let place = |value| self.place(value);
         let gap = |index: u64| (place(self.value(index)) - place(value)).abs();
         if low > 0 && gap(low - 1) <= gap(low) { low - 1 } else { low }
     }
 
     /// The value at a share of the way, 0 to 1.
     pub fn at_share(&self, share: f64) -> f64 {
+        if self.spacing == Spacing::Listed {
+            // As many equal parts as values.
+            let at = (0..self.count - 1).find(|at| share * (self.count as f64) < (at + 1) as f64);
+            return self.value(at.unwrap_or(self.count - 1));
+        }
         self.between(share, 1.0 - share)
     }
 
     /// The share of the way at which a value lies; `None` outside the ends.
     pub fn share(&self, value: f64) -> Option<f64> {
-        let place = |value: f64| match self.spacing {
-            Spacing::Linear => value,
-            Spacing::Log => value.ln(),
-        };
-        let (from, to) = (place(self.from), place(self.to));
-        let share = (place(value) - from) / (to - from);
+        let (from, to) = (self.place(self.from), self.place(self.to));
+        let share = (self.place(value) - from) / (to - from);
         (0.0..=1.0).contains(&share).then_some(share)
+    }
+
+    /// A value on the scale on which the axis is even.
+    fn place(&self, value: f64) -> f64 {
+        match self.spacing {
+            Spacing::Linear | Spacing::Listed => value,
+            Spacing::Log => value.ln(),
+        }
     }
 
     /// The mean of the ends, weighted by how far each is: multiplied before divided, so that round numbers stay round.
@@ -200,7 +280,9 @@ impl Axis {
         let (low, high) =
             if self.from < self.to { (self.from, self.to) } else { (self.to, self.from) };
         let value = match self.spacing {
-            Spacing::Linear => (self.from * left + self.to * gone) / (gone + left),
+            Spacing::Linear | Spacing::Listed => {
+                (self.from * left + self.to * gone) / (gone + left)
+            }
             Spacing::Log => {
                 let mean = (self.from.ln() * left + self.to.ln() * gone) / (gone + left);
                 nearest_short(mean.exp())
@@ -208,6 +290,18 @@ impl Axis {
         };
         // Rounding, or an overflow of the products, must not leave the range.
         if value.is_finite() { value.clamp(low, high) } else { low + 0.5 * (high - low) }
+    }
+}
+
+/// A variable that has numbers.
+fn numeric(name: &str) -> Result<(&'static Variable, &'static Number), SweepError> {
+    let unknown = |source| SweepError::Axis { axis: name.to_owned(), source: Box::new(source) };
+    let variable = variables::find(name).map_err(unknown)?;
+    match &variable.kind {
+        Kind::Number(number) => Ok((variable, number)),
+        Kind::Choice(_) | Kind::Switch { .. } => {
+            Err(SweepError::NoNumbers { axis: variable.symbol, choices: variable.allowed() })
+        }
     }
 }
 
@@ -301,6 +395,25 @@ mod tests {
                 assert_eq!(last, if rising { 40 } else { 0 });
                 assert!(spacing == Spacing::Log || first == 40 - last);
             }
+        }
+    }
+
+    #[test]
+    fn a_list_has_its_values_in_their_order() {
+        let axis = Axis::listed("k", &[1e5, 1e4, 3e6], &COUNTS).unwrap();
+        let values: Vec<f64> = (0..axis.count()).map(|index| axis.value(index)).collect();
+        assert_eq!(values, [1e5, 1e4, 3e6]);
+        assert_eq!(axis.ends(), (1e4, 3e6));
+        assert_eq!([2e4, 9e4, 9e9].map(|value| axis.nearest(value)), [1, 0, 2]);
+        assert_eq!([0.0, 0.34, 0.99, 1.0].map(|share| axis.at_share(share)), [1e5, 1e4, 3e6, 3e6]);
+        assert_eq!(Axis::of(&axis.asked(), &COUNTS).unwrap(), axis);
+        for (values, fragment) in [
+            (&[1e5][..], "count = 1"),
+            (&[1e5, 2e5, 1e5], "1e5 stands twice"),
+            (&[1e5, -1.0], "reaches -1 N/m^n"),
+        ] {
+            let text = Axis::listed("k", values, &COUNTS).unwrap_err().to_string();
+            assert!(text.contains(fragment), "{text}");
         }
     }
 

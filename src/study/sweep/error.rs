@@ -89,6 +89,14 @@ pub enum SweepError {
         /// The variable's symbol.
         axis: &'static str,
     },
+    /// A value stands twice in a list.
+    #[error("axis {axis}: {value} stands twice in the list; leave one of them out")]
+    ListedTwice {
+        /// The variable's symbol.
+        axis: &'static str,
+        /// The value.
+        value: String,
+    },
     /// No axis at all.
     #[error("a sweep needs at least one axis, for example gamma=0.8..7:101")]
     NoAxis,

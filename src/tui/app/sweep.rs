@@ -247,7 +247,14 @@ pub fn sweep_of(scene: &Scene) -> Sweep {
     for (name, from, to, count) in USUAL_AXES {
         let taken = sweep.axes.iter().any(|axis| key(&axis.name) == key(name));
         if sweep.axes.len() < 2 && !taken {
-            sweep.axes.push(SweepAxis { name: name.to_owned(), from, to, count, log: false });
+            sweep.axes.push(SweepAxis {
+                name: name.to_owned(),
+                from,
+                to,
+                count,
+                log: false,
+                values: Vec::new(),
+            });
         }
     }
     if sweep.outputs.is_empty() {

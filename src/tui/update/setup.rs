@@ -309,7 +309,7 @@ fn fresh_axis(
         (from, if to < most { to } else { most })
     });
     let name = variable.symbol.to_owned();
-    Ok(crate::model::scene::SweepAxis { name, from, to, count: 41, log: false })
+    Ok(crate::model::scene::SweepAxis { name, from, to, count: 41, log: false, values: Vec::new() })
 }
 
 fn number_of(variable: &'static Variable) -> Result<&'static Number, String> {

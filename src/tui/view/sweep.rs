@@ -59,7 +59,7 @@ pub(super) fn chart_axis(axis: &Axis) -> chart::Axis<'static> {
     let (from, to) = axis.ends();
     let view = ViewRange::new(from, to);
     let scale = match axis.spacing() {
-        Spacing::Linear => Scale::Linear,
+        Spacing::Linear | Spacing::Listed => Scale::Linear,
         Spacing::Log => Scale::Log10,
     };
     let unit = axis.variable().unit().trim_matches('-');
