@@ -20,6 +20,7 @@ mod error;
 mod explain;
 mod fit;
 mod help;
+mod join;
 mod json;
 mod libraries;
 mod limit;
@@ -79,6 +80,8 @@ enum Command {
     Run(run::RunArguments),
     /// Run a scene at every point of one or more axes
     Sweep(sweep::SweepArguments),
+    /// Join the parts of a sweep that was computed with --shard
+    Join(join::JoinArguments),
     /// Compare the error and the run time of every method
     Accuracy(accuracy::AccuracyArguments),
     /// Check stiff and extreme scenes; map where a fixed step is stable
@@ -173,6 +176,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         None => workbench::run(&arguments.workbench),
         Some(Command::Run(arguments)) => run::run(&arguments),
         Some(Command::Sweep(arguments)) => sweep::run(&arguments),
+        Some(Command::Join(arguments)) => join::run(&arguments),
         Some(Command::Accuracy(arguments)) => accuracy::run(&arguments),
         Some(Command::Stability(arguments)) => stability::run(&arguments),
         Some(Command::Limit(arguments)) => limit::run(&arguments),

@@ -12,7 +12,7 @@ use crate::tui::message::BINDINGS;
 
 /// The commands by what they are for. A test checks that each stands in one group.
 const GROUPS: [(&str, &[&str]); 4] = [
-    ("Run and explore", &["run", "sweep"]),
+    ("Run and explore", &["run", "sweep", "join"]),
     ("Decide", &["limit", "fit", "compare", "seek", "optimise", "sensitivity", "montecarlo"]),
     ("Check", &["accuracy", "stability", "reproduce", "validate"]),
     (
@@ -41,8 +41,9 @@ struct Topic {
 
 /// The pages, in the order of the list. The table of keys is made from the key bindings.
 #[rustfmt::skip]
-const TOPICS: [Topic; 7] = [
+const TOPICS: [Topic; 8] = [
     Topic { name: "scenes", about: "scene files, presets, values and units", text: include_str!("help/scenes.txt") },
+    Topic { name: "sweeps", about: "axes, designs, parts of a sweep on many machines", text: include_str!("help/sweeps.txt") },
     Topic { name: "csv", about: "CSV, JSON and exit status", text: include_str!("help/csv.txt") },
     Topic { name: "equations", about: "what is computed, with every symbol", text: include_str!("help/equations.txt") },
     Topic { name: "mechanisms", about: "kinds of springs, dampers and stops", text: include_str!("help/mechanisms.txt") },

@@ -32,8 +32,8 @@ pub(super) fn file(csv: &Path, scene: &Scene) -> Option<(PathBuf, String)> {
     let beside = export::sidecar_path(csv, None);
     let name = format!("./{}", beside.file_name().unwrap_or_default().to_string_lossy());
     let again = again::line(&help::command(), &typed(), Some(&name));
-    let missing = was_interrupted().then_some("interrupted");
-    let text = export::study_sidecar(csv, scene, &again, missing);
+    let missing = was_interrupted().then(|| "not complete: interrupted".to_owned());
+    let text = export::study_sidecar(csv, scene, &again, missing.as_slice());
     Some((beside, text))
 }
 

@@ -39,8 +39,8 @@ const PIECES_MIN: u64 = 16;
         Columns: the axes' values, then every key of `cmra run --json` but run_time_s (which would make no two files equal); \
         with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point \
         keeps its row and says why.\n\
-        Shards: part I of N is a contiguous block of rows, and only part 1 has the header line, so that `cat part1.csv \
-        part2.csv ...` is the whole file.\n\n\
+        Shards: part I of N is a contiguous block of rows, and only part 1 has the header line. `cmra join` checks the parts and \
+        makes one file of them; `cmra help sweeps` shows it on many cores and in a cluster.\n\n\
         --outputs takes any of these:\n{}",
         results::listing()
     )
@@ -179,8 +179,13 @@ impl Job<'_> {
     /// Write rows as they are made.
     fn rows(&self, arguments: &SweepArguments, columns: Columns) -> Result<Summary, CliError> {
         let (existing, target) = (arguments.table.existing(), arguments.table.target());
-        let mut made =
-            sidecar::Made { plan: self.plan, columns, shard: &arguments.shard, missing: None };
+        let mut made = sidecar::Made {
+            plan: self.plan,
+            columns,
+            shard: self.shard,
+            style: arguments.table.style(),
+            missing: None,
+        };
         let beside = arguments.table.meta == MetaWord::Beside;
         let mut file = match target {
             Target::File(path) => {
@@ -243,8 +248,7 @@ impl Job<'_> {
         let is_partial = made.missing.is_some() && atomic::ordinary(finish.path).is_ok();
         let partial = is_partial.then(|| export::partial_path(finish.path));
         let path = partial.as_deref().unwrap_or(finish.path);
-        let scene =
-            finish.beside.then(|| sidecar::beside(path, &self.preset.scene, made)).flatten();
+        let scene = finish.beside.then(|| sidecar::beside(path, self.preset, made)).flatten();
         let beside: Vec<(PathBuf, &[u8])> =
             scene.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
         let finished = match partial {

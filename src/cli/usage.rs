@@ -17,6 +17,15 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
     let first = |kind| all(error, kind).into_iter().next();
     let argument = first(ContextKind::InvalidArg).unwrap_or_default();
     let command = command_of(error);
+    let commands: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
+    // Behind a misspelt command nothing is understood.
+    if command == "cmra"
+        && let Some(word) = written.get(1).and_then(|word| word.to_str())
+        && !commands.contains(&word)
+        && let Some(hint) = did_you_mean(word, &commands)
+    {
+        return Some(format!("`{word}` is not a subcommand: {hint} `cmra --help` lists them"));
+    }
     let problem = match error.kind() {
         ErrorKind::InvalidValue => value(error, &argument),
         ErrorKind::ValueValidation => {
@@ -24,7 +33,7 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
             let why = error.source().map(ToString::to_string).unwrap_or_default();
             format!("{argument} {value}: {why}")
         }
-        ErrorKind::UnknownArgument => return Some(unknown(error, program, written)),
+        ErrorKind::UnknownArgument => return Some(unknown(error, program)),
         ErrorKind::InvalidSubcommand => {
             let name = first(ContextKind::InvalidSubcommand).unwrap_or_default();
             let known = all(error, ContextKind::SuggestedSubcommand);
@@ -87,17 +96,10 @@ fn value(error: &Error, argument: &str) -> String {
     format!("`{written}` is not a value of {argument}: {hint}{list}")
 }
 
-/// An option that the command does not have, or a word too many; behind a misspelt command everything is unknown.
-fn unknown(error: &Error, program: &Command, written: &[OsString]) -> String {
+/// An option that the command does not have, or a word too many.
+fn unknown(error: &Error, program: &Command) -> String {
     let argument = all(error, ContextKind::InvalidArg).concat();
     let command = command_of(error);
-    let commands: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
-    if command == "cmra"
-        && let Some(word) = written.get(1).and_then(|word| word.to_str())
-        && let Some(hint) = did_you_mean(word, &commands)
-    {
-        return format!("`{word}` is not a subcommand: {hint} `cmra --help` lists them");
-    }
     let own = command.split_whitespace().skip(1).try_fold(program, Command::find_subcommand);
     let options: Vec<String> = own
         .into_iter()

@@ -44,6 +44,9 @@ pub enum FileError {
     /// The file is no table of displacement and force: which, where, and the cure.
     #[error("{0}")]
     Curve(String),
+    /// Parts of a sweep that are no whole: which, why, and the cure.
+    #[error("{0}")]
+    Parts(String),
     /// The file is no table of shots: which, where, and the cure.
     #[error("{0}")]
     Shots(String),

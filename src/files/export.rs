@@ -217,12 +217,12 @@ fn begins_with_mark(path: &Path) -> bool {
         && start == *MARK.as_bytes()
 }
 
-/// The scene of a study as a file; `again` is the command line that makes the same table from it, `missing` what a table has that is
-/// not complete.
-pub fn study_sidecar(csv: &Path, scene: &Scene, again: &str, missing: Option<&str>) -> String {
+/// The scene of a study as a file; `again` is the command line that makes the same table from it, `notes` are lines `key: text`
+/// about the table.
+pub fn study_sidecar(csv: &Path, scene: &Scene, again: &str, notes: &[String]) -> String {
     let mut text = first_line(csv);
-    if let Some(missing) = missing {
-        let _ = writeln!(text, "# not complete: {missing}");
+    for note in notes {
+        let _ = writeln!(text, "# {note}");
     }
     let _ = writeln!(text, "# again: {}\n", clean::line(again));
     text + &write::fresh(scene)

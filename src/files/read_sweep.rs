@@ -9,7 +9,7 @@ use crate::model::results;
 use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Kind, Number};
-use crate::study::sweep::{Axis, COUNTS, output};
+use crate::study::sweep::{Axis, COUNTS};
 
 const AXIS_EXAMPLE: &str = r#"{ name = "gamma", from = 0.8, to = 7.0, count = 101 }"#;
 const AXIS_KEYS: [&str; 6] = ["name", "from", "to", "count", "log", "values"];
@@ -292,8 +292,8 @@ fn outputs(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<String>
     let mut outputs = Vec::new();
     for row in rows {
         match row.get_ref() {
-            DeValue::String(name) if output(name).is_ok() => {
-                outputs.extend(output(name).map(|found| found.name.to_owned()));
+            DeValue::String(name) if results::find(name).is_some() => {
+                outputs.push(name.clone().into_owned());
             }
             other => {
                 let shown = reader.shown(row);

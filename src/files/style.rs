@@ -26,6 +26,15 @@ impl Style {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Plain, Self::Crlf, Self::ExcelEu];
 
+    /// The word of the command line and of files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Plain => "plain",
+            Self::Crlf => "crlf",
+            Self::ExcelEu => "excel-eu",
+        }
+    }
+
     /// What it is, in words.
     pub fn words(self) -> &'static str {
         match self {

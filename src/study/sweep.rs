@@ -45,6 +45,12 @@ pub struct Shard {
     count: u64,
 }
 
+impl std::fmt::Display for Shard {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}/{}", self.index, self.count)
+    }
+}
+
 impl Shard {
     /// The whole.
     pub const WHOLE: Self = Self { index: 1, count: 1 };
@@ -62,6 +68,11 @@ impl Shard {
             return Err(refuse());
         }
         Ok(Self { index, count })
+    }
+
+    /// Its number, from 1, and how many there are.
+    pub fn place(self) -> (u64, u64) {
+        (self.index, self.count)
     }
 
     /// Whether it holds the first point.

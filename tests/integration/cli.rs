@@ -186,7 +186,7 @@ fn what_is_wrong_on_the_command_line_is_told_in_one_line() {
         ("swep cocked --over gamma=1..2:3", &["`swep` is not a subcommand", "`sweep`"]),
         (
             "run --sett gamma=2",
-            &["`--sett` is not an option of `cmra run`", "did you mean `--set`?"],
+            &["`--sett` is not an option of `cmra run`", "did you mean `--set`"],
         ),
         ("run --csv a.csv --csv-style exel-eu", &["`exel-eu`", "did you mean `excel-eu`?", "crlf"]),
         ("run --csv", &["--csv", "no value"]),

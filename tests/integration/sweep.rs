@@ -7,6 +7,7 @@ use assert_cmd::Command;
 use serde_json::Value;
 
 mod figures;
+mod join;
 
 /// Exit code, standard output, standard error.
 struct Done {
@@ -17,8 +18,13 @@ struct Done {
 
 /// Run `cmra sweep` with arguments split at spaces, in a directory.
 fn sweep(place: &Path, arguments: &str) -> Done {
+    cmra(place, &format!("sweep {arguments}"))
+}
+
+/// Run the program.
+fn cmra(place: &Path, arguments: &str) -> Done {
     let mut command = Command::new(env!("CARGO_BIN_EXE_cmra"));
-    command.current_dir(place).env_clear().env("HOME", place).arg("sweep");
+    command.current_dir(place).env_clear().env("HOME", place);
     let output = command.args(arguments.split_whitespace()).output().unwrap();
     Done {
         code: output.status.code().unwrap(),
@@ -94,6 +100,23 @@ fn a_csv_has_the_axes_first_then_every_key_of_a_run() {
             Value::Bool(_) | Value::Object(_) => panic!("{key}"),
         }
     }
+}
+
+#[test]
+fn a_list_of_values_gives_its_rows_in_its_order_from_options_and_from_files() {
+    let place = tempfile::tempdir().unwrap();
+    let listed = sweep(place.path(), "--over k=1MN/m,10kN/m --over gamma=1,3 --csv list.csv");
+    assert_eq!(listed.code, 0, "{}", listed.err);
+    let text = fs::read_to_string(place.path().join("list.csv")).unwrap();
+    let found: Vec<[String; 2]> =
+        rows(&text)[1..].iter().map(|row| [row[0].clone(), row[1].clone()]).collect();
+    assert_eq!(found, [["1e6", "1"], ["1e6", "3"], ["10000", "1"], ["10000", "3"]]);
+    // The file beside it has the list, and makes the same rows.
+    let beside = fs::read_to_string(place.path().join("list.toml")).unwrap();
+    assert!(beside.contains("values = [1e6, 10000.0]"), "{beside}");
+    assert_eq!(sweep(place.path(), "./list.toml --csv -").out, text);
+    let page = sweep(place.path(), "--over k=1MN/m,10kN/m");
+    assert!(page.out.contains("k = 1e6, 10000 N/m^n, 2 points"), "{}", page.out);
 }
 
 #[test]

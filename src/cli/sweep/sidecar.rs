@@ -4,46 +4,38 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use crate::cli;
-use crate::files::clean;
 use crate::files::export;
 use crate::files::preset::Preset;
+use crate::files::shard::Part;
+use crate::files::style::Style;
 use crate::files::sweep::Columns;
-use crate::model::scene::{Scene, Sweep};
-use crate::study::sweep::{Axis, Design, Plan};
+use crate::model::scene::Sweep;
+use crate::study::sweep::{Axis, Design, Plan, Shard};
 
 /// What was made.
 pub(super) struct Made<'a> {
     pub(super) plan: &'a Plan,
     pub(super) columns: Columns,
-    pub(super) shard: &'a str,
+    pub(super) shard: Shard,
+    pub(super) style: Style,
     /// What is missing of it, in words.
     pub(super) missing: Option<String>,
 }
 
 /// Its path and its text; `None` where there is no place beside the file.
-pub(super) fn beside(csv: &Path, scene: &Scene, made: &Made<'_>) -> Option<(PathBuf, String)> {
+pub(super) fn beside(csv: &Path, preset: &Preset, made: &Made<'_>) -> Option<(PathBuf, String)> {
     if !cli::sidecar::is_ordinary(csv) {
         return None;
     }
-    let beside = export::sidecar_path(csv, None);
-    let mut scene = scene.clone();
+    let mut scene = preset.scene.clone();
     scene.sweep = Some(sweep(made));
-    let name = beside.file_name().unwrap_or_default().to_string_lossy();
-    let mut again = format!("cmra sweep {}", clean::shell_word(&format!("./{name}")));
-    match made.plan.design() {
-        Design::Factorial => {}
-        design @ (Design::LatinHypercube { seed, .. } | Design::Sobol { seed, .. }) => {
-            let points = made.plan.points();
-            let word = design.word();
-            let _ = write!(again, " --design {word} --points {points} --seed {seed}");
-        }
-    }
-    if made.shard != "1/1" {
-        let _ = write!(again, " --shard {}", made.shard);
-    }
-    again += " --csv -";
-    let text = export::study_sidecar(csv, &scene, &again, made.missing.as_deref());
-    Some((beside, text))
+    let part = Part {
+        shard: made.shard,
+        design: made.plan.design(),
+        name: preset.name.clone(),
+        style: made.style,
+    };
+    Some((export::sidecar_path(csv, None), part.sidecar(csv, &scene, made.missing.as_deref())))
 }
 
 /// The held variables and the axes as comment lines `# key: value (unit)`.

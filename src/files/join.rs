@@ -1,0 +1,242 @@
+//! Parts of a sweep made into the file that one run would have written.
+//!
+//! Each part is checked against the sidecar beside it: every row must be the row of its point. Parts of different sweeps, gaps
+//! and doubles are refused.
+
+use std::fs::File;
+use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+
+use csv::ReaderBuilder;
+
+use crate::files::error::FileError;
+use crate::files::export;
+use crate::files::read;
+use crate::files::shard::Part;
+use crate::files::style::Style;
+use crate::model::scene::Scene;
+use crate::model::units;
+use crate::model::variables::VARIABLES;
+use crate::study::sweep::{Axis, COUNTS, Plan, Shard};
+
+/// Bytes that are copied at once.
+const PIECE: usize = 1 << 16;
+
+/// The parts of one sweep, in order, none missing.
+#[derive(Debug)]
+pub struct Whole {
+    parts: Vec<PathBuf>,
+    first: Part,
+    scene: Scene,
+}
+
+/// A part with what its sidecar says.
+struct Found {
+    path: PathBuf,
+    part: Part,
+    scene: Scene,
+    version: String,
+}
+
+impl Whole {
+    /// Check the parts.
+    ///
+    /// # Errors
+    /// [`FileError::Parts`] when they are not the parts of one sweep, each once; [`FileError`] when one cannot be read.
+    pub fn of(paths: &[PathBuf]) -> Result<Self, FileError> {
+        let mut found = paths.iter().map(|path| found(path)).collect::<Result<Vec<_>, _>>()?;
+        found.sort_by_key(|one| one.part.shard.place());
+        let Some((first, others)) = found.split_first() else {
+            return Err(refuse("there is no part to join".to_owned()));
+        };
+        for other in others {
+            if let Some(difference) = difference(first, other) {
+                return Err(refuse(format!(
+                    "`{}` and `{}` are parts of different sweeps: {difference}",
+                    shown(&first.path),
+                    shown(&other.path)
+                )));
+            }
+        }
+        each_once(&found)?;
+        let axes = first.scene.sweep.iter().flat_map(|sweep| &sweep.axes);
+        let axes = axes.map(|axis| Axis::of(axis, &COUNTS)).collect::<Result<Vec<_>, _>>();
+        let plan = axes.and_then(|axes| Plan::new(&first.scene, axes, first.part.design, &[""; 0]));
+        let plan = plan.map_err(|error| refuse(format!("`{}`: {error}", shown(&first.path))))?;
+        for one in &found {
+            check_rows(one, &plan)?;
+        }
+        let parts = found.iter().map(|one| one.path.clone()).collect();
+        let first = found.swap_remove(0);
+        Ok(Self { parts, first: first.part, scene: first.scene })
+    }
+
+    /// How many parts there are.
+    pub fn count(&self) -> usize {
+        self.parts.len()
+    }
+
+    /// Give away the bytes of the whole table, piece by piece.
+    ///
+    /// # Errors
+    /// [`FileError::Read`], and what `take` fails with.
+    pub fn each_piece<E: From<FileError>>(
+        &self,
+        mut take: impl FnMut(&[u8]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut piece = vec![0; PIECE];
+        for path in &self.parts {
+            let failed = |source| FileError::read(path, source);
+            let mut file = File::open(path).map_err(failed)?;
+            loop {
+                let count = file.read(&mut piece).map_err(failed)?;
+                if count == 0 {
+                    break;
+                }
+                take(&piece[..count])?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The sidecar that one run would have written beside this table.
+    pub fn sidecar(&self, csv: &Path) -> String {
+        Part { shard: Shard::WHOLE, ..self.first.clone() }.sidecar(csv, &self.scene, None)
+    }
+}
+
+fn refuse(problem: String) -> FileError {
+    FileError::Parts(problem)
+}
+
+fn shown(path: &Path) -> String {
+    path.display().to_string()
+}
+
+/// A part and its sidecar.
+fn found(path: &Path) -> Result<Found, FileError> {
+    let beside = export::sidecar_path(path, None);
+    std::fs::metadata(path).map_err(|source| FileError::read(path, source))?;
+    if !beside.exists() {
+        return Err(refuse(format!(
+            "`{}` has no `{}` beside it, which says what part it is: make the parts with --shard and without --meta inline",
+            shown(path),
+            shown(&beside)
+        )));
+    }
+    let text = read::text_file(&beside)?;
+    let part =
+        Part::read(&text).map_err(|problem| refuse(format!("`{}`: {problem}", shown(path))))?;
+    let scene = read::scene(&text, &shown(&beside)).map_err(FileError::Scene)?;
+    let version = text.split_whitespace().nth(4).unwrap_or_default().to_owned();
+    Ok(Found { path: path.to_owned(), part, scene, version })
+}
+
+/// What tells two sweeps apart, in words; `None` for parts of one.
+fn difference(one: &Found, other: &Found) -> Option<String> {
+    let both = |what: &str, one: &str, other: &str| {
+        (one != other).then(|| format!("{what} is {one} in one and {other} in the other"))
+    };
+    let count = |found: &Found| found.part.shard.place().1.to_string();
+    let design = |found: &Found| format!("{:?}", found.part.design);
+    let variable = || {
+        VARIABLES.iter().find_map(|variable| {
+            both(variable.symbol, &variable.show(&one.scene), &variable.show(&other.scene))
+        })
+    };
+    let axes = |found: &Found| -> String {
+        let axes = found.scene.sweep.iter().flat_map(|sweep| &sweep.axes);
+        let axes = axes.map(|axis| match Axis::of(axis, &COUNTS) {
+            Ok(axis) => format!("{axis:?}"),
+            Err(error) => error.to_string(),
+        });
+        axes.collect::<Vec<_>>().join(" ")
+    };
+    let outputs = |found: &Found| -> String {
+        let sweep = found.scene.sweep.as_ref();
+        let outputs = sweep.map(|sweep| sweep.outputs.join(",")).unwrap_or_default();
+        if outputs.is_empty() { "all".to_owned() } else { outputs }
+    };
+    let same = one.scene == other.scene;
+    both("the number of parts", &count(one), &count(other))
+        .or_else(|| both("the axes", &axes(one), &axes(other)))
+        .or_else(|| both("the outputs", &outputs(one), &outputs(other)))
+        .or_else(|| both("the design", &design(one), &design(other)))
+        .or_else(|| both("the CSV style", one.part.style.word(), other.part.style.word()))
+        .or_else(|| both("the scene's name", &one.part.name, &other.part.name))
+        .or_else(|| both("the version", &one.version, &other.version))
+        .or_else(variable)
+        .or_else(|| (!same).then(|| "their scenes differ".to_owned()))
+}
+
+/// Whether every part is there once; they are in order.
+fn each_once(found: &[Found]) -> Result<(), FileError> {
+    let number = |one: &Found| one.part.shard.place().0;
+    for pair in found.windows(2) {
+        if number(&pair[0]) == number(&pair[1]) {
+            return Err(refuse(format!(
+                "`{}` and `{}` are both part {}: leave one out",
+                shown(&pair[0].path),
+                shown(&pair[1].path),
+                pair[0].part.shard
+            )));
+        }
+    }
+    let count = found.first().map_or(0, |one| one.part.shard.place().1);
+    let missing: Vec<String> = (1..=count)
+        .filter(|part| found.iter().all(|one| number(one) != *part))
+        .take(4)
+        .map(|part| format!("{part}/{count}"))
+        .collect();
+    match missing.as_slice() {
+        [] => Ok(()),
+        [first, ..] => Err(refuse(format!(
+            "part {} is missing: compute it with --shard {first}",
+            missing.join(", ")
+        ))),
+    }
+}
+
+/// Whether every row of a part is the row of its point.
+fn check_rows(one: &Found, plan: &Plan) -> Result<(), FileError> {
+    let style = one.part.style;
+    let failed = |source| FileError::read(&one.path, source);
+    let mut file = BufReader::new(File::open(&one.path).map_err(failed)?);
+    let has_head = one.part.shard.is_first();
+    if has_head {
+        file.seek(SeekFrom::Start(style.head().len() as u64)).map_err(failed)?;
+    }
+    let delimiter = if style == Style::ExcelEu { b';' } else { b',' };
+    let mut reader = ReaderBuilder::new()
+        .has_headers(has_head)
+        .delimiter(delimiter)
+        .flexible(true)
+        .from_reader(file);
+    let points = one.part.shard.of(plan.points());
+    let (mut row, mut next) = (csv::StringRecord::new(), points.start);
+    while reader.read_record(&mut row)? {
+        let is_own = |axis: usize| {
+            let value = units::shortest(plan.coordinate(next, axis));
+            row.get(axis).is_some_and(|field| field.replace(',', ".") == value)
+        };
+        if next >= points.end || !(0..plan.axes().len()).all(is_own) {
+            return Err(refuse(format!(
+                "`{}`: row {} is not the row of its point: the file was changed after it was written; compute part {} again",
+                shown(&one.path),
+                next - points.start + 1,
+                one.part.shard
+            )));
+        }
+        next += 1;
+    }
+    if next == points.end {
+        return Ok(());
+    }
+    Err(refuse(format!(
+        "`{}` has {} of the {} rows of part {}: compute it again",
+        shown(&one.path),
+        next - points.start,
+        points.end - points.start,
+        one.part.shard
+    )))
+}

@@ -1,0 +1,105 @@
+//! What the sidecar of a sweep says of the part that stands beside it: which part of which design, and how it is spelt.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use crate::files::clean;
+use crate::files::export;
+use crate::files::style::Style;
+use crate::model::scene::Scene;
+use crate::study::sweep::{Design, Shard};
+
+/// A part of a sweep, as its sidecar describes it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Which part.
+    pub shard: Shard,
+    /// The design of the whole sweep.
+    pub design: Design,
+    /// The name of the scene in the rows.
+    pub name: String,
+    /// How the table is spelt.
+    pub style: Style,
+}
+
+impl Part {
+    /// The sidecar of this part: the scene with its `[sweep]`, what makes the rows again, and, for a part, what it takes to
+    /// join it.
+    pub fn sidecar(&self, csv: &Path, scene: &Scene, missing: Option<&str>) -> String {
+        let beside = export::sidecar_path(csv, None);
+        let name = beside.file_name().unwrap_or_default().to_string_lossy();
+        let mut again = format!("cmra sweep {}", clean::shell_word(&format!("./{name}")));
+        if let Some((points, seed)) = self.sampled() {
+            let word = self.design.word();
+            let _ = write!(again, " --design {word} --points {points} --seed {seed}");
+        }
+        if self.shard != Shard::WHOLE {
+            let _ = write!(again, " --shard {}", self.shard);
+        }
+        again += " --csv -";
+        let notes: Vec<String> =
+            missing.map(|it| format!("not complete: {it}")).into_iter().collect();
+        let notes = [notes, self.notes()].concat();
+        export::study_sidecar(csv, scene, &again, &notes)
+    }
+
+    /// Points and seed of a design that is no full grid.
+    fn sampled(&self) -> Option<(u64, u64)> {
+        match self.design {
+            Design::Factorial => None,
+            Design::LatinHypercube { points, seed } | Design::Sobol { points, seed } => {
+                Some((points, seed))
+            }
+        }
+    }
+
+    /// The lines that `join` reads.
+    fn notes(&self) -> Vec<String> {
+        if self.shard == Shard::WHOLE {
+            return Vec::new();
+        }
+        let (points, seed) = self.sampled().unwrap_or_default();
+        vec![
+            format!("shard: {}", self.shard),
+            format!("design: {} {points} {seed}", self.design.word()),
+            format!("name: {}", clean::line(&self.name)),
+            format!("style: {}", self.style.word()),
+        ]
+    }
+
+    /// Read the lines of a sidecar; what is wrong, in words, where they are not those of a part.
+    ///
+    /// # Errors
+    /// What is wrong with it, in words.
+    pub fn read(sidecar: &str) -> Result<Self, String> {
+        let note = |key: &str| {
+            let head = format!("# {key}: ");
+            sidecar.lines().find_map(|line| line.strip_prefix(head.as_str())).map(str::trim)
+        };
+        if let Some(missing) = note("not complete") {
+            return Err(format!("it is not complete ({missing}): compute it again"));
+        }
+        let shard = note("shard").ok_or("it is no part of a sweep: make parts with --shard I/N")?;
+        let broken = |key: &str| format!("its line `# {key}:` is missing or was changed");
+        let design = || {
+            let words: Vec<&str> = note("design")?.split(' ').collect();
+            let [word, points, seed] = words[..] else { return None };
+            let (points, seed) = (points.parse().ok()?, seed.parse().ok()?);
+            [
+                Design::Factorial,
+                Design::LatinHypercube { points, seed },
+                Design::Sobol { points, seed },
+            ]
+            .into_iter()
+            .find(|design| design.word() == word)
+        };
+        let style =
+            note("style").and_then(|word| Style::ALL.into_iter().find(|it| it.word() == word));
+        Ok(Self {
+            shard: Shard::parse(shard).map_err(|_not_one| broken("shard"))?,
+            design: design().ok_or_else(|| broken("design"))?,
+            name: note("name").ok_or_else(|| broken("name"))?.to_owned(),
+            style: style.ok_or_else(|| broken("style"))?,
+        })
+    }
+}
