@@ -122,7 +122,7 @@ impl CompareArguments {
         let crew = Crew { piece: PIECE, ..Crew::of_machine() };
         let mut pace = Pace::begin();
         let watch = &mut |done| pace.count(done, total, "points");
-        let map = Map::compute(&preset.scene, axes, hardware, crew, watch)?;
+        let map = Map::compute(&preset.scene, &axes, hardware, crew, watch)?;
         pace.clear();
         let name = preset.name.as_str();
         let page = page::map(name, &map);

@@ -284,12 +284,16 @@ fn hint(name: &str, paths: Option<&Paths>) -> String {
 /// The files beside this one that are spelled most like it.
 fn file_hint(name: &str) -> Option<String> {
     let path = Path::new(name);
-    let folder = path.parent().filter(|it| !it.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder =
+        path.parent().filter(|it| !it.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
     let entries = fs::read_dir(folder).ok()?.flatten();
     let names: Vec<String> =
         entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
-    let names: Vec<&str> =
-        names.iter().map(String::as_str).filter(|it| it.ends_with(".toml")).collect();
+    let names: Vec<&str> = names
+        .iter()
+        .map(String::as_str)
+        .filter(|it| Path::new(it).extension().is_some_and(|end| end == "toml"))
+        .collect();
     let hint = did_you_mean(&path.file_name()?.to_string_lossy(), &names)?;
     Some(format!("no such file; {hint}"))
 }

@@ -126,7 +126,7 @@ fn compared(scene: &Arc<Scene>, tell: Tell<'_>) -> Result<Answer, String> {
     let done = whole - points;
     let watch: map::Watch<'_> = &mut |cells| tell(done + cells, whole, &part);
     let crew = Crew { piece: MAP_PIECE, ..Crew::of_machine() };
-    let map = Map::compute(scene, [x, y], Hardware::default(), crew, watch).ok();
+    let map = Map::compute(scene, &[x, y], Hardware::default(), crew, watch).ok();
     Ok(Answer::Compare(Arc::new(Comparison { report, map })))
 }
 

@@ -36,7 +36,7 @@ impl Map {
     /// A [`SweepError`] where scene or axes make no sense.
     pub fn compute(
         scene: &Scene,
-        axes: [Axis; 2],
+        axes: &[Axis; 2],
         hardware: Hardware,
         crew: Crew,
         watch: Watch<'_>,

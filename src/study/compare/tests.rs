@@ -261,7 +261,7 @@ fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
     let compute = |threads: usize| {
         let crew = Crew { threads, piece: 7 };
         let watch = &mut |_| ControlFlow::Continue(());
-        Map::compute(&base, axes.clone(), Hardware::default(), crew, watch).unwrap()
+        Map::compute(&base, &axes, Hardware::default(), crew, watch).unwrap()
     };
     let map = compute(1);
     assert!(map.is_complete());
@@ -280,7 +280,7 @@ fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
         if asked == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let crew = Crew { threads: 1, piece: 7 };
-    let cut = Map::compute(&base, axes.clone(), Hardware::default(), crew, stop).unwrap();
+    let cut = Map::compute(&base, &axes, Hardware::default(), crew, stop).unwrap();
     assert!(!cut.is_complete() && cut.cells.len() == 14);
     assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
 }
