@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let over = (!arguments.over.is_empty()).then(|| arguments.over.join(","));
     if let Some(text) = arguments.map.as_ref().or(over.as_ref()) {
         let axes = axes(&preset.scene, text)?;
-        return arguments.draw_map(&preset, axes, hardware);
+        return arguments.draw_map(&preset, &axes, hardware);
     }
     let scene = Arc::new(preset.scene);
     let mut pace = Pace::begin();
@@ -114,7 +114,7 @@ impl CompareArguments {
     fn draw_map(
         &self,
         preset: &Preset,
-        axes: [Axis; 2],
+        axes: &[Axis; 2],
         hardware: Hardware,
     ) -> Result<ExitCode, CliError> {
         let total = axes.iter().map(Axis::count).product::<u64>();
@@ -122,7 +122,7 @@ impl CompareArguments {
         let crew = Crew { piece: PIECE, ..Crew::of_machine() };
         let mut pace = Pace::begin();
         let watch = &mut |done| pace.count(done, total, "points");
-        let map = Map::compute(&preset.scene, &axes, hardware, crew, watch)?;
+        let map = Map::compute(&preset.scene, axes, hardware, crew, watch)?;
         pace.clear();
         let name = preset.name.as_str();
         let page = page::map(name, &map);
