@@ -79,7 +79,7 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
             let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
             let crew = Crew { threads: 1, piece: 64 };
             let watch = &mut |_| ControlFlow::Continue(());
-            let map = Map::compute(scene, axes, hardware, crew, watch).ok();
+            let map = Map::compute(scene, &axes, hardware, crew, watch).ok();
             Answer::Compare(Arc::new(Comparison { report, map }))
         }
     }
