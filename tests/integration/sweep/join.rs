@@ -54,8 +54,8 @@ fn gaps_doubles_mixtures_and_changed_parts_are_refused_in_one_line() {
             .unwrap();
         fs::write(place.path().join(format!("{to}.toml")), read(&format!("{from}.toml"))).unwrap();
     };
-    copy("p2", "short", |text| text.lines().take(2).map(|line| format!("{line}\n")).collect());
-    copy("p2", "swapped", |text| text.lines().rev().map(|line| format!("{line}\n")).collect());
+    copy("p2", "short", |text| text.split_inclusive('\n').take(2).collect());
+    copy("p2", "swapped", |text| text.split_inclusive('\n').rev().collect());
     copy("p2", "again", str::to_owned);
     for (named, fragments) in [
         ("p1 p3", &["part 2/3 is missing", "--shard 2/3"][..]),
