@@ -22,6 +22,7 @@ use window::Window;
 mod bounds;
 mod budget;
 mod contact;
+mod crush;
 mod demand;
 mod events;
 pub mod forced;
@@ -155,6 +156,8 @@ fn compute<const N: usize>(track: &mut Track<'_>, observer: Observer<'_>) -> End
 
 /// The same of another order at a much tighter tolerance; `None` when it was cancelled.
 fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
+    let own = problem.has_absorber().then(|| problem.anew());
+    let problem = own.as_ref().unwrap_or(problem);
     let mut track = Track::new(problem, problem.scene.run.tolerance * TIGHTER, false);
     track.is_second = true;
     let end = compute::<TERMS_CHECK>(&mut track, observer);

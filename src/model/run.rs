@@ -320,6 +320,8 @@ pub struct EnergyLedger {
     pub inertia_j: f64,
     /// Energy stored in the spring at the end.
     pub spring_j: f64,
+    /// Energy that absorbers have taken by being crushed.
+    pub crush_j: f64,
     /// Energy the damper has taken.
     pub damper_j: f64,
     /// Work done in the hole: penetration, and friction on the way out or in.
@@ -340,6 +342,7 @@ impl EnergyLedger {
             + self.plate_j
             + self.inertia_j
             + self.spring_j
+            + self.crush_j
             + self.damper_j
             + self.penetration_j
             + self.stop_j

@@ -11,6 +11,8 @@ mod compare;
 #[cfg(test)]
 mod decided;
 #[cfg(test)]
+mod crush;
+#[cfg(test)]
 mod estimate;
 #[cfg(test)]
 mod extremes;

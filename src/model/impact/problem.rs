@@ -1,6 +1,6 @@
 //! The constants of one impact, derived once from its scene.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
@@ -62,6 +62,10 @@ pub(super) struct Problem {
     pub(super) horizon_is_asked: bool,
     /// How many times as long as usual a run that swings on undecided is followed.
     pub(super) patience: usize,
+    /// How far the absorbers among the two springs have been crushed, m.
+    pub(super) crushed_m: [f64; 2],
+    /// The same impact once they are crushed farther.
+    pub(super) next: OnceLock<Box<Self>>,
 }
 
 impl Problem {
@@ -101,6 +105,8 @@ impl Problem {
             baseline_m: None,
             horizon_is_asked: scene.run.horizon_s.is_some(),
             patience: 1,
+            crushed_m: [0.0; 2],
+            next: OnceLock::new(),
         };
         let rigid_ending = problem.passage(false).ending();
         problem.baseline_m = match rigid_ending {
@@ -146,10 +152,12 @@ impl Problem {
         let speed = (2.0 * energy / self.plate_kg).sqrt();
         let far = match spring {
             Spring::Power(law) => law.at_integral(energy),
-            Spring::Curve(curve) => larger(
-                curve.forward(self.start_m, energy).abs(),
-                curve.backward(self.start_m, energy).abs(),
-            ),
+            Spring::Curve(curve) => {
+                let (x, e) = (self.start_m, energy);
+                // An absorber holds the plate on one side only.
+                let ways = [curve.forward(x, e), curve.backward(x, e)].map(f64::abs);
+                ways.into_iter().filter(|far| far.is_finite()).fold(0.0, larger)
+            }
         };
         let swing = far / speed * 8.0;
         // The time in which the damper alone takes most of the speed, or, against a spring, lets it creep back.

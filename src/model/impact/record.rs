@@ -29,6 +29,7 @@ const CONVERGED: f64 = 1e-7;
 #[expect(clippy::struct_field_names, reason = "units end every name")]
 pub(super) struct Work {
     pub(super) penetration_j: f64,
+    pub(super) crush_j: f64,
     pub(super) damper_j: f64,
     pub(super) stop_j: f64,
 }
