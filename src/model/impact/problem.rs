@@ -56,6 +56,8 @@ pub(super) struct Problem {
     pub(super) horizon_s: f64,
     /// How the plate answers during the contact.
     pub(super) answer: Answer,
+    /// How far the plate yields within the contact, relative to the travel.
+    pub(super) yields_part: f64,
     /// Penetration on a rigid mount, m; `None` when that perforates.
     pub(super) baseline_m: Option<f64>,
     /// The horizon was asked for: the run goes on to it.
@@ -102,6 +104,7 @@ impl Problem {
             start_m,
             horizon_s: 0.0,
             answer: Answer::Mechanism,
+            yields_part: 1.0,
             baseline_m: None,
             horizon_is_asked: scene.run.horizon_s.is_some(),
             patience: 1,
@@ -114,8 +117,14 @@ impl Problem {
             Ending::Exit { .. } => None,
         };
         problem.answer = problem.find_answer();
+        problem.yields_part = problem.pace().yields_part;
         problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
         problem
+    }
+
+    /// Whether the force into the mount does not follow from the displacement alone: there is a damper, or a stop.
+    pub(super) fn follows_mount_force(&self) -> bool {
+        self.mechanism.damper.coefficient > 0.0 || self.mechanism.stop.is_some()
     }
 
     /// 1/mu: how strongly the contact force slows the slip, 1/kg.

@@ -118,6 +118,7 @@ fn load(problem: &Problem, track: &Track<'_>, farthest: Option<f64>) -> Mechanis
         yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
         added_kg: positive(inertia.added_kg()),
         spring_mass_kg: inertia.spring_mass_kg,
+        peak_mount_n: problem.follows_mount_force().then_some(track.record.peak_mount_n),
         rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
     }
 }
