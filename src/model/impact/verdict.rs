@@ -243,7 +243,7 @@ impl Track<'_> {
         let stroke = so_far - self.problem.start_m;
         if reach <= so_far * (1.0 + 1e-12)
             || (reach - so_far).abs() < 1e-15 * so_far.abs()
-            || reach - so_far <= NEGLIGIBLE * self.problem.scene.run.tolerance * stroke
+            || reach - so_far <= NEGLIGIBLE * self.tolerance * stroke
         {
             return Farthest::Known(so_far);
         }
