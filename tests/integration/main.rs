@@ -11,9 +11,9 @@ mod compare;
 #[cfg(test)]
 mod crush;
 #[cfg(test)]
-mod decided;
-#[cfg(test)]
 mod crush;
+#[cfg(test)]
+mod decided;
 #[cfg(test)]
 mod estimate;
 #[cfg(test)]
