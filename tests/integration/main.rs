@@ -11,8 +11,6 @@ mod compare;
 #[cfg(test)]
 mod crush;
 #[cfg(test)]
-mod crush;
-#[cfg(test)]
 mod decided;
 #[cfg(test)]
 mod estimate;
