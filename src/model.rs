@@ -1,6 +1,6 @@
 //! The physics: a projectile, a plate on a spring and damper, and the force between them.
 //!
-//! Equations and signs are those of C. S. Andersen's thesis (BYU 2007), chapter 8 and Appendix A, with its errors mended;
+//! Equations and signs are those of C. S. Andersen's thesis (BYU 2007), chapter 8 and Appendix A, with its errors corrected;
 //! the assumptions beyond it are named where they are made. SI units throughout; every physical field's name ends in
 //! its unit. **Invariants:** no file, no screen, no clock and no thread is known here; `simulate` is a pure
 //! function of its arguments; nothing but `Err` for a scene that cannot start is refused.

@@ -53,7 +53,7 @@ enum MapAxis {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum MapMethod {
-    /// Appendix A with its depth mended
+    /// Appendix A with its depth corrected
     Thesis,
     /// Classical Runge-Kutta
     Rk4,

@@ -163,7 +163,7 @@ pub fn load(path: &Path) -> Loaded {
         let aside = free_name(path);
         let kept = match fs::rename(path, &aside) {
             Ok(()) => format!("it was kept as `{}`", aside.display()),
-            Err(error) => format!("and it could not be put aside: {error}"),
+            Err(error) => format!("and it could not be backed up: {error}"),
         };
         let lost = if session.is_some() {
             "the last session is damaged"

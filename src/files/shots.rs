@@ -46,7 +46,7 @@ fn parse(text: &str, name: &str) -> Result<Table, String> {
     for (column, found) in COLUMNS.iter().zip(places).take(2) {
         if found.is_none() {
             return Err(format!(
-                "`{name}` has no column `{column}`: its first line must name the columns {} (the last two may be left out)",
+                "`{name}` has no column `{column}`: its first line must name the columns {} (the last two are optional)",
                 COLUMNS.join(", ")
             ));
         }

@@ -33,7 +33,7 @@ pub fn fresh(scene: &Scene) -> String {
         let (line, note) = match value_text(variable, scene) {
             Some(value) => (format!("{key} = {value}"), String::new()),
             // An optional number that is not there: shown, so that a reader knows it can be.
-            None => (format!("# {key} ="), ", left out".to_owned()),
+            None => (format!("# {key} ="), ", omitted".to_owned()),
         };
         let _ = writeln!(
             text,

@@ -19,7 +19,7 @@ pub enum Coupling {
     /// As printed.
     Printed,
     /// Depth from the whole relative travel, a damper that resists, and obliquity's cosine in both couplings.
-    Mended,
+    Corrected,
 }
 
 impl Coupling {
@@ -27,7 +27,7 @@ impl Coupling {
     pub fn listing(self, step_s: f64) -> Listing {
         let reading = match self {
             Self::Printed => Reading::Printed,
-            Self::Mended => Reading::Mended,
+            Self::Corrected => Reading::Corrected,
         };
         Listing {
             step_s,
@@ -146,7 +146,7 @@ impl Scheme {
             velocity_m_s: scene.projectile.velocity_m_s,
             cos: match listing.obliquity {
                 Reading::Printed => 1.0,
-                Reading::Mended => faces.cos,
+                Reading::Corrected => faces.cos,
             },
             start_m: if plate.is_some() { 0.0 - scene.plate.cocking_m } else { 0.0 },
             plate,
@@ -181,7 +181,7 @@ impl Scheme {
     pub fn step(&self, state: &mut State) -> Result<(), Refusal> {
         match self.listing.scheme {
             Reading::Printed => self.step_as_printed(state)?,
-            Reading::Mended => self.step_by_runge_kutta(state)?,
+            Reading::Corrected => self.step_by_runge_kutta(state)?,
         }
         let finite =
             state.force_n.is_finite() && state.slip_m_s.is_finite() && state.plate[0].is_finite();
@@ -239,7 +239,7 @@ impl Scheme {
         let r = self.radius_m;
         match self.listing.coupling {
             Reading::Printed => self.faces.depth(pen_m / r) * r - increment_m,
-            Reading::Mended => self.faces.depth(travel_m / r) * r,
+            Reading::Corrected => self.faces.depth(travel_m / r) * r,
         }
     }
 
@@ -257,7 +257,7 @@ impl Scheme {
     pub fn ended(&self, state: &State) -> Option<Ending> {
         let slow = match self.listing.stopping {
             Reading::Printed => state.slip_m_s < SLOW_M_S,
-            Reading::Mended => state.slip_m_s <= 0.0,
+            Reading::Corrected => state.slip_m_s <= 0.0,
         };
         if state.area_m2 <= 0.0 {
             Some(Ending::Perforation)
@@ -304,7 +304,7 @@ fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
         mass_kg: scene.plate_mass_kg(),
         spring: (spring.coefficient, spring.exponent),
         damper: (damper.coefficient, damper.exponent),
-        signed: damper_reading == Reading::Mended,
+        signed: damper_reading == Reading::Corrected,
     }
 }
 
@@ -330,7 +330,7 @@ mod tests {
         scene.plate.mount = Mount::Rigid;
         let ladder = [(2e-6, 7.1809), (1e-6, 7.1519), (5e-7, 7.1375), (2e-7, 7.1289)];
         for (dt_s, expected) in ladder {
-            for coupling in [Coupling::Printed, Coupling::Mended] {
+            for coupling in [Coupling::Printed, Coupling::Corrected] {
                 let depth = depth_mm(&scene, dt_s, coupling);
                 assert!((depth - expected).abs() < 6e-5, "{dt_s}: {depth}");
             }
@@ -341,20 +341,20 @@ mod tests {
     fn valid_share_of_the_baseline_with_and_without_the_coupling_error() {
         let printed = depth_mm(&listing(), 1e-6, Coupling::Printed) / 7.129 * 100.0;
         assert!((printed - 82.4).abs() < 0.06, "{printed}");
-        let mended = depth_mm(&listing(), 1e-6, Coupling::Mended) / 7.129 * 100.0;
-        assert!((mended - 64.4).abs() < 0.06, "{mended}");
+        let corrected = depth_mm(&listing(), 1e-6, Coupling::Corrected) / 7.129 * 100.0;
+        assert!((corrected - 64.4).abs() < 0.06, "{corrected}");
     }
 
     #[test]
     fn valid_depths_of_a_cocked_plate() {
         let expected = [(0.01, 5.769, 4.468), (0.1, 5.025, 3.560), (0.5, 2.856, 1.686)];
-        for (cocking_m, printed, mended) in expected {
+        for (cocking_m, printed, corrected) in expected {
             let mut scene = listing();
             scene.plate.cocking_m = cocking_m;
             let depth = depth_mm(&scene, 1e-6, Coupling::Printed);
             assert!((depth - printed).abs() < 2e-3, "{cocking_m}: {depth}");
-            let depth = depth_mm(&scene, 1e-6, Coupling::Mended);
-            assert!((depth - mended).abs() < 2e-3, "{cocking_m}: {depth}");
+            let depth = depth_mm(&scene, 1e-6, Coupling::Corrected);
+            assert!((depth - corrected).abs() < 2e-3, "{cocking_m}: {depth}");
         }
     }
 
@@ -363,7 +363,7 @@ mod tests {
         let mut scene = listing();
         assert_eq!(contact(&scene, 1e-6, Coupling::Printed, 20), Err(Refusal::StepBudget));
         scene.mechanism.stop.position_m = Some(1e-3);
-        let refused = contact(&scene, 1e-6, Coupling::Mended, 1_000);
+        let refused = contact(&scene, 1e-6, Coupling::Corrected, 1_000);
         assert_eq!(refused, Err(Refusal::StopWithinContact));
     }
 }

@@ -121,7 +121,7 @@ impl Refusal {
             Self::TooStiff => "gave up: too stiff for Taylor steps",
             Self::OtherEnding => "wrong: another ending than the reference",
             Self::EndedEarly => "the run ended early",
-            Self::Rattles => "gave up: swings through zero too often",
+            Self::Rattles => "gave up: the velocity changes sign too often",
             Self::NoReference => "not run: nothing independent judges it",
             Self::TooSlow => "not run: would take too long",
         }

@@ -141,12 +141,12 @@ impl ModelNote {
                 "the depth is beyond the rear face, of which this model knows nothing: the plate would be perforated".to_owned()
             }
             Self::NoPlasticLaw => {
-                "interface = plastic is left out: only the hydrodynamic model has an interface that can give way".to_owned()
+                "interface = plastic is ignored: only the hydrodynamic model has an interface that can yield".to_owned()
             }
-            Self::NoStop => "the stop is left out: the listing of Appendix A has none".to_owned(),
+            Self::NoStop => "the stop is ignored: the listing of Appendix A has none".to_owned(),
             Self::JoinedThroughHole => {
                 "as printed, projectile and plate move on as one body although the plate is perforated; \
-                 contact.appendix.afterwards = mended parts them"
+                 contact.appendix.afterwards = corrected parts them"
                     .to_owned()
             }
         }

@@ -135,7 +135,9 @@ impl EndReason {
         match self {
             Self::Decided => "outcome decided",
             Self::Horizon => "horizon reached",
-            Self::Swings => "undecided after five hundred swings: a horizon follows it further",
+            Self::Swings => {
+                "undecided after 500 oscillations: set run.horizon_s to follow the plate further"
+            }
             Self::StepBudget => "ended early: the step budget was used up",
             Self::StepUnderflow => "ended early: steps became too small to move time forward",
             Self::NonFinite => "ended early: a value stopped being finite",
@@ -320,8 +322,6 @@ pub struct EnergyLedger {
     pub inertia_j: f64,
     /// Energy stored in the spring at the end.
     pub spring_j: f64,
-    /// Energy that absorbers have taken by being crushed.
-    pub crush_j: f64,
     /// Energy the damper has taken.
     pub damper_j: f64,
     /// Work done in the hole: penetration, and friction on the way out or in.
@@ -342,7 +342,6 @@ impl EnergyLedger {
             + self.plate_j
             + self.inertia_j
             + self.spring_j
-            + self.crush_j
             + self.damper_j
             + self.penetration_j
             + self.stop_j
@@ -365,9 +364,6 @@ pub struct MechanismLoad {
     pub added_kg: Option<f64>,
     /// The springs' own mass, kg; `None` where it is not known.
     pub spring_mass_kg: Option<f64>,
-    /// Greatest force of spring, damper and elastic stop, located, N; `None` where it follows from the displacements, or with another
-    /// interaction model.
-    pub peak_mount_n: Option<f64>,
     /// Greatest energy of rotation at the solver's own steps, J; `None` where nothing turns.
     pub rotation_j: Option<f64>,
 }

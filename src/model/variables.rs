@@ -4,12 +4,11 @@
 //! not in [`VARIABLES`] does not exist for a user. Values outside the range the thesis searched are legal and
 //! earn a warning; values without physical sense are refused with name, value, what is allowed and the cure.
 
-use thiserror::Error;
-
 use crate::model::scene::Scene;
-use crate::model::units::{self, Bare, Quantity, QuantityError};
+use crate::model::units::{self, Bare, Quantity};
 
 mod describe;
+mod error;
 mod names;
 mod springs;
 mod stack;
@@ -17,6 +16,7 @@ mod table;
 mod used;
 
 pub use describe::used_when;
+pub use error::VariableError;
 pub use names::{find, listing, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;
@@ -137,6 +137,14 @@ pub struct Choice {
     pub set: fn(&mut Scene, usize),
 }
 
+impl Choice {
+    /// The index of a word. `mended` is what version 0.1 called `corrected`; its files go on working.
+    fn position(&self, word: &str) -> Option<usize> {
+        let word = if word == "mended" { "corrected" } else { word };
+        self.words.iter().position(|candidate| *candidate == word)
+    }
+}
+
 /// How arrow keys step a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
@@ -204,60 +212,6 @@ pub enum Value {
     Switch(bool),
 }
 
-/// Why a variable cannot be set.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum VariableError {
-    /// No variable has this name.
-    #[error("`{name}` is not a variable: {hint}")]
-    Unknown {
-        /// What was written.
-        name: String,
-        /// The nearest names, or where to find the list.
-        hint: String,
-    },
-    /// The text is no value for this variable.
-    #[error("{symbol} ({key}): {problem}")]
-    Unreadable {
-        /// The symbol.
-        symbol: &'static str,
-        /// The key.
-        key: &'static str,
-        /// What is wrong with the text.
-        problem: QuantityError,
-    },
-    /// A word or switch value that is not among the choices.
-    #[error("{symbol} ({key}) = `{text}` is not one of {choices}")]
-    NotAChoice {
-        /// The symbol.
-        symbol: &'static str,
-        /// The key.
-        key: &'static str,
-        /// What was written.
-        text: String,
-        /// What is allowed.
-        choices: String,
-    },
-    /// A number without physical sense.
-    #[error("{symbol} ({key}) = {value} is impossible: {meaning} must be {allowed}; {cure}")]
-    Impossible {
-        /// The symbol.
-        symbol: &'static str,
-        /// The key.
-        key: &'static str,
-        /// The value with its unit.
-        value: String,
-        /// What the variable is.
-        meaning: &'static str,
-        /// What is allowed.
-        allowed: String,
-        /// What to do.
-        cure: String,
-    },
-    /// Two values that make no sense together.
-    #[error("{0}")]
-    Together(String),
-}
-
 /// A legal value worth a second look.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RangeWarning {
@@ -293,8 +247,8 @@ impl Variable {
                 (number.set)(scene, None);
             }
             (Kind::Choice(choice), Value::Word(word)) => {
-                let index = choice.words.iter().position(|candidate| *candidate == word);
-                (choice.set)(scene, index.ok_or_else(|| self.not_a_choice(word))?);
+                let index = choice.position(word).ok_or_else(|| self.not_a_choice(word))?;
+                (choice.set)(scene, index);
             }
             (Kind::Switch { set, .. }, Value::Switch(on)) => set(scene, on),
             (_, other) => return Err(self.not_a_choice(&show_value(other))),
@@ -325,8 +279,8 @@ impl Variable {
                 }
             }
             Kind::Choice(choice) => {
-                let found = choice.words.iter().find(|candidate| **candidate == word);
-                found.map(|word| Value::Word(word)).ok_or_else(|| self.not_a_choice(word))
+                let index = choice.position(word).ok_or_else(|| self.not_a_choice(word))?;
+                Ok(Value::Word(choice.words[index]))
             }
             Kind::Switch { .. } => match word {
                 "true" | "on" | "yes" | "1" => Ok(Value::Switch(true)),
@@ -384,7 +338,7 @@ impl Variable {
             text: format!(
                 "{} = {} is outside {}..{} of Table 9.2: the thesis has no figure there",
                 self.symbol,
-                units::shortest(value),
+                units::significant(value, 6),
                 units::shortest(low),
                 units::shortest(high)
             ),

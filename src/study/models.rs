@@ -30,7 +30,7 @@ pub enum What {
 /// One line of the comparison.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// `half-sine`, `coupling mended`.
+    /// `half-sine`, `coupling corrected`.
     pub name: &'static str,
     /// What it works with, in words; empty where nothing had to be chosen.
     pub with: String,
@@ -174,7 +174,9 @@ fn judged(model: ContactModel) -> (&'static str, &'static str) {
         ContactModel::Hydrodynamic => {
             ("simple", "takes the contact force for a modified fluid drag")
         }
-        ContactModel::Lumped => ("simple", "needs parameters nobody has; cannot perforate"),
+        ContactModel::Lumped => {
+            ("simple", "needs parameters that no source gives; cannot perforate")
+        }
         ContactModel::HalfSine => ("simple", "the duration has to be chosen; cannot perforate"),
         ContactModel::InitialVelocity => ("simple", "the impact takes no time; cannot perforate"),
         ContactModel::Appendix => ("what chapter 9 was computed with", "not in Table 8.1"),
@@ -190,17 +192,17 @@ fn quirks(scene: &Scene) -> Vec<Plan> {
         own.contact.appendix = listing;
         Plan { name, scene: own, judged: ("", "") }
     };
-    let mended = Reading::Mended;
+    let corrected = Reading::Corrected;
     let mut plans = vec![
         changed("as printed", printed),
-        changed("coupling mended", Listing { coupling: mended, ..printed }),
-        changed("damper mended", Listing { damper: mended, ..printed }),
-        changed("stopping mended", Listing { stopping: mended, ..printed }),
-        changed("afterwards mended", Listing { afterwards: mended, ..printed }),
-        changed("scheme mended", Listing { scheme: mended, ..printed }),
-        changed("obliquity mended", Listing { obliquity: mended, ..printed }),
+        changed("coupling corrected", Listing { coupling: corrected, ..printed }),
+        changed("damper corrected", Listing { damper: corrected, ..printed }),
+        changed("stopping corrected", Listing { stopping: corrected, ..printed }),
+        changed("afterwards corrected", Listing { afterwards: corrected, ..printed }),
+        changed("scheme corrected", Listing { scheme: corrected, ..printed }),
+        changed("obliquity corrected", Listing { obliquity: corrected, ..printed }),
         changed("jumps ignored", Listing { jumps: Jumps::Ignored, ..printed }),
-        changed("all mended", Listing::mended(printed.step_s)),
+        changed("all corrected", Listing::corrected(printed.step_s)),
     ];
     let mut sound = scene.clone();
     sound.contact.model = ContactModel::Hydrodynamic;
@@ -262,8 +264,8 @@ mod tests {
         let error =
             |name: &str| found.depth_error(found.rows.iter().find(|row| row.name == name).unwrap());
         assert_eq!(error("as printed"), Some(0.0));
-        assert_eq!(error("damper mended"), Some(0.0));
-        let all = error("all mended").unwrap();
+        assert_eq!(error("damper corrected"), Some(0.0));
+        let all = error("all corrected").unwrap();
         assert!((all - error("hydrodynamic").unwrap()).abs() < 1e-4, "{all}");
     }
 }

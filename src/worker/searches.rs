@@ -86,7 +86,7 @@ pub(super) fn make(
                 tell(done, total, &part)
             };
             let fronts = front::optimise(scene, task, watch).map_err(|error| error.to_string())?;
-            let front = fronts.into_iter().next().ok_or("no interface law was asked for")?;
+            let front = fronts.into_iter().next().ok_or("no interface law was given")?;
             Ok(Answer::Front(Arc::new(front)))
         }
         Request::Sensitivity { axes, output, effort } => {

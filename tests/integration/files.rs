@@ -5,7 +5,9 @@ use std::fs;
 use cmra::files::atomic::Existing;
 use cmra::files::preset::save_file;
 use cmra::files::{read, write};
-use cmra::model::scene::{Closure, Combination, ContactModel, PlateSize, Scene, Sweep, SweepAxis};
+use cmra::model::scene::{
+    Closure, Combination, ContactModel, PlateSize, Reading, Scene, Sweep, SweepAxis,
+};
 use cmra::model::variables::{self, Allowed, Kind, VARIABLES, Value, validate};
 use proptest::prelude::*;
 
@@ -118,6 +120,14 @@ fn a_value_taken_away_takes_its_key_away() {
 }
 
 #[test]
+fn a_word_of_version_0_1_is_still_read() {
+    let text =
+        "format = 1\n[contact]\nmodel = \"appendix\"\n[contact.appendix]\ncoupling = \"mended\"\n";
+    let scene = read::scene(text, "here").expect("a scene of version 0.1");
+    assert_eq!(scene.contact.appendix.coupling, Reading::Corrected);
+}
+
+#[test]
 fn a_fresh_file_names_symbols_beside_values() {
     let text = write::fresh(&Scene::default());
     for line in [
@@ -128,7 +138,7 @@ fn a_fresh_file_names_symbols_beside_values() {
         "mount = \"sprung\"            # sprung or rigid",
         "[mechanism.spring]",
         "coefficient = 1e5           # k",
-        "# horizon_s =               # horizon, left out",
+        "# horizon_s =               # horizon, omitted",
     ] {
         assert!(text.lines().any(|found| found == line), "{line}\n{text}");
     }

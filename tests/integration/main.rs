@@ -9,8 +9,6 @@ mod cli;
 #[cfg(test)]
 mod compare;
 #[cfg(test)]
-mod crush;
-#[cfg(test)]
 mod decided;
 #[cfg(test)]
 mod estimate;

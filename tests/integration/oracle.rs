@@ -13,9 +13,9 @@ use crate::random::Random;
 use crate::support::scene;
 
 mod contacts;
+mod corrected;
 mod draw;
 mod law;
-mod mended;
 mod springs;
 mod stack;
 

@@ -19,11 +19,14 @@ const KEYS: [&str; 42] = [
     "v", "x", "z", "?", "\x1b[A", "\x1b[B", "0.5",
 ];
 
-/// The memory that a process has now, MB.
-fn memory(process: &str) -> u64 {
-    let status = fs::read_to_string(format!("/proc/{process}/status")).expect("it is there");
-    let now = status.lines().find_map(|line| line.strip_prefix("VmRSS:")).expect("its memory");
-    now.trim().trim_end_matches(" kB").parse::<u64>().expect("a number") / 1024
+/// Two lines, as a person pastes them.
+const PASTE: &str = "\x1b[200~gamma=2\nx\x1b[201~";
+
+/// The memory that a process has now, MB; none once it has ended.
+fn memory(process: &str) -> Option<u64> {
+    let status = fs::read_to_string(format!("/proc/{process}/status")).ok()?;
+    let now = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    Some(now.trim().trim_end_matches(" kB").parse::<u64>().expect("a number") / 1024)
 }
 
 #[cfg(target_os = "linux")]
@@ -36,31 +39,41 @@ fn random_keys_resizes_clicks_and_pastes_do_no_harm() {
     terminal.wait_for("arrested");
     let process = terminal.process();
     let (mut random, start) = (Random(16), Instant::now());
-    let first = memory(&process);
+    let first = memory(&process).expect("it runs");
     let (mut most, mut events) = (first, 0_u64);
     let mut rows = 24;
+    let mut sent: Vec<String> = Vec::new();
     while start.elapsed() < lasts {
         match random.below(40) {
             0 => {
                 rows = 1 + random.below(60);
                 let columns = 1 + random.below(200);
+                sent.push(format!("{columns}x{rows}"));
                 terminal.resize(columns.try_into().unwrap(), rows.try_into().unwrap());
             }
             1 => {
                 // Not on the last row, where a click on a key's name presses it: one of them leaves.
                 let (column, row) = (random.below(90), random.below(rows));
-                terminal.send(&format!("\x1b[<0;{column};{row}M"));
+                sent.push(format!("\x1b[<0;{column};{row}M"));
+                terminal.send(&sent[sent.len() - 1]);
             }
-            2 => terminal.send("\x1b[200~gamma=2\nx\x1b[201~"),
-            _ => terminal.send(random.of(&KEYS)),
+            choice => {
+                let keys = if choice == 2 { PASTE } else { random.of(&KEYS) };
+                sent.push(keys.to_owned());
+                terminal.send(keys);
+            }
         }
         events += 1;
         terminal.settle(Duration::from_millis(2));
-        if events.is_multiple_of(100) {
-            most = most.max(memory(&process));
-        }
+        sent.drain(..sent.len().saturating_sub(60));
+        let Some(now) = memory(&process) else {
+            let status = terminal.wait_exit(PATIENCE);
+            let screen = terminal.screen().contents();
+            panic!("it ended after {events} events, {status:?}; the last: {sent:?}\n{screen}");
+        };
+        most = most.max(now);
     }
-    let last = memory(&process);
+    let last = memory(&process).expect("it runs");
     let _ = writeln!(
         std::io::stderr(),
         "{events} events: {first} MB at the start, {last} MB at the end, {most} MB at most"

@@ -90,7 +90,7 @@ fn line(text: &mut String, row: &Row, wide: bool) {
     }
     text.push('\n');
     if let Some(shortfall) = row.shortfall {
-        let _ = writeln!(text, "  falls short: {} ({})", shortfall.words(), run.end.words());
+        let _ = writeln!(text, "  fails: {} ({})", shortfall.words(), run.end.words());
     }
 }
 
@@ -132,7 +132,7 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
         took_s
     );
     if !short.is_empty() {
-        let _ = writeln!(text, "auto falls short on: {}", short.join("; "));
+        let _ = writeln!(text, "auto fails on: {}", short.join("; "));
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::model::impact::problem::Problem;
 use crate::model::impact::thinning::{Kept, thinned};
 use crate::model::impact::window::Window;
-use crate::model::motion::{Expansion, Force, Motion, State};
+use crate::model::motion::{Expansion, Motion, State};
 use crate::model::run::{Arrest, Event, EventKind, Mode, Sample};
 use crate::numerics::root::each_fall;
 use crate::numerics::series::{evaluate, slope};
@@ -29,7 +29,6 @@ const CONVERGED: f64 = 1e-7;
 #[expect(clippy::struct_field_names, reason = "units end every name")]
 pub(super) struct Work {
     pub(super) penetration_j: f64,
-    pub(super) crush_j: f64,
     pub(super) damper_j: f64,
     pub(super) stop_j: f64,
 }
@@ -50,8 +49,6 @@ pub(super) struct Record<'a> {
     pub(super) separation: Option<(f64, f64)>,
     pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
-    /// Greatest force of spring, damper and elastic stop, where the greatest displacement does not tell it, N.
-    pub(super) peak_mount_n: f64,
     /// Greatest plate displacement so far, m.
     pub(super) farthest_m: f64,
     pub(super) farthest_s: f64,
@@ -149,8 +146,12 @@ impl Record<'_> {
         e: &Expansion<N>,
         (t_s, h, span): (f64, f64, f64),
     ) {
-        self.work.penetration_j += integral(&e.contact, &e.slip, span) * h;
-        self.work.damper_j += integral(&e.damper, &e.plate_speed, span) * h;
+        if matches!(setting.mode, Mode::Penetrating | Mode::Withdrawing) {
+            self.work.penetration_j += integral(&e.contact, &e.slip, span) * h;
+        }
+        if setting.motion.damper.coefficient > 0.0 {
+            self.work.damper_j += integral(&e.damper, &e.plate_speed, span) * h;
+        }
         let stop = setting.motion.stop;
         if stop.stiffness_n_m > 0.0 {
             let mut force = [0.0; N];
@@ -160,14 +161,23 @@ impl Record<'_> {
             force[0] -= stop.stiffness_n_m * stop.position_m;
             self.work.stop_j += integral(&force, &e.plate_speed, span) * h;
         }
-        self.note_extremes(setting, |force, known| {
-            let arc = Arc { span, known, value: |s: f64| setting.motion.force(force, &e.state(s)) };
-            match force {
-                Force::Contact => arc.greatest(&e.contact),
-                Force::Push => arc.greatest(&e.mechanism),
-                Force::Pull => arc.greatest(&e.mechanism.map(|c| -c)),
+        let motion = setting.motion;
+        match setting.mode {
+            Mode::Penetrating => {
+                let value = |s: f64| motion.contact_force(&e.state(s));
+                let known = self.peak_contact_n;
+                self.pressed(Arc { span, known, value }.greatest(&e.contact));
             }
-        });
+            Mode::Fused => {
+                let value = |s: f64| motion.mechanism_force(&e.state(s));
+                let [push, pull] = self.known_loads_n(setting);
+                let push = Arc { span, known: push, value }.greatest(&e.mechanism);
+                let back = Arc { span, known: pull, value: |s| -value(s) };
+                let pull = back.greatest(&e.mechanism.map(|c| -c));
+                self.carried(setting, push, pull);
+            }
+            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
+        }
         if self.keep_series && self.series.len() < POINTS_MAX {
             for point in 1..POINTS_PER_STEP {
                 let s = span * point as f64 / POINTS_PER_STEP as f64;
@@ -186,35 +196,10 @@ impl Record<'_> {
         work.stop_j += dt_s * motion.stop.force(state) * w;
     }
 
-    /// Note the greatest forces of a step. `greatest` finds that of one force, as far as it exceeds what is known, N.
-    pub(super) fn note_extremes(
-        &mut self,
-        setting: &Setting<'_>,
-        greatest: impl Fn(Force, f64) -> f64,
-    ) {
-        match setting.mode {
-            Mode::Penetrating => {
-                let peak = greatest(Force::Contact, self.peak_contact_n);
-                self.peak_contact_n = larger(peak, self.peak_contact_n);
-            }
-            Mode::Fused => {
-                let [push, pull] = self.known_loads_n(setting);
-                self.carried(setting, greatest(Force::Push, push), greatest(Force::Pull, pull));
-            }
-            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
-        }
-        if !setting.problem.follows_mount_force() {
-            return;
-        }
-        // What a plate on its stop does not take, the mount does.
-        let (forces, part): (&[Force], f64) = if setting.held {
-            (&[Force::Contact], setting.problem.cos)
-        } else {
-            (&[Force::Push, Force::Pull], 1.0)
-        };
-        for force in forces {
-            let peak = part * greatest(*force, self.peak_mount_n / part);
-            self.peak_mount_n = larger(peak, self.peak_mount_n);
+    /// Note the greatest contact force of a stretch of penetration, N.
+    pub(super) fn pressed(&mut self, contact_n: f64) {
+        if contact_n > self.peak_contact_n {
+            self.peak_contact_n = contact_n;
         }
     }
 
@@ -244,15 +229,30 @@ impl Record<'_> {
 /// The integral of f·g over the first `span` of the time unit, of all of the product's terms: their decay is not what
 /// the step was chosen by.
 fn integral<const N: usize>(f: &[f64; N], g: &[f64; N], span: f64) -> f64 {
-    let mut sum = 0.0;
-    for order in (0..2 * N - 1).rev() {
-        let from = (order + 1).saturating_sub(N);
-        let to = if order < N { order } else { N - 1 };
-        let term: f64 = (from..=to).map(|i| f[i] * g[order - i]).sum();
-        sum = sum * span + term / (order + 1) as f64;
+    // Row by row, so that the inner loop runs over neighbours and becomes vector instructions.
+    let mut product = [0.0; TERMS_MAX];
+    for (i, &f) in f.iter().enumerate() {
+        for (term, &g) in product[i..i + N].iter_mut().zip(g) {
+            *term += f * g;
+        }
     }
-    sum * span
+    let terms = product[..2 * N - 1].iter().zip(&RECIPROCALS).rev();
+    terms.fold(0.0, |sum, (term, reciprocal)| sum * span + term * reciprocal) * span
 }
+
+/// Terms of the product of two series of the longest expansion, at most.
+const TERMS_MAX: usize = 64;
+
+/// 1, 1/2, 1/3, ...: what the integral of each power of the time is multiplied by.
+const RECIPROCALS: [f64; TERMS_MAX] = {
+    let mut reciprocals = [0.0; TERMS_MAX];
+    let mut order = 0;
+    while order < TERMS_MAX {
+        reciprocals[order] = 1.0 / (order as f64 + 1.0);
+        order += 1;
+    }
+    reciprocals
+};
 
 /// A quantity along a step of an expansion, as a function of the time, in time units.
 struct Arc<F> {

@@ -159,7 +159,7 @@ impl Work<'_> {
             }
             self.t_s = step as f64 * self.listing.step_s;
             let ending = self.scheme.ended(&self.state);
-            if ending.is_some() && self.listing.stopping == Reading::Mended {
+            if ending.is_some() && self.listing.stopping == Reading::Corrected {
                 self.locate(&before, step);
             }
             self.deepest_m = larger(self.state.depth_m, self.deepest_m);
@@ -234,7 +234,7 @@ impl Work<'_> {
             return EndReason::Decided;
         };
         let perforated = ending == Ending::Perforation;
-        let parted = perforated && self.listing.afterwards == Reading::Mended;
+        let parted = perforated && self.listing.afterwards == Reading::Corrected;
         let projectile_kg = if parted { 0.0 } else { self.scene.projectile.mass_kg };
         let body = plate.joined(projectile_kg);
         let mode = if parted { Mode::Perforated } else { Mode::Fused };

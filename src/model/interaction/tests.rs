@@ -218,13 +218,13 @@ fn valid_what_the_printed_coupling_costs() {
         (5.0, 98.4, 88.6),
         (7.0, 99.2, 91.5),
     ];
-    for (gamma, printed, mended) in known {
+    for (gamma, printed, corrected) in known {
         let mut scene = listing(gamma, 1e5);
         scene.target.density_kg_m3 = 2780.0;
         let share = |scene: &Scene| run(scene).final_penetration_m.unwrap() / 7.129e-3 * 100.0;
         assert!((share(&scene) - printed).abs() < 0.06, "{gamma}");
-        scene.contact.appendix.coupling = Reading::Mended;
-        assert!((share(&scene) - mended).abs() < 0.06, "{gamma}");
+        scene.contact.appendix.coupling = Reading::Corrected;
+        assert!((share(&scene) - corrected).abs() < 0.06, "{gamma}");
     }
 }
 
@@ -245,7 +245,7 @@ fn valid_the_listing_as_printed_is_the_case_of_the_critique() {
 #[test]
 fn valid_every_quirk_mended_the_listing_converges_to_the_engine() {
     let mut scene = of(ContactModel::Appendix, 1.0, 1e5);
-    scene.contact.appendix = Listing::mended(1e-7);
+    scene.contact.appendix = Listing::corrected(1e-7);
     scene.mechanism.damper.coefficient = 100.0;
     let mut sound = scene.clone();
     sound.contact.model = ContactModel::Hydrodynamic;
@@ -274,26 +274,26 @@ fn the_unsigned_damper_adds_energy_on_the_way_back_and_a_signed_one_does_not() {
         back.map(energy).unwrap() / before
     };
     assert!(after_the_turn(&scene) > 1.05);
-    scene.contact.appendix.damper = Reading::Mended;
+    scene.contact.appendix.damper = Reading::Corrected;
     assert!(after_the_turn(&scene) < 0.95);
 }
 
 #[test]
-fn a_perforation_leaves_the_bodies_joined_as_printed_and_parts_them_when_mended() {
+fn a_perforation_leaves_the_bodies_joined_as_printed_and_parts_them_when_corrected() {
     let mut scene = of(ContactModel::Appendix, 1.0, 1e5);
     scene.target.thickness_m = 0.003;
     scene.projectile.velocity_m_s = 300.0;
     let printed = run(&scene);
     assert_eq!(printed.outcome, Outcome::Perforated);
     assert!(printed.warnings.contains(&Warning::Model(ModelNote::JoinedThroughHole)));
-    scene.contact.appendix.afterwards = Reading::Mended;
-    let mended = run(&scene);
+    scene.contact.appendix.afterwards = Reading::Corrected;
+    let corrected = run(&scene);
     let ratio =
-        printed.max_plate_displacement_m.unwrap() / mended.max_plate_displacement_m.unwrap();
+        printed.max_plate_displacement_m.unwrap() / corrected.max_plate_displacement_m.unwrap();
     // The same speed on the same spring with twice the mass goes about sqrt(2) as far.
     assert!((ratio - 2f64.sqrt()).abs() < 0.05, "{ratio}");
-    let last = mended.series.last().unwrap();
-    assert!(close(last.projectile_velocity_m_s, mended.residual_velocity_m_s.unwrap(), 1e-12));
+    let last = corrected.series.last().unwrap();
+    assert!(close(last.projectile_velocity_m_s, corrected.residual_velocity_m_s.unwrap(), 1e-12));
 }
 
 #[test]
@@ -317,12 +317,12 @@ fn each_quirk_by_itself_makes_the_difference_it_should() {
         change(&mut scene.contact.appendix);
         run(&scene).final_penetration_m.unwrap() / base.final_penetration_m.unwrap() - 1.0
     };
-    assert!((depth(|it| it.coupling = Reading::Mended) + 0.22).abs() < 0.01);
+    assert!((depth(|it| it.coupling = Reading::Corrected) + 0.22).abs() < 0.01);
     // The printed depth contains the projectile's own travel, 50 m/s when it stops: one step of it at most.
-    assert!(depth(|it| it.stopping = Reading::Mended).abs() < 6e-3);
-    assert!((-0.01..0.0).contains(&depth(|it| it.scheme = Reading::Mended)));
+    assert!(depth(|it| it.stopping = Reading::Corrected).abs() < 6e-3);
+    assert!((-0.01..0.0).contains(&depth(|it| it.scheme = Reading::Corrected)));
     // No damper, no perforation, no obliquity: nothing to tell apart here.
-    assert!(depth(|it| it.damper = Reading::Mended).abs() < 1e-15);
-    assert!(depth(|it| it.afterwards = Reading::Mended).abs() < 1e-15);
-    assert!(depth(|it| it.obliquity = Reading::Mended).abs() < 1e-15);
+    assert!(depth(|it| it.damper = Reading::Corrected).abs() < 1e-15);
+    assert!(depth(|it| it.afterwards = Reading::Corrected).abs() < 1e-15);
+    assert!(depth(|it| it.obliquity = Reading::Corrected).abs() < 1e-15);
 }

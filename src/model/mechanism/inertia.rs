@@ -81,7 +81,6 @@ fn rotation_kg(spring: &scene::Spring) -> f64 {
         | SpringKind::Bistable
         | SpringKind::ConstantForce
         | SpringKind::Column
-        | SpringKind::Crush
         | SpringKind::Table => 0.0,
     }
 }
@@ -124,7 +123,6 @@ fn moving_part(kind: SpringKind) -> f64 {
         | SpringKind::ConstantForce
         | SpringKind::Column
         | SpringKind::Helix
-        | SpringKind::Crush
         | SpringKind::Table => COIL,
     }
 }

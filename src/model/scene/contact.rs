@@ -59,7 +59,7 @@ pub enum Reading {
     #[default]
     Printed,
     /// Put right.
-    Mended,
+    Corrected,
 }
 
 /// What becomes of the area once the nose is buried.
@@ -77,17 +77,17 @@ pub enum Jumps {
 pub struct Listing {
     /// `dt` > 0, s.
     pub step_s: f64,
-    /// Printed: depth subtracts the plate's last increment only; mended: the whole relative travel.
+    /// Printed: depth subtracts the plate's last increment only; corrected: the whole relative travel.
     pub coupling: Reading,
-    /// Printed: `b |w|^m` without a sign; mended: it resists.
+    /// Printed: `b |w|^m` without a sign; corrected: it resists.
     pub damper: Reading,
-    /// Printed: ends below 0.01 m/s, after the step; mended: common velocity is located within the step.
+    /// Printed: ends below 0.01 m/s, after the step; corrected: common velocity is located within the step.
     pub stopping: Reading,
-    /// Printed: projectile and plate move as one afterwards, whatever happened; mended: not after a perforation.
+    /// Printed: projectile and plate move as one afterwards, whatever happened; corrected: not after a perforation.
     pub afterwards: Reading,
-    /// Printed: force held over the step, Euler and trapezoid for the projectile; mended: Runge-Kutta for both bodies.
+    /// Printed: force held over the step, Euler and trapezoid for the projectile; corrected: Runge-Kutta for both bodies.
     pub scheme: Reading,
-    /// Printed: the same force on both bodies; mended: resolved along the plate's normal.
+    /// Printed: the same force on both bodies; corrected: resolved along the plate's normal.
     pub obliquity: Reading,
     /// Whether the scripts' jumps are heeded.
     pub jumps: Jumps,
@@ -110,15 +110,15 @@ impl Default for Listing {
 
 impl Listing {
     /// Everything put right that can be, with the same step.
-    pub fn mended(step_s: f64) -> Self {
+    pub fn corrected(step_s: f64) -> Self {
         Self {
             step_s,
-            coupling: Reading::Mended,
-            damper: Reading::Mended,
-            stopping: Reading::Mended,
-            afterwards: Reading::Mended,
-            scheme: Reading::Mended,
-            obliquity: Reading::Mended,
+            coupling: Reading::Corrected,
+            damper: Reading::Corrected,
+            stopping: Reading::Corrected,
+            afterwards: Reading::Corrected,
+            scheme: Reading::Corrected,
+            obliquity: Reading::Corrected,
             jumps: Jumps::Meant,
         }
     }

@@ -23,8 +23,8 @@ pub enum Method {
     ClosedForm,
     /// Appendix A as printed.
     ThesisPrinted,
-    /// Appendix A with its coupling and damper mended.
-    ThesisMended,
+    /// Appendix A with its coupling and damper corrected.
+    ThesisCorrected,
     /// Classical Runge-Kutta, fixed step, events only noticed.
     Rk4,
     /// The same with events located and joints restarted at.
@@ -96,7 +96,7 @@ impl Method {
     /// All of them, in the order of tables.
     pub const ALL: [Self; 11] = [
         Self::ThesisPrinted,
-        Self::ThesisMended,
+        Self::ThesisCorrected,
         Self::Rk4,
         Self::Rk4Events,
         Self::Dop853,
@@ -113,7 +113,7 @@ impl Method {
         match self {
             Self::ClosedForm => 'C',
             Self::ThesisPrinted => 'T',
-            Self::ThesisMended => 'M',
+            Self::ThesisCorrected => 'M',
             Self::Rk4 => 'R',
             Self::Rk4Events => 'E',
             Self::Dop853 => 'D',
@@ -130,14 +130,14 @@ impl Method {
         match self {
             Self::ClosedForm => "closed form",
             Self::ThesisPrinted => "thesis as printed",
-            Self::ThesisMended => "thesis, mended",
+            Self::ThesisCorrected => "thesis, corrected",
             Self::Rk4 => "RK4, no events",
             Self::Rk4Events => "RK4 + events",
             Self::Dop853 => "DOP853 + events",
             Self::Radau => "Radau IIA 5",
             Self::Taylor => "Taylor series 16",
             Self::Lean => "sweep kernel",
-            Self::Full => "nothing left out",
+            Self::Full => "no term omitted",
             Self::Auto => "auto",
         }
     }
@@ -147,7 +147,7 @@ impl Method {
         match self {
             Self::ClosedForm | Self::Taylor | Self::Lean | Self::Full | Self::Auto => true,
             Self::ThesisPrinted
-            | Self::ThesisMended
+            | Self::ThesisCorrected
             | Self::Rk4
             | Self::Rk4Events
             | Self::Dop853
@@ -160,8 +160,8 @@ impl Method {
         // Steps per contact at the most; fewer than ten are no computation.
         let (steps_max, per_decade, tightest) = match (self, ladder) {
             (Self::ClosedForm, _) => return vec![Knob::None],
-            (Self::ThesisPrinted | Self::ThesisMended, Ladder::Full) => (3e5, 1, 0),
-            (Self::ThesisPrinted | Self::ThesisMended, Ladder::Quick) => (3e3, 1, 0),
+            (Self::ThesisPrinted | Self::ThesisCorrected, Ladder::Full) => (3e5, 1, 0),
+            (Self::ThesisPrinted | Self::ThesisCorrected, Ladder::Quick) => (3e3, 1, 0),
             (Self::Rk4, Ladder::Full) => (3e4, 2, 0),
             (Self::Rk4Events, Ladder::Full) => (1e4, 2, 0),
             (Self::Rk4 | Self::Rk4Events, Ladder::Quick) => (1.5e3, 2, 0),
@@ -237,7 +237,9 @@ impl Job {
         match self.method {
             Method::ClosedForm => exact::solve(scene),
             Method::ThesisPrinted => appendix::contact(scene, knob, Coupling::Printed, steps_max),
-            Method::ThesisMended => appendix::contact(scene, knob, Coupling::Mended, steps_max),
+            Method::ThesisCorrected => {
+                appendix::contact(scene, knob, Coupling::Corrected, steps_max)
+            }
             Method::Rk4 => phase(Scheme::Rk4 { dt_s: knob, crossing: Crossing::Notice }),
             Method::Rk4Events => phase(Scheme::Rk4 { dt_s: knob, crossing: Crossing::Locate }),
             Method::Dop853 => phase(Scheme::Dop853 { tolerance: knob }),

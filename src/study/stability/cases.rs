@@ -60,7 +60,7 @@ pub const CASES: &[Case] = &[
     stored(
         "n 0.5, k 1e6",
         "k=1e6 n=0.5",
-        "swings back within the contact",
+        "turns back within the contact",
         0.006_919_384_198_354_558,
     ),
     case("n 0.05, k 1e4", "k=1e4 n=0.05", "nearly a constant force, flips at x = 0"),
@@ -69,9 +69,9 @@ pub const CASES: &[Case] = &[
     case("n 0.3, k 1e6", "k=1e6 n=0.3", "slow manifold x = (F/k)^(1/n)"),
     case("n 6, k 1e12", "k=1e12 n=6", "force nothing, then a wall"),
     case("n 6, d 1 m", "k=1e6 n=6 d=1", "cocked against a sixth power"),
-    stored("k 1e9", "k=1e9", "34 swings of the plate's own frequency", 0.007_107_818_207_444_599),
-    case("k 1e12", "k=1e12", "a thousand swings in the contact"),
-    case("k 1e12, gamma 1e-4", "k=1e12 gamma=1e-4", "100 000 swings in the contact"),
+    stored("k 1e9", "k=1e9", "34 oscillations of the plate", 0.007_107_818_207_444_599),
+    case("k 1e12", "k=1e12", "1000 oscillations in the contact"),
+    case("k 1e12, gamma 1e-4", "k=1e12 gamma=1e-4", "100 000 oscillations in the contact"),
     case("k 1e12, n 3", "k=1e12 n=3", "stiffness grows with travel"),
     case("k 1e-6", "k=1e-6", "a spring weaker than rounding"),
     stored(
@@ -134,7 +134,7 @@ pub const CASES: &[Case] = &[
     case(
         "elastic stop 1e12",
         "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e12",
-        "a wall with a frequency of its own",
+        "a wall that oscillates at its natural frequency",
     ),
     case(
         "damped elastic stop",
@@ -142,11 +142,11 @@ pub const CASES: &[Case] = &[
         "lets go, presses again at once",
     ),
     case("gamma 0.8, plastic", "gamma=0.8 k=7.5e6 interface=plastic", "pulls out on the rebound"),
-    case("k 1e9, plastic", "k=1e9 interface=plastic", "interface gives way at every swing"),
+    case("k 1e9, plastic", "k=1e9 interface=plastic", "interface yields at every oscillation"),
     case(
         "plastic, n 0.22, g 0",
         "n=0.224606 k=3.69828e6 d=4.23982e-5 gamma=1.60596 v_i=5.85981 h=0.00155542 S_y=2.96422e7 C_d=0.401782 interface=plastic g=0",
-        "slips at every pass of a singular zero",
+        "yields at every passage of a singular zero",
     ),
     case(
         "held, then perforated",

@@ -54,9 +54,9 @@ impl Method {
     fn listing(self, step_s: f64) -> Listing {
         let scheme = match self {
             Self::Thesis => Reading::Printed,
-            Self::Rk4 => Reading::Mended,
+            Self::Rk4 => Reading::Corrected,
         };
-        Listing { scheme, ..Coupling::Mended.listing(step_s) }
+        Listing { scheme, ..Coupling::Corrected.listing(step_s) }
     }
 
     /// Its name.

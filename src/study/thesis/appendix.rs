@@ -125,7 +125,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 format!("the plate turns at {}", unit(turn_s, "s")),
                 format!("reached by 0.2 ms: {reached}"),
                 number_verdict(reached, turn_s.is_finite()),
-                "a quarter of the swing takes six times as long: chapter 9 must have run on",
+                "a quarter of the oscillation takes six times as long: chapter 9 must have run on",
             )
         },
     },
@@ -144,7 +144,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 format!("{} forward of neutral, {} in all", mm(most), mm(stroke)),
                 format!("{} mm", number(lab.travel_mm(Law::Printed, &with(&[("d", 0.5)])))),
                 number_verdict(near(most, stroke, 0.01), stroke > most),
-                "counted from neutral it leaves out the cocked travel, here half of the space",
+                "counted from neutral it excludes the cocked travel, here half of the space",
             )
         },
     },
@@ -156,17 +156,22 @@ pub(super) static CLAIMS: &[Claim] = &[
         check: |lab| {
             let sound = lab.percent(Law::Sound, &with(&[]));
             let printed = lab.percent(Law::Printed, &with(&[]));
-            let mended =
-                lab.percent(Law::Printed, &quirk(with(&[]), |it| it.coupling = Reading::Mended));
+            let corrected =
+                lab.percent(Law::Printed, &quirk(with(&[]), |it| it.coupling = Reading::Corrected));
             let mut fine = with(&[]);
             fine.contact.appendix.step_s = 1e-7;
             let finer = lab.percent(Law::Printed, &fine);
             both(
                 pc(sound),
-                format!("{}, with dt = 1e-7 {}; mended {}", pc(printed), pc(finer), pc(mended)),
+                format!(
+                    "{}, with dt = 1e-7 {}; corrected {}",
+                    pc(printed),
+                    pc(finer),
+                    pc(corrected)
+                ),
                 number_verdict(
                     near(printed, sound, 0.02),
-                    near(mended, sound, 0.02) && !near(finer, sound, 0.1),
+                    near(corrected, sound, 0.02) && !near(finer, sound, 0.1),
                 ),
                 "only the last step's increment is subtracted; the error does not vanish as dt goes to 0",
             )
@@ -265,8 +270,8 @@ pub(super) static CLAIMS: &[Claim] = &[
                     break;
                 }
             }
-            let mended = quirk(scene.clone(), |it| it.stopping = Reading::Mended);
-            let depths = [&scene, &mended].map(|scene| lab.depth_m(Law::Printed, scene));
+            let corrected = quirk(scene.clone(), |it| it.stopping = Reading::Corrected);
+            let depths = [&scene, &corrected].map(|scene| lab.depth_m(Law::Printed, scene));
             both(
                 "0 m/s, located".to_owned(),
                 format!(
@@ -276,7 +281,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                     mm(depths[1])
                 ),
                 number_verdict(state.slip_m_s.abs() < 0.01, near(depths[0], depths[1], 1e-2)),
-                "it is looked for only after whole steps, when the relative velocity has changed sign",
+                "it is checked only after whole steps, when the relative velocity has changed sign",
             )
         },
     },
@@ -322,15 +327,15 @@ pub(super) static CLAIMS: &[Claim] = &[
                 })
             };
             let printed = jump(&with(&[]));
-            let mended = jump(&quirk(with(&[]), |it| it.stopping = Reading::Mended));
+            let corrected = jump(&quirk(with(&[]), |it| it.stopping = Reading::Corrected));
             both(
                 "one state, no seam".to_owned(),
                 format!(
-                    "the plate jumps by {} um; mended by {} um",
+                    "the plate jumps by {} um; corrected by {} um",
                     number(1e6 * printed),
-                    number(1e6 * mended)
+                    number(1e6 * corrected)
                 ),
-                number_verdict(printed.abs() < 1e-6, mended.abs() < 0.1 * printed.abs()),
+                number_verdict(printed.abs() < 1e-6, corrected.abs() < 0.1 * printed.abs()),
                 "it starts from the state before the last accepted step: the plate is set back by one dt",
             )
         },
@@ -370,13 +375,13 @@ pub(super) static CLAIMS: &[Claim] = &[
         opens: Opens::Scene(thin),
         check: |lab| {
             let printed = lab.travel_mm(Law::Printed, &thin());
-            let mended =
-                lab.travel_mm(Law::Printed, &quirk(thin(), |it| it.afterwards = Reading::Mended));
+            let corrected = lab
+                .travel_mm(Law::Printed, &quirk(thin(), |it| it.afterwards = Reading::Corrected));
             let sound = lab.travel_mm(Law::Sound, &thin());
             both(
                 format!("perforated; the plate alone goes {} mm", number(sound)),
-                format!("{} mm; parted {} mm", number(printed), number(mended)),
-                number_verdict(near(printed, sound, 0.05), near(mended, sound, 0.05)),
+                format!("{} mm; parted {} mm", number(printed), number(corrected)),
+                number_verdict(near(printed, sound, 0.05), near(corrected, sound, 0.05)),
                 "also after a perforation, when the projectile has left",
             )
         },
@@ -393,11 +398,12 @@ pub(super) static CLAIMS: &[Claim] = &[
             };
             let sound = gain(Law::Sound, &damped());
             let printed = gain(Law::Printed, &damped());
-            let mended = gain(Law::Printed, &quirk(damped(), |it| it.damper = Reading::Mended));
+            let corrected =
+                gain(Law::Printed, &quirk(damped(), |it| it.damper = Reading::Corrected));
             both(
                 format!("{} of the energy is left on the way back", pc(100.0 * sound)),
-                format!("{}; with a sign {}", pc(100.0 * printed), pc(100.0 * mended)),
-                number_verdict(printed < 1.0, mended < 1.0),
+                format!("{}; with a sign {}", pc(100.0 * printed), pc(100.0 * corrected)),
+                number_verdict(printed < 1.0, corrected < 1.0),
                 "without a sign it pushes the same way whichever way the plate moves: it adds energy on the rebound",
             )
         },
@@ -411,14 +417,14 @@ pub(super) static CLAIMS: &[Claim] = &[
             let sound = lab.depth_m(Law::Sound, &oblique());
             let all = |obliquity| {
                 let mut scene = oblique();
-                scene.contact.appendix = Listing { obliquity, ..Listing::mended(1e-6) };
+                scene.contact.appendix = Listing { obliquity, ..Listing::corrected(1e-6) };
                 lab.depth_m(Law::Printed, &scene)
             };
-            let (printed, mended) = (all(Reading::Printed), all(Reading::Mended));
+            let (printed, corrected) = (all(Reading::Printed), all(Reading::Corrected));
             both(
                 format!("{} at 30 deg", mm(sound)),
-                format!("{}; resolved on the normal {}", mm(printed), mm(mended)),
-                number_verdict(near(printed, sound, 1e-3), near(mended, sound, 1e-3)),
+                format!("{}; resolved on the normal {}", mm(printed), mm(corrected)),
+                number_verdict(near(printed, sound, 1e-3), near(corrected, sound, 1e-3)),
                 "the plate is guided along its normal: it gets the cosine's part, and only then is energy kept",
             )
         },
@@ -438,7 +444,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 format!("d = 0.5 m: {} at first, then {}", pc(first), run.outcome),
                 pc(printed),
                 number_verdict(run.outcome == Outcome::Arrested, false),
-                "the spring later asks the interface for more than A S_y: a rigid-plastic one gives way, and the plate is perforated",
+                "the spring later demands more than A S_y of the interface: a rigid-plastic one yields, and the plate is perforated",
             )
         },
     },
@@ -459,13 +465,13 @@ pub(super) static CLAIMS: &[Claim] = &[
             let most = [0.8, 1.0].map(greatest);
             found(
                 format!(
-                    "over k to 10 MN/m the spring asks for up to {} of A S_y at gamma = 0.8 (k = {}), {} at 1",
+                    "over k to 10 MN/m the spring demands up to {} of A S_y at gamma = 0.8 (k = {}), {} at 1",
                     pc(100.0 * most[0].0),
                     unit(most[0].1, "N/m"),
                     pc(100.0 * most[1].0)
                 ),
                 trend_verdict(most.iter().all(|(ratio, _)| *ratio <= 1.0)),
-                "at the corner of Table 9.2 the interface just gives way: 4.6993 mm become 4.7000 mm",
+                "at the corner of Table 9.2 the interface just yields: 4.6993 mm become 4.7000 mm",
             )
         },
     },

@@ -283,7 +283,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                     unit(high, "Pa")
                 ),
                 number_verdict(high < 1e7, false),
-                "R, S_y, C_d and which of base and width is the thickness are left out, and decide even the outcome",
+                "R, S_y, C_d and which of base and width is the thickness are missing, and decide even the outcome",
             )
         },
     },

@@ -109,7 +109,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 lab,
                 ("gamma", [0.8, 2.0, 7.0]),
                 alike,
-                "the plate swings through by what it was drawn",
+                "the plate passes neutral and travels as far as it was cocked",
             )
         },
     },
@@ -266,7 +266,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 lab,
                 ("k", [1e5, 1e6, 7.5e6]),
                 alike,
-                "the plate swings through by what it was drawn, whatever the spring",
+                "the plate passes neutral and travels as far as it was cocked, whatever the spring",
             )
         },
     },
@@ -314,7 +314,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 lab,
                 ("n", [0.5, 1.0, 2.0, 3.0]),
                 |values| values.iter().all(|slope| (0.7..1.3).contains(slope)),
-                "the plate swings through by what it was drawn: fairly so from 0.1 m on, less over the whole range, where a high exponent \
+                "the plate passes neutral and travels as far as it was cocked: fairly so from 0.1 m on, less over the whole range, where a high exponent \
                  makes the spring soft",
             )
         },

@@ -134,7 +134,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             read(
                 format!("Table 5.1 gives it {served} principles, rotational transfer among them"),
                 misprint_verdict(served == 2, served == 3 && rotation),
-                "the text leaves out what the table names",
+                "the text omits what the table names",
             )
         },
     },
@@ -344,7 +344,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             found(
                 format!("{} of depth cocked by 25 mm, {} uncocked", pc(cocked.0), pc(not.0)),
                 trend_verdict(cocked.0 < not.0),
-                "as long as the beam's own mass is left out",
+                "as long as the beam's own mass is neglected",
             )
         },
     },
@@ -421,7 +421,7 @@ pub(super) static CLAIMS: &[Claim] = &[
     Claim {
         id: "6.2.7-rotation",
         place: "6.2.7",
-        says: "its plate turns as it gives way and takes up kinetic energy",
+        says: "its plate turns as it yields and takes up kinetic energy",
         opens: Opens::Preset("concept-helical-spring"),
         check: |lab| {
             let run = lab.run(Law::Sound, &concept(HELICAL));

@@ -84,7 +84,7 @@ pub(super) static CLAIMS: &[Claim] = &[
             found(
                 format!("beam / straight spring at d = 0, 10, 20, 29 mm: {}", told.join(", ")),
                 trend_verdict(pairs.iter().all(|(own, other)| near(*own, *other, 0.01))),
-                "up to its yield the beam is straight to 3 %; its own mass is left out, as in the thesis",
+                "up to its yield the beam is straight to 3 %; its own mass is neglected, as in the thesis",
             )
         },
     },

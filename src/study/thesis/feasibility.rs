@@ -202,7 +202,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                     long.map(pc).join(" ")
                 ),
                 trend_verdict(short[2] < short[1] && short[3] < short[2]),
-                "told by its force at a length, the exponent helps or harms as the plate stays below that length or not",
+                "for a spring given by its force at a length, the exponent helps or harms depending on whether the plate stays below that length",
             )
         },
     },

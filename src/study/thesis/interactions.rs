@@ -69,7 +69,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 "mm",
                 values,
                 falling,
-                "the whole swing shrinks",
+                "the whole oscillation shrinks",
             )
         },
     },
@@ -147,7 +147,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 "mm",
                 values,
                 rising,
-                "softer springs, longer swings",
+                "softer springs, longer oscillations",
             )
         },
     },
@@ -243,7 +243,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 "mm",
                 values,
                 falling,
-                "softer springs, longer swings",
+                "softer springs, longer oscillations",
             )
         },
     },

@@ -263,7 +263,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                     number(most)
                 ),
                 trend_verdict(speed > 1.0 && most > 2.0 * travel),
-                "its \"impact\" includes the swing after the contact: only then is the plate stopped",
+                "its \"impact\" includes the oscillation after the contact: only then is the plate stopped",
             )
         },
     },

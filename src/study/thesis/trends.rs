@@ -114,7 +114,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 format!("slope {} m/m over d = 0 to 0.5 m", number(metres(&sound))),
                 format!("slope {} m/m", number(metres(&printed))),
                 trend_verdict(rises(&sound) && (metres(&sound) - 1.0).abs() < 0.1),
-                "the stored energy outweighs the shot's: the plate swings through to the other side",
+                "the stored energy outweighs the shot's: the plate passes neutral to the other side",
             )
         },
     },

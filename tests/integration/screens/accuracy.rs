@@ -22,7 +22,7 @@ const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
 fn character(method: Method) -> (f64, f64, f64) {
     match method {
         Method::ThesisPrinted => (0.0, 0.2, 40e-9),
-        Method::ThesisMended => (1.0, 0.05, 42e-9),
+        Method::ThesisCorrected => (1.0, 0.05, 42e-9),
         Method::Rk4 => (1.5, 0.02, 50e-9),
         Method::Rk4Events => (4.0, 1e-3, 60e-9),
         Method::Dop853 => (8.0, 0.5, 200e-9),

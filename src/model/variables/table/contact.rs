@@ -4,7 +4,7 @@ use crate::model::scene::{ContactModel, InterfaceLaw, Jumps, Reading};
 use crate::model::units::Quantity;
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
 
-/// A quirk of the listing: printed or mended.
+/// A quirk of the listing: printed or corrected.
 macro_rules! quirk {
     ($field:ident, $symbol:literal, $meaning:literal, $where:literal) => {
         Variable {
@@ -15,11 +15,11 @@ macro_rules! quirk {
             meaning: $meaning,
             source: concat!("thesis Appendix ", $where),
             kind: Kind::Choice(Choice {
-                words: &["printed", "mended"],
-                get: |scene| usize::from(scene.contact.appendix.$field == Reading::Mended),
+                words: &["printed", "corrected"],
+                get: |scene| usize::from(scene.contact.appendix.$field == Reading::Corrected),
                 set: |scene, index| {
                     scene.contact.appendix.$field =
-                        if index == 0 { Reading::Printed } else { Reading::Mended };
+                        if index == 0 { Reading::Printed } else { Reading::Corrected };
                 },
             }),
         }
@@ -100,37 +100,37 @@ pub(super) const ROWS: &[Variable] = &[
     quirk!(
         coupling,
         "coupling",
-        "depth subtracts the plate's last increment only, or (mended) its whole motion",
+        "depth subtracts the plate's last increment only, or (corrected) its whole motion",
         "A.2"
     ),
     quirk!(
         damper,
         "dampsign",
-        "the damper's force has no sign, or (mended) it resists",
+        "the damper's force has no sign, or (corrected) it resists",
         "A.7 and A.9"
     ),
     quirk!(
         stopping,
         "stopping",
-        "contact ends below 0.01 m/s after a step, or (mended) where both velocities are equal",
+        "contact ends below 0.01 m/s after a step, or (corrected) where both velocities are equal",
         "A.2"
     ),
     quirk!(
         afterwards,
         "after",
-        "both bodies are one afterwards, or (mended) not after a perforation",
+        "both bodies are one afterwards, or (corrected) not after a perforation",
         "A.5 and A.7"
     ),
     quirk!(
         scheme,
         "scheme",
-        "the force is held over the step, or (mended) Runge-Kutta for both bodies",
+        "the force is held over the step, or (corrected) Runge-Kutta for both bodies",
         "A.4 and A.8"
     ),
     quirk!(
         obliquity,
         "oblique",
-        "the whole force acts on both bodies, or (mended) it is resolved on the normal",
+        "the whole force acts on both bodies, or (corrected) it is resolved on the normal",
         "A.2 to A.4"
     ),
     Variable {
@@ -138,7 +138,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "jumps",
         aliases: &[],
         group: Group::Interface,
-        meaning: "whether the scripts' jumps are heeded, or (ignored) the area is overwritten once the nose is buried",
+        meaning: "whether the listing's jumps work as meant, or (ignored) the area is overwritten once the nose is buried",
         source: "thesis Appendix A.2",
         kind: Kind::Choice(Choice {
             words: &["meant", "ignored"],

@@ -60,7 +60,7 @@ pub(super) const COMBINATION: &[Variable] = &[
         symbol: "e_spring",
         aliases: &[],
         group: Group::Mechanism,
-        meaning: "energy the spring or absorber takes up per mass of its own, for its least mass",
+        meaning: "energy per mass of the spring or absorber, which gives its least mass",
         source: "auto: tau^2/(4 rho G) of the wire; `cmra libraries absorbers` has others",
         kind: optional!(SpecificEnergy, Allowed::Positive, "auto", mechanism.energy_j_kg),
     },
