@@ -16,6 +16,7 @@ mod again;
 mod compare;
 mod completions;
 mod design;
+mod draw;
 mod error;
 mod explain;
 mod fit;
@@ -31,8 +32,10 @@ mod outlook;
 mod output;
 mod pace;
 mod paths;
+mod pictures;
 mod plain;
 mod presets;
+mod report;
 mod reproduce;
 mod run;
 mod scatter;
@@ -51,7 +54,7 @@ mod variables;
 mod workbench;
 
 pub use error::CliError;
-pub use output::report;
+pub use output::fail;
 
 /// Explore compliant mechanically reactive armour: what a projectile does to a plate on a spring and a damper.
 ///
@@ -99,6 +102,8 @@ enum Command {
     /// Compare with a solid plate of the same areal mass; draw a map
     #[command(alias = "worth")]
     Compare(compare::CompareArguments),
+    /// Write one file with scene, results, charts and warnings
+    Report(report::ReportArguments),
     /// Find the values of a variable that reach a goal
     Seek(seek::SeekArguments),
     /// Find the best design under constraints, or a Pareto front
@@ -151,7 +156,7 @@ pub(crate) enum Glyphs {
 /// Carry out a command line; the first argument is the program's name.
 ///
 /// # Errors
-/// [`CliError`], which knows its exit code; [`report`] prints it.
+/// [`CliError`], which knows its exit code; [`fail`] prints it.
 pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliError> {
     pace::survive_large_files();
     let written: Vec<OsString> = arguments.collect();
@@ -185,6 +190,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Validate(arguments)) => validate::run(&arguments),
         Some(Command::Design(arguments)) => design::run(&arguments),
         Some(Command::Compare(arguments)) => compare::run(&arguments),
+        Some(Command::Report(arguments)) => report::run(&arguments),
         Some(Command::Seek(arguments)) => seek::run(&arguments),
         Some(Command::Optimise(arguments)) => optimise::run(&arguments),
         Some(Command::Scatter(arguments)) => scatter::run(&arguments),

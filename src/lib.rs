@@ -4,12 +4,13 @@
 //! same name shows it in a terminal, or prints it.
 //!
 //! Modules import only what stands to their right:
-//! `cli -> tui -> worker -> files -> study -> model -> numerics`. A test reads the source and holds them to it.
+//! `cli -> tui -> worker -> files -> report -> study -> model -> numerics`. A test reads the source and holds them to it.
 
 pub use cmra_engine::{model, numerics};
 
 pub mod cli;
 pub mod files;
+pub mod report;
 pub mod study;
 pub mod tui;
 pub mod worker;

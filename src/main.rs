@@ -7,6 +7,6 @@ use cmra::cli;
 fn main() -> ExitCode {
     match cli::run(std::env::args_os()) {
         Ok(code) => code,
-        Err(error) => cli::report(&error),
+        Err(error) => cli::fail(&error),
     }
 }

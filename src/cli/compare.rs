@@ -9,6 +9,7 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::pace::Pace;
+use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
@@ -16,6 +17,8 @@ use crate::files::compare as files;
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity};
+use crate::report::figures::efficiency;
+use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
 use crate::study::compare::{Hardware, compare};
 use crate::study::sweep::Axis;
@@ -62,12 +65,15 @@ pub(super) struct CompareArguments {
     )]
     over: Vec<String>,
     #[command(flatten)]
+    pictures: PictureArguments,
+    #[command(flatten)]
     table: TableArguments,
 }
 
 /// Compare; a mechanism that does not pay is an answer, too.
 pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
+    arguments.pictures.check(&arguments.table)?;
     let hardware = arguments.hardware()?;
     let mut preset = arguments.scene.load()?;
     if let Some(text) = &arguments.design_velocity {
@@ -82,6 +88,10 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     if let Some(text) = arguments.map.as_ref().or(over.as_ref()) {
         let axes = axes(&preset.scene, text)?;
         return arguments.draw_map(&preset, &axes, hardware);
+    }
+    if arguments.pictures.is_wanted() {
+        let text = "--svg draws a map: add --map v_i,gamma, or any two variables";
+        return Err(CliError::Option(text.to_owned()));
     }
     let scene = Arc::new(preset.scene);
     let mut pace = Pace::begin();
@@ -127,7 +137,11 @@ impl CompareArguments {
         let name = preset.name.as_str();
         let page = page::map(name, &map);
         let table = self.table.of(&self.scene, &preset.scene);
-        table.deliver(&page, &files::map_rows(name, &map))?;
+        if !self.pictures.is_stdout() {
+            table.deliver(&page, &files::map_rows(name, &map))?;
+        }
+        let drawn = || efficiency::map(&map).map(Picture::Map).into_iter().collect();
+        self.pictures.write(&self.table, drawn)?;
         Ok(pace.exit_code(map.is_complete()))
     }
 }

@@ -13,7 +13,10 @@ use crate::tui::message::BINDINGS;
 /// The commands by what they are for. A test checks that each stands in one group.
 const GROUPS: [(&str, &[&str]); 4] = [
     ("Run and explore", &["run", "sweep", "join"]),
-    ("Decide", &["limit", "fit", "compare", "seek", "optimise", "sensitivity", "montecarlo"]),
+    (
+        "Decide",
+        &["limit", "fit", "compare", "seek", "optimise", "sensitivity", "montecarlo", "report"],
+    ),
     ("Check", &["accuracy", "stability", "reproduce", "validate"]),
     (
         "Data",

@@ -9,9 +9,12 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::pace::Pace;
+use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::files::limit as rows;
+use crate::report::figures::limit::residual;
+use crate::report::svg::Picture;
 use crate::study::limit::scatter::{ModelError, Scattering};
 use crate::study::limit::{Criterion, Effort, find};
 use crate::study::validity;
@@ -42,6 +45,8 @@ pub(super) struct LimitArguments {
     /// out of it, army criterion)
     #[arg(long, value_name = "WORD", default_value = "passage", value_parser = criterion)]
     criterion: Criterion,
+    #[command(flatten)]
+    pictures: PictureArguments,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -93,6 +98,7 @@ fn part(text: &str) -> Result<f64, String> {
 /// Find the limit; that there is none is an answer, too. Exit status 1 after an interrupt.
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
+    arguments.pictures.check(&arguments.table)?;
     let effort = Effort { criterion: arguments.criterion, scattering: arguments.scattering()? };
     let preset = arguments.scene.load()?;
     let mut pace = Pace::begin();
@@ -109,9 +115,11 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     }
     let warnings = validity::of_scene(&at_limit);
     let rows = rows::shots(name, &report);
-    arguments
-        .table
-        .of(&arguments.scene, &report.scene)
-        .deliver_warned(&warnings, page, object, &rows)?;
+    if !arguments.pictures.is_stdout() {
+        let table = arguments.table.of(&arguments.scene, &report.scene);
+        table.deliver_warned(&warnings, page, object, &rows)?;
+    }
+    let chart = || residual(&report).map(Picture::Chart).into_iter().collect();
+    arguments.pictures.write(&arguments.table, chart)?;
     Ok(pace.exit_code(true))
 }

@@ -31,7 +31,7 @@ pub(super) fn note(text: &str) {
 }
 
 /// Print why a command failed, and give its exit code.
-pub fn report(error: &CliError) -> ExitCode {
+pub fn fail(error: &CliError) -> ExitCode {
     if !error.is_quiet() {
         let text = format!("error: {error}");
         // Most errors are of one line, whatever a name or an argument in them holds.

@@ -10,6 +10,7 @@ use clap::Args;
 
 use crate::cli::models::{self, Compare};
 use crate::cli::pace::Pace;
+use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, Target, exists};
@@ -22,6 +23,8 @@ use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
 use crate::model::units::Engineering;
 use crate::model::variables::{self, VariableError};
+use crate::report::figures::run::selected;
+use crate::report::svg::Picture;
 
 #[derive(Debug, Args)]
 #[command(
@@ -35,11 +38,13 @@ pub(super) struct RunArguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// Compare on this scene instead: the interaction models, or the quirks of Appendix A
-    #[arg(long, value_enum, value_name = "WHAT", conflicts_with = "plain")]
+    #[arg(long, value_enum, value_name = "WHAT", conflicts_with_all = ["plain", "svg"])]
     compare: Option<Compare>,
     /// Print charts as plain text below the summary
     #[arg(long, conflicts_with = "json")]
     plain: bool,
+    #[command(flatten)]
+    pictures: PictureArguments,
     #[command(flatten)]
     table: TableArguments,
     /// The characters charts are drawn with
@@ -112,6 +117,7 @@ pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
 /// Run one scene.
 pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_stdout()?;
+    arguments.pictures.check(&arguments.table)?;
     if let Some(what) = arguments.compare {
         arguments.table.check_beside()?;
         let preset = arguments.scene.load()?;
@@ -132,6 +138,12 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
                 output::note(&format!("wrote {}", path.display()));
             }
         }
+    }
+    arguments.pictures.write(&arguments.table, || {
+        selected(&computed.run).into_iter().map(Picture::Chart).collect()
+    })?;
+    if arguments.pictures.is_stdout() {
+        return Ok(exit_code(&computed.run));
     }
     if arguments.table.json {
         output::print(&json::text(&computed))?;

@@ -13,6 +13,7 @@ use crate::model::run::envelope::warnings;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering};
+use crate::report::figures::run::event_letter;
 
 /// Width of the first column.
 const LABEL: usize = 24;
@@ -49,7 +50,7 @@ fn short(value: f64, unit: &'static str) -> String {
 }
 
 /// The outcome in one sentence.
-fn sentence(run: &Run) -> String {
+pub(super) fn sentence(run: &Run) -> String {
     let depth = run.final_penetration_m.map(|depth_m| short(depth_m, "m"));
     match run.outcome {
         Outcome::Arrested => {
@@ -240,12 +241,6 @@ fn energy(page: &mut String, run: &Run) {
 /// Joule with as many places for every size, so that the points stand in one column.
 fn fixed(energy_j: f64) -> String {
     if energy_j.abs() < 1e7 { units::decimals(energy_j, 4) } else { units::scientific(energy_j, 6) }
-}
-
-/// The letter of an event: `a` for the first, and again from `a` after `z`.
-pub(super) fn event_letter(index: usize) -> char {
-    let place = u8::try_from(index % 26).unwrap_or(0);
-    char::from(b'a' + place)
 }
 
 fn events(page: &mut String, run: &Run) {

@@ -16,6 +16,7 @@ use std::time::Instant;
 use clap::Args;
 
 use crate::cli::pace::{Pace, interruptible};
+use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::{MetaWord, TableArguments, Target, at_top, exists};
 use crate::cli::{self, CliError, outlook, output};
@@ -71,12 +72,15 @@ pub(super) struct SweepArguments {
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(flatten)]
+    pictures: PictureArguments,
+    #[command(flatten)]
     table: TableArguments,
 }
 
 /// Sweep; exit status 1 when a point failed or the sweep was interrupted.
 pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_stdout()?;
+    arguments.pictures.check(&arguments.table)?;
     let preset = arguments.scene.load()?;
     let csv_wanted = !matches!(arguments.table.target(), Target::None);
     let rows_wanted = arguments.table.json || csv_wanted;
@@ -95,6 +99,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     };
     let (plan, all) = axes::plan(&preset.scene, &preset.name, &asked)?;
     let shard = Shard::parse(&arguments.shard)?;
+    let draws = arguments.pictures.is_wanted();
+    if draws && !page::Kept::is_drawable(&plan, &shard.of(plan.points())) {
+        return Err(CliError::Option(page::undrawable()));
+    }
     let is_swept = |key: &str| plan.axes().iter().any(|axis| axis.variable().key == key);
     if let Some(set) = arguments.scene.set_of(is_swept) {
         output::note(&format!("--set {set} has no effect: the sweep varies it"));
@@ -106,13 +114,18 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     let stop = interruptible();
     let job = Job { plan: &plan, shard, crew, stop: &stop, preset: &preset };
     let start = Instant::now();
+    let columns = if all { Columns::All } else { Columns::Chosen };
+    let mut kept = page::Kept::of(&plan, job.points(), draws || !rows_wanted);
     let ended = if rows_wanted {
-        let columns = if all { Columns::All } else { Columns::Chosen };
-        job.rows(arguments, columns)?
+        job.rows(arguments, columns, &mut kept)?
     } else {
-        output::print(&arguments.scene.changed())?;
-        job.page()?
+        let page = job.page(&mut kept)?;
+        if !arguments.pictures.is_stdout() {
+            output::print(&(arguments.scene.changed() + &page.text))?;
+        }
+        page.summary
     };
+    arguments.pictures.write(&arguments.table, || kept.pictures(&plan, columns))?;
     let (done, all) = (ended.points(), shard.of(plan.points()));
     if done < all.end - all.start {
         output::note(&format!(
@@ -134,6 +147,12 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         return Ok(ExitCode::FAILURE);
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// A page for a person, and what it came to.
+struct Page {
+    text: String,
+    summary: Summary,
 }
 
 /// A sweep and who makes it.
@@ -159,12 +178,11 @@ impl Job<'_> {
     }
 
     /// Make the page for a person.
-    fn page(&self) -> Result<Summary, CliError> {
+    fn page(&self, kept: &mut page::Kept) -> Result<Page, CliError> {
         self.say_if_long();
         let name = &self.preset.name;
         let sheet = Sheet::new(self.plan, name, Columns::Chosen, Texts::default());
         let start = Instant::now();
-        let mut kept = page::Kept::of(self.plan, self.points());
         let summary = self.stream(&sheet, |_, piece| {
             kept.keep(&piece.rows);
             Ok(())
@@ -172,12 +190,17 @@ impl Job<'_> {
         let took_s = start.elapsed().as_secs_f64();
         let head = page::Head { name, threads: self.crew.threads, took_s };
         let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
-        output::print(&at_top(&page::text(self.plan, &head, &summary, &kept), &warnings))?;
-        Ok(summary)
+        let text = at_top(&page::text(self.plan, &head, &summary, kept), &warnings);
+        Ok(Page { text, summary })
     }
 
     /// Write rows as they are made.
-    fn rows(&self, arguments: &SweepArguments, columns: Columns) -> Result<Summary, CliError> {
+    fn rows(
+        &self,
+        arguments: &SweepArguments,
+        columns: Columns,
+        kept: &mut page::Kept,
+    ) -> Result<Summary, CliError> {
         let (existing, target) = (arguments.table.existing(), arguments.table.target());
         let mut made = sidecar::Made {
             plan: self.plan,
@@ -221,6 +244,7 @@ impl Job<'_> {
         write(&header, &if json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
         let summary = self.stream(&sheet, |_, piece| {
+            kept.keep(&piece.rows);
             if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
                 write(&[], ",\n")?;
             }

@@ -18,15 +18,16 @@ use crate::tui::app::status::wrap;
 
 /// `--json`, `--csv FILE`, `--force`.
 #[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("files").multiple(true))]
 pub(super) struct TableArguments {
     /// Print JSON instead of the page, SI units, null where a quantity does not exist
     #[arg(long)]
     pub(super) json: bool,
     /// Write the table to this file; `-` writes it to standard output instead of the page
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", group = "files")]
     csv: Option<PathBuf>,
     /// Replace what exists
-    #[arg(long, requires = "csv")]
+    #[arg(long, requires = "files")]
     force: bool,
     /// How the table is spelt
     #[arg(long, value_enum, default_value = "plain", value_name = "STYLE", requires = "csv")]

@@ -16,8 +16,9 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
     }
     let first = |kind| all(error, kind).into_iter().next();
     let argument = first(ContextKind::InvalidArg).unwrap_or_default();
-    let command = command_of(error);
     let commands: Vec<&str> = program.get_subcommands().map(Command::get_name).collect();
+    let named = written.get(1).and_then(|word| word.to_str()).filter(|it| commands.contains(it));
+    let command = command_of(error, named);
     // Behind a misspelt command nothing is understood.
     if command == "cmra"
         && let Some(word) = written.get(1).and_then(|word| word.to_str())
@@ -33,7 +34,7 @@ pub(super) fn line(error: &Error, program: &Command, written: &[OsString]) -> Op
             let why = error.source().map(ToString::to_string).unwrap_or_default();
             format!("{argument} {value}: {why}")
         }
-        ErrorKind::UnknownArgument => return Some(unknown(error, program)),
+        ErrorKind::UnknownArgument => return Some(unknown(error, program, &command)),
         ErrorKind::InvalidSubcommand => {
             let name = first(ContextKind::InvalidSubcommand).unwrap_or_default();
             let known = all(error, ContextKind::SuggestedSubcommand);
@@ -70,8 +71,8 @@ fn all(error: &Error, kind: ContextKind) -> Vec<String> {
     }
 }
 
-/// The command that the error is about: `cmra run`.
-fn command_of(error: &Error) -> String {
+/// The command that the error is about: `cmra run`; where the error does not say it, the one that was named.
+fn command_of(error: &Error, named: Option<&str>) -> String {
     let usage = match error.get(ContextKind::Usage) {
         Some(ContextValue::StyledStr(usage)) => usage.to_string(),
         _ => String::new(),
@@ -79,7 +80,10 @@ fn command_of(error: &Error) -> String {
     let words = usage.trim_start_matches("Usage: ").split_whitespace();
     let words = words.take_while(|word| word.starts_with(|c: char| c.is_ascii_lowercase()));
     let words: Vec<&str> = words.collect();
-    if words.is_empty() { "cmra".to_owned() } else { words.join(" ") }
+    if words.is_empty() {
+        return named.map_or_else(|| "cmra".to_owned(), |name| format!("cmra {name}"));
+    }
+    words.join(" ")
 }
 
 /// A value that is missing, or none of those allowed.
@@ -97,9 +101,8 @@ fn value(error: &Error, argument: &str) -> String {
 }
 
 /// An option that the command does not have, or a word too many.
-fn unknown(error: &Error, program: &Command) -> String {
+fn unknown(error: &Error, program: &Command, command: &str) -> String {
     let argument = all(error, ContextKind::InvalidArg).concat();
-    let command = command_of(error);
     let own = command.split_whitespace().skip(1).try_fold(program, Command::find_subcommand);
     let options: Vec<String> = own
         .into_iter()

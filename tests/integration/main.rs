@@ -37,6 +37,8 @@ mod pace;
 #[cfg(test)]
 mod physics;
 #[cfg(test)]
+mod pictures;
+#[cfg(test)]
 mod plans;
 #[cfg(test)]
 mod presets;

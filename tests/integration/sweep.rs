@@ -10,10 +10,10 @@ mod figures;
 mod join;
 
 /// Exit code, standard output, standard error.
-struct Done {
-    code: i32,
-    out: String,
-    err: String,
+pub(crate) struct Done {
+    pub(crate) code: i32,
+    pub(crate) out: String,
+    pub(crate) err: String,
 }
 
 /// Run `cmra sweep` with arguments split at spaces, in a directory.
@@ -22,7 +22,7 @@ fn sweep(place: &Path, arguments: &str) -> Done {
 }
 
 /// Run the program.
-fn cmra(place: &Path, arguments: &str) -> Done {
+pub(crate) fn cmra(place: &Path, arguments: &str) -> Done {
     let mut command = Command::new(env!("CARGO_BIN_EXE_cmra"));
     command.current_dir(place).env_clear().env("HOME", place);
     let output = command.args(arguments.split_whitespace()).output().unwrap();
@@ -105,7 +105,10 @@ fn a_csv_has_the_axes_first_then_every_key_of_a_run() {
 #[test]
 fn a_list_of_values_gives_its_rows_in_its_order_from_options_and_from_files() {
     let place = tempfile::tempdir().unwrap();
-    let listed = sweep(place.path(), "--over k=1MN/m,10kN/m --over gamma=1,3 --csv list.csv");
+    let listed = sweep(
+        place.path(),
+        "--over k=1MN/m,10kN/m --over gamma=1,3 --outputs stroke --csv list.csv",
+    );
     assert_eq!(listed.code, 0, "{}", listed.err);
     let text = fs::read_to_string(place.path().join("list.csv")).unwrap();
     let found: Vec<[String; 2]> =

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::support::in_repository;
 
 /// The layers from the lowest to the highest: a file may name its own and those before it.
-const LAYERS: [&str; 7] = ["numerics", "model", "study", "files", "worker", "tui", "cli"];
+const LAYERS: [&str; 8] = ["numerics", "model", "study", "report", "files", "worker", "tui", "cli"];
 
 /// What a part of the house must not know: words that must not appear in its code.
 const MUST_NOT_KNOW: &[(&str, &[&str])] = &[

@@ -2,21 +2,20 @@
 
 use std::fmt::Write as _;
 
-use crate::cli::sweep::page::key;
+use crate::cli::draw;
 use crate::model::units::{fixed_significant, significant};
+use crate::report::figures::efficiency;
 use crate::study::compare::map::Map;
 use crate::study::compare::summary::sentences;
 use crate::study::compare::{Candidate, Entry, FIGURES, Report};
 use crate::tui::app::status::wrap;
-use crate::tui::efficiency_map;
 use crate::tui::theme::Theme;
 
 const LABEL: usize = 27;
 const COLUMN: usize = 13;
 const WIDTH: usize = 80;
 const INDENT: &str = "  ";
-const MAP_WIDTH: u16 = 78;
-const MAP_HEIGHT: u16 = 30;
+const MAP: draw::Size = (78, 30);
 /// Rows of the table of the line of 1.
 const LINE_ROWS: u64 = 11;
 
@@ -132,22 +131,11 @@ pub(super) fn map(name: &str, map: &Map) -> String {
         y.symbol(),
         significant(map.scene().mechanism.specific_energy_j_kg(), 4)
     );
-    let Some(levels) = efficiency_map::levels(map) else {
+    let Some(drawn) = efficiency::map(map).filter(|drawn| drawn.values().next().is_some()) else {
         page.push_str("no point has a mass efficiency\n");
         return page;
     };
-    let lines = efficiency_map::with_heatmap(map, &levels, |drawn| {
-        drawn.to_lines(MAP_WIDTH, MAP_HEIGHT, Theme::PLAIN)
-    });
-    for line in lines {
-        page.push_str(&line);
-        page.push('\n');
-    }
-    page.push_str(&key(&levels, 1.0, ""));
-    let _ = writeln!(page, "  {}", efficiency_map::LINE);
-    for (letter, words) in efficiency_map::absences(map) {
-        let _ = writeln!(page, "  {letter} {words}");
-    }
+    page.push_str(&draw::map(&drawn, MAP, Theme::PLAIN));
     line_of_one(&mut page, map);
     page
 }

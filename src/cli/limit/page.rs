@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
+use crate::cli::draw;
 use crate::model::units::{fixed_significant, significant};
+use crate::report::figures::limit::residual;
 use crate::study::limit::scatter::ModelError;
 use crate::study::limit::{Limit, Report, words};
 use crate::tui::app::status::wrap;
-use crate::tui::chart::{Axis, Chart, Curve, EventLine, Legend, Scale, Unit, ViewRange};
 use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;
@@ -14,8 +15,6 @@ const HEIGHT: u16 = 18;
 /// Columns of a label, and of the text behind it.
 const LABEL: usize = 16;
 const TEXT: usize = 64;
-/// Points of a drawn law.
-const LAW_POINTS: usize = 200;
 /// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
 const CARRIED: f64 = 0.2;
 
@@ -23,7 +22,9 @@ const CARRIED: f64 = 0.2;
 pub(super) fn text(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: ballistic limit\n\n");
     head(&mut page, report);
-    chart(&mut page, report);
+    if let Some(chart) = residual(report) {
+        page.push_str(&draw::chart(&chart, (WIDTH, HEIGHT), Theme::PLAIN));
+    }
     laws(&mut page, report);
     scatter(&mut page, report);
     page
@@ -76,43 +77,6 @@ fn head(page: &mut String, report: &Report) {
         let _ = writeln!(page, "caution         {caution}");
     }
     page.push('\n');
-}
-
-fn chart(page: &mut String, report: &Report) {
-    let shots: Vec<(f64, f64)> = report
-        .shots
-        .iter()
-        .map(|shot| (shot.impact_m_s, shot.residual_m_s.unwrap_or(f64::NAN)))
-        .collect();
-    let residuals = || shots.iter().map(|shot| shot.1).chain([0.0]);
-    let impacts = ViewRange::of(Scale::Linear, shots.iter().map(|shot| shot.0));
-    let (Some(x), Some(y)) = (impacts, ViewRange::of(Scale::Linear, residuals())) else { return };
-    if report.limit.velocity_m_s().is_none() {
-        return;
-    }
-    let step = (x.hi() - x.lo()) / LAW_POINTS as f64;
-    let law: Vec<(f64, f64)> = report.lambert_jonas.map_or_else(Vec::new, |law| {
-        let at = |i: usize| x.lo() + step * i as f64;
-        (0..=LAW_POINTS).map(|i| (at(i), law.residual_m_s(at(i)))).collect()
-    });
-    let curves =
-        vec![Curve::new('-', "Lambert-Jonas", &law), Curve::new('o', "runs", &shots).colour(1)];
-    let unit = || Unit::new("m/s");
-    let limit = report.limit.velocity_m_s().map(|x| EventLine { x, tag: "limit".into() });
-    let chart = Chart {
-        legend: Legend::Shown,
-        events: limit.into_iter().collect(),
-        ..Chart::new(
-            "residual velocity",
-            Axis::new("impact velocity", x).unit(unit()),
-            Axis::new("", y.padded(Scale::Linear, 0.03)).unit(unit()),
-            curves,
-        )
-    };
-    for line in chart.to_lines(WIDTH, HEIGHT, Theme::PLAIN) {
-        page.push_str(&line);
-        page.push('\n');
-    }
 }
 
 fn laws(page: &mut String, report: &Report) {

@@ -3,22 +3,17 @@
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use crate::model::results::ResultColumn;
+use crate::cli::draw;
+use crate::files::sweep::Columns;
 use crate::model::units::{self, Engineering};
-use crate::study::sweep::grid::tells;
-use crate::study::sweep::{Axis, Design, Fate, Plan, Rows, Spacing, Summary};
-use crate::tui::chart::{
-    self, Chart, Curve, Heatmap, Legend, Levels, Scale, Spot, Unit, ViewRange,
-};
-use crate::tui::theme::{Role, Theme};
+use crate::report::figures::sweeps::{Row, picture};
+use crate::report::svg::Picture;
+use crate::study::sweep::{Axis, Design, Plan, Rows, Spacing, Summary, USUAL_OUTPUTS};
 
-const WIDTH: u16 = 78;
-const CHART_HEIGHT: u16 = 16;
-const MAP_HEIGHT: u16 = 26;
 /// Most rows of the table of one axis.
 const TABLE_ROWS: u64 = 13;
 /// Points kept to be drawn; larger sweeps are only summed up.
-const KEPT_MAX: u64 = 250_000;
+pub(in crate::cli) const KEPT_MAX: u64 = 250_000;
 
 /// What stands above the page.
 pub(super) struct Head<'a> {
@@ -30,21 +25,23 @@ pub(super) struct Head<'a> {
 /// The rows to draw, where there are few enough and the whole grid is there.
 pub(super) struct Kept(Option<Vec<Row>>);
 
-/// What became of a point, and its outputs.
-type Row = (Fate, Vec<Option<f64>>);
-
 impl Kept {
-    pub(super) fn of(plan: &Plan, points: Range<u64>) -> Self {
-        let whole = points == (0..plan.points());
+    pub(super) fn of(plan: &Plan, points: Range<u64>, wanted: bool) -> Self {
+        Self((wanted && Self::is_drawable(plan, &points)).then(Vec::new))
+    }
+
+    /// Whether these points of a sweep can be drawn: the whole of a grid of one or two axes.
+    pub(super) fn is_drawable(plan: &Plan, points: &Range<u64>) -> bool {
+        let whole = *points == (0..plan.points());
         let drawable = plan.design() == Design::Factorial && plan.axes().len() <= 2;
-        Self((whole && drawable && plan.points() <= KEPT_MAX).then(Vec::new))
+        whole && drawable && plan.points() <= KEPT_MAX
     }
 
     pub(super) fn keep(&mut self, rows: &Rows) {
         let Some(kept) = &mut self.0 else { return };
         for row in 0..rows.len() {
-            let outputs = (0..rows.outputs()).map(|output| rows.value(row, output)).collect();
-            kept.push((rows.fate(row), outputs));
+            let values = (0..rows.outputs()).map(|output| rows.value(row, output)).collect();
+            kept.push(Row { fate: rows.fate(row), values });
         }
     }
 
@@ -52,6 +49,24 @@ impl Kept {
     fn whole(&self, plan: &Plan) -> Option<&[Row]> {
         self.0.as_deref().filter(|rows| rows.len() as u64 == plan.points())
     }
+
+    /// The pictures of a sweep that has been made to its end: of what was asked for, or of the usual outputs where all are there.
+    pub(super) fn pictures(&self, plan: &Plan, columns: Columns) -> Vec<Picture> {
+        let Some(rows) = self.whole(plan) else { return Vec::new() };
+        let wanted = |output: &usize| {
+            columns == Columns::Chosen || USUAL_OUTPUTS.contains(&plan.outputs()[*output].name)
+        };
+        let outputs = (0..plan.outputs().len()).filter(wanted);
+        outputs.filter_map(|output| picture(plan, output, rows)).collect()
+    }
+}
+
+/// Why a sweep cannot be drawn.
+pub(super) fn undrawable() -> String {
+    format!(
+        "--svg: a picture shows one or two axes, every combination of their values, and at most {KEPT_MAX} points; leave --svg out \
+         or sweep less"
+    )
 }
 
 /// The page.
@@ -71,19 +86,13 @@ pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: &Kept)
         head.threads,
         if head.threads == 1 { "" } else { "s" }
     );
-    match (plan.axes(), kept.whole(plan)) {
-        ([x], Some(rows)) => {
-            for output in 0..plan.outputs().len() {
-                curve(&mut page, plan, x, output, rows);
-            }
-            table(&mut page, plan, x, rows);
+    if let Some(rows) = kept.whole(plan) {
+        for output in 0..plan.outputs().len() {
+            drawn(&mut page, plan, output, rows);
         }
-        ([x, y], Some(rows)) => {
-            for output in 0..plan.outputs().len() {
-                map(&mut page, plan, (x, y), output, rows);
-            }
+        if let [axis] = plan.axes() {
+            table(&mut page, plan, axis, rows);
         }
-        (_, _) => {}
     }
     extremes(&mut page, plan, summary);
     let _ = writeln!(page, "\n{}", summary.words());
@@ -103,57 +112,20 @@ fn axis_words(axis: &Axis) -> String {
     format!("{} {}{log}, {} points", axis.symbol(), ends.trim_end(), axis.count())
 }
 
-fn scale(axis: &Axis) -> Scale {
-    match axis.spacing() {
-        Spacing::Linear | Spacing::Listed => Scale::Linear,
-        Spacing::Log => Scale::Log10,
-    }
-}
-
-/// An axis of the plan as one of a chart.
-fn chart_axis(axis: &Axis) -> chart::Axis<'static> {
-    let (from, to) = axis.ends();
-    let view = ViewRange::new(from, to);
-    let unit = axis.variable().unit().trim_start_matches('-');
-    chart::Axis::new(axis.symbol(), view).scale(scale(axis)).unit(Unit::with_prefix(view, unit))
-}
-
-/// The number to draw of a row, if one tells anything.
-fn shown(row: &Row, output: usize, column: &ResultColumn) -> Option<f64> {
-    row.1[output].filter(|_| tells(column, row.0))
-}
-
-fn curve(page: &mut String, plan: &Plan, axis: &Axis, output: usize, rows: &[Row]) {
+/// The picture of an output.
+fn drawn(page: &mut String, plan: &Plan, output: usize, rows: &[Row]) {
     let column = plan.outputs()[output];
-    let values = || rows.iter().map(|row| shown(row, output, column).unwrap_or(f64::NAN));
-    let Some(range) = ViewRange::of(Scale::Linear, values()) else {
-        let _ = writeln!(page, "{}: exists nowhere on this axis\n", column.title());
+    let Some(picture) = picture(plan, output, rows) else {
+        let where_to = if plan.axes().len() == 1 { "axis" } else { "grid" };
+        let _ = writeln!(page, "{}: exists nowhere on this {where_to}\n", column.title());
         return;
     };
-    let mut points: Vec<(f64, f64)> = (0..).map(|index| axis.value(index)).zip(values()).collect();
-    if axis.spacing() == Spacing::Listed {
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-    }
-    let view = range.padded(Scale::Linear, 0.05);
-    let y = chart::Axis::new("", view).unit(Unit::with_prefix(range, column.unit()));
-    let curve = Curve::new('*', "", &points);
-    let chart = Chart {
-        legend: Legend::Hidden,
-        ..Chart::new(column.title(), chart_axis(axis), y, vec![curve])
-    };
-    lines(page, &chart.to_lines(WIDTH, CHART_HEIGHT, Theme::PLAIN));
-    let gone = rows.iter().filter(|row| shown(row, output, column).is_none()).count();
-    if gone > 0 {
+    page.push_str(&draw::picture(&picture));
+    let gone = rows.iter().filter(|row| row.shown(output, column).is_none()).count();
+    if gone > 0 && plan.axes().len() == 1 {
         let _ = writeln!(page, "{gone} of {} points have no such value: gaps", rows.len());
     }
     page.push('\n');
-}
-
-fn lines(page: &mut String, lines: &[String]) {
-    for line in lines {
-        page.push_str(line);
-        page.push('\n');
-    }
 }
 
 fn table(page: &mut String, plan: &Plan, axis: &Axis, rows: &[Row]) {
@@ -170,91 +142,19 @@ fn table(page: &mut String, plan: &Plan, axis: &Axis, rows: &[Row]) {
         let Some(row) = usize::try_from(index).ok().and_then(|index| rows.get(index)) else {
             continue;
         };
-        let _ =
-            write!(page, "{:>12}  {:<10}", units::significant(axis.value(index), 6), row.0.word());
-        for value in &row.1 {
+        let _ = write!(
+            page,
+            "{:>12}  {:<10}",
+            units::significant(axis.value(index), 6),
+            row.fate.word()
+        );
+        for value in &row.values {
             let text = value.map_or_else(|| "-".to_owned(), |value| units::significant(value, 7));
             let _ = write!(page, "  {text:>24}");
         }
         page.push('\n');
     }
     page.push('\n');
-}
-
-fn map(page: &mut String, plan: &Plan, (x, y): (&Axis, &Axis), output: usize, rows: &[Row]) {
-    let column = plan.outputs()[output];
-    let values = || rows.iter().filter_map(|row| shown(row, output, column));
-    let places = (places(x), places(y));
-    let counts = (places.0.len(), places.1.len());
-    let Some(levels) = Levels::of(Scale::Linear, values()) else {
-        let _ = writeln!(page, "{}: exists nowhere on this grid\n", column.title());
-        return;
-    };
-    let up = as_index(y.count());
-    let spot = |at_x: usize, at_y: usize| {
-        let row = &rows[places.0[at_x] * up + places.1[at_y]];
-        let mark = || Spot::Mark(row.0.letter(), Role::Dim);
-        shown(row, output, column).map_or_else(mark, Spot::Value)
-    };
-    let map = Heatmap {
-        title: format!("{}, up: {}", column.title(), y.symbol()).into(),
-        x: chart_axis(x),
-        y: chart_axis(y),
-        counts,
-        spot: &spot,
-        levels: &levels,
-        contour: None,
-        cursor: None,
-        focused: false,
-    };
-    lines(page, &map.to_lines(WIDTH, MAP_HEIGHT, Theme::PLAIN));
-    let range = ViewRange::of(Scale::Linear, values()).unwrap_or_default();
-    let unit = Unit::with_prefix(range, column.unit());
-    page.push_str(&key(&levels, unit.factor, &unit.name));
-    let mut marks: Vec<(char, &str)> = rows
-        .iter()
-        .filter(|row| shown(row, output, column).is_none())
-        .map(|row| (row.0.letter(), row.0.without_value(column)))
-        .collect();
-    marks.sort_unstable();
-    marks.dedup();
-    for (letter, words) in marks {
-        let _ = writeln!(page, "  {letter} {words}");
-    }
-    page.push('\n');
-}
-
-/// The bands of a map with their bounds, times a factor, in a unit.
-pub(in crate::cli) fn key(levels: &Levels, factor: f64, unit: &str) -> String {
-    let mut line = "  scale".to_owned();
-    for band in 0..levels.bands() {
-        let (from, _) = levels.band(band);
-        let (symbol, _) = chart::heatmap::swatch(band, levels.bands(), Theme::PLAIN);
-        let _ = write!(line, "  {} [{symbol}]", units::significant(from * factor, 4));
-    }
-    let (_, top) = levels.band(levels.bands() - 1);
-    let _ = writeln!(line, "  {} {unit}", units::significant(top * factor, 4));
-    line
-}
-
-/// Cells of a map along an axis whose values are a list.
-const LIST_CELLS: u64 = 60;
-
-/// The point that each cell of a map shows, from the least value of an axis to the greatest: the point itself, or the nearest one
-/// of a list.
-fn places(axis: &Axis) -> Vec<usize> {
-    let (from, to) = axis.ends();
-    if axis.spacing() == Spacing::Listed {
-        let last = (LIST_CELLS - 1) as f64;
-        let value = |cell: u64| from + (to - from) * cell as f64 / last;
-        return (0..LIST_CELLS).map(|cell| as_index(axis.nearest(value(cell)))).collect();
-    }
-    let rising = 0..as_index(axis.count());
-    if from > to { rising.rev().collect() } else { rising.collect() }
-}
-
-fn as_index(count: u64) -> usize {
-    usize::try_from(count).unwrap_or(usize::MAX)
 }
 
 fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {

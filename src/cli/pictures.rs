@@ -1,0 +1,71 @@
+//! `--svg FILE`: the pictures of a study as a file.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::cli::pace::was_interrupted;
+use crate::cli::table::{TableArguments, Target, exists};
+use crate::cli::{CliError, output};
+use crate::files::atomic;
+use crate::report::svg::{self, Picture};
+
+/// `--svg FILE`.
+#[derive(Debug, Args)]
+pub(super) struct PictureArguments {
+    /// Write the charts to this file as SVG; `-` writes them to standard output instead of the page
+    #[arg(long, value_name = "FILE", group = "files")]
+    svg: Option<PathBuf>,
+}
+
+impl PictureArguments {
+    /// Whether pictures are wanted.
+    pub(super) fn is_wanted(&self) -> bool {
+        self.svg.is_some()
+    }
+
+    /// Whether they go to standard output, instead of the page.
+    pub(super) fn is_stdout(&self) -> bool {
+        self.svg.as_deref() == Some(Path::new("-"))
+    }
+
+    /// Whether they can be written where they are to go: asked before a long computation, not after it.
+    pub(super) fn check(&self, table: &TableArguments) -> Result<(), CliError> {
+        if self.is_stdout() && (table.json || matches!(table.target(), Target::Stdout)) {
+            return Err(CliError::Option(
+                "--svg - writes to standard output, as --json and --csv - do: name a file for one of them".to_owned(),
+            ));
+        }
+        match &self.svg {
+            Some(path) if !self.is_stdout() => {
+                atomic::check(path, table.existing()).map_err(exists)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Write them. What an interrupt has cut off is not drawn.
+    pub(super) fn write(
+        &self,
+        table: &TableArguments,
+        pictures: impl FnOnce() -> Vec<Picture>,
+    ) -> Result<(), CliError> {
+        let Some(path) = &self.svg else { return Ok(()) };
+        if was_interrupted() {
+            output::note("interrupted: no picture was written");
+            return Ok(());
+        }
+        let pictures = pictures();
+        if pictures.is_empty() {
+            output::note("there is nothing to draw: no picture was written");
+            return Ok(());
+        }
+        let text = svg::file(&pictures);
+        if self.is_stdout() {
+            return output::print(&text);
+        }
+        atomic::write(path, text.as_bytes(), table.existing()).map_err(exists)?;
+        output::note(&format!("wrote {}", path.display()));
+        Ok(())
+    }
+}

@@ -1,0 +1,241 @@
+//! `cmra report SCENE -o FILE`: one self-contained file with the scene, its results, charts and warnings.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+
+use crate::cli::pace::{Pace, interruptible};
+use crate::cli::run::{self, Computed};
+use crate::cli::scene::SceneArguments;
+use crate::cli::sweep::page::KEPT_MAX;
+use crate::cli::table::exists;
+use crate::cli::{CliError, draw, output, summary};
+use crate::files::atomic::{self, Existing};
+use crate::files::{clean, write};
+use crate::model::results::of_run;
+use crate::model::run::{Run, envelope};
+use crate::model::scene::Scene;
+use crate::model::units;
+use crate::model::variables::{VARIABLES, Variable, is_used};
+use crate::report::document::{Block, Document};
+use crate::report::figures::limit::residual;
+use crate::report::figures::run::selected;
+use crate::report::figures::sweeps::{Row, picture};
+use crate::report::svg::Picture;
+use crate::study::limit::{self, Criterion, Effort, words};
+use crate::study::quantities;
+use crate::study::sweep::{Evaluator, Plan};
+use crate::study::validity;
+
+/// Digits of a result.
+const DIGITS: usize = 6;
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "The report has the changed inputs, the results with their estimated errors, charts, the ballistic limit, the scene's \
+                  own sweep where it has one of one or two axes, every warning, and how to run it again. It links to nothing."
+)]
+pub(super) struct ReportArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// The report: FILE.html has its charts in it as SVG, FILE.md as text
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Replace what exists
+    #[arg(long)]
+    force: bool,
+}
+
+/// The formats of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Html,
+    Markdown,
+}
+
+impl Format {
+    fn of(path: &Path) -> Result<Self, CliError> {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        match ending.as_str() {
+            "html" | "htm" | "xhtml" => Ok(Self::Html),
+            "md" | "markdown" => Ok(Self::Markdown),
+            _ => Err(CliError::Option(format!(
+                "-o {}: a report is .html or .md, for example -o {}",
+                path.display(),
+                path.with_extension("html").display()
+            ))),
+        }
+    }
+}
+
+/// Write a report; exit status 1 for a run that ended early, or after an interrupt.
+pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
+    let path = &arguments.output;
+    let existing = if arguments.force { Existing::Replace } else { Existing::Keep };
+    let format = Format::of(path)?;
+    atomic::check(path, existing).map_err(exists)?;
+    let preset = arguments.scene.load()?;
+    let scene = preset.scene.clone();
+    let computed = run::compute(preset)?;
+    let mut pace = Pace::begin();
+    let mut document = head(&computed, &scene);
+    results(&mut document, &computed.run);
+    let charts = selected(&computed.run).into_iter().map(Picture::Chart).map(block);
+    section(&mut document, "Charts", charts.collect());
+    section(&mut document, "Ballistic limit", ballistic_limit(&scene, &mut pace)?);
+    section(&mut document, "Sweep", own_sweep(&scene)?);
+    section(&mut document, "Run it again", again(&computed, &scene));
+    pace.clear();
+    if pace.exit_code(true) != ExitCode::SUCCESS {
+        output::note("no report was written");
+        return Ok(ExitCode::FAILURE);
+    }
+    let text = match format {
+        Format::Html => document.html(),
+        Format::Markdown => document.markdown(draw::picture),
+    };
+    atomic::write(path, clean::page(&text).as_bytes(), existing).map_err(exists)?;
+    output::note(&format!("wrote {}", path.display()));
+    Ok(run::exit_code(&computed.run))
+}
+
+fn block(picture: Picture) -> Block {
+    Block::Picture(Box::new(picture))
+}
+
+/// Add a section that has anything in it.
+fn section(document: &mut Document, title: &str, blocks: Vec<Block>) {
+    if !blocks.is_empty() {
+        document.blocks.push(Block::Heading(title.to_owned()));
+        document.blocks.extend(blocks);
+    }
+}
+
+/// What it is about, its warnings, and the changed inputs.
+fn head(computed: &Computed, scene: &Scene) -> Document {
+    let run = &computed.run;
+    let name = &computed.preset.name;
+    let title = clean::line(&scene.title);
+    let title = if title.is_empty() { name.clone() } else { format!("{name}: {title}") };
+    let mut document = Document { title, blocks: vec![Block::Paragraph(summary::sentence(run))] };
+    if !scene.notes.is_empty() {
+        document.blocks.push(Block::Paragraph(scene.notes.clone()));
+    }
+    let warnings = envelope::warnings(run);
+    let warnings = if warnings.is_empty() {
+        vec![Block::Paragraph(
+            "No warning: the scene is within the validity of the model.".to_owned(),
+        )]
+    } else {
+        vec![Block::List(warnings)]
+    };
+    section(&mut document, "Warnings and validity", warnings);
+    let usual = Scene::default();
+    let changed = |one: &&Variable| is_used(one, scene) && one.show(scene) != one.show(&usual);
+    let row = |one: &Variable| {
+        let unit = one.unit().trim_matches('-').to_owned();
+        vec![one.symbol.to_owned(), one.meaning.to_owned(), one.show(scene), one.show(&usual), unit]
+    };
+    let rows: Vec<Vec<String>> = VARIABLES.iter().filter(changed).map(row).collect();
+    let inputs = if rows.is_empty() {
+        Block::Paragraph("Every input has the value of the baseline.".to_owned())
+    } else {
+        let head = ["symbol", "input", "value", "baseline", "unit"].map(str::to_owned).to_vec();
+        Block::Table { head, rows }
+    };
+    section(&mut document, "Changed inputs", vec![inputs]);
+    document
+}
+
+/// The results, each with the estimate of its error.
+fn results(document: &mut Document, run: &Run) {
+    let error = |name: &str| {
+        let own = run.error_estimates.iter().find(|error| error.name == name);
+        own.map_or_else(|| "-".to_owned(), |error| units::scientific(error.relative, 1))
+    };
+    let row = |column: &crate::model::results::ResultColumn| {
+        let value = quantities::value(column, run)?;
+        Some(vec![
+            column.title(),
+            column.show(value, DIGITS),
+            error(column.name),
+            column.name.to_owned(),
+        ])
+    };
+    let head = ["result", "value", "relative error", "key"].map(str::to_owned).to_vec();
+    let mut blocks = vec![Block::Table { head, rows: of_run().filter_map(row).collect() }];
+    let events = run.events.iter().map(|event| {
+        let time = units::Engineering { value: event.t_s, unit: "s", digits: DIGITS };
+        format!("{time}: {}", event.kind.words())
+    });
+    let events: Vec<String> = events.collect();
+    if !events.is_empty() {
+        blocks.push(Block::List(events));
+    }
+    section(document, "Results", blocks);
+}
+
+/// The ballistic limit with its curve.
+fn ballistic_limit(scene: &Scene, pace: &mut Pace) -> Result<Vec<Block>, CliError> {
+    let effort = Effort { criterion: Criterion::Passage, scattering: None };
+    let watch = &mut |done, total| pace.count(done, total, "shots or so");
+    let report = limit::find(&Arc::new(scene.clone()), effort, watch)?;
+    let mut lines = Vec::new();
+    match report.limit.velocity_m_s() {
+        Some(velocity) => lines.push(format!("{} m/s", units::fixed_significant(velocity, DIGITS))),
+        None => lines.extend(report.limit.absence()),
+    }
+    lines.push(format!("criterion: {}", report.criterion.label()));
+    if let Some(margin) = report.margin() {
+        lines.push(format!("{:+.1} % over the scene's own velocity", 100.0 * margin));
+    }
+    let load = report.load.as_ref().and_then(words::load);
+    lines.extend(load.map(|load| format!("at the limit: {load}")));
+    lines.extend(report.closures.as_ref().map(words::closures));
+    lines.extend(report.caution());
+    let chart = residual(&report).map(Picture::Chart).map(block);
+    Ok(std::iter::once(Block::List(lines)).chain(chart).collect())
+}
+
+/// The pictures of the sweep that is kept with the scene.
+fn own_sweep(scene: &Scene) -> Result<Vec<Block>, CliError> {
+    if scene.sweep.is_none() {
+        return Ok(Vec::new());
+    }
+    let plan = Plan::of(scene)?;
+    if plan.axes().len() > 2 || plan.points() > KEPT_MAX {
+        return Ok(Vec::new());
+    }
+    let stop: Arc<AtomicBool> = interruptible();
+    let found = Evaluator::new(&plan, &stop).rows(0..plan.points());
+    let values = |row: usize| (0..found.outputs()).map(move |output| (row, output));
+    let rows: Vec<Row> = (0..found.len())
+        .map(|row| Row {
+            fate: found.fate(row),
+            values: values(row).map(|(row, output)| found.value(row, output)).collect(),
+        })
+        .collect();
+    let pictures = (0..plan.outputs().len()).filter_map(|output| picture(&plan, output, &rows));
+    let mut blocks: Vec<Block> = pictures.map(block).collect();
+    let warnings = validity::of_axes(plan.base(), plan.axes());
+    blocks.extend((!warnings.is_empty()).then_some(Block::List(warnings)));
+    Ok(blocks)
+}
+
+/// The version, the scene as a file, and what to do with it.
+fn again(computed: &Computed, scene: &Scene) -> Vec<Block> {
+    let run = &computed.run;
+    vec![
+        Block::Paragraph(format!(
+            "Computed by cmra {} ({}, {} steps). Save these lines as scene.toml and run `cmra run scene.toml`; \
+             `cmra report scene.toml -o report.html` makes this report again.",
+            env!("CARGO_PKG_VERSION"),
+            run.cost.method,
+            run.cost.steps
+        )),
+        Block::Code(write::fresh(scene)),
+    ]
+}

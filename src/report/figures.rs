@@ -1,0 +1,50 @@
+//! The pictures of each study: what a run, a sweep, a limit and a map of the mass efficiency look like.
+
+use crate::report::chart::{Axis, Scale};
+use crate::study::sweep::{self, Spacing};
+
+pub mod efficiency;
+pub mod limit;
+pub mod run;
+pub mod sweeps;
+
+/// Values of a list that are so many times apart stand on a logarithmic axis.
+const WIDE: f64 = 30.0;
+/// Cells of a map along an axis whose values are a list.
+const LIST_CELLS: u32 = 60;
+
+/// An axis of a sweep as one of a picture.
+fn axis_of(axis: &sweep::Axis) -> Option<Axis> {
+    let (from, to) = axis.ends();
+    let unit = axis.variable().unit().trim_matches('-');
+    Axis::over(axis.symbol(), unit, scale_of(axis), [from, to])
+}
+
+fn scale_of(axis: &sweep::Axis) -> Scale {
+    let (from, to) = axis.ends();
+    match axis.spacing() {
+        Spacing::Log => Scale::Log10,
+        Spacing::Listed if from > 0.0 && to > WIDE * from => Scale::Log10,
+        Spacing::Linear | Spacing::Listed => Scale::Linear,
+    }
+}
+
+/// The point that each cell of a map shows, from the least value of an axis to the greatest: the point itself, or the nearest one
+/// of a list.
+fn places(axis: &sweep::Axis) -> Vec<usize> {
+    let index = |at: u64| usize::try_from(at).unwrap_or(usize::MAX);
+    let (from, to) = axis.ends();
+    if axis.spacing() != Spacing::Listed {
+        let rising = 0..index(axis.count());
+        return if from > to { rising.rev().collect() } else { rising.collect() };
+    }
+    let scale = scale_of(axis);
+    let (low, high) = (scale.place(from), scale.place(to));
+    let gap = |at: u64, cell: u32| {
+        let place = low + (high - low) * f64::from(cell) / f64::from(LIST_CELLS - 1);
+        (scale.place(axis.value(at)) - place).abs()
+    };
+    let nearest =
+        |cell: u32| (0..axis.count()).min_by(|a, b| gap(*a, cell).total_cmp(&gap(*b, cell)));
+    (0..LIST_CELLS).map(|cell| index(nearest(cell).unwrap_or(0))).collect()
+}

@@ -1,0 +1,126 @@
+//! The charts of a run: what happened in time, and the law of the mechanism that the plate stands on.
+
+use crate::model::mechanism::{Mechanism, inertia, load};
+use crate::model::run::{Run, Sample};
+use crate::numerics::{larger, smaller};
+use crate::report::chart::{Axis, Chart, Line, Scale};
+
+/// A quantity to draw.
+#[derive(Clone, Copy)]
+struct Quantity {
+    title: &'static str,
+    unit: &'static str,
+    get: fn(&Sample) -> f64,
+}
+
+const QUANTITIES: [Quantity; 3] = [
+    Quantity { title: "penetration p", unit: "m", get: |row| row.penetration_m },
+    Quantity { title: "plate displacement x", unit: "m", get: |row| row.plate_displacement_m },
+    Quantity { title: "contact force F", unit: "N", get: |row| row.contact_force_n },
+];
+/// How far beyond the greatest displacement the law of the mechanism is drawn, and up to which part of it a limit is still shown.
+const BEYOND: f64 = 1.15;
+const LIMIT_SHOWN: f64 = 2.5;
+/// Points of a drawn law.
+const POINTS: u32 = 400;
+
+/// The letter of an event, as in the list of events of the summary.
+pub fn event_letter(index: usize) -> char {
+    char::from(b'a' + u8::try_from(index % 26).unwrap_or(0))
+}
+
+/// Penetration, displacement and force over time: during the contact, which is over in a fraction of a millisecond, then over
+/// the whole response, where there is more of it.
+pub fn response(run: &Run) -> Vec<Chart> {
+    let Some(end_s) = run.series.last().map(|row| row.t_s) else {
+        return Vec::new();
+    };
+    // A little beyond its end, so that the end itself is seen.
+    let window_s = smaller(1.1 * run.contact_end_s(), end_s);
+    let mut charts = over_time(run, "contact", window_s);
+    if end_s > 2.0 * window_s {
+        charts.extend(over_time(run, "whole response", end_s));
+    }
+    charts
+}
+
+fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart> {
+    let chart = |quantity: &Quantity| {
+        let points: Vec<(f64, f64)> =
+            run.series.iter().map(|row| (row.t_s, (quantity.get)(row))).collect();
+        let shown = points.iter().filter(|point| point.0 <= end_s).map(|point| point.1);
+        // A chart of one value would be a line along its own frame.
+        let values = Axis::over("", quantity.unit, Scale::Linear, shown)?;
+        let y = Axis { label: quantity.title.to_owned(), ..values.with_zero().padded(0.05) };
+        let x = Axis::over("t", "s", Scale::Linear, [0.0, end_s])?;
+        let events = run.events.iter().enumerate().filter(|(_, event)| event.t_s <= end_s);
+        let marks = events.map(|(index, event)| Line {
+            at: event.t_s,
+            name: event.kind.words().to_owned(),
+            tag: event_letter(index).to_string(),
+        });
+        let title = format!("{}, {window}", quantity.title);
+        Some(Chart { marks: marks.collect(), ..Chart::of(&title, x, y, points) })
+    };
+    if end_s > 0.0 { QUANTITIES.iter().filter_map(chart).collect() } else { Vec::new() }
+}
+
+/// Force, stiffness and stress of the mechanism over the plate's displacement, with what the run used of it; nothing without a
+/// mechanism.
+pub fn mechanism(run: &Run) -> Vec<Chart> {
+    let scene = &run.scene;
+    let own = Mechanism::of(scene);
+    let reached = run.max_plate_displacement_m.or(run.at_least.plate_displacement_m);
+    let start_m = run.start_m();
+    let Some(reached_m) = reached.filter(|it| *it > start_m) else { return Vec::new() };
+    if own.spring.is_absent() && own.elastic_stop().is_none() {
+        return Vec::new();
+    }
+    let yields = inertia::acting(&scene.mechanism).filter_map(load::yields_at_m).reduce(smaller);
+    let yields = yields.filter(|at| *at < LIMIT_SHOWN * reached_m);
+    let end_m = BEYOND * yields.map_or(reached_m, |at| larger(at, reached_m));
+    let low_m = smaller(start_m, 0.0);
+    let at = |point: u32| low_m + (end_m - low_m) * f64::from(point) / f64::from(POINTS);
+    let stop = own.elastic_stop();
+    let in_stop = |x: f64| stop.filter(|stop| stop.position_m.is_some_and(|at| x > at));
+    let force = |x: f64| {
+        let stopped = in_stop(x).map_or(0.0, |it| it.stiffness_n_m * (x - own.stop_at_m));
+        Some(own.spring.force(x) + stopped)
+    };
+    let stiffness =
+        |x: f64| Some(own.spring.tangent(x) + in_stop(x).map_or(0.0, |it| it.stiffness_n_m));
+    let stress = |x: f64| load::stress_ratio(scene, x);
+    let mut marks = vec![Line::new(reached_m, "greatest displacement")];
+    marks.extend((start_m < 0.0).then(|| Line::new(start_m, "cocked")));
+    marks.extend(own.stop.map(|_| Line::new(own.stop_at_m, "stop")));
+    marks.extend(yields.map(|at| Line::new(at, "yield")));
+    let chart = |title: &str, unit: &str, get: &dyn Fn(f64) -> Option<f64>| {
+        let points = (0..=POINTS).map(at).map(|x| (x, get(x).unwrap_or(f64::NAN)));
+        let points: Vec<(f64, f64)> = points.collect();
+        let x = Axis::over("plate displacement x", "m", Scale::Linear, [low_m, end_m])?;
+        let y = Axis::over(title, unit, Scale::Linear, points.iter().map(|point| point.1))?;
+        let chart = Chart::of(title, x, y.with_zero().padded(0.05), points);
+        Some(Chart { marks: marks.clone(), ..chart })
+    };
+    let mut charts: Vec<Chart> = Vec::new();
+    charts.extend(chart("force of the mechanism F(x)", "N", &force));
+    charts.extend(chart("stiffness of the mechanism dF/dx", "N/m", &stiffness));
+    if let Some(mut chart) = chart("greatest stress over yield strength", "", &stress) {
+        chart.levels.push(Line::new(1.0, "yield"));
+        charts.push(chart);
+    }
+    charts
+}
+
+/// The pictures of a file: contact, the plate's whole way, the mechanism.
+pub fn selected(run: &Run) -> Vec<Chart> {
+    let mut charts = response(run);
+    if charts.len() > QUANTITIES.len() {
+        // Displacement matters over the whole response, the others during the contact.
+        let displacement = charts.swap_remove(QUANTITIES.len() + 1);
+        charts.truncate(QUANTITIES.len());
+        charts[1] = displacement;
+    }
+    charts.extend(mechanism(run));
+    charts
+}

@@ -1,0 +1,84 @@
+//! The pictures of a sweep: a curve of each output over one axis, a map over two.
+
+use crate::model::results::ResultColumn;
+use crate::report::chart::{Axis, Chart, Curve, Scale};
+use crate::report::figures::{axis_of, places};
+use crate::report::map::{Cell, Map};
+use crate::report::svg::Picture;
+use crate::study::sweep::grid::tells;
+use crate::study::sweep::{self, Fate, Plan};
+
+/// What became of a point, and its outputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What became of it.
+    pub fate: Fate,
+    /// The outputs of the plan.
+    pub values: Vec<Option<f64>>,
+}
+
+impl Row {
+    /// The number to draw, if one tells anything.
+    pub fn shown(&self, output: usize, column: &ResultColumn) -> Option<f64> {
+        self.values[output].filter(|_| tells(column, self.fate))
+    }
+}
+
+/// The picture of an output over all points of a sweep of one or two axes; `None` where it exists nowhere.
+pub fn picture(plan: &Plan, output: usize, rows: &[Row]) -> Option<Picture> {
+    match plan.axes() {
+        [x] => curve(plan, x, output, rows).map(Picture::Chart),
+        [x, y] => map(plan, (x, y), output, rows).map(Picture::Map),
+        _ => None,
+    }
+}
+
+/// The curve over one axis.
+fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option<Chart> {
+    let column = plan.outputs()[output];
+    let value = |row: &Row| row.shown(output, column).unwrap_or(f64::NAN);
+    let mut points: Vec<(f64, f64)> =
+        (0..).map(|index| axis.value(index)).zip(rows.iter().map(value)).collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let values = points.iter().map(|point| point.1);
+    let y = Axis::over(&column.title(), column.unit(), Scale::Linear, values)?.padded(0.05);
+    let curves = vec![Curve { points, ..Curve::new("", '*') }];
+    let title = column.title();
+    let x = axis_of(axis)?;
+    Some(Chart { title, x, y, curves, marks: Vec::new(), levels: Vec::new() })
+}
+
+/// The map over two axes.
+fn map(
+    plan: &Plan,
+    (x, y): (&sweep::Axis, &sweep::Axis),
+    output: usize,
+    rows: &[Row],
+) -> Option<Map> {
+    let column = plan.outputs()[output];
+    let (across, up) = (places(x), places(y));
+    let height = usize::try_from(y.count()).ok()?;
+    let cell = |at_x: usize, at_y: usize| {
+        rows.get(at_x * height + at_y).map_or(Cell::Empty, |row| {
+            row.shown(output, column).map_or_else(|| Cell::Mark(row.fate.letter()), Cell::Value)
+        })
+    };
+    let cells = up.iter().flat_map(|y| across.iter().map(move |x| (*x, *y)));
+    let absent = rows.iter().filter(|row| row.shown(output, column).is_none());
+    let mut marks: Vec<(char, String)> =
+        absent.map(|row| (row.fate.letter(), row.fate.without_value(column).to_owned())).collect();
+    marks.sort_unstable();
+    marks.dedup();
+    let map = Map {
+        title: column.title(),
+        unit: column.unit().to_owned(),
+        x: axis_of(x)?,
+        y: axis_of(y)?,
+        counts: (across.len(), up.len()),
+        cells: cells.map(|(x, y)| cell(x, y)).collect(),
+        contour: None,
+        marks,
+    };
+    let has_values = map.values().next().is_some();
+    has_values.then_some(map)
+}

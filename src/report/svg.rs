@@ -1,0 +1,344 @@
+//! Charts and maps as SVG: light ground, axis titles with units, a legend; one picture or several under each other.
+
+use std::fmt::Write as _;
+
+use crate::report::chart::{Axis, Chart, Curve, Line};
+use crate::report::map::Map;
+
+mod bands;
+mod ticks;
+
+use ticks::{shown, ticks};
+
+/// Size of one picture.
+const WIDTH: f64 = 640.0;
+const HEIGHT: f64 = 400.0;
+/// Room around the plot.
+const LEFT: f64 = 72.0;
+const RIGHT: f64 = 24.0;
+const BOTTOM: f64 = 52.0;
+const TOP: f64 = 34.0;
+/// Height of a line of the legend, and about how wide a letter is.
+const LEGEND_LINE: f64 = 18.0;
+const LETTER: f64 = 7.0;
+/// Marks that are nearer to each other share a name.
+const MARKS_NEAR: f64 = 13.0;
+/// Most ticks along the axes.
+const TICKS: (usize, usize) = (8, 7);
+/// Colours of curves, to be told apart by the colour-blind too (Okabe and Ito).
+const COLOURS: [&str; 7] =
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
+/// A chart or a map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Picture {
+    /// A chart.
+    Chart(Chart),
+    /// A map.
+    Map(Map),
+}
+
+/// A whole SVG file of some pictures, each under the other.
+pub fn file(pictures: &[Picture]) -> String {
+    format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}", element(pictures))
+}
+
+/// The same as an element of a page.
+pub fn element(pictures: &[Picture]) -> String {
+    let height = HEIGHT * pictures.len().max(1) as f64;
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{height}\" viewBox=\"0 0 {WIDTH} {height}\" \
+         font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#ffffff\"/>\n"
+    );
+    for (number, picture) in pictures.iter().enumerate() {
+        let _ = writeln!(out, "<g transform=\"translate(0 {})\">", HEIGHT * number as f64);
+        match picture {
+            Picture::Chart(chart) => draw_chart(&mut out, chart),
+            Picture::Map(map) => bands::draw_map(&mut out, map),
+        }
+        out.push_str("</g>\n");
+    }
+    out + "</svg>\n"
+}
+
+/// Text as it stands in XML; characters that XML does not have are left out.
+pub fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            '\n' | '\t' => out.push(c),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// The place of the plot within its picture.
+#[derive(Clone, Copy)]
+struct Plot {
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
+}
+
+impl Plot {
+    fn x(&self, axis: &Axis, value: f64) -> f64 {
+        self.left + part(axis, value) * (self.right - self.left)
+    }
+
+    fn y(&self, axis: &Axis, value: f64) -> f64 {
+        self.bottom - part(axis, value) * (self.bottom - self.top)
+    }
+}
+
+/// How far along an axis a value lies; a little beyond its ends at the most.
+fn part(axis: &Axis, value: f64) -> f64 {
+    let (low, high) = (axis.scale.place(axis.low), axis.scale.place(axis.high));
+    ((axis.scale.place(value) - low) / (high - low)).clamp(-10.0, 11.0)
+}
+
+fn title_of(axis: &Axis, unit: &str) -> String {
+    if unit.is_empty() { axis.label.clone() } else { format!("{} [{unit}]", axis.label) }
+}
+
+/// A number of a picture: no more digits than can be seen.
+fn at(value: f64) -> String {
+    let text = format!("{value:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+struct Text<'t> {
+    x: f64,
+    y: f64,
+    anchor: &'t str,
+    /// Further attributes.
+    rest: &'t str,
+}
+
+fn text(out: &mut String, place: &Text<'_>, text: &str) {
+    let (x, y) = (at(place.x), at(place.y));
+    let Text { anchor, rest, .. } = place;
+    let _ = writeln!(
+        out,
+        "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\"{rest}>{}</text>",
+        escaped(text)
+    );
+}
+
+fn stroke(out: &mut String, (x1, y1): (f64, f64), (x2, y2): (f64, f64), style: &str) {
+    let (x1, y1, x2, y2) = (at(x1), at(y1), at(x2), at(y2));
+    let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" {style}/>");
+}
+
+/// Title, frame, ticks and the titles of the axes.
+fn draw_frame(out: &mut String, plot: Plot, title: &str, (x, y): (&Axis, &Axis)) {
+    let middle = f64::midpoint(plot.left, plot.right);
+    text(out, &Text { x: LEFT, y: 20.0, anchor: "start", rest: " font-weight=\"bold\"" }, title);
+    let (shown_x, shown_y) = (shown(x), shown(y));
+    let grid = "stroke=\"#dddddd\"";
+    for (value, label) in ticks(x, &shown_x, TICKS.0) {
+        let place = plot.x(x, value);
+        stroke(out, (place, plot.top), (place, plot.bottom), grid);
+        let below = Text { x: place, y: plot.bottom + 17.0, anchor: "middle", rest: "" };
+        text(out, &below, &label);
+    }
+    for (value, label) in ticks(y, &shown_y, TICKS.1) {
+        let place = plot.y(y, value);
+        stroke(out, (plot.left, place), (plot.right, place), grid);
+        let beside = Text { x: plot.left - 6.0, y: place + 4.5, anchor: "end", rest: "" };
+        text(out, &beside, &label);
+    }
+    let below = Text { x: middle, y: plot.bottom + 38.0, anchor: "middle", rest: "" };
+    text(out, &below, &title_of(x, &shown_x.unit));
+    let centre = f64::midpoint(plot.top, plot.bottom);
+    let turned = format!(" transform=\"rotate(-90 16 {})\"", at(centre));
+    let beside = Text { x: 16.0, y: centre, anchor: "middle", rest: &turned };
+    text(out, &beside, &title_of(y, &shown_y.unit));
+}
+
+fn frame(out: &mut String, plot: Plot) {
+    let _ = writeln!(
+        out,
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#333333\"/>",
+        at(plot.left),
+        at(plot.top),
+        at(plot.right - plot.left),
+        at(plot.bottom - plot.top)
+    );
+}
+
+/// The rows of a legend: which curves stand in each.
+fn legend_rows(curves: &[Curve]) -> Vec<Vec<usize>> {
+    let mut rows: Vec<Vec<usize>> = Vec::new();
+    let mut used = f64::INFINITY;
+    for (number, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.name.is_empty()) {
+        let width = 40.0 + LETTER * curve.name.chars().count() as f64;
+        if used + width > WIDTH - LEFT - RIGHT {
+            rows.push(Vec::new());
+            used = 0.0;
+        }
+        used += width;
+        if let Some(row) = rows.last_mut() {
+            row.push(number);
+        }
+    }
+    rows
+}
+
+fn colour(number: usize) -> &'static str {
+    COLOURS[number % COLOURS.len()]
+}
+
+fn draw_chart(out: &mut String, chart: &Chart) {
+    let rows = legend_rows(&chart.curves);
+    let top = TOP + LEGEND_LINE * rows.len() as f64;
+    let plot = Plot { left: LEFT, right: WIDTH - RIGHT, top, bottom: HEIGHT - BOTTOM };
+    draw_frame(out, plot, &chart.title, (&chart.x, &chart.y));
+    for (row, numbers) in rows.iter().enumerate() {
+        let y = TOP + LEGEND_LINE * row as f64 + 4.0;
+        let mut x = LEFT;
+        for number in numbers {
+            let curve = &chart.curves[*number];
+            let ink = colour(*number);
+            if curve.is_dotted {
+                dot(out, (x + 11.0, y - 4.0), ink);
+            } else {
+                let style = format!("stroke=\"{ink}\" stroke-width=\"2\"");
+                stroke(out, (x, y - 4.0), (x + 22.0, y - 4.0), &style);
+            }
+            text(out, &Text { x: x + 28.0, y, anchor: "start", rest: "" }, &curve.name);
+            x += 40.0 + LETTER * curve.name.chars().count() as f64;
+        }
+    }
+    draw_lines(out, plot, chart);
+    for (number, curve) in chart.curves.iter().enumerate() {
+        draw_curve(out, plot, chart, (curve, colour(number)));
+    }
+    frame(out, plot);
+}
+
+fn dot(out: &mut String, (x, y): (f64, f64), ink: &str) {
+    let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"3\" fill=\"{ink}\"/>", at(x), at(y));
+}
+
+fn draw_curve(out: &mut String, plot: Plot, chart: &Chart, (curve, ink): (&Curve, &str)) {
+    let (x, y) = (&chart.x, &chart.y);
+    let in_view = |value: f64| {
+        let slack = 1e-9 * (x.high - x.low);
+        value >= x.low - slack && value <= x.high + slack
+    };
+    let mut pieces: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
+    for (at_x, at_y) in &curve.points {
+        let is_shown = x.scale.shows(*at_x) && y.scale.shows(*at_y) && in_view(*at_x);
+        if is_shown {
+            if let Some(piece) = pieces.last_mut() {
+                piece.push((plot.x(x, *at_x), plot.y(y, *at_y)));
+            }
+        } else if pieces.last().is_some_and(|piece| !piece.is_empty()) {
+            pieces.push(Vec::new());
+        }
+    }
+    for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
+        if curve.is_dotted || piece.len() == 1 {
+            for place in piece {
+                dot(out, *place, ink);
+            }
+            continue;
+        }
+        let points: Vec<String> =
+            seen(piece).iter().map(|(x, y)| format!("{},{}", at(*x), at(*y))).collect();
+        let _ = writeln!(
+            out,
+            "<polyline points=\"{}\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"2\"/>",
+            points.join(" ")
+        );
+    }
+}
+
+/// Fewer points that draw the same line: of each half pixel the first, the least, the greatest and the last.
+fn seen(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut kept = Vec::new();
+    for cell in points.chunk_by(|a, b| (2.0 * a.0).floor().total_cmp(&(2.0 * b.0).floor()).is_eq())
+    {
+        let extreme = |sign: f64| {
+            (0..cell.len()).min_by(|a, b| (sign * cell[*a].1).total_cmp(&(sign * cell[*b].1)))
+        };
+        let mut places = vec![0, cell.len() - 1];
+        places.extend([extreme(1.0), extreme(-1.0)].into_iter().flatten());
+        places.sort_unstable();
+        places.dedup();
+        kept.extend(places.into_iter().map(|place| cell[place]));
+    }
+    kept
+}
+
+/// Lines to read the curves by, with their names.
+fn draw_lines(out: &mut String, plot: Plot, chart: &Chart) {
+    let dashed = "stroke=\"#777777\" stroke-dasharray=\"4 3\"";
+    let small = " font-size=\"11\" fill=\"#555555\"";
+    let mut marks: Vec<&Line> =
+        chart.marks.iter().filter(|it| chart.x.scale.shows(it.at)).collect();
+    marks.retain(|mark| (0.0..=1.0).contains(&part(&chart.x, mark.at)));
+    marks.sort_by(|a, b| a.at.total_cmp(&b.at));
+    let near = |a: &&Line, b: &&Line| plot.x(&chart.x, b.at) - plot.x(&chart.x, a.at) < MARKS_NEAR;
+    for group in marks.chunk_by(near) {
+        for mark in group {
+            let x = plot.x(&chart.x, mark.at);
+            stroke(out, (x, plot.top), (x, plot.bottom), dashed);
+        }
+        let names: Vec<&str> = group.iter().map(|mark| mark.name.as_str()).collect();
+        let x = plot.x(&chart.x, group.first().map_or(0.0, |mark| mark.at));
+        // At the right edge the name stands before its line.
+        let x = if x > plot.right - MARKS_NEAR { x - 5.0 } else { x + 11.0 };
+        let turned = format!("{small} transform=\"rotate(-90 {} {})\"", at(x), at(plot.top + 6.0));
+        let place = Text { x, y: plot.top + 6.0, anchor: "end", rest: &turned };
+        text(out, &place, &names.join(", "));
+    }
+    for level in &chart.levels {
+        if !chart.y.scale.shows(level.at) || !(0.0..=1.0).contains(&part(&chart.y, level.at)) {
+            continue;
+        }
+        let y = plot.y(&chart.y, level.at);
+        stroke(out, (plot.left, y), (plot.right, y), dashed);
+        let place = Text { x: plot.right - 4.0, y: y - 4.0, anchor: "end", rest: small };
+        text(out, &place, &level.name);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::chart::Scale;
+
+    fn axis(low: f64, high: f64, scale: Scale) -> Axis {
+        Axis::over("x", "m", scale, [low, high]).unwrap()
+    }
+
+    #[test]
+    fn a_file_is_xml_whatever_the_texts_are() {
+        let chart = Chart {
+            marks: vec![Line::new(0.5, "a < b & \"c\"\u{1b}[2J")],
+            levels: vec![Line::new(0.5, "'yield'")],
+            ..Chart::of(
+                "<b>title</b> & more",
+                axis(0.0, 1.0, Scale::Linear),
+                axis(0.0, 1.0, Scale::Linear),
+                vec![(0.0, 0.0), (0.4, f64::NAN), (0.5, 0.5), (0.6, 0.7), (1.0, f64::INFINITY)],
+            )
+        };
+        let text = file(&[Picture::Chart(chart)]);
+        let read = roxmltree::Document::parse(&text).unwrap();
+        let texts: Vec<&str> = read.descendants().filter_map(|node| node.text()).collect();
+        assert!(texts.contains(&"<b>title</b> & more") && texts.contains(&"a < b & \"c\"[2J"));
+        // The gap leaves a single point and a line of two.
+        let count = |name: &str| read.descendants().filter(|node| node.has_tag_name(name)).count();
+        assert_eq!((count("circle"), count("polyline")), (1, 1));
+        assert!(!text.contains("NaN") && !text.contains("inf"));
+    }
+}

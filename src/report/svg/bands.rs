@@ -1,0 +1,264 @@
+//! Maps: bands of colour, letters where there is no value, contours, and the key beside them.
+
+use std::fmt::Write as _;
+
+use super::ticks::{even, prefixed};
+use super::{BOTTOM, HEIGHT, LEFT, Plot, RIGHT, TOP, Text, WIDTH, at, draw_frame, frame, text};
+use crate::model::units;
+use crate::report::chart::{Axis, Scale};
+use crate::report::map::{Cell, Map};
+
+/// Room of the legend of a map, at its right.
+const SCALE_WIDTH: f64 = 92.0;
+/// Colours of a map from its least to its greatest value (viridis).
+const BANDS: [(u8, u8, u8); 6] =
+    [(68, 1, 84), (65, 68, 135), (42, 120, 142), (34, 168, 132), (122, 209, 81), (253, 231, 37)];
+
+/// Bounds of the bands of a map: round values around all of its values.
+fn bands(map: &Map) -> Option<Vec<f64>> {
+    let axis = Axis::over("", &map.unit, Scale::Linear, map.values())?;
+    let inner = even(axis.low, axis.high, 9);
+    let step = match inner.as_slice() {
+        [first, second, ..] => second - first,
+        _ => axis.high - axis.low,
+    };
+    let first = (axis.low / step + 1e-9).floor() * step;
+    let bound = |number: u32| first + f64::from(number) * step;
+    let last = (1..=12).find(|number| bound(*number) >= axis.high - 1e-9 * step).unwrap_or(12);
+    Some((0..=last).map(bound).collect())
+}
+
+fn band_colour(number: usize, count: usize) -> String {
+    let place = (number as f64 + 0.5) / count as f64 * (BANDS.len() - 1) as f64;
+    let lower = (0..BANDS.len() - 2).rev().find(|at| *at as f64 <= place).unwrap_or(0);
+    let share = place - lower as f64;
+    let (from, to) = (BANDS[lower], BANDS[lower + 1]);
+    let mix = |from: u8, to: u8| f64::from(from) + share * (f64::from(to) - f64::from(from));
+    let (red, green, blue) = (mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2));
+    format!("rgb({red:.0},{green:.0},{blue:.0})")
+}
+
+pub(super) fn draw_map(out: &mut String, map: &Map) {
+    let plot =
+        Plot { left: LEFT, right: WIDTH - RIGHT - SCALE_WIDTH, top: TOP, bottom: HEIGHT - BOTTOM };
+    // The first value lies in the middle of the first cell, the last one in the middle of the last.
+    let widened = |axis: &Axis, count: usize| axis.clone().padded(0.5 / (count.max(2) - 1) as f64);
+    let axes = (widened(&map.x, map.counts.0), widened(&map.y, map.counts.1));
+    draw_frame(out, plot, &map.title, (&axes.0, &axes.1));
+    let bounds = bands(map).unwrap_or_default();
+    let count = bounds.len().saturating_sub(1);
+    let (columns, rows) = map.counts;
+    let width = (plot.right - plot.left) / columns.max(1) as f64;
+    let height = (plot.bottom - plot.top) / rows.max(1) as f64;
+    out.push_str("<g shape-rendering=\"crispEdges\">\n");
+    for row in 0..rows {
+        let bottom = plot.bottom - height * row as f64;
+        let ink = |column: usize| match map.cell(column, row) {
+            Cell::Value(value) if value.is_finite() && count > 0 => {
+                let inner = &bounds[1..count];
+                Some(inner.iter().take_while(|bound| value >= **bound).count())
+            }
+            _ => None,
+        };
+        let inks: Vec<(usize, Option<usize>)> =
+            (0..columns).map(|column| (column, ink(column))).collect();
+        // Neighbours of one colour are one rectangle, a hair larger so that no gap is seen between them.
+        for run in inks.chunk_by(|a, b| a.1 == b.1) {
+            let (Some((first, Some(band))), length) = (run.first(), run.len()) else { continue };
+            let _ = writeln!(
+                out,
+                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>",
+                at(plot.left + width * *first as f64),
+                at(bottom - height),
+                at(width * length as f64 + 0.3),
+                at(height + 0.3),
+                band_colour(*band, count)
+            );
+        }
+    }
+    out.push_str("</g>\n");
+    draw_letters(out, plot, map);
+    match &map.contour {
+        // White below black: seen on every colour.
+        Some((value, _)) => draw_contour(
+            out,
+            &contour(plot, map, *value),
+            &["stroke=\"#ffffff\" stroke-width=\"4\"", "stroke=\"#000000\" stroke-width=\"2\""],
+        ),
+        None => {
+            for bound in bounds.iter().take(count).skip(1) {
+                draw_contour(
+                    out,
+                    &contour(plot, map, *bound),
+                    &["stroke=\"#ffffff\" stroke-width=\"0.7\""],
+                );
+            }
+        }
+    }
+    frame(out, plot);
+    draw_key(out, plot, map, &bounds);
+}
+
+/// Letters of points without a value, so many that they can be read.
+fn draw_letters(out: &mut String, plot: Plot, map: &Map) {
+    let (columns, rows) = map.counts;
+    let width = (plot.right - plot.left) / columns.max(1) as f64;
+    let height = (plot.bottom - plot.top) / rows.max(1) as f64;
+    let every = |size: f64| {
+        let sizes = (1..100_usize).find(|number| size * *number as f64 >= 16.0);
+        sizes.unwrap_or(100)
+    };
+    let grey = " font-size=\"10\" fill=\"#777777\"";
+    for row in (0..rows).step_by(every(height)) {
+        for column in (0..columns).step_by(every(width)) {
+            let Cell::Mark(letter) = map.cell(column, row) else { continue };
+            let place = Text {
+                x: plot.left + width * (column as f64 + 0.5),
+                y: plot.bottom - height * (row as f64 + 0.5) + 3.5,
+                anchor: "middle",
+                rest: grey,
+            };
+            text(out, &place, &letter.to_string());
+        }
+    }
+}
+
+/// The bands with their bounds, what the letters mean, and the contour.
+fn draw_key(out: &mut String, plot: Plot, map: &Map, bounds: &[f64]) {
+    let count = bounds.len().saturating_sub(1);
+    let (left, room) = (plot.right + 14.0, 16.0);
+    let size = bounds.iter().fold(0.0_f64, |size, bound| size.max(bound.abs()));
+    let (factor, unit) = prefixed(size, &map.unit);
+    let mut y = plot.top + 8.0;
+    if !unit.is_empty() {
+        text(out, &Text { x: left, y, anchor: "start", rest: "" }, &format!("[{unit}]"));
+        y += 8.0;
+    }
+    for band in (0..count).rev() {
+        let ink = band_colour(band, count);
+        let _ = writeln!(
+            out,
+            "<rect x=\"{}\" y=\"{}\" width=\"16\" height=\"{room}\" fill=\"{ink}\"/>",
+            at(left),
+            at(y)
+        );
+        let bound = units::significant(bounds[band + 1] * factor, 4);
+        let place = Text { x: left + 21.0, y: y + 4.0, anchor: "start", rest: " font-size=\"11\"" };
+        text(out, &place, &bound);
+        y += room;
+    }
+    if let Some(first) = bounds.first() {
+        let bound = units::significant(first * factor, 4);
+        let place = Text { x: left + 21.0, y: y + 4.0, anchor: "start", rest: " font-size=\"11\"" };
+        text(out, &place, &bound);
+    }
+    y += 14.0;
+    let mut notes: Vec<String> = Vec::new();
+    notes.extend(map.contour.iter().map(|(_, name)| format!("— {name}")));
+    notes.extend(map.marks.iter().map(|(letter, words)| format!("{letter} {words}")));
+    for note in notes {
+        for line in note_lines(&note) {
+            y += 13.0;
+            text(out, &Text { x: left, y, anchor: "start", rest: " font-size=\"10\"" }, &line);
+        }
+    }
+}
+
+/// A note in lines as long as there is room for.
+fn note_lines(note: &str) -> Vec<String> {
+    const LETTERS: usize = 18;
+    let mut lines: Vec<String> = Vec::new();
+    for word in note.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= LETTERS => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// The line on which a map has a value: in each square of four points straight from side to side.
+fn contour(plot: Plot, map: &Map, value: f64) -> String {
+    let (columns, rows) = map.counts;
+    let width = (plot.right - plot.left) / columns.max(1) as f64;
+    let height = (plot.bottom - plot.top) / rows.max(1) as f64;
+    let mut path = String::new();
+    for row in 0..rows.saturating_sub(1) {
+        for column in 0..columns.saturating_sub(1) {
+            let corners = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(right, up)| {
+                let over = match map.cell(column + right, row + up) {
+                    Cell::Value(found) => found - value,
+                    Cell::Mark(_) | Cell::Empty => f64::NAN,
+                };
+                (column as f64 + right as f64 + 0.5, row as f64 + up as f64 + 0.5, over)
+            });
+            if corners.iter().any(|(_, _, over)| !over.is_finite()) {
+                continue;
+            }
+            let crossing = |side: usize| {
+                let ((x, y, over), (to_x, to_y, to)) = (corners[side], corners[(side + 1) % 4]);
+                let share = over / (over - to);
+                ((over > 0.0) != (to > 0.0)).then(|| {
+                    let (x, y) = (x + share * (to_x - x), y + share * (to_y - y));
+                    (plot.left + width * x, plot.bottom - height * y)
+                })
+            };
+            let crossings: Vec<(f64, f64)> = (0..4).filter_map(crossing).collect();
+            for pair in crossings.chunks_exact(2) {
+                let ((x1, y1), (x2, y2)) = (pair[0], pair[1]);
+                let _ = write!(path, "M{} {}L{} {}", at(x1), at(y1), at(x2), at(y2));
+            }
+        }
+    }
+    path
+}
+
+fn draw_contour(out: &mut String, path: &str, inks: &[&str]) {
+    if !path.is_empty() {
+        for ink in inks {
+            let _ = writeln!(out, "<path d=\"{path}\" fill=\"none\" {ink}/>");
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::svg::{Picture, file};
+
+    fn axis(low: f64, high: f64, scale: Scale) -> Axis {
+        Axis::over("x", "m", scale, [low, high]).unwrap()
+    }
+
+    #[test]
+    fn a_map_has_its_bands_its_letters_and_its_contour() {
+        // The value is the column: the contour at 1.5 is upright, between the second and the third column.
+        let cells = (0..12)
+            .map(|at| if at == 11 { Cell::Mark('P') } else { Cell::Value(f64::from(at % 4)) });
+        let map = Map {
+            title: "map".to_owned(),
+            unit: String::new(),
+            x: axis(0.0, 3.0, Scale::Linear),
+            y: axis(0.0, 2.0, Scale::Linear),
+            counts: (4, 3),
+            cells: cells.collect(),
+            contour: Some((1.5, "line".to_owned())),
+            marks: vec![('P', "perforated".to_owned())],
+        };
+        let text = file(&[Picture::Map(map.clone())]);
+        let read = roxmltree::Document::parse(&text).unwrap();
+        let path = read.descendants().find(|node| node.has_tag_name("path")).unwrap();
+        let width = WIDTH - LEFT - RIGHT - SCALE_WIDTH;
+        let x = at(LEFT + width / 4.0 * 2.0);
+        let places = path.attribute("d").unwrap().split(['M', 'L']).filter(|it| !it.is_empty());
+        assert!(places.clone().count() == 4);
+        for place in places {
+            assert_eq!(place.split(' ').next(), Some(x.as_str()), "{text}");
+        }
+        assert!(text.contains(">P</text>") && text.contains(">P perforated</text>"));
+        assert_eq!(bands(&map).unwrap().first().copied(), Some(0.0));
+    }
+}
