@@ -142,6 +142,7 @@ fn energy(ledger: &EnergyLedger) -> Value {
         "plate": finite(ledger.plate_j),
         "mechanism_inertia": finite(ledger.inertia_j),
         "spring": finite(ledger.spring_j),
+        "crush": finite(ledger.crush_j),
         "damper": finite(ledger.damper_j),
         "penetration": finite(ledger.penetration_j),
         "stop": finite(ledger.stop_j),

@@ -232,6 +232,7 @@ fn energy(page: &mut String, run: &Run) {
     row(page, "plate", ledger.plate_j);
     row(page, "rotation and springs", ledger.inertia_j);
     row(page, "spring", ledger.spring_j);
+    row(page, "crushed absorber", ledger.crush_j);
     row(page, "damper", ledger.damper_j);
     row(page, "stop", ledger.stop_j);
     let residual = units::scientific(ledger.residual(), 1);

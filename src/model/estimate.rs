@@ -19,6 +19,9 @@ pub struct QuantityError {
 /// Rounding that no second computation can see, relative.
 pub const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
+/// Part of the tolerance, relative to the cocking distance, that both computations may leave of a plate that creeps back to zero.
+const SHARED: f64 = 1e-5;
+
 /// What rounding errors of a quantity are relative to besides its own size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Scale {
@@ -68,7 +71,10 @@ pub fn set(run: &mut Run, second: &Run, basis: EstimateBasis, floor: f64) {
                 Scale::LimitVelocity => {
                     f64::EPSILON * (struck / run.residual_velocity_m_s?).powi(2)
                 }
-                Scale::CockingDistance => ROUNDING * run.start_m().abs() / other.abs(),
+                Scale::CockingDistance => {
+                    let shared = larger(ROUNDING, SHARED * run.scene.run.tolerance);
+                    shared * run.start_m().abs() / other.abs()
+                }
             };
             let relative = difference(value, other, larger(floor, rounding))? * factor;
             Some(QuantityError { name: column.name, relative })

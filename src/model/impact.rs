@@ -22,6 +22,7 @@ use window::Window;
 mod bounds;
 mod budget;
 mod contact;
+mod crush;
 mod demand;
 mod events;
 pub mod forced;
@@ -46,8 +47,9 @@ pub mod window;
 const TERMS: usize = 17;
 /// Order of the second, tighter computation that the error estimate compares with, plus one.
 const TERMS_CHECK: usize = 21;
-/// Tolerance of the second computation per tolerance of the first.
+/// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
+const TIGHTEST: f64 = 1e-14;
 
 /// What a run should deliver besides its results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -155,7 +157,10 @@ fn compute<const N: usize>(track: &mut Track<'_>, observer: Observer<'_>) -> End
 
 /// The same of another order at a much tighter tolerance; `None` when it was cancelled.
 fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
-    let mut track = Track::new(problem, problem.scene.run.tolerance * TIGHTER, false);
+    let own = problem.has_absorber().then(|| problem.anew());
+    let problem = own.as_ref().unwrap_or(problem);
+    let tolerance = larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST);
+    let mut track = Track::new(problem, tolerance, false);
     track.is_second = true;
     let end = compute::<TERMS_CHECK>(&mut track, observer);
     (end != EndReason::Cancelled).then(|| report::gather(problem, track, end))

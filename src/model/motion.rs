@@ -63,6 +63,17 @@ pub struct Motion<'a> {
     pub side_w: f64,
 }
 
+/// A force whose greatest value is reported.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Force {
+    /// Of the contact.
+    Contact,
+    /// Of the mechanism, on a plate that is forward of its neutral position.
+    Push,
+    /// The same backwards.
+    Pull,
+}
+
 /// An elastic stop in contact.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct StopForce {
@@ -135,6 +146,15 @@ impl Motion<'_> {
         self.spring.force(state.plate_m)
             + self.damper.force(state.plate_m_s)
             + self.stop.force(state)
+    }
+
+    /// One of the forces at a state, N.
+    pub fn force(&self, force: Force, state: &State) -> f64 {
+        match force {
+            Force::Contact => self.contact_force(state),
+            Force::Push => self.mechanism_force(state),
+            Force::Pull => -self.mechanism_force(state),
+        }
     }
 
     /// The amounts of what makes up the mechanism's force at a state, together, N: the force is known to the rounding of this. Of the

@@ -322,6 +322,8 @@ pub struct EnergyLedger {
     pub inertia_j: f64,
     /// Energy stored in the spring at the end.
     pub spring_j: f64,
+    /// Energy that absorbers have taken by being crushed.
+    pub crush_j: f64,
     /// Energy the damper has taken.
     pub damper_j: f64,
     /// Work done in the hole: penetration, and friction on the way out or in.
@@ -342,6 +344,7 @@ impl EnergyLedger {
             + self.plate_j
             + self.inertia_j
             + self.spring_j
+            + self.crush_j
             + self.damper_j
             + self.penetration_j
             + self.stop_j
@@ -364,6 +367,9 @@ pub struct MechanismLoad {
     pub added_kg: Option<f64>,
     /// The springs' own mass, kg; `None` where it is not known.
     pub spring_mass_kg: Option<f64>,
+    /// Greatest force of spring, damper and elastic stop, located, N; `None` where it follows from the displacements, or with another
+    /// interaction model.
+    pub peak_mount_n: Option<f64>,
     /// Greatest energy of rotation at the solver's own steps, J; `None` where nothing turns.
     pub rotation_j: Option<f64>,
 }

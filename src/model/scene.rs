@@ -11,7 +11,7 @@ mod stack;
 
 pub use contact::{Contact, ContactModel, Jumps, Listing, Reading};
 pub use spring::{
-    Beam, Bistable, Column, Combination, ConstantForce, Helix, Normalised, OwnMass, Spring,
+    Beam, Bistable, Column, Combination, ConstantForce, Crush, Helix, Normalised, OwnMass, Spring,
     SpringKind, Table, Wire,
 };
 pub use stack::{LAYERS_MAX, Layer, Stack};

@@ -98,8 +98,13 @@ pub fn part_at(point: usize) -> f64 {
 }
 
 impl<const D: usize> Graded<D> {
-    /// Where on the way a function of z and y is greatest, as z; nothing where it cannot exceed `known`.
-    pub fn greatest_at(&self, known: f64, value: impl Fn(f64, &[f64; D]) -> f64) -> Option<f64> {
+    /// Where on the way a function of z and y is greatest, as z, and its value there by the polynomials; nothing where it cannot
+    /// exceed `known`.
+    pub fn greatest_at(
+        &self,
+        known: f64,
+        value: impl Fn(f64, &[f64; D]) -> f64,
+    ) -> Option<(f64, f64)> {
         let values = self.points.map(|(z, _, y)| value(z, &y));
         let mut top = 0;
         for (place, value) in values.iter().enumerate() {
@@ -117,8 +122,10 @@ impl<const D: usize> Graded<D> {
             value(z, &y)
         };
         let s = minimum::in_bracket(from, to, |s| -at(s));
-        let best = if at(s) >= values[top] { s } else { node[top] };
-        Some(self.way.at(best).0)
+        let between = at(s);
+        let (best, most) =
+            if between >= values[top] { (s, between) } else { (node[top], values[top]) };
+        Some((self.way.at(best).0, most))
     }
 
     /// (z, y) at a part s of the way, by the polynomials through the points: second barycentric form with the weights of Gauss
@@ -279,11 +286,12 @@ mod tests {
         for (from, to) in [(0.0, 1.0), (1.0, 0.0), (0.01, 1.0)] {
             let solved = solve((from, to), &[from], &[1.0], |_, _| [1.0]).unwrap();
             let z = 0.3f64.powf(1.0 / 0.7);
-            let at = solved.greatest_at(f64::NEG_INFINITY, |z, y| z.powf(0.3) - y[0]).unwrap();
-            assert!((at - z).abs() < 1e-6, "{at}");
+            let (at, most) =
+                solved.greatest_at(f64::NEG_INFINITY, |z, y| z.powf(0.3) - y[0]).unwrap();
+            assert!((at - z).abs() < 1e-6 && (most - z.powf(0.3) + z).abs() < 1e-12, "{at}");
             let (_, [at_point]) = solved.between(part_at(7));
             assert_eq!(at_point.to_bits(), solved.points[7].2[0].to_bits());
-            let rising = solved.greatest_at(f64::NEG_INFINITY, |z, _| z).unwrap();
+            let (rising, _) = solved.greatest_at(f64::NEG_INFINITY, |z, _| z).unwrap();
             assert!((rising - 1.0).abs() < 1e-12);
             assert_eq!(solved.greatest_at(1.1, |z, _| z), None);
         }

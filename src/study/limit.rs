@@ -35,9 +35,9 @@ const BELOW: usize = 6;
 const ABOVE: usize = 24;
 const CURVE: (f64, f64) = (0.5, 2.5);
 
-/// How far oblique limits come out below the measured ones, by what `cmra validate` finds for a hard core on aluminium:
-/// obliquity in degrees, percent.
-pub const OBLIQUE_SHORTFALL: [(f64, f64); 3] = [(15.0, 4.0), (30.0, 9.0), (45.0, 16.0)];
+/// How far limits at 30 deg come out below the measured ones, percent: by the mean ratio of the limits at 30 and at 0 deg of twelve
+/// hard cores on aluminium, 1.117 measured and 1.077 computed (`cmra validate`).
+pub const OBLIQUE_SHORTFALL: f64 = 4.0;
 
 /// How the limit is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -160,12 +160,9 @@ impl Limit {
     pub fn caution(self, scene: &Scene) -> Option<String> {
         let is_oblique = scene.projectile.obliquity_deg > 0.0;
         self.velocity_m_s().filter(|_| is_oblique)?;
-        let known: Vec<String> = OBLIQUE_SHORTFALL
-            .iter()
-            .map(|(degrees, percent)| format!("{percent} % at {degrees} deg"))
-            .collect();
-        let known = known.join(", ");
-        Some(format!("oblique limits come out below measured ones: {known} (cmra validate)"))
+        Some(format!(
+            "oblique limits come out below measured ones, about {OBLIQUE_SHORTFALL} % at 30 deg (cmra validate)"
+        ))
     }
 }
 

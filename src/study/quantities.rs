@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::results::{self, ResultColumn, Source, Studied};
 use crate::model::run::Run;
-use crate::model::scene::{Mount, Scene};
+use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::model::units::{self, Bare, Quantity};
 use crate::numerics::larger;
 use crate::study::compare::{self, Hardware, load, spring_energy_j};
@@ -87,19 +87,23 @@ fn peak_mount_force_n(run: &Run) -> Option<f64> {
     if course_missing { None } else { quickly.or_else(|| load::peak_n(run)) }
 }
 
-/// Whether the force into the mount has to be looked for along the whole course of a run: on a rigid mount it follows from the
-/// contact, and without stop and damper from where the plate turns.
+/// Whether the force into the mount has to be looked for in the rows of a run: other models than the simulation do not locate it.
 pub(in crate::study) fn needs_course(scene: &Scene) -> bool {
+    let is_simulated = scene.contact.model == ContactModel::Hydrodynamic;
+    scene.plate.mount == Mount::Sprung && !is_simulated && !turn_tells_force(scene)
+}
+
+/// Whether the greatest force into the mount follows from where the plate starts and turns: without stop and damper.
+pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
     let mechanism = Mechanism::of(scene);
-    let sprung = scene.plate.mount == Mount::Sprung;
-    sprung && (mechanism.stop.is_some() || mechanism.damper.coefficient > 0.0)
+    mechanism.stop.is_none() && mechanism.damper.coefficient == 0.0
 }
 
 /// The force into the mount of a spring alone, from where the plate starts and turns; `None` where that is not all.
 pub(in crate::study) fn mount_force_n(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
     let mechanism = Mechanism::of(scene);
     let is_rigid = scene.plate.mount == Mount::Rigid;
-    if is_rigid || mechanism.is_absent() || needs_course(scene) {
+    if is_rigid || mechanism.is_absent() || !turn_tells_force(scene) {
         return None;
     }
     if load::holds_still(scene, farthest_m) {

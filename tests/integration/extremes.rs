@@ -97,6 +97,48 @@ fn the_peak_force_is_no_less_than_the_rows_and_does_not_depend_on_them() {
     assert!(told.is_empty(), "{}", told.join("\n"));
 }
 
+/// The force into the mount is located within the steps: no row is above it, by any step, with a stop, a damper and both.
+#[test]
+fn the_force_into_the_mount_is_no_less_than_the_rows_and_does_not_depend_on_them() {
+    let mount_n = |row: &Sample| (row.spring_force_n + row.damper_force_n + row.stop_force_n).abs();
+    let mut random = Random(0x5eed_0016);
+    let mut judged = 0;
+    for index in 0..120 {
+        let mut own = Scene::clone(&random_scene(&random.changes()));
+        own.run.tolerance = [1e-4, 1e-6, 1e-9][index % 3];
+        own.mechanism.damper.coefficient += 10.0;
+        if index % 2 == 0 {
+            own.mechanism.stop.position_m = Some(1e-3);
+            own.mechanism.stop.kind = cmra::model::scene::StopKind::Elastic;
+        }
+        let found = run(own.clone());
+        if !found.end.is_complete() {
+            continue;
+        }
+        judged += 1;
+        let (peak, rows) = (
+            found.mechanism.peak_mount_n.unwrap(),
+            found.series.iter().map(mount_n).fold(0.0, f64::max),
+        );
+        assert!(rows <= peak * (1.0 + 1e-12 + own.run.tolerance), "{index}: {rows} {peak}");
+        // A run that keeps its rows may go on for longer.
+        let alone = without_series(&own).mechanism.peak_mount_n.unwrap();
+        assert!(alone <= peak * (1.0 + 1e-13), "{index}: {alone} {peak}");
+    }
+    assert!(judged > 100, "{judged}");
+}
+
+/// A damper that alone meets a plate thrown by its impact: the force is greatest at the arrest, b times the common velocity there, and
+/// rows at the steps only would do no better; in the middle of the contact it is b w at w's greatest.
+#[test]
+fn valid_the_damper_force_into_the_mount_is_b_times_the_greatest_velocity() {
+    let own = scene("k=0 b=200 m=1 gamma=1");
+    let found = without_series(&own);
+    let arrest = found.first_arrest.unwrap();
+    // The plate is only ever slowed after the arrest, and driven before it.
+    assert_near(found.mechanism.peak_mount_n.unwrap(), 200.0 * arrest.plate_velocity_m_s, 1e-9);
+}
+
 /// A loose tolerance makes long steps: the peak is located within them, on the state, not on the force's own series.
 #[test]
 fn the_peak_force_of_oblique_shots_follows_the_tolerance() {

@@ -9,6 +9,8 @@ mod cli;
 #[cfg(test)]
 mod compare;
 #[cfg(test)]
+mod crush;
+#[cfg(test)]
 mod decided;
 #[cfg(test)]
 mod estimate;

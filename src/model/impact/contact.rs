@@ -57,7 +57,7 @@ impl Track<'_> {
         };
         if !done {
             self.first_point();
-            let pace = self.pace();
+            let pace = self.problem.pace();
             self.unit_s = 0.1 * pace.contact_s;
             self.stiff = pace.is_stiff() && !self.is_still();
             if !self.stiff {

@@ -29,7 +29,7 @@ pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, Va
     variables::validate(scene)?;
     let problem = Problem::of(scene);
     let mut track = Track::new(&problem, scene.run.tolerance, false);
-    track.unit_s = 0.1 * track.pace().contact_s;
+    track.unit_s = 0.1 * problem.pace().contact_s;
     track.start();
     if track.stiff && forced == Forced::Taylor {
         return Ok(None);

@@ -1,6 +1,6 @@
 //! The constants of one impact, derived once from its scene.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
@@ -56,12 +56,18 @@ pub(super) struct Problem {
     pub(super) horizon_s: f64,
     /// How the plate answers during the contact.
     pub(super) answer: Answer,
+    /// How far the plate yields within the contact, relative to the travel.
+    pub(super) yields_part: f64,
     /// Penetration on a rigid mount, m; `None` when that perforates.
     pub(super) baseline_m: Option<f64>,
     /// The horizon was asked for: the run goes on to it.
     pub(super) horizon_is_asked: bool,
     /// How many times as long as usual a run that swings on undecided is followed.
     pub(super) patience: usize,
+    /// How far the absorbers among the two springs have been crushed, m.
+    pub(super) crushed_m: [f64; 2],
+    /// The same impact once they are crushed farther.
+    pub(super) next: OnceLock<Box<Self>>,
 }
 
 impl Problem {
@@ -98,9 +104,12 @@ impl Problem {
             start_m,
             horizon_s: 0.0,
             answer: Answer::Mechanism,
+            yields_part: 1.0,
             baseline_m: None,
             horizon_is_asked: scene.run.horizon_s.is_some(),
             patience: 1,
+            crushed_m: [0.0; 2],
+            next: OnceLock::new(),
         };
         let rigid_ending = problem.passage(false).ending();
         problem.baseline_m = match rigid_ending {
@@ -108,8 +117,14 @@ impl Problem {
             Ending::Exit { .. } => None,
         };
         problem.answer = problem.find_answer();
+        problem.yields_part = problem.pace().yields_part;
         problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
         problem
+    }
+
+    /// Whether the force into the mount does not follow from the displacement alone: there is a damper, or a stop.
+    pub(super) fn follows_mount_force(&self) -> bool {
+        self.mechanism.damper.coefficient > 0.0 || self.mechanism.stop.is_some()
     }
 
     /// 1/mu: how strongly the contact force slows the slip, 1/kg.
@@ -146,10 +161,12 @@ impl Problem {
         let speed = (2.0 * energy / self.plate_kg).sqrt();
         let far = match spring {
             Spring::Power(law) => law.at_integral(energy),
-            Spring::Curve(curve) => larger(
-                curve.forward(self.start_m, energy).abs(),
-                curve.backward(self.start_m, energy).abs(),
-            ),
+            Spring::Curve(curve) => {
+                let (x, e) = (self.start_m, energy);
+                // An absorber holds the plate on one side only.
+                let ways = [curve.forward(x, e), curve.backward(x, e)].map(f64::abs);
+                ways.into_iter().filter(|far| far.is_finite()).fold(0.0, larger)
+            }
         };
         let swing = far / speed * 8.0;
         // The time in which the damper alone takes most of the speed, or, against a spring, lets it creep back.

@@ -3,7 +3,7 @@
 use crate::model::impact::problem::Problem;
 use crate::model::impact::thinning::{Kept, thinned};
 use crate::model::impact::window::Window;
-use crate::model::motion::{Expansion, Motion, State};
+use crate::model::motion::{Expansion, Force, Motion, State};
 use crate::model::run::{Arrest, Event, EventKind, Mode, Sample};
 use crate::numerics::root::each_fall;
 use crate::numerics::series::{evaluate, slope};
@@ -29,6 +29,7 @@ const CONVERGED: f64 = 1e-7;
 #[expect(clippy::struct_field_names, reason = "units end every name")]
 pub(super) struct Work {
     pub(super) penetration_j: f64,
+    pub(super) crush_j: f64,
     pub(super) damper_j: f64,
     pub(super) stop_j: f64,
 }
@@ -49,6 +50,8 @@ pub(super) struct Record<'a> {
     pub(super) separation: Option<(f64, f64)>,
     pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
+    /// Greatest force of spring, damper and elastic stop, where the greatest displacement does not tell it, N.
+    pub(super) peak_mount_n: f64,
     /// Greatest plate displacement so far, m.
     pub(super) farthest_m: f64,
     pub(super) farthest_s: f64,
@@ -161,23 +164,14 @@ impl Record<'_> {
             force[0] -= stop.stiffness_n_m * stop.position_m;
             self.work.stop_j += integral(&force, &e.plate_speed, span) * h;
         }
-        let motion = setting.motion;
-        match setting.mode {
-            Mode::Penetrating => {
-                let value = |s: f64| motion.contact_force(&e.state(s));
-                let known = self.peak_contact_n;
-                self.pressed(Arc { span, known, value }.greatest(&e.contact));
+        self.note_extremes(setting, |force, known| {
+            let arc = Arc { span, known, value: |s: f64| setting.motion.force(force, &e.state(s)) };
+            match force {
+                Force::Contact => arc.greatest(&e.contact),
+                Force::Push => arc.greatest(&e.mechanism),
+                Force::Pull => arc.greatest(&e.mechanism.map(|c| -c)),
             }
-            Mode::Fused => {
-                let value = |s: f64| motion.mechanism_force(&e.state(s));
-                let [push, pull] = self.known_loads_n(setting);
-                let push = Arc { span, known: push, value }.greatest(&e.mechanism);
-                let back = Arc { span, known: pull, value: |s| -value(s) };
-                let pull = back.greatest(&e.mechanism.map(|c| -c));
-                self.carried(setting, push, pull);
-            }
-            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
-        }
+        });
         if self.keep_series && self.series.len() < POINTS_MAX {
             for point in 1..POINTS_PER_STEP {
                 let s = span * point as f64 / POINTS_PER_STEP as f64;
@@ -196,10 +190,35 @@ impl Record<'_> {
         work.stop_j += dt_s * motion.stop.force(state) * w;
     }
 
-    /// Note the greatest contact force of a stretch of penetration, N.
-    pub(super) fn pressed(&mut self, contact_n: f64) {
-        if contact_n > self.peak_contact_n {
-            self.peak_contact_n = contact_n;
+    /// Note the greatest forces of a step. `greatest` finds that of one force, as far as it exceeds what is known, N.
+    pub(super) fn note_extremes(
+        &mut self,
+        setting: &Setting<'_>,
+        greatest: impl Fn(Force, f64) -> f64,
+    ) {
+        match setting.mode {
+            Mode::Penetrating => {
+                let peak = greatest(Force::Contact, self.peak_contact_n);
+                self.peak_contact_n = larger(peak, self.peak_contact_n);
+            }
+            Mode::Fused => {
+                let [push, pull] = self.known_loads_n(setting);
+                self.carried(setting, greatest(Force::Push, push), greatest(Force::Pull, pull));
+            }
+            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
+        }
+        if !setting.problem.follows_mount_force() {
+            return;
+        }
+        // What a plate on its stop does not take, the mount does.
+        let (forces, part): (&[Force], f64) = if setting.held {
+            (&[Force::Contact], setting.problem.cos)
+        } else {
+            (&[Force::Push, Force::Pull], 1.0)
+        };
+        for force in forces {
+            let peak = part * greatest(*force, self.peak_mount_n / part);
+            self.peak_mount_n = larger(peak, self.peak_mount_n);
         }
     }
 

@@ -87,6 +87,7 @@ fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
     let work = &track.record.work;
     let speed = state.slip_m_s + state.plate_m_s * problem.cos;
     let spring = &problem.mechanism.spring;
+    let (spring_j, crush_j) = track.spring_energies();
     let added_kg = problem.inertia.added_kg();
     EnergyLedger {
         initial_kinetic_j: kinetic(problem.projectile_kg, problem.velocity_m_s),
@@ -94,7 +95,8 @@ fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
         projectile_j: kinetic(problem.projectile_kg, speed),
         plate_j: kinetic(problem.plate_kg - added_kg, state.plate_m_s),
         inertia_j: kinetic(added_kg, state.plate_m_s),
-        spring_j: spring.energy(state.plate_m),
+        spring_j,
+        crush_j,
         damper_j: work.damper_j,
         penetration_j: work.penetration_j,
         stop_j: work.stop_j,
@@ -116,6 +118,7 @@ fn load(problem: &Problem, track: &Track<'_>, farthest: Option<f64>) -> Mechanis
         yield_margin: stress.and_then(positive).map(|ratio| 1.0 / ratio),
         added_kg: positive(inertia.added_kg()),
         spring_mass_kg: inertia.spring_mass_kg,
+        peak_mount_n: problem.follows_mount_force().then_some(track.record.peak_mount_n),
         rotation_j: positive(inertia.rotation_kg).map(|mass| 0.5 * mass * speed * speed),
     }
 }

@@ -4,6 +4,7 @@
 //! that the plate rides on it: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
 //! the start is placed so early that the momentum in question is below the tolerance.
 
+use crate::model::impact::problem::Problem;
 use crate::model::impact::stride::Taken;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw};
@@ -13,9 +14,11 @@ use crate::numerics::{larger, smaller};
 
 /// Radians (or time constants) of the mechanism within the starting time from which on it is stiff.
 const STIFF_FROM: f64 = 300.0;
-/// Where the search for the start begins, and where it ends at the latest, in units of the contact's duration.
+/// Where the search for the start begins, and where it ends at the latest at tolerance 1, in units of the contact's duration; and how
+/// both fall with the tolerance: two computations do not share their start, and with it its error.
 const EARLIEST: f64 = 1e-9;
-const LATEST: f64 = 1e-3;
+const LATEST: f64 = 3e-3;
+const START_POWER: f64 = 0.125;
 /// No start is earlier than this, s.
 const EARLIEST_OF_ALL: f64 = 1e-40;
 /// Swings (in radians) within the contact that Taylor steps can still follow.
@@ -27,10 +30,11 @@ const LEFT_OUT: f64 = 1e-4;
 
 /// How fast things happen.
 #[derive(Clone, Copy, Debug)]
-#[expect(clippy::struct_field_names, reason = "units end every name")]
 pub(super) struct Pace {
     /// Duration of the contact, s.
     pub(super) contact_s: f64,
+    /// How far the mechanism yields to the contact force, relative to the travel.
+    pub(super) yields_part: f64,
     /// Angular frequency of the plate on its spring, 1/s.
     pub(super) swing_per_s: f64,
     /// Decay rate of the plate's velocity by its damper, 1/s.
@@ -43,6 +47,35 @@ impl Pace {
         let swings = self.swing_per_s * self.contact_s;
         let decays = self.decay_per_s * self.contact_s;
         !(swings < SWINGS_MAX && decays < DECAYS_MAX)
+    }
+}
+
+impl Problem {
+    /// How long the contact lasts, and how fast the mechanism answers within it, by order of magnitude.
+    pub(super) fn pace(&self) -> Pace {
+        let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
+        let (v, m_2) = (self.velocity_m_s, self.plate_kg);
+        let travel =
+            self.baseline_m.map_or(self.geometry.exit_m, |depth| self.geometry.travel_m(depth));
+        let mut contact_s = 2.0 * travel / v;
+        let contact_n =
+            self.geometry.area_m2(0.9 * travel) * (self.strength_pa + self.drag_kg_m3 * v * v);
+        let preload = spring.force(self.start_m).abs();
+        // A cocked plate that is thrown forward at the projectile's speed ends the contact.
+        if preload > 0.0 && damper.at_force(preload) > v {
+            contact_s = smaller(contact_s, m_2 * v / preload);
+        }
+        let drive = larger(contact_n, preload);
+        let thrown = drive * contact_s / m_2;
+        let yields = smaller(spring.at_force(contact_n), 0.5 * thrown * contact_s);
+        let x = larger(yields, self.start_m.abs());
+        let w = smaller(damper.at_force(drive), thrown);
+        Pace {
+            contact_s,
+            yields_part: smaller(yields / travel, 1.0),
+            swing_per_s: (spring.tangent(x).abs() / m_2).sqrt(),
+            decay_per_s: damper.tangent(w) / m_2,
+        }
     }
 }
 
@@ -80,43 +113,15 @@ impl Track<'_> {
             let inside = state.slip_m_s > 0.0 && state.travel_m < first_m;
             inside && left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
         };
-        let scale_s = self.pace().contact_s;
+        let scale_s = self.tolerance.powf(START_POWER) * problem.pace().contact_s;
         let mut t_s = EARLIEST * scale_s;
         while !is_early(t_s) && t_s > EARLIEST_OF_ALL {
             t_s *= 0.25;
         }
-        while is_early(4.0 * t_s) && t_s < LATEST * scale_s {
+        while is_early(4.0 * t_s) && 4.0 * t_s < LATEST * scale_s {
             t_s *= 4.0;
         }
         self.place(&motion, t_s, (spring_singular, damper_singular));
-    }
-
-    /// How long the contact lasts, and how fast the mechanism answers within it, by order of magnitude.
-    pub(super) fn pace(&self) -> Pace {
-        let problem = self.problem;
-        let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
-        let (v, m_2) = (problem.velocity_m_s, problem.plate_kg);
-        let travel = problem
-            .baseline_m
-            .map_or(problem.geometry.exit_m, |depth| problem.geometry.travel_m(depth));
-        let mut contact_s = 2.0 * travel / v;
-        let contact_n = problem.geometry.area_m2(0.9 * travel)
-            * (problem.strength_pa + problem.drag_kg_m3 * v * v);
-        let preload = spring.force(problem.start_m).abs();
-        // A cocked plate that is thrown forward at the projectile's speed ends the contact.
-        if preload > 0.0 && damper.at_force(preload) > v {
-            contact_s = smaller(contact_s, m_2 * v / preload);
-        }
-        let drive = larger(contact_n, preload);
-        let thrown = drive * contact_s / m_2;
-        let yields = smaller(spring.at_force(contact_n), 0.5 * thrown * contact_s);
-        let x = larger(yields, problem.start_m.abs());
-        let w = smaller(damper.at_force(drive), thrown);
-        Pace {
-            contact_s,
-            swing_per_s: (spring.tangent(x).abs() / m_2).sqrt(),
-            decay_per_s: damper.tangent(w) / m_2,
-        }
     }
 
     /// Put the state at the early time `t_s`.

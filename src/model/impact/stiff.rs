@@ -37,7 +37,7 @@ const LOCAL: f64 = 1e-3;
 /// Displacement of the plate, relative to the travel, up to which the contact does not feel its swings; the estimate, relative to the
 /// impact velocity, below which it follows them all the same; and the power with which the rest of a tighter tolerance still
 /// counts, so that two tolerances do not share their steps.
-const UNFELT_M: f64 = 1e-7;
+const UNFELT: f64 = 1e-7;
 const FELT: f64 = 1e-9;
 const BELOW_FELT: f64 = 0.05;
 
@@ -106,7 +106,8 @@ impl Track<'_> {
     /// What the estimate of a step may be, relative to the scales.
     fn estimate_allowed(&self) -> f64 {
         let allowed = LOCAL * self.tolerance.powf(2.0 / 3.0);
-        let unfelt = self.plate_scale_m < UNFELT_M * self.state.travel_m;
+        let unfelt =
+            self.problem.yields_part < UNFELT && self.plate_scale_m < UNFELT * self.state.travel_m;
         if self.is_sliding() && unfelt && allowed < FELT {
             FELT * (allowed / FELT).powf(BELOW_FELT)
         } else {
@@ -192,14 +193,17 @@ impl Track<'_> {
         let travel =
             self.state.travel_m.abs() + self.state.slip_m_s.abs() * self.unit_s + f64::MIN_POSITIVE;
         let joined = self.mode == Mode::Fused;
+        // A swing that an error starts does not die down: it is to be small beside the way the plate will have come.
+        let yields = self.problem.yields_part;
+        let part = if yields < UNFELT { 1.0 } else { yields };
         let own_x = larger(self.plate_scale_m, f64::MIN_POSITIVE);
         let own_w = larger(self.speed_scale_m_s, f64::MIN_POSITIVE);
         [
             travel,
             // A slip far above the impact's, of a plate thrown by its spring, is known to its own rounding only.
             larger(speed, SLIP_ROUNDED * self.state.slip_m_s.abs()),
-            if joined { own_x } else { travel + self.state.plate_m.abs() },
-            if joined { own_w } else { speed + self.state.plate_m_s.abs() },
+            if joined { own_x } else { part * travel + self.state.plate_m.abs() },
+            if joined { own_w } else { part * speed + self.state.plate_m_s.abs() },
         ]
     }
 
@@ -287,22 +291,10 @@ impl Track<'_> {
             let trial = step::<4, 12>(system, y, s * h, system.guess(y, s * h));
             trial.map_or_else(|| rough(s), |trial| system.state(&trial.stages[2]))
         };
-        let greatest = |known: f64, force: &dyn Fn(&State) -> f64| {
-            maximum::greatest_of(0.0, 1.0, known, |s| force(&rough(s)), |s| force(&along(s)))
-        };
-        match self.mode {
-            Mode::Penetrating => {
-                let known = record.peak_contact_n;
-                record.pressed(greatest(known, &|state| motion.contact_force(state)));
-            }
-            Mode::Fused => {
-                let [push, pull] = record.known_loads_n(&setting);
-                let push = greatest(push, &|state| motion.mechanism_force(state));
-                let pull = greatest(pull, &|state| -motion.mechanism_force(state));
-                record.carried(&setting, push, pull);
-            }
-            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
-        }
+        record.note_extremes(&setting, |force, known| {
+            let value = |state: &State| motion.force(force, state);
+            maximum::greatest_of(0.0, 1.0, known, |s| value(&rough(s)), |s| value(&along(s)))
+        });
         if record.keep_series {
             for point in 1..=POINTS_PER_STEP {
                 let s = point as f64 / (POINTS_PER_STEP + 1) as f64;

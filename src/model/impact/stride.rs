@@ -8,6 +8,7 @@
 //!
 //! A stride goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
+use crate::model::contact::AreaLaw;
 use crate::model::impact::guard::{Form, Guards, Trigger};
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::mechanism::PowerKind;
@@ -317,28 +318,21 @@ impl Track<'_> {
             }
         }
         // At the place where the polynomial through the points is greatest: another way leads there.
-        let greatest = |known: f64, force: &dyn Fn(&State) -> f64| {
-            let at = graded.greatest_at(known, |z, y| force(&clock.state(z, y)));
-            let within = at.and_then(|z| self.unbroken(clock, z));
-            let ends = larger(force(&self.state), force(end));
-            within.map_or(ends, |within| larger(force(&within.end), ends))
-        };
-        match self.mode {
-            Mode::Penetrating => {
-                let known = record.peak_contact_n;
-                record.pressed(greatest(known, &|state| motion.contact_force(state)));
-            }
-            Mode::Fused => {
-                let [push, pull] = record.known_loads_n(&setting);
-                let push = greatest(push, &|state| motion.mechanism_force(state));
-                let pull = greatest(pull, &|state| -motion.mechanism_force(state));
-                record.carried(&setting, push, pull);
-            }
-            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
-        }
+        record.note_extremes(&setting, |force, known| {
+            let value = |state: &State| motion.force(force, state);
+            let ends = larger(value(&self.state), value(end));
+            let Some((z, most)) = graded.greatest_at(known, |z, y| value(&clock.state(z, y)))
+            else {
+                return ends;
+            };
+            larger(self.unbroken(clock, z).map_or(most, |within| value(&within.end)), ends)
+        });
         self.record = record;
         if self.mode != Mode::Fused || self.problem.plastic {
-            self.stride_error += graded.difference / USUALLY_FINER;
+            // An oblique section is not smooth enough for the finer rule to gain much.
+            let is_smooth = !matches!(motion.area, AreaLaw::Partial { .. });
+            let finer = if is_smooth { USUALLY_FINER } else { 1.0 };
+            self.stride_error += graded.difference / finer;
         }
         self.steps += 1;
         self.stretch_steps += 1;

@@ -196,6 +196,7 @@ impl<'a> Track<'a> {
             }
             self.take_back();
             self.come_to_rest();
+            self.unload_absorbers();
             if let Some(Taken(fired)) = self.stride() {
                 if let Some(trigger) = fired {
                     self.take(trigger);

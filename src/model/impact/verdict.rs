@@ -243,7 +243,7 @@ impl Track<'_> {
         let stroke = so_far - self.problem.start_m;
         if reach <= so_far * (1.0 + 1e-12)
             || (reach - so_far).abs() < 1e-15 * so_far.abs()
-            || reach - so_far <= NEGLIGIBLE * self.problem.scene.run.tolerance * stroke
+            || reach - so_far <= NEGLIGIBLE * self.tolerance * stroke
         {
             return Farthest::Known(so_far);
         }
@@ -290,7 +290,7 @@ impl Track<'_> {
 
     /// Plastic and together: whether the interface will hold whatever comes.
     fn holds_for_good(&self) -> bool {
-        if self.is_at_rest() || self.has_died_down() {
+        if self.is_at_rest() || self.has_died_down() || self.is_thrown_back_freely() {
             return true;
         }
         let mechanism = &self.problem.mechanism;
@@ -329,6 +329,18 @@ impl Track<'_> {
             && self.state.plate_m_s <= 0.0
             && !self.stop_touches
             && self.state.plate_m <= mechanism.stop_at_m
+    }
+
+    /// Whether the plate goes back where nothing acts on it any more: thrown back by an absorber, which only pushes.
+    fn is_thrown_back_freely(&self) -> bool {
+        let mechanism = &self.problem.mechanism;
+        let goes_back = self.state.plate_m_s < 0.0 && mechanism.damper.coefficient == 0.0;
+        goes_back
+            && !self.stop_touches
+            && mechanism.spring.curve().is_some_and(|curve| {
+                let forces = curve.forces_between(f64::NEG_INFINITY, self.state.plate_m);
+                forces.0 >= 0.0 && forces.1 <= 0.0
+            })
     }
 
     /// The most the interface can be pushed with this much energy left, N.

@@ -403,6 +403,7 @@ impl<'a> Course<'a> {
             inertia_j: 0.0,
             plate_j: 0.5 * pair.gamma * w * w * energy_j,
             spring_j: pair.spring.integral(y[X]) * energy_j,
+            crush_j: 0.0,
             damper_j: y[DAMPER] * energy_j,
             penetration_j: y[CONTACT] * energy_j,
             stop_j: y[STOP] * energy_j,

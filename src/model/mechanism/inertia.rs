@@ -81,6 +81,7 @@ fn rotation_kg(spring: &scene::Spring) -> f64 {
         | SpringKind::Bistable
         | SpringKind::ConstantForce
         | SpringKind::Column
+        | SpringKind::Crush
         | SpringKind::Table => 0.0,
     }
 }
@@ -123,6 +124,7 @@ fn moving_part(kind: SpringKind) -> f64 {
         | SpringKind::ConstantForce
         | SpringKind::Column
         | SpringKind::Helix
+        | SpringKind::Crush
         | SpringKind::Table => COIL,
     }
 }

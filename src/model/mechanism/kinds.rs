@@ -9,7 +9,7 @@ use crate::model::mechanism::curve::{Curve, Segments};
 use crate::model::mechanism::piece::Piece;
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::scene::{self, Beam, SpringKind};
-use crate::numerics::monotone;
+use crate::numerics::{larger, monotone, smaller};
 
 /// gamma, the characteristic radius factor of Table 9.3.
 pub(super) const RADIUS_FACTOR: f64 = 0.85;
@@ -36,12 +36,18 @@ pub fn power_law(spring: &scene::Spring) -> Option<PowerLaw> {
         | SpringKind::Bistable
         | SpringKind::ConstantForce
         | SpringKind::Column
+        | SpringKind::Crush
         | SpringKind::Table => None,
     }
 }
 
-/// The law of a valid spring as a curve, whatever its kind.
+/// The law of a valid spring as a curve, whatever its kind; an absorber is not crushed yet.
 pub fn curve(spring: &scene::Spring) -> Curve {
+    curve_after(spring, 0.0)
+}
+
+/// The same of an absorber that was crushed up to a displacement, m. Other kinds have no memory.
+pub(super) fn curve_after(spring: &scene::Spring, crushed_m: f64) -> Curve {
     if let Some(law) = power_law(spring) {
         return power_curve(law);
     }
@@ -52,6 +58,7 @@ pub fn curve(spring: &scene::Spring) -> Curve {
         SpringKind::Bistable => bistable(spring, n),
         SpringKind::ConstantForce => constant(spring, n),
         SpringKind::Column => column(spring, n),
+        SpringKind::Crush => crush(&spring.crush, n, crushed_m),
         SpringKind::Table => table(&spring.table.points, n),
         SpringKind::PowerLaw | SpringKind::Normalised | SpringKind::Helix => {
             power_curve(PowerLaw { coefficient: 0.0, exponent: 1.0 })
@@ -82,7 +89,7 @@ pub(super) fn beam_limit_m(beam: &Beam) -> f64 {
 
 /// The greatest bending stress of a beam at a displacement, Pa.
 pub(super) fn beam_stress_pa(beam: &Beam, kind: SpringKind, x_m: f64) -> f64 {
-    let x = crate::numerics::smaller(x_m.abs(), beam_limit_m(beam));
+    let x = smaller(x_m.abs(), beam_limit_m(beam));
     match kind {
         // Each half is a cantilever of half the length with half the displacement.
         SpringKind::FixedGuided => {
@@ -96,6 +103,7 @@ pub(super) fn beam_stress_pa(beam: &Beam, kind: SpringKind, x_m: f64) -> f64 {
         | SpringKind::ConstantForce
         | SpringKind::Column
         | SpringKind::Helix
+        | SpringKind::Crush
         | SpringKind::Table => cantilever(beam).stress_pa(x),
     }
 }
@@ -160,6 +168,22 @@ fn column(spring: &scene::Spring, count: f64) -> Curve {
         ],
         folded,
     )
+}
+
+/// Nothing where the absorber has set, an elastic rise up to where it was crushed last, a constant force up to its stroke, and
+/// solid from there on.
+fn crush(crush: &scene::Crush, count: f64, crushed_m: f64) -> Curve {
+    let (force, stiffness) = (count * crush.force_n, count * crush.stiffness_n_m);
+    let (rise, stroke) = (crush.rise_m(), crush.stroke_m);
+    let from = smaller(larger(crushed_m, rise), stroke);
+    let elastic = |at: f64| Piece::line(at, force, stiffness);
+    let mut knots_m = vec![from - rise];
+    let mut pieces = vec![Piece::line(0.0, 0.0, 0.0), elastic(from)];
+    if from < stroke {
+        knots_m.extend([from, stroke]);
+        pieces.extend([Piece::line(from, force, 0.0), elastic(stroke)]);
+    }
+    Curve::new(Segments { knots_m, pieces }, stroke)
 }
 
 /// The points joined by shape-preserving cubics, and on along the tangents at both ends.

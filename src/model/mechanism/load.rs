@@ -84,6 +84,10 @@ fn limits(spring: &scene::Spring) -> Vec<(&'static str, f64, f64)> {
             end,
         ));
     }
+    if spring.kind == SpringKind::Crush {
+        let what = "the absorber is crushed flat; it is solid from there on";
+        limits.push((what, f64::NEG_INFINITY, spring.crush.stroke_m));
+    }
     if spring.kind == SpringKind::Table {
         let points = &spring.table.points;
         if let (Some(first), Some(last)) = (points.first(), points.last()) {

@@ -32,21 +32,32 @@ pub enum Elastic<'a> {
 impl Spring {
     /// The law of a valid scene's mechanism, whatever the mount.
     pub fn of(mechanism: &scene::Mechanism) -> Self {
-        let alone = |spring: &scene::Spring| {
-            let law = kinds::power_law(spring);
-            law.map_or_else(|| Self::Curve(Arc::new(kinds::curve(spring))), Self::Power)
-        };
+        Self::after(mechanism, [0.0; 2])
+    }
+
+    /// The same where the absorbers among the two springs were crushed up to these displacements, m.
+    pub fn after(mechanism: &scene::Mechanism, crushed_m: [f64; 2]) -> Self {
         let (first, second) = (&mechanism.spring, &mechanism.second);
+        let alone = |spring: &scene::Spring, crushed_m: f64| {
+            let law = kinds::power_law(spring);
+            let curve = || Self::Curve(Arc::new(kinds::curve_after(spring, crushed_m)));
+            law.map_or_else(curve, Self::Power)
+        };
+        let curves = || {
+            let [a, b] = crushed_m;
+            (kinds::curve_after(first, a), kinds::curve_after(second, b))
+        };
         match mechanism.combination {
-            Combination::Alone => alone(first),
-            Combination::Parallel if is_nothing(second) => alone(first),
-            Combination::Parallel if is_nothing(first) => alone(second),
-            Combination::Parallel => Self::Curve(Arc::new(combine::parallel(
-                &kinds::curve(first),
-                &kinds::curve(second),
-            ))),
+            Combination::Alone => alone(first, crushed_m[0]),
+            Combination::Parallel if is_nothing(second) => alone(first, crushed_m[0]),
+            Combination::Parallel if is_nothing(first) => alone(second, crushed_m[1]),
+            Combination::Parallel => {
+                let (a, b) = curves();
+                Self::Curve(Arc::new(combine::parallel(&a, &b)))
+            }
             Combination::Series => {
-                Self::Curve(Arc::new(combine::series(&kinds::curve(first), &kinds::curve(second))))
+                let (a, b) = curves();
+                Self::Curve(Arc::new(combine::series(&a, &b)))
             }
         }
     }

@@ -72,10 +72,14 @@ fn a_plate_goes_as_far_as_its_energy() {
     for (name, curve) in curves() {
         for x in [-0.003, 0.0, 0.004] {
             let energy = curve.energy(x) + 5.0;
-            for end in [curve.forward(x, energy), curve.backward(x, energy)] {
+            let (back, far) = (curve.backward(x, energy), curve.forward(x, energy));
+            // An absorber only pushes: nothing holds the plate on its way back.
+            let only_pushes = name == "crush";
+            assert_eq!(back.is_infinite(), only_pushes, "{name} from {x}: {back}");
+            let back = if only_pushes { x - 0.01 } else { back };
+            for end in if only_pushes { [far, far] } else { [back, far] } {
                 assert!((curve.energy(end) / energy - 1.0).abs() < 1e-12, "{name} from {x}: {end}");
             }
-            let (back, far) = (curve.backward(x, energy), curve.forward(x, energy));
             assert!(back < x && x < far, "{name}: {back} {far}");
             // Nothing on the way is higher.
             for i in 1..200 {

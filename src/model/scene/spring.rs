@@ -24,6 +24,8 @@ pub struct Spring {
     pub column: Column,
     /// The helical rotating spring.
     pub helix: Helix,
+    /// The absorber that is crushed.
+    pub crush: Crush,
     /// Measured force against displacement.
     pub table: Table,
     /// So many equal ones side by side, > 0.
@@ -63,13 +65,15 @@ pub enum SpringKind {
     Column,
     /// A linear spring that turns the plate as it gives way.
     Helix,
+    /// An absorber that is crushed at a constant force and unloads elastically.
+    Crush,
     /// A measured curve.
     Table,
 }
 
 impl SpringKind {
     /// All kinds, in the order of their words.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::PowerLaw,
         Self::Normalised,
         Self::Cantilever,
@@ -78,11 +82,12 @@ impl SpringKind {
         Self::ConstantForce,
         Self::Column,
         Self::Helix,
+        Self::Crush,
         Self::Table,
     ];
 
     /// Their words, in files and on screens.
-    pub const WORDS: [&'static str; 9] = [
+    pub const WORDS: [&'static str; 10] = [
         "power-law",
         "normalised",
         "prbm-cantilever",
@@ -91,6 +96,7 @@ impl SpringKind {
         "constant",
         "column",
         "helix",
+        "crush",
         "table",
     ];
 
@@ -188,6 +194,24 @@ pub struct Helix {
     pub inertia_kg_m2: f64,
 }
 
+/// An absorber that only pushes: it is crushed at a constant force and unloads elastically from where it was crushed to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crush {
+    /// The force at which it is crushed, > 0 N.
+    pub force_n: f64,
+    /// The displacement at which it is flat and as stiff as when it unloads, > force over stiffness, m.
+    pub stroke_m: f64,
+    /// Before it is crushed, and when it unloads, > 0 N/m.
+    pub stiffness_n_m: f64,
+}
+
+impl Crush {
+    /// The displacement at which an absorber that was never loaded begins to be crushed, m.
+    pub fn rise_m(&self) -> f64 {
+        self.force_n / self.stiffness_n_m
+    }
+}
+
 /// Measured force against displacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
@@ -228,6 +252,7 @@ impl Default for Spring {
             constant: ConstantForce { force_n: 2e3, rise_m: 1e-3 },
             column: Column { stiffness_n_m: 5e6, critical_n: 5e3, plateau_n: 3e3, fall_m: 2e-3 },
             helix: Helix { stiffness_n_m: 1e5, twist_rad_m: 50.0, inertia_kg_m2: 5e-6 },
+            crush: Crush { force_n: 5e3, stroke_m: 0.05, stiffness_n_m: 1e7 },
             table: Table::default(),
             count: 1.0,
             own_mass: OwnMass::Ignored,

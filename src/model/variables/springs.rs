@@ -65,6 +65,7 @@ pub(super) fn is_listed(key: &str, scene: &Scene) -> bool {
             Some("constant") => kind == SpringKind::ConstantForce,
             Some("column") => kind == SpringKind::Column,
             Some("helix") => kind == SpringKind::Helix,
+            Some("crush") => kind == SpringKind::Crush,
             _ => true,
         },
     }
@@ -106,6 +107,7 @@ fn check_one(spring: &scene::Spring, table: &str) -> Result<(), VariableError> {
                 _ => Ok(()),
             }
         }
+        SpringKind::Crush => check_stroke(&spring.crush, table),
         SpringKind::Table => check_points(&spring.table.points, table),
         SpringKind::PowerLaw
         | SpringKind::Normalised
@@ -115,6 +117,19 @@ fn check_one(spring: &scene::Spring, table: &str) -> Result<(), VariableError> {
         | SpringKind::Column
         | SpringKind::Helix => Ok(()),
     }
+}
+
+/// An absorber begins to be crushed before it is flat.
+fn check_stroke(crush: &scene::Crush, table: &str) -> Result<(), VariableError> {
+    if crush.stroke_m > crush.rise_m() {
+        return Ok(());
+    }
+    refuse(format!(
+        "x_crush ({table}.crush.stroke_m) = {} m does not exceed F_crush/k_crush = {} m, where it begins to be crushed: it must be \
+         more; raise x_crush or k_crush",
+        units::shortest(crush.stroke_m),
+        units::shortest(crush.rise_m())
+    ))
 }
 
 /// A table's rules: enough points, finite, and rising in x.

@@ -51,7 +51,8 @@ impl Load {
 /// The greatest force into the mount, N.
 ///
 /// A rigid mount takes all of the contact force along the plate's normal. A spring's greatest force is at the greatest
-/// displacement, where the damper is at rest; with a damper the samples are searched as well.
+/// displacement, where the damper is at rest; with a damper or a stop the run locates it, and of other interaction models the rows are
+/// searched.
 pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
     if !run.end.is_complete() {
         return None;
@@ -72,11 +73,13 @@ pub(in crate::study) fn peak_n(run: &Run) -> Option<f64> {
         return None;
     }
     let force = |row: &Sample| (row.spring_force_n + row.damper_force_n + row.stop_force_n).abs();
-    let sampled = run.series.iter().map(force).fold(0.0, larger);
+    let rows = || run.series.iter().map(force).fold(0.0, larger);
+    let on_the_way = run.mechanism.peak_mount_n.unwrap_or_else(rows);
     let spring = &mechanism.spring;
     let turned = run.max_plate_displacement_m.filter(|_| mechanism.stop.is_none());
     let turn = turned.map_or(0.0, |farthest| spring.force(farthest).abs());
-    Some(larger(larger(sampled, turn), spring.force(run.start_m()).abs())).filter(|f| f.is_finite())
+    Some(larger(larger(on_the_way, turn), spring.force(run.start_m()).abs()))
+        .filter(|f| f.is_finite())
 }
 
 /// Whether a sprung plate never leaves its place: a singular spring or damper takes whatever comes, like a rigid mount.

@@ -15,7 +15,7 @@ use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
 use crate::study::compare::load::holds_still;
-use crate::study::quantities::{mass, mount_force_n, needs_course};
+use crate::study::quantities::{mass, mount_force_n, turn_tells_force};
 use crate::study::sweep::Plan;
 use crate::study::sweep::evaluate::Fate;
 
@@ -165,7 +165,7 @@ impl<'p> Quick<'p> {
     /// Whether the force into the mount, where it is requested, follows from where the plate starts and turns.
     fn tells_force(&self, scene: &Scene) -> bool {
         let sprung = scene.plate.mount == Mount::Sprung;
-        !self.force || (sprung && !needs_course(scene) && !Mechanism::of(scene).is_absent())
+        !self.force || (sprung && turn_tells_force(scene) && !Mechanism::of(scene).is_absent())
     }
 
     /// All that is asked, from the end of the contact.

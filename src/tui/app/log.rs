@@ -179,8 +179,11 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
     if ledger.inertia_j != 0.0 {
         lines.push(term("its mechanism", ledger.inertia_j));
     }
+    lines.push(term("spring", ledger.spring_j));
+    if ledger.crush_j != 0.0 {
+        lines.push(term("crushed", ledger.crush_j));
+    }
     lines.extend([
-        term("spring", ledger.spring_j),
         term("damper", ledger.damper_j),
         term("penetration", ledger.penetration_j),
         term("stop", ledger.stop_j),

@@ -192,6 +192,12 @@ fn spring(random: &mut Random, s: &str) -> String {
             random.log_or_zero(0.15, 1e2, 3e4),
             random.log(1e-4, 1e-2)
         ),
+        "crush" => format!(
+            "F_crush{s}={} x_crush{s}={} k_crush{s}={}",
+            random.log(1e2, 3e4),
+            random.log(4e-3, 3e-2),
+            random.log(1e7, 1e9)
+        ),
         "helix" => format!(
             "k_helix{s}={} twist{s}={} I_z{s}={}",
             random.log_or_zero(0.1, 1e4, 1e7),

@@ -322,7 +322,7 @@ impl<'a> Shot<'a> {
         let [_, u, x, w] = state;
         let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos());
         let force = self.contact_n(after_s, state, now.interface);
-        let back = self.law.force_n(x)
+        let back = self.law.force_n(x, self.farthest_m)
             + self.damper_n(w)
             + if now.beyond { self.stop_n(x, w) } else { 0.0 };
         let still = now.held || self.scene.plate.mount == Mount::Rigid;

@@ -24,11 +24,15 @@ impl<'a> Law<'a> {
         Self { mechanism, tables: [table(&mechanism.spring), table(&mechanism.second)] }
     }
 
-    /// The force against a displacement of the plate, N.
-    pub(crate) fn force_n(&self, x: f64) -> f64 {
+    /// The force against a displacement of the plate that was so far out before, N.
+    pub(crate) fn force_n(&self, x: f64, farthest_m: f64) -> f64 {
+        let crushed_n = |spring: &Spring| crush_n(spring, x, farthest_m);
         match self.mechanism.combination {
-            Combination::Alone => self.one_n(0, x),
-            Combination::Parallel => self.one_n(0, x) + self.one_n(1, x),
+            Combination::Alone => self.one_n(0, x) + crushed_n(&self.mechanism.spring),
+            Combination::Parallel => {
+                let Mechanism { spring, second, .. } = self.mechanism;
+                self.one_n(0, x) + self.one_n(1, x) + crushed_n(spring) + crushed_n(second)
+            }
             Combination::Series => self.one_n(0, self.share_m(x)),
         }
     }
@@ -118,10 +122,24 @@ impl<'a> Law<'a> {
                 }
             }
             SpringKind::Helix => spring.helix.stiffness_n_m * x,
+            // It has a memory.
+            SpringKind::Crush => 0.0,
             SpringKind::Table => self.tables[which].as_ref().unwrap().force_n(x),
         };
         spring.count * single
     }
+}
+
+/// An absorber pushes with the elastic force of what is left of its rise, at most with that at which it is crushed; flat, it is
+/// as stiff again.
+fn crush_n(spring: &Spring, x: f64, farthest_m: f64) -> f64 {
+    if spring.kind != SpringKind::Crush {
+        return 0.0;
+    }
+    let crush = spring.crush;
+    let set_m = (farthest_m.min(crush.stroke_m) - crush.force_n / crush.stiffness_n_m).max(0.0);
+    let rise = (crush.stiffness_n_m * (x - set_m)).clamp(0.0, crush.force_n);
+    spring.count * (rise + crush.stiffness_n_m * (x - crush.stroke_m).max(0.0))
 }
 
 /// Corners of one spring's law besides zero.

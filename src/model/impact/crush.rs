@@ -1,0 +1,85 @@
+//! Absorbers that are crushed: they unload elastically from where they were crushed to.
+//!
+//! While the plate goes forward an absorber's law is a curve like any other. When the plate no longer does, the law begins anew
+//! from the greatest displacement: the elastic rise is shifted there, and what was spent on the way is dissipated.
+
+use std::sync::OnceLock;
+
+use crate::model::impact::problem::Problem;
+use crate::model::impact::track::Track;
+use crate::model::mechanism::{Spring, inertia};
+use crate::model::scene::SpringKind;
+use crate::numerics::larger;
+
+/// Crushing below this part of the displacement is rounding.
+const ROUNDING: f64 = 1e-12;
+
+impl Problem {
+    /// Whether there is an absorber.
+    pub(super) fn has_absorber(&self) -> bool {
+        let sprung = self.mechanism.spring.curve().is_some();
+        sprung && inertia::acting(&self.scene.mechanism).any(|one| one.kind == SpringKind::Crush)
+    }
+
+    /// The impact with absorbers as they were at first contact, for another run.
+    pub(super) fn anew(&self) -> Self {
+        Self { next: OnceLock::new(), ..self.clone() }
+    }
+
+    /// How far the absorbers are crushed when the plate turns at x; `None` where that is no farther than before.
+    fn crushed_by(&self, x: f64) -> Option<[f64; 2]> {
+        let mut crushed_m = self.crushed_m;
+        let mut farther = false;
+        for (spring, crushed_m) in inertia::acting(&self.scene.mechanism).zip(&mut crushed_m) {
+            let reached = larger(*crushed_m, spring.crush.rise_m()) * (1.0 + ROUNDING);
+            if spring.kind == SpringKind::Crush && *crushed_m < spring.crush.stroke_m && x > reached
+            {
+                *crushed_m = x;
+                farther = true;
+            }
+        }
+        farther.then_some(crushed_m)
+    }
+
+    /// The same impact with absorbers crushed so far.
+    fn crushed(&self, crushed_m: [f64; 2]) -> &Self {
+        self.next.get_or_init(|| {
+            let mut own = self.anew();
+            own.mechanism.spring = Spring::after(&own.scene.mechanism, crushed_m);
+            own.crushed_m = crushed_m;
+            Box::new(own)
+        })
+    }
+}
+
+impl Track<'_> {
+    /// A plate that no longer goes forward unloads the absorbers it has crushed from where it is; the energy spent on crushing them
+    /// is dissipated.
+    pub(super) fn unload_absorbers(&mut self) {
+        if self.state.plate_m_s > 0.0 || !self.problem.has_absorber() {
+            return;
+        }
+        let x = self.state.plate_m;
+        let Some(crushed_m) = self.problem.crushed_by(x) else { return };
+        (_, self.record.work.crush_j) = self.spring_energies();
+        self.problem = self.problem.crushed(crushed_m);
+        let spring = &self.problem.mechanism.spring;
+        // At a knot: on its near side.
+        self.region = spring.curve().map_or(0, |curve| {
+            let above = curve.region(x);
+            if curve.ends(above).0 >= x { above - 1 } else { above }
+        });
+    }
+
+    /// Energy that the springs give back from here, and that crushing has taken so far, J.
+    pub(super) fn spring_energies(&self) -> (f64, f64) {
+        let (problem, x) = (self.problem, self.state.plate_m);
+        let crushed_j = self.record.work.crush_j;
+        let stored_j = problem.mechanism.spring.energy(x);
+        let crushed_m = if problem.has_absorber() { problem.crushed_by(x) } else { None };
+        crushed_m.map_or((stored_j, crushed_j), |crushed_m| {
+            let elastic_j = Spring::after(&problem.scene.mechanism, crushed_m).energy(x);
+            (elastic_j, crushed_j + stored_j - elastic_j)
+        })
+    }
+}

@@ -1,0 +1,88 @@
+//! An absorber that is crushed: closed forms of a constant force, and what it does not give back.
+
+use cmra::model::run::{Outcome, Run};
+
+use crate::support::{assert_near, run, scene};
+
+/// F, k and the rise F/k of the scenes below.
+const FORCE_N: f64 = 5e3;
+const STIFFNESS_N_M: f64 = 1e7;
+const RISE_M: f64 = FORCE_N / STIFFNESS_N_M;
+
+fn crushed(more: &str) -> Run {
+    run(scene(&format!("spring=crush F_crush=5e3 k_crush=1e7 x_crush=0.1 gamma=1 {more}")))
+}
+
+/// Stroke = energy / force, and half the elastic rise.
+#[test]
+fn valid_the_stroke_is_the_energy_over_the_force() {
+    for more in ["", "v_i=80", "gamma=3 v_i=150", "theta=30deg", "N_spring=2"] {
+        let run = crushed(more);
+        assert_eq!(run.outcome, Outcome::Arrested, "{more}");
+        let force_n = FORCE_N * run.scene.mechanism.spring.count;
+        let energy_j = run.ledger.initial_j() - run.ledger.penetration_j;
+        // Oblique, the projectile keeps its velocity along the plate.
+        let (mass, v) = (run.scene.projectile.mass_kg, run.scene.projectile.velocity_m_s);
+        let along = v * run.scene.projectile.obliquity_deg.to_radians().sin();
+        let energy_j = energy_j - 0.5 * mass * along * along;
+        let stroke_m = run.max_plate_displacement_m.unwrap();
+        if run.scene.projectile.obliquity_deg == 0.0 {
+            assert_near(stroke_m, energy_j / force_n + 0.5 * RISE_M, 1e-9);
+        }
+        assert!(stroke_m > RISE_M && run.ledger.residual().abs() < 1e-11, "{more}");
+    }
+}
+
+/// A weak absorber takes all of the common velocity's energy: 0.5 x 0.059 kg x (50 m/s)^2 = 73.75 J over 100 N are 738 mm.
+#[test]
+fn valid_a_weak_absorber_takes_the_energy_of_the_common_velocity() {
+    let run = run(scene("spring=crush F_crush=100 k_crush=1e7 x_crush=1 gamma=1"));
+    assert_near(run.max_plate_displacement_m.unwrap(), 73.75 / 100.0, 0.01);
+}
+
+/// What comes back is the elastic energy F^2/(2 k) alone; the rest, F (x - F/k), stays in the absorber.
+#[test]
+fn valid_only_the_elastic_energy_comes_back() {
+    let run = crushed("run.horizon_s=0.05");
+    let ledger = run.ledger;
+    let stroke_m = run.max_plate_displacement_m.unwrap();
+    assert_near(ledger.crush_j, FORCE_N * (stroke_m - RISE_M), 1e-9);
+    assert_near(ledger.plate_j + ledger.projectile_j, 0.5 * FORCE_N * RISE_M, 1e-8);
+    assert!(ledger.spring_j.abs() < 1e-12 && ledger.residual().abs() < 1e-11, "{ledger:?}");
+    let last = run.series.last().unwrap();
+    assert!(last.plate_velocity_m_s < 0.0 && last.spring_force_n == 0.0);
+}
+
+/// Thrown forward again by a second spring, the absorber unloads and loads along one line and is crushed on from where it was.
+#[test]
+fn an_absorber_beside_a_spring_is_crushed_less_and_less() {
+    let run = crushed("combine=parallel k_2=2e5 n_2=1 run.horizon_s=0.05");
+    assert!(run.end.is_complete(), "{:?}", run.end);
+    assert!(run.ledger.residual().abs() < 1e-10, "{:e}", run.ledger.residual());
+    let stroke_m = run.max_plate_displacement_m.unwrap();
+    assert_near(run.ledger.crush_j, FORCE_N * (stroke_m - RISE_M), 1e-8);
+    let back = run.series.iter().filter(|row| row.plate_displacement_m < stroke_m - RISE_M);
+    let after = back.filter(|row| row.plate_velocity_m_s < 0.0);
+    // Behind its set there is the spring's force alone.
+    for row in after {
+        assert!((row.spring_force_n - 2e5 * row.plate_displacement_m).abs() < 1e-6, "{row:?}");
+    }
+}
+
+#[test]
+fn a_flat_absorber_is_solid_and_warned_about() {
+    let run = crushed("x_crush=5mm");
+    assert!(run.max_plate_displacement_m.unwrap() > 0.005);
+    assert!(run.warnings.iter().any(|warning| warning.to_string().contains("crushed flat")));
+    assert!(run.ledger.residual().abs() < 1e-11);
+}
+
+#[test]
+fn a_stroke_that_is_shorter_than_the_rise_is_refused() {
+    let (_, error) = crate::support::says(
+        "run",
+        &["--set", "spring=crush", "--set", "k_crush=1e3", "--set", "x_crush=1mm"],
+        2,
+    );
+    assert!(error.contains("x_crush") && error.contains("raise x_crush or k_crush"), "{error}");
+}
