@@ -19,6 +19,9 @@ const KEYS: [&str; 42] = [
     "v", "x", "z", "?", "\x1b[A", "\x1b[B", "0.5",
 ];
 
+/// Silence after which the program has read all keys.
+const CAUGHT_UP: Duration = Duration::from_millis(500);
+
 /// Two lines, as a person pastes them.
 const PASTE: &str = "\x1b[200~gamma=2\nx\x1b[201~";
 
@@ -44,7 +47,12 @@ fn random_keys_resizes_clicks_and_pastes_do_no_harm() {
     let mut rows = 24;
     let mut sent: Vec<String> = Vec::new();
     while start.elapsed() < lasts {
-        match random.below(40) {
+        let choice = random.below(40);
+        if choice < 2 {
+            // Keys wait in the terminal, a change of its size does not: a click that is read after it would hit another row.
+            terminal.settle(CAUGHT_UP);
+        }
+        match choice {
             0 => {
                 rows = 1 + random.below(60);
                 let columns = 1 + random.below(200);
@@ -57,7 +65,7 @@ fn random_keys_resizes_clicks_and_pastes_do_no_harm() {
                 sent.push(format!("\x1b[<0;{column};{row}M"));
                 terminal.send(&sent[sent.len() - 1]);
             }
-            choice => {
+            _ => {
                 let keys = if choice == 2 { PASTE } else { random.of(&KEYS) };
                 sent.push(keys.to_owned());
                 terminal.send(keys);
