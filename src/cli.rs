@@ -48,6 +48,7 @@ mod stability;
 mod summary;
 mod sweep;
 mod table;
+mod text;
 mod usage;
 mod validate;
 mod variables;

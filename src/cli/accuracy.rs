@@ -33,7 +33,11 @@ pub(super) struct AccuracyArguments {
 
 /// Compare the methods on each scene; exit status 1 when `auto` gave no answer somewhere.
 pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
-    arguments.table.check()?;
+    if arguments.scenes.len() > 1 {
+        arguments.table.check()?;
+    } else {
+        arguments.table.check_beside()?;
+    }
     let baseline = [OsString::from(bundled::BASELINE)];
     let names = if arguments.scenes.is_empty() { &baseline[..] } else { &arguments.scenes };
     let effort = if arguments.quick { Effort::QUICK } else { Effort::FULL };
@@ -45,6 +49,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     }
     let mut reports: Vec<Named> = Vec::new();
     let mut pace = Pace::begin();
+    let scenes = presets.clone();
     for preset in presets {
         let watch = &mut |done, total| pace.count(done, total, "points");
         let report = compare(&Arc::new(preset.scene), effort, &mut clock::processor_s, watch)?;
@@ -56,7 +61,10 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     }
     pace.clear();
     let (page, json) = (|| page::text(&reports), || rows::json(&reports));
-    arguments.table.deliver_text(page, json, || rows::csv(&reports))?;
+    let only = scenes.first().filter(|_| scenes.len() == 1);
+    let (name, scene) = (only.map_or("", |it| it.name.as_str()), only.map(|it| &it.scene));
+    let table = arguments.table.of_scene(name, &arguments.changes, scene);
+    table.deliver_text(page, json, || rows::csv(&reports))?;
     let failures: Vec<String> = reports.iter().flat_map(rows::auto_failures).collect();
     for failure in &failures {
         output::note(failure);

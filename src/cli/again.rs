@@ -15,7 +15,8 @@ pub(super) fn line(program: &Command, typed: &[String], scene: Option<&str>) -> 
     let Some((name, rest)) = typed.split_first() else { return words.remove(0) };
     words.push(shell_word(name));
     let command = program.find_subcommand(name).unwrap_or(program);
-    let place = command.get_positionals().position(|it| it.get_id() == "scene");
+    let place =
+        command.get_positionals().position(|it| matches!(it.get_id().as_str(), "scene" | "scenes"));
     let (mut positional, mut given) = (0, false);
     let mut rest = rest.iter();
     while let Some(word) = rest.next() {

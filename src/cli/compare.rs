@@ -12,7 +12,7 @@ use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
-use crate::cli::table::TableArguments;
+use crate::cli::table::{TableArguments, at_top};
 use crate::files::compare as files;
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
@@ -135,10 +135,11 @@ impl CompareArguments {
         let map = Map::compute(&preset.scene, axes, hardware, crew, watch)?;
         pace.clear();
         let name = preset.name.as_str();
-        let page = page::map(name, &map);
+        let warnings = validity::of_axes(map.scene(), axes);
+        let page = at_top(&page::map(name, &map), &warnings);
         let table = self.table.of(&self.scene, &preset.scene);
         if !self.pictures.is_stdout() {
-            table.deliver(&page, &files::map_rows(name, &map))?;
+            table.deliver(&page, &files::map_rows(name, &map).with_warnings(&warnings))?;
         }
         let drawn = || efficiency::map(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.table, drawn)?;

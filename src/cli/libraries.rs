@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
-use crate::cli::reproduce::wrapped;
+use crate::cli::text::labelled;
 use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
 use crate::files::{clean, library};
@@ -67,7 +67,7 @@ fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> Strin
         let status = entry.status.word();
         let rows = [(status, &entry.source), ("note", &entry.note), ("warning", &entry.warning)];
         for (label, words) in rows.into_iter().filter(|(_, words)| !words.is_empty()) {
-            wrapped(&mut text, label, &clean::line(words));
+            labelled(&mut text, label, &clean::line(words));
         }
     }
     text

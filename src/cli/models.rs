@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use serde_json::Value;
 
 use crate::cli::CliError;
-use crate::cli::reproduce::wrapped;
+use crate::cli::text::labelled;
 use crate::files::preset::Preset;
 use crate::files::rows::{Rows, number};
 use crate::model::results;
@@ -110,7 +110,7 @@ fn page(name: &str, found: &Comparison) -> String {
          run time: shortest of several, without series and error estimate"
     );
     for (name, reason) in &found.refused {
-        wrapped(&mut page, "refused", &format!("{name}: {reason}"));
+        labelled(&mut page, "refused", &format!("{name}: {reason}"));
     }
     let told: Vec<&Row> = found.rows.iter().filter(|row| !row.with.is_empty()).collect();
     if found.what == What::Models {

@@ -2,20 +2,14 @@
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
 
+use crate::cli::pace::{Pace, interruptible, was_interrupted};
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, output, text};
 use crate::files::thesis as rows;
 use crate::study::thesis::{self, Basis, Claim, Row, Verdict};
-
-/// Width to write for.
-const WIDTH: usize = 100;
-/// Column where a claim's own lines begin.
-const INDENT: usize = 4;
 
 #[derive(Debug, Args)]
 #[command(
@@ -32,32 +26,27 @@ pub(super) struct ReproduceArguments {
 /// Check every claim; exit status 1 when a verdict differs from the stored one.
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    let (shown, differences) = match &arguments.only {
-        None => {
-            let report = report(&thesis::claims().collect::<Vec<_>>());
-            let differences = rows::differences(&report);
-            (report, differences)
-        }
-        Some(text) => {
-            let shown = only(text)?;
-            let differences = rows::changed(&shown);
-            (shown, differences)
-        }
+    let mut pace = Pace::begin();
+    let shown = match &arguments.only {
+        None => report(&thesis::claims().collect::<Vec<_>>(), &mut pace),
+        Some(text) => only(text, &mut pace)?,
     };
+    let is_whole = arguments.only.is_none() && !was_interrupted();
+    let differences = if is_whole { rows::differences(&shown) } else { rows::changed(&shown) };
     arguments.table.deliver(&page(&shown, differences.len()), &rows::rows(&shown))?;
     for difference in &differences {
         output::note(&format!("verdict differs from the stored table: {difference}"));
     }
-    Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(pace.exit_code(differences.is_empty()))
 }
 
 /// The rows with this text in them; all are computed only where it may be a verdict's. No row at all is refused.
-fn only(text: &str) -> Result<Vec<Row>, CliError> {
+fn only(text: &str, pace: &mut Pace) -> Result<Vec<Row>, CliError> {
     let wanted = text.to_lowercase();
     let has = |field: &str| field.to_lowercase().contains(&wanted);
     let said = |claim: &Claim| [claim.id, claim.place, claim.says].into_iter().any(has);
     if Verdict::ALL.into_iter().any(|verdict| has(verdict.words())) {
-        let mut rows = report(&thesis::claims().collect::<Vec<_>>());
+        let mut rows = report(&thesis::claims().collect::<Vec<_>>(), pace);
         rows.retain(|row| said(row.claim) || has(row.found.verdict.words()));
         return Ok(rows);
     }
@@ -69,30 +58,15 @@ fn only(text: &str) -> Result<Vec<Row>, CliError> {
             thesis::claims().count()
         )));
     }
-    Ok(report(&chosen))
+    Ok(report(&chosen, pace))
 }
 
-/// These claims, computed on all cores, in thesis order.
-fn report(claims: &[&'static Claim]) -> Vec<Row> {
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let (next, found) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                loop {
-                    let at = next.fetch_add(1, Ordering::Relaxed);
-                    let Some(claim) = claims.get(at) else { return };
-                    let row = thesis::check(claim);
-                    if let Ok(mut rows) = found.lock() {
-                        rows.push((at, row));
-                    }
-                }
-            });
-        }
-    });
-    let mut rows = found.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    rows.sort_by_key(|(at, _)| *at);
-    rows.into_iter().map(|(_, row)| row).collect()
+/// These claims in thesis order; as far as it came where it was interrupted.
+fn report(claims: &[&'static Claim], pace: &mut Pace) -> Vec<Row> {
+    let watch = &mut |rows: &[Row], total| pace.count(rows.len(), total, "rows");
+    let rows = thesis::check_all(claims, watch, &interruptible());
+    pace.clear();
+    rows
 }
 
 fn page(report: &[Row], differences: usize) -> String {
@@ -100,7 +74,8 @@ fn page(report: &[Row], differences: usize) -> String {
     for row in report {
         let claim = row.claim;
         let place = format!("{}  [{}]", claim.place, row.found.verdict.words());
-        let gap = WIDTH.saturating_sub(place.chars().count() + claim.id.chars().count()).max(2);
+        let gap =
+            text::width().saturating_sub(place.chars().count() + claim.id.chars().count()).max(2);
         let _ = writeln!(page, "{place}{:gap$}{}", "", claim.id);
         let lines = [
             ("says", claim.says),
@@ -111,8 +86,8 @@ fn page(report: &[Row], differences: usize) -> String {
             ("as printed", row.found.printed.as_str()),
             ("cause", row.found.cause),
         ];
-        for (label, text) in lines.iter().filter(|(_, text)| !text.is_empty()) {
-            wrapped(&mut page, label, text);
+        for (label, said) in lines.iter().filter(|(_, said)| !said.is_empty()) {
+            text::labelled(&mut page, label, said);
         }
         page.push('\n');
     }
@@ -146,26 +121,4 @@ fn summary(report: &[Row], differences: usize) -> String {
         on(Basis::None),
         verdicts.join(", ")
     )
-}
-
-/// A label and a text over as many lines as it needs.
-pub(super) fn wrapped(page: &mut String, label: &str, text: &str) {
-    let column = INDENT + 12;
-    let mut line = format!("{:INDENT$}{label:<12}", "");
-    let mut length = column;
-    for word in text.split_whitespace() {
-        let long = word.chars().count();
-        if length > column && length + 1 + long > WIDTH {
-            let _ = writeln!(page, "{}", line.trim_end());
-            line = " ".repeat(column);
-            length = column;
-        }
-        if length > column {
-            line.push(' ');
-            length += 1;
-        }
-        line.push_str(word);
-        length += long;
-    }
-    let _ = writeln!(page, "{}", line.trim_end());
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use clap::Args;
 
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, output, text};
 use crate::files::bundled;
 use crate::files::library;
 use crate::files::paths::Paths;
@@ -16,9 +16,6 @@ use crate::model::library::{Library, choose_closure};
 use crate::model::scene::{Closure, Scene, SpringKind, Table};
 use crate::model::units::Bare;
 use crate::model::variables;
-
-/// Width of a page.
-const WIDTH: usize = 80;
 
 /// SCENE and its changes.
 #[derive(Debug, Args)]
@@ -73,14 +70,14 @@ impl SceneArguments {
         self.scene.as_deref().map_or(bundled::BASELINE, |name| name.to_str().unwrap_or("a file"))
     }
 
-    /// Lines for the head of a page that repeat what was changed; empty where nothing was.
+    /// What was changed of it.
+    pub(super) fn changes(&self) -> &Changes {
+        &self.changes
+    }
+
+    /// The same as lines for the head of a page; empty where nothing was.
     pub(super) fn changed(&self) -> String {
-        let typed = self.changes.typed();
-        if typed.is_empty() {
-            return String::new();
-        }
-        let changes = typed.join(", ");
-        wrapped(&format!("changed: {}", clean::line(&changes)), WIDTH).join("\n") + "\n"
+        self.changes.changed()
     }
 
     /// The first `--set` of a variable that is chosen by its key.
@@ -123,6 +120,16 @@ impl Changes {
         Ok(())
     }
 
+    /// Lines for the head of a page that repeat what was changed; empty where nothing was.
+    pub(super) fn changed(&self) -> String {
+        let typed = self.typed();
+        if typed.is_empty() {
+            return String::new();
+        }
+        let changes = typed.join(", ");
+        text::hanging("", &format!("changed: {}", clean::line(&changes)), 2)
+    }
+
     /// The changes as they were typed.
     fn typed(&self) -> Vec<String> {
         let asked = [
@@ -141,23 +148,6 @@ impl Changes {
         let mut set = self.set.iter().map(String::as_str);
         set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
     }
-}
-
-/// A text in lines of so many characters, broken at blanks; what is longer without a blank has a line of its own.
-fn wrapped(text: &str, width: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let last = lines.last().map_or(0, |line| line.chars().count());
-        if last > 0 && last + 1 + word.chars().count() > width {
-            lines.push(format!("  {word}"));
-        } else if let Some(line) = lines.last_mut() {
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-    }
-    lines
 }
 
 /// Make every change of `--set`, in order.

@@ -1,6 +1,5 @@
 //! `cmra stability`: the battery of stiff and extreme scenes, or the map of a fixed-step method.
 
-use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Instant;
@@ -10,7 +9,7 @@ use clap::{Args, ValueEnum};
 use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, output, text};
 use crate::files::stability as values;
 use crate::study::stability::map::{self, Axis, Method};
 use crate::study::stability::{self, Row};
@@ -80,7 +79,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let rows = battery::run(cases, threads, (&now_s, &stop), tell)?;
     let took_s = start.elapsed().as_secs_f64();
     pace.clear();
-    let page = || table::battery(&rows, took_s, table::width());
+    let page = || table::battery(&rows, took_s, text::width());
     arguments.rows.deliver_text(page, || values::json(&rows), || values::csv(&rows))?;
     let mut good = true;
     for row in &rows {
@@ -111,13 +110,13 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
         MapMethod::Rk4 => Method::Rk4,
     };
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
-    let go_on = &mut || ControlFlow::Continue(());
-    let ControlFlow::Continue(map) = map::map(&preset.scene, (method, axis), cells, go_on) else {
-        return Ok(ExitCode::FAILURE);
-    };
+    let mut pace = Pace::begin();
+    let watch = &mut |done, total| pace.count(done, total, "rows");
+    let map = map::map(&preset.scene, (method, axis), cells, watch);
+    pace.clear();
     let name = preset.name.as_str();
     let (page, object) = (|| table::map(&map, name), || values::map_json(name, &map));
     let table = arguments.rows.of(&arguments.scene, &preset.scene);
     table.deliver_text(page, object, || values::map_rows(name, &map).csv())?;
-    Ok(ExitCode::SUCCESS)
+    Ok(pace.exit_code(true))
 }

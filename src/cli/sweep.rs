@@ -126,27 +126,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
         page.summary
     };
     arguments.pictures.write(&arguments.table, || kept.pictures(&plan, columns))?;
-    let (done, all) = (ended.points(), shard.of(plan.points()));
-    if done < all.end - all.start {
-        output::note(&format!(
-            "interrupted: {done} of {} points were finished and are kept",
-            all.end - all.start
-        ));
-        return Ok(ExitCode::FAILURE);
-    }
-    if csv_wanted && !arguments.table.json {
-        output::note(&format!(
-            "{} points in {}: {}",
-            ended.points(),
-            page::duration(start.elapsed().as_secs_f64()),
-            ended.words()
-        ));
-    }
-    if ended.failed() > 0 {
-        output::note(&format!("{} points failed: see the column `error`", ended.failed()));
-        return Ok(ExitCode::FAILURE);
-    }
-    Ok(ExitCode::SUCCESS)
+    Ok(job.ended(&ended, columns, &arguments.table, start))
 }
 
 /// A page for a person, and what it came to.
@@ -175,6 +155,43 @@ struct Finish<'a> {
 impl Job<'_> {
     fn points(&self) -> Range<u64> {
         self.shard.of(self.plan.points())
+    }
+
+    /// Say what it came to beside the result; 0 where every point was computed.
+    fn ended(
+        &self,
+        ended: &Summary,
+        columns: Columns,
+        table: &TableArguments,
+        start: Instant,
+    ) -> ExitCode {
+        let (done, all) = (ended.points(), self.points());
+        if done < all.end - all.start {
+            output::note(&format!(
+                "interrupted: {done} of {} points were finished and are kept",
+                all.end - all.start
+            ));
+            return ExitCode::FAILURE;
+        }
+        if !matches!(table.target(), Target::None) && columns == Columns::Chosen && !table.json {
+            // Rows with all columns have their own.
+            for warning in validity::of_axes(self.plan.base(), self.plan.axes()) {
+                output::note(&format!("warning: {warning}"));
+            }
+        }
+        if !matches!(table.target(), Target::None) && !table.json {
+            output::note(&format!(
+                "{} points in {}: {}",
+                ended.points(),
+                page::duration(start.elapsed().as_secs_f64()),
+                ended.words()
+            ));
+        }
+        if ended.failed() > 0 {
+            output::note(&format!("{} points failed: see the column `error`", ended.failed()));
+            return ExitCode::FAILURE;
+        }
+        ExitCode::SUCCESS
     }
 
     /// Make the page for a person.

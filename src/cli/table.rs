@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use crate::cli::pace::was_interrupted;
-use crate::cli::scene::SceneArguments;
+use crate::cli::scene::{Changes, SceneArguments};
 use crate::cli::{CliError, output, sidecar};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
@@ -143,7 +143,17 @@ impl TableArguments {
 
     /// The same table with the scene it is made from: its changes head the page, and it goes beside the file.
     pub(super) fn of<'a>(&'a self, typed: &'a SceneArguments, scene: &'a Scene) -> Delivery<'a> {
-        Delivery { table: self, source: Some((typed, scene)) }
+        self.of_scene(typed.name(), typed.changes(), Some(scene))
+    }
+
+    /// The same of a scene by its name and changes; of several scenes there is none to go beside the file.
+    pub(super) fn of_scene<'a>(
+        &'a self,
+        name: &'a str,
+        changes: &'a Changes,
+        scene: Option<&'a Scene>,
+    ) -> Delivery<'a> {
+        Delivery { table: self, source: Some(Source { name, changes, scene }) }
     }
 
     /// Print the page or the rows, and write the file.
@@ -165,8 +175,15 @@ impl TableArguments {
 /// A table on its way to where it was asked for.
 pub(super) struct Delivery<'a> {
     table: &'a TableArguments,
-    /// What was typed of the scene, and the scene.
-    source: Option<(&'a SceneArguments, &'a Scene)>,
+    source: Option<Source<'a>>,
+}
+
+/// What was typed of a scene, and the scene.
+#[derive(Clone, Copy)]
+struct Source<'a> {
+    name: &'a str,
+    changes: &'a Changes,
+    scene: Option<&'a Scene>,
 }
 
 impl Delivery<'_> {
@@ -216,27 +233,26 @@ impl Delivery<'_> {
             Target::File(path) => self.write(path, &text()?),
         };
         // A file that cannot be written must not cost what was computed.
-        let changed = || self.source.map_or_else(String::new, |(typed, _)| typed.changed());
+        let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());
         output::print(&if table.json { object() } else { changed() + &page() })?;
         written.map_err(exists)
     }
 
     /// The lines at the head of the table, with `--meta inline`.
     fn comments(&self) -> String {
-        match (self.table.meta, self.source) {
-            (MetaWord::Beside, _) => String::new(),
-            (MetaWord::Inline, None) => sidecar::inline_again(),
-            (MetaWord::Inline, Some((typed, scene))) => {
-                sidecar::inline_again()
-                    + &export::inline_scene(("scene", typed.name()), scene, |_| true)
-            }
+        if self.table.meta == MetaWord::Beside {
+            return String::new();
         }
+        let scene = self.source.and_then(|source| Some((source.name, source.scene?)));
+        let scene =
+            scene.map(|(name, scene)| export::inline_scene(("scene", name), scene, |_| true));
+        sidecar::inline_again() + &scene.unwrap_or_default()
     }
 
     fn write(&self, path: &Path, text: &str) -> Result<(), FileError> {
         let (path, existing) = self.table.place(path);
         let beside = self.source.filter(|_| self.table.meta == MetaWord::Beside);
-        let beside = beside.and_then(|(_, scene)| sidecar::file(&path, scene));
+        let beside = beside.and_then(|source| sidecar::file(&path, source.scene?));
         let mut files = vec![(path, text.as_bytes())];
         if let Some((name, text)) = &beside {
             files.push((name.clone(), text.as_bytes()));

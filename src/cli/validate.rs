@@ -5,9 +5,9 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::reproduce::wrapped;
+use crate::cli::pace::Pace;
 use crate::cli::table::TableArguments;
-use crate::cli::{CliError, output};
+use crate::cli::{CliError, output, text};
 use crate::files::validation;
 use crate::model::units::{Engineering, fixed_significant};
 use crate::study::validation::{Class, NOT_CHECKED, Quantity, Row, biases};
@@ -21,14 +21,16 @@ pub(super) struct ValidateArguments {
 /// Compute every case; exit status 1 when the model gives nothing for one.
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
-    let report = validation::report()?;
+    let mut pace = Pace::begin();
+    let report = validation::report(&mut |done, total| pace.count(done, total, "measurements"))?;
+    pace.clear();
     arguments.table.deliver(&page(&report), &validation::rows(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();
     for id in &missing {
         output::note(&format!("nothing could be computed for {id}"));
     }
-    Ok(if missing.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(pace.exit_code(missing.is_empty()))
 }
 
 fn page(report: &[Row]) -> String {
@@ -87,15 +89,15 @@ fn page(report: &[Row]) -> String {
             ("caution", case.caution.to_owned()),
             ("source", case.source.to_owned()),
         ];
-        for (label, text) in lines.iter().filter(|(_, text)| !text.is_empty()) {
-            wrapped(&mut page, label, text);
+        for (label, said) in lines.iter().filter(|(_, said)| !said.is_empty()) {
+            text::labelled(&mut page, label, said);
         }
         page.push('\n');
     }
     for it in &NOT_CHECKED {
         let _ = writeln!(page, "{}  [cannot be checked]", it.id);
-        for (label, text) in [("says", it.says), ("why not", it.why), ("source", it.source)] {
-            wrapped(&mut page, label, text);
+        for (label, said) in [("says", it.says), ("why not", it.why), ("source", it.source)] {
+            text::labelled(&mut page, label, said);
         }
         page.push('\n');
     }
@@ -105,7 +107,7 @@ fn page(report: &[Row]) -> String {
 
 /// Bias and scatter by class, and what was done.
 fn summary(report: &[Row]) -> String {
-    let mut text = format!(
+    let mut table = format!(
         "{:<38}{:>7}{:>9}{:>9}   {}\n",
         "computed over measured, less 1", "points", "bias", "scatter", "least to greatest"
     );
@@ -115,7 +117,7 @@ fn summary(report: &[Row]) -> String {
             it.deviation.map_or_else(String::new, |value| format!("{:.1} %", 100.0 * value));
         let range = format!("{} to {}", percent(it.range.0), percent(it.range.1));
         let _ = writeln!(
-            text,
+            table,
             "{:<38}{:>7}{:>9}{scatter:>9}   {}",
             it.class.map_or("all points", Class::word),
             it.points,
@@ -125,17 +127,16 @@ fn summary(report: &[Row]) -> String {
     }
     let computed = report.iter().filter(|row| row.computed.is_some()).count();
     let aside = report.iter().filter(|row| row.case.class == Class::Aside).count();
-    let _ = write!(
-        text,
-        "\n{} measurements: {computed} computed, {} not; {aside} of them not counted above (another input for a counted \
-         measurement,\nor a quantity the model does not aim at). {} further ones cannot be checked. Positive is unconservative: \
-         the real plate\nholds less than computed. Nothing is fitted. The two closures are never combined: cavity with dishing is \
-         refused.\n",
+    let said = format!(
+        "{} measurements: {computed} computed, {} not; {aside} of them not counted above (another input for a counted \
+         measurement, or a quantity the model does not aim at). {} further ones cannot be checked. Positive is unconservative: \
+         the real plate holds less than computed. Nothing is fitted. The two closures are never combined: cavity with dishing is \
+         refused.",
         report.len(),
         report.len() - computed,
         NOT_CHECKED.len(),
     );
-    text
+    table + "\n" + &text::hanging("", &said, 0)
 }
 
 fn closure_words(row: &Row) -> &'static str {

@@ -7,8 +7,9 @@ use crate::study::limit::fit::{LambertJonas, RechtIpson};
 use crate::study::limit::scatter::{ModelError, Scatter};
 use crate::study::limit::{Limit, Report};
 
-/// One row a shot, in order of velocity, with what each fitted law says.
+/// One row a shot, in order of velocity, with what each fitted law says and the limit or what it lies between.
 pub fn shots(name: &str, report: &Report) -> Rows {
+    let (above, below) = report.limit.bracket_m_s();
     let row = |shot: &crate::study::limit::Shot| {
         let v = shot.impact_m_s;
         vec![
@@ -18,6 +19,9 @@ pub fn shots(name: &str, report: &Report) -> Rows {
             number(shot.residual_m_s),
             number(report.recht_ipson.map(|law| law.residual_m_s(v))),
             number(report.lambert_jonas.map(|law| law.residual_m_s(v))),
+            number(report.limit.velocity_m_s()),
+            number(above),
+            number(below),
         ]
     };
     Rows {
@@ -28,6 +32,9 @@ pub fn shots(name: &str, report: &Report) -> Rows {
             "residual_velocity_m_s",
             "recht_ipson_m_s",
             "lambert_jonas_m_s",
+            "limit_velocity_m_s",
+            "limit_above_m_s",
+            "limit_below_m_s",
         ],
         rows: report.shots.iter().map(row).collect(),
     }

@@ -7,7 +7,8 @@ use crate::files::clean;
 use crate::files::export;
 use crate::files::style::Style;
 use crate::model::scene::Scene;
-use crate::study::sweep::{Design, Shard};
+use crate::study::sweep::{Axis, COUNTS, Design, Shard};
+use crate::study::validity;
 
 /// A part of a sweep, as its sidecar describes it.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +40,7 @@ impl Part {
         again += " --csv -";
         let notes: Vec<String> =
             missing.map(|it| format!("not complete: {it}")).into_iter().collect();
-        let notes = [notes, self.notes()].concat();
+        let notes = [notes, self.notes(), warnings(scene)].concat();
         export::study_sidecar(csv, scene, &again, &notes)
     }
 
@@ -102,4 +103,16 @@ impl Part {
             style: style.ok_or_else(|| broken("style"))?,
         })
     }
+}
+
+/// What a careful reader of the rows should know, as lines of a sidecar.
+fn warnings(scene: &Scene) -> Vec<String> {
+    let axes = scene.sweep.iter().flat_map(|sweep| &sweep.axes);
+    let axes: Vec<Axis> = axes.filter_map(|axis| Axis::of(axis, &COUNTS).ok()).collect();
+    let mut base = scene.clone();
+    for axis in &axes {
+        (axis.number().set)(&mut base, Some(axis.ends().0));
+    }
+    let warnings = validity::of_axes(&base, &axes);
+    warnings.iter().map(|warning| format!("warning: {}", clean::line(warning))).collect()
 }

@@ -8,7 +8,7 @@ use crate::study::screening::{CONCEPTS, ranking};
 use crate::study::thesis::{Opens, Row};
 
 /// Verdict by claim, as last looked through by a person: `id,verdict` lines.
-const STORED: &str = include_str!("../../tests/cases/thesis-verdicts.csv");
+const STORED: &str = include_str!("../study/thesis/verdicts.csv");
 
 /// Names of a row's values.
 const COLUMNS: [&str; 10] =

@@ -1,18 +1,41 @@
 //! The measurements with their presets, and the computed table for machines. SI.
 
+use std::ops::{ControlFlow, Range};
+
 use serde_json::Value;
 
 use crate::files::error::FileError;
 use crate::files::preset;
 use crate::files::rows::{Rows, number};
+use crate::study::sweep::crew::Crew;
 use crate::study::validation::{Bias, Class, NOT_CHECKED, NotChecked, Row, biases, cases, compute};
 
-/// Every case, computed from its bundled preset.
+/// Every case, computed from its bundled preset on all cores; `watch` is asked with the cases done and all, and `Break` keeps
+/// those.
 ///
 /// # Errors
 /// [`FileError`] should a preset be missing.
-pub fn report() -> Result<Vec<Row>, FileError> {
-    cases().map(|case| Ok(compute(case, &preset::resolve(case.preset, None)?.scene))).collect()
+pub fn report(
+    watch: &mut dyn FnMut(usize, usize) -> ControlFlow<()>,
+) -> Result<Vec<Row>, FileError> {
+    let all: Vec<_> = cases()
+        .map(|case| Ok((case, preset::resolve(case.preset, None)?.scene)))
+        .collect::<Result<_, FileError>>()?;
+    let crew = Crew { piece: 1, ..Crew::of_machine() };
+    let mut rows = Vec::new();
+    let compute = |piece: Range<u64>| {
+        let (case, scene) = all.get(usize::try_from(piece.start).ok()?)?;
+        Some(compute(case, scene))
+    };
+    let _ = crew.work_heard(
+        0..all.len() as u64,
+        || compute,
+        |news| {
+            rows.extend(news.and_then(|(_, row)| row));
+            watch(rows.len(), all.len())
+        },
+    );
+    Ok(rows)
 }
 
 /// Columns of the table.

@@ -4,11 +4,12 @@
 //! arrest fused as the thesis has it) and by the Appendix as printed. Expected values are the thesis's; results come from
 //! the solver each time; the verdict follows from both. Nothing is typed in. Reads no clock and no file.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::scene::Scene;
+use crate::study::sweep::crew::Crew;
 use lab::Lab;
 
 mod appendix;
@@ -179,35 +180,49 @@ pub fn concepts() -> impl Iterator<Item = (&'static str, Scene)> {
     concepts::CONCEPT_SCENES.iter().map(|(name, scene)| (*name, scene()))
 }
 
-/// Check one claim.
-pub fn check(claim: &'static Claim) -> Row {
-    checked_on(&Lab::default(), claim)
-}
-
 fn checked_on(lab: &Lab, claim: &'static Claim) -> Row {
     let found = (claim.check)(lab);
     Row { claim, found, runs: lab.runs() }
 }
 
-/// Check every claim; `watch` is given what there is so far, and stops the work by `Break`. `stop` ends a claim at its next step:
-/// that row is left out.
-pub fn reproduce(
-    watch: &mut dyn FnMut(&[Row], usize) -> ControlFlow<()>,
-    stop: &Arc<AtomicBool>,
-) -> Vec<Row> {
-    let total = claims().count();
-    let mut rows = Vec::new();
-    for claim in claims() {
-        if watch(&rows, total).is_break() {
-            break;
-        }
+/// Check one claim.
+pub fn check(claim: &'static Claim) -> Row {
+    checked_on(&Lab::default(), claim)
+}
+
+/// Check every claim, as [`check_all`] does.
+pub fn reproduce(watch: Watch<'_>, stop: &Arc<AtomicBool>) -> Vec<Row> {
+    check_all(&claims().collect::<Vec<_>>(), watch, stop)
+}
+
+/// Given what there is so far, and how many rows there will be; `Break` stops.
+pub type Watch<'a> = &'a mut dyn FnMut(&[Row], usize) -> ControlFlow<()>;
+
+/// Check claims on all cores, in their order. `stop` ends a claim at its next step: that row and those after it are left out.
+pub fn check_all(claims: &[&'static Claim], watch: Watch<'_>, stop: &Arc<AtomicBool>) -> Vec<Row> {
+    let crew = Crew { piece: 1, ..Crew::of_machine() };
+    let check_one = |piece: Range<u64>| {
+        let claim = claims.get(usize::try_from(piece.start).ok()?)?;
         let lab = Lab::stopped_by(stop);
         let row = checked_on(&lab, claim);
-        if lab.is_stopped() {
-            break;
-        }
-        rows.push(row);
-    }
+        (!lab.is_stopped()).then_some(row)
+    };
+    let mut rows = Vec::new();
+    let _ = crew.work_heard(
+        0..claims.len() as u64,
+        || check_one,
+        |news| {
+            if let Some((_, row)) = news {
+                let Some(row) = row else { return ControlFlow::Break(()) };
+                rows.push(row);
+            }
+            let asked = watch(&rows, claims.len());
+            if asked.is_break() {
+                stop.store(true, Ordering::Relaxed);
+            }
+            asked
+        },
+    );
     rows
 }
 

@@ -211,14 +211,15 @@ fn make(study: &Study, stop: &Arc<AtomicBool>, sink: &impl Fn(StudyReport)) -> S
         }
         StudyKind::Map(method, axis) => {
             map::accepts(&study.scene).map_err(|error| error.to_string())?;
-            let watch = &mut || {
+            let watch = &mut |_, _| {
                 let stopped = stop.load(Ordering::Relaxed);
                 if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
-            match map::map(&study.scene, (*method, *axis), map::CELLS, watch) {
-                ControlFlow::Continue(map) => Ok(Finding::Map(Arc::new(map))),
-                ControlFlow::Break(()) => Err("the map was stopped: r draws it again".to_owned()),
+            let map = map::map(&study.scene, (*method, *axis), map::CELLS, watch);
+            if stop.load(Ordering::Relaxed) {
+                return Err("the map was stopped: r draws it again".to_owned());
             }
+            Ok(Finding::Map(Arc::new(map)))
         }
         StudyKind::Battery => battery(&now_s, stop, &mut tell),
         StudyKind::Thesis => Ok(claims(&mut tell, stop)),

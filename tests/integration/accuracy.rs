@@ -105,6 +105,10 @@ fn a_file_is_written_once_and_bad_input_is_told() {
     assert_eq!(again.status.code(), Some(2));
     assert!(text(&again.stderr).contains("was left alone"));
     assert!(Path::new(path).exists());
+    let beside = std::fs::read_to_string(Path::new(path).with_extension("toml")).unwrap();
+    assert!(beside.contains("# again: cmra accuracy ./accuracy.toml --quick --csv -"), "{beside}");
+    let changed = cmra(&["accuracy", "--quick", "--set", "gamma=2"]);
+    assert!(text(&changed.stdout).starts_with("changed: gamma=2\n"), "{}", text(&changed.stdout));
     let unknown = cmra(&["accuracy", "no-such-scene"]);
     assert_eq!(unknown.status.code(), Some(2));
     let refused = cmra(&["accuracy", "--set", "gamma=-1"]);

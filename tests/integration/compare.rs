@@ -144,8 +144,15 @@ fn the_map_is_drawn_with_its_line_and_written_as_rows() {
     csv.extend(["--csv", "-"]);
     let table = output(&csv);
     let lines: Vec<&str> = table.lines().collect();
-    assert_eq!(lines[0], "scene,v_i,gamma,mass_efficiency,no_mass_efficiency");
+    assert_eq!(lines[0], "scene,v_i,gamma,mass_efficiency,no_mass_efficiency,warnings");
     assert_eq!(lines.len(), 1 + 21 * 11);
+}
+
+/// A stop takes up energy that the closed form does not know.
+#[test]
+fn the_closed_form_is_left_out_for_a_scene_with_a_stop() {
+    let found: Value = serde_json::from_str(&output(&["--set", "stop=50mm", "--json"])).unwrap();
+    assert!(found["closed_form"].is_null() && found["verdict"].is_string());
 }
 
 /// A stack is compared like any armour: three elements and a base of the preset, 250 m/s.

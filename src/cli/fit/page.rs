@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::cli::reproduce::wrapped;
+use crate::cli::text::labelled;
 use crate::files::clean;
 use crate::model::units::{Engineering, fixed_significant};
 use crate::study::fit::calibrate::Calibration;
@@ -16,15 +16,19 @@ pub(super) fn text(
 ) -> String {
     let mut page = format!("{}: ballistic limit from shots\n\n", clean::line(file));
     let (all, through) = (report.shots.len(), report.perforated());
-    wrapped(&mut page, "shots", &format!("{all}: {} stopped, {through} perforated", all - through));
-    wrapped(&mut page, "results", &results(report));
+    labelled(
+        &mut page,
+        "shots",
+        &format!("{all}: {} stopped, {through} perforated", all - through),
+    );
+    labelled(&mut page, "results", &results(report));
     let fit = &report.logistic;
-    wrapped(
+    labelled(
         &mut page,
         "V50",
         &format!("{}, 95 % confidence {}", velocity(fit.v50_m_s), range(fit.range_m_s, velocity)),
     );
-    wrapped(
+    labelled(
         &mut page,
         "curve",
         &format!(
@@ -34,7 +38,7 @@ pub(super) fn text(
             fit.method.words()
         ),
     );
-    wrapped(&mut page, "residual", &residual(report));
+    labelled(&mut page, "residual", &residual(report));
     if let Some((scene, calibration)) = calibration {
         page.push('\n');
         calibrated(&mut page, scene, calibration);
@@ -99,7 +103,7 @@ fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
     let own = found
         .own_limit_m_s
         .map_or_else(|| "has no limit".to_owned(), |v| format!("has a limit of {}", velocity(v)));
-    wrapped(
+    labelled(
         page,
         "scene",
         &format!(
@@ -121,7 +125,7 @@ fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
             )
         },
     );
-    wrapped(page, "calibrated", &fitted);
+    labelled(page, "calibrated", &fitted);
     if let Some(depths) = found.from_depths {
         let scatter = depths
             .deviation_pa
@@ -130,7 +134,7 @@ fn calibrated(page: &mut String, scene: &str, found: &Calibration) {
             0 => String::new(),
             count => format!("; no strength gives the depth of {count} more"),
         };
-        wrapped(
+        labelled(
             page,
             "from depths",
             &format!(

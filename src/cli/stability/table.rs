@@ -1,7 +1,6 @@
 //! The battery and the map as text.
 
 use std::fmt::Write as _;
-use std::io::{self, IsTerminal as _};
 
 use crate::model::run::Outcome;
 use crate::model::units::{Engineering, significant};
@@ -10,19 +9,10 @@ use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 use crate::tui::app::stability::brief;
 
 /// From this width on there is room for what makes a scene hard.
-const WIDE: u16 = 118;
-
-/// Width to write for: the terminal's, or 80 where there is none.
-pub(super) fn width() -> u16 {
-    if io::stdout().is_terminal() {
-        crossterm::terminal::size().map_or(80, |size| size.0)
-    } else {
-        80
-    }
-}
+const WIDE: usize = 118;
 
 /// The table of the battery, what it means, and one line that sums it up.
-pub(super) fn battery(rows: &[Row], took_s: f64, width: u16) -> String {
+pub(super) fn battery(rows: &[Row], took_s: f64, width: usize) -> String {
     let wide = width >= WIDE;
     let mut text = format!(
         "{:<23} {:<4} {:>6} {:>6} {:>6} {:>6} {:>5}  {:<5}{:<5}{:<5}{:<4}",

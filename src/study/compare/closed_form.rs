@@ -26,12 +26,14 @@ impl ClosedForm {
         }
     }
 
-    /// For a scene; `None` for a rigid mount, a stack, an oblique shot, another contact model, and a spring's mass that is given.
+    /// For a scene; `None` for a rigid mount, a stack, an oblique shot, another contact model, a stop, and a spring's mass that is given.
     pub fn of(scene: &Scene, hardware: &Hardware) -> Option<Self> {
         let fits = scene.plate.mount == Mount::Sprung
             && scene.stack.base_thickness_m.is_none()
             && scene.projectile.obliquity_deg == 0.0
             && scene.contact.model == ContactModel::Hydrodynamic
+            // A stop takes up energy beside the spring.
+            && scene.mechanism.stop.position_m.is_none()
             && hardware.spring_kg.is_none();
         let (gamma, velocity_m_s) = (scene.plate.mass_ratio, scene.projectile.velocity_m_s);
         fits.then(|| Self::new(gamma, velocity_m_s, scene.mechanism.specific_energy_j_kg()))

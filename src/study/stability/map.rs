@@ -229,16 +229,16 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
     variables::require_single(scene)
 }
 
-/// Asked before each row of a map; `Break` stops.
-pub type Watch<'a> = &'a mut dyn FnMut() -> ControlFlow<()>;
+/// Asked before each row of a map with the rows done and all; `Break` leaves the cells of the rest unknown.
+pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 
-/// Draw up the map of a valid scene with `(rows, columns)` cells, both at least 2, unless it is stopped.
+/// Compute the map of a valid scene with `(rows, columns)` cells, both at least 2, as far as it is let.
 pub fn map(
     scene: &Scene,
     (method, axis): (Method, Axis),
     (rows, columns): (usize, usize),
     watch: Watch<'_>,
-) -> ControlFlow<(), Map> {
+) -> Map {
     let present = Target::of(scene);
     // Around the present contact: from a hundred-thousandth of it to all of it.
     let contact_s = present.map_or_else(
@@ -248,16 +248,20 @@ pub fn map(
     let dt_s = ratios((1e-5 * contact_s, contact_s), columns);
     let values = ratios(axis.range(), rows);
     let (mut cells, mut limit_s) = (Vec::new(), Vec::new());
-    for value in &values {
-        watch()?;
+    for (done, value) in values.iter().enumerate() {
+        if watch(done, values.len()).is_break() {
+            break;
+        }
         let mut own = scene.clone();
         axis.set(&mut own, *value);
         let target = Target::of(&own);
         limit_s.push(target.and_then(|target| limit(&own, method, &target.peaks)));
         cells.extend(dt_s.iter().map(|dt_s| cell(&own, method, *dt_s, target.as_ref())));
     }
+    cells.resize(values.len() * columns, Cell::Unknown);
+    limit_s.resize(values.len(), None);
     let present_limit = present.and_then(|target| limit(scene, method, &target.peaks));
-    ControlFlow::Continue(Map {
+    Map {
         method,
         axis,
         dt_s,
@@ -266,7 +270,7 @@ pub fn map(
         limit_s,
         present: (axis.get(scene), THESIS_DT_S),
         largest_stable_dt_s: present_limit,
-    })
+    }
 }
 
 fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {
@@ -421,9 +425,8 @@ mod tests {
 
     #[test]
     fn a_map_has_a_cell_for_every_row_and_column() {
-        let go_on = &mut || ControlFlow::Continue(());
+        let go_on = &mut |_, _| ControlFlow::Continue(());
         let map = map(&Scene::default(), (Method::Rk4, Axis::B), (4, 5), go_on);
-        let ControlFlow::Continue(map) = map else { panic!("nobody stopped it") };
         assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
         assert_eq!(map.cell(0, 0), Cell::Accurate);
         assert!(map.limit_s[3] < map.limit_s[1]);
@@ -442,14 +445,17 @@ mod tests {
     }
 
     #[test]
-    fn a_map_is_stopped_before_its_next_row() {
+    fn a_map_that_is_stopped_keeps_its_rows() {
         let mut rows = 0;
-        let stop = &mut || {
+        let stop = &mut |done, all| {
+            assert_eq!((done, all), (rows, 40));
             rows += 1;
             if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let map = map(&Scene::default(), (Method::Rk4, Axis::B), (40, 5), stop);
-        assert!(map.is_break());
+        assert_eq!(map.cells.len(), 200);
+        assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Unknown));
+        assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Unknown));
         assert_eq!(rows, 3);
     }
 }
