@@ -9,6 +9,7 @@ pub mod atomic;
 pub mod bundled;
 pub mod clean;
 pub mod compare;
+pub mod config;
 pub mod csv;
 pub mod error;
 pub mod export;

@@ -1,13 +1,15 @@
 //! The workbench: options, and the loop that everything passes through.
 //!
-//! One inbox takes what the terminal, the worker, the clerk and signals have to say. The loop takes a message, lets `update`
+//! One inbox takes what the terminal, the worker, the I/O thread and signals have to say. The loop takes a message, lets `update`
 //! change the state, does the effects, takes all else that waits, and draws once. Idle, it draws nothing and wakes four times a
 //! second to see whether the terminal is still there. What is drawn and what keys mean is not known here.
 
 pub mod app;
 pub mod chart;
 pub mod efficiency_map;
+pub mod keymap;
 pub mod message;
+pub mod pages;
 pub mod theme;
 pub mod update;
 pub mod view;

@@ -9,6 +9,7 @@ pub mod battery;
 pub mod cache;
 pub mod clock;
 mod job;
+pub mod quiet;
 pub mod searches;
 pub mod studies;
 pub mod sweeps;

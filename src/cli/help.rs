@@ -8,7 +8,7 @@ use clap::{Args, Command, CommandFactory as _};
 use crate::cli::{Arguments, CliError, output};
 use crate::files::error::did_you_mean;
 use crate::tui::app::status::wrap;
-use crate::tui::message::BINDINGS;
+use crate::tui::keymap::{Keymap, LINES, PANE_KEYS, Scope};
 
 /// The commands by what they are for. A test checks that each stands in one group.
 const GROUPS: [(&str, &[&str]); 4] = [
@@ -134,20 +134,38 @@ fn list() -> String {
     text + "\nor a command: `cmra help run` prints `cmra run --help`.\n`cmra --help` lists the commands.\n"
 }
 
-/// The table of keys, pane by pane.
+/// The table of keys: what each means in every pane, then what it does in particular in each.
 fn keys() -> String {
-    let mut text =
-        String::from("KEYS\n\nThe workbench shows the keys of the focused pane with `?`.\n");
-    let mut place = None;
-    for binding in BINDINGS {
-        if place != Some(binding.place) {
-            place = Some(binding.place);
-            let _ = writeln!(text, "\n{}", binding.place.words());
-        }
-        for (row, line) in wrap(binding.help, HELP_WIDTH).into_iter().enumerate() {
-            let keys = if row == 0 { binding.keys_in_words() } else { String::new() };
+    let map = Keymap::default();
+    let mut text = String::from(
+        "KEYS\n\nEvery key has one meaning in all panes. `?` in the workbench lists those of the\n\
+         focused pane first. Other keys: [keys] in config.toml (`cmra paths` names it),\n\
+         each action by its name in brackets, as in `undo = \"U\"`.\n",
+    );
+    let line = |text: &mut String, keys: &str, help: &str| {
+        for (row, line) in wrap(help, HELP_WIDTH).into_iter().enumerate() {
+            let keys = if row == 0 { keys } else { "" };
             let _ = writeln!(text, "  {keys:<20}  {line}");
         }
+    };
+    let table = |text: &mut String, wanted: bool| {
+        for row in LINES.iter().filter(|row| (row.scope == Scope::Everywhere) == wanted) {
+            let names: Vec<&str> = row.keys.iter().map(|(_, name, _)| *name).collect();
+            let help = format!("{} [{}]", row.meaning, names.join(", "));
+            line(text, &map.line_label(row), &help);
+        }
+    };
+    text.push_str("\nIn every pane\n");
+    table(&mut text, true);
+    text.push_str("\nIn forms, charts and tables\n");
+    table(&mut text, false);
+    let mut pane = None;
+    for row in PANE_KEYS {
+        if pane != Some(row.pane) {
+            pane = Some(row.pane);
+            let _ = writeln!(text, "\n{}", row.pane.label());
+        }
+        line(&mut text, &map.label(row.action), row.help);
     }
     text
 }

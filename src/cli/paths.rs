@@ -9,7 +9,8 @@ use crate::files::paths::Paths;
 pub(super) fn run() -> Result<ExitCode, CliError> {
     let paths = Paths::of_user()?;
     output::print(&format!(
-        "presets   {}\nsession   {}\nprevious  {}\nlog       {}\n",
+        "config    {}\npresets   {}\nsession   {}\nprevious  {}\nlog       {}\n",
+        paths.config.display(),
         paths.presets.display(),
         paths.session_file().display(),
         paths.previous_session_file().display(),

@@ -11,6 +11,8 @@ use crate::files::error::FileError;
 pub struct Paths {
     /// The user's own presets.
     pub presets: PathBuf,
+    /// Keys, colours and characters of the workbench.
+    pub config: PathBuf,
     /// Session, log and reports of a crash.
     pub state: PathBuf,
 }
@@ -24,6 +26,7 @@ impl Paths {
         let dirs = ProjectDirs::from("", "", "cmra").ok_or(FileError::NoHome)?;
         Ok(Self {
             presets: dirs.data_dir().join("presets"),
+            config: dirs.config_dir().join("config.toml"),
             // Only some platforms have a state directory of their own.
             state: dirs.state_dir().unwrap_or_else(|| dirs.data_local_dir()).to_owned(),
         })
@@ -31,7 +34,11 @@ impl Paths {
 
     /// Paths below one directory, for tests.
     pub fn below(directory: &Path) -> Self {
-        Self { presets: directory.join("data/presets"), state: directory.join("state") }
+        Self {
+            presets: directory.join("data/presets"),
+            config: directory.join("config/config.toml"),
+            state: directory.join("state"),
+        }
     }
 
     /// The file of the last session.

@@ -8,18 +8,24 @@ use std::time::Duration;
 
 use crate::files::clean;
 use crate::model::scene::Scene;
-use crate::tui::message::{Place, PresetEntry};
+use crate::tui::keymap::{Keymap, Pane};
+use crate::tui::message::PresetEntry;
+use crate::tui::pages;
 use crate::tui::theme::{ColourDepth, Theme};
 
 pub mod accuracy;
 pub mod charts;
+pub mod comparison;
 pub mod dialog;
 pub mod editor;
+pub mod find;
 pub mod history;
 pub mod layout;
 pub mod limit;
 pub mod log;
 pub mod notice;
+pub mod options;
+pub mod palette;
 pub mod quantity;
 pub mod runs;
 pub mod search;
@@ -27,6 +33,7 @@ pub mod setup;
 pub mod stability;
 pub mod status;
 pub mod steps;
+pub mod summary;
 pub mod sweep;
 pub mod thesis;
 mod validity;
@@ -35,6 +42,7 @@ use accuracy::Accuracy;
 use charts::Charts;
 use dialog::Dialog;
 use editor::Editor;
+use find::Find;
 use history::History;
 use layout::Layout;
 use limit::Ballistic;
@@ -53,67 +61,74 @@ const LOG_MAX: usize = 2000;
 pub enum Tab {
     /// One impact: variables, charts, runs.
     Run,
-    /// Curves over one variable.
-    Sweep,
-    /// A map over two.
-    Surface,
-    /// Error against run time of every method, for the scene on the screen.
-    Accuracy,
-    /// Where fixed-step methods fail, and the battery of stiff and extreme scenes.
-    Stability,
-    /// Warnings, events, energy, cost and messages.
-    Log,
+    /// Curves or a map of a quantity over one variable or two.
+    Explore,
+    /// The ballistic limit, the residual velocity, and the comparison at equal areal mass.
+    Limit,
+    /// Goal seek, Pareto front, sensitivity, Monte Carlo.
+    Search,
+    /// Accuracy and stability of the methods.
+    Numerics,
     /// The thesis: its claims, its principles, its screening matrix.
     Thesis,
-    /// The ballistic limit and the velocity left beyond it.
-    Limit,
-    /// Designs that reach a goal, that nothing beats; what matters, how it scatters, mass efficiency.
-    Search,
+    /// Warnings, events, energy, cost and messages.
+    Log,
 }
 
 impl Tab {
     /// All tabs, in order.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 7] = [
         Self::Run,
-        Self::Sweep,
-        Self::Surface,
-        Self::Accuracy,
-        Self::Stability,
-        Self::Log,
-        Self::Thesis,
+        Self::Explore,
         Self::Limit,
         Self::Search,
+        Self::Numerics,
+        Self::Thesis,
+        Self::Log,
     ];
 
     /// The text in the title row, with the key that leads there.
     pub fn title(self) -> &'static str {
         match self {
             Self::Run => "1:Run",
-            Self::Sweep => "2:Sweep",
-            Self::Surface => "3:Surface",
-            Self::Accuracy => "4:Accuracy",
-            Self::Stability => "5:Stability",
-            Self::Log => "6:Log",
-            Self::Thesis => "7:Thesis",
-            Self::Limit => "8:Limit",
-            Self::Search => "9:Search",
+            Self::Explore => "2:Explore",
+            Self::Limit => "3:Limit",
+            Self::Search => "4:Search",
+            Self::Numerics => "5:Numerics",
+            Self::Thesis => "6:Thesis",
+            Self::Log => "7:Log",
         }
     }
 
-    /// A shorter text, for where nine full ones have no room.
-    pub fn short_title(self) -> &'static str {
-        match self {
-            Self::Surface => "3:Surf",
-            Self::Accuracy => "4:Acc",
-            Self::Stability => "5:Stab",
-            Self::Sweep => "2:Swp",
-            Self::Thesis => "7:Ths",
-            Self::Limit => "8:Lim",
-            Self::Search => "9:Srch",
-            Self::Run | Self::Log => self.title(),
+    /// Its place in the title row, from 0.
+    pub fn index(self) -> usize {
+        Self::ALL.iter().position(|tab| *tab == self).unwrap_or(0)
+    }
+
+    /// The tab of a pane.
+    pub fn of(pane: Pane) -> Self {
+        match pane {
+            Pane::Variables | Pane::Charts | Pane::Runs => Self::Run,
+            Pane::ExploreSetup | Pane::Explore => Self::Explore,
+            Pane::Comparison | Pane::Residual | Pane::EfficiencyMap => Self::Limit,
+            Pane::SearchSetup | Pane::Search => Self::Search,
+            Pane::Accuracy | Pane::StabilityMap | Pane::Battery => Self::Numerics,
+            Pane::Claims | Pane::Principles | Pane::Screening => Self::Thesis,
+            Pane::Log => Self::Log,
         }
     }
 }
+
+/// The pane of each tab that has the focus at the start.
+const FOCUS: [Pane; 7] = [
+    Pane::Variables,
+    Pane::Explore,
+    Pane::Residual,
+    Pane::SearchSetup,
+    Pane::Accuracy,
+    Pane::Claims,
+    Pane::Log,
+];
 
 /// Where a preset comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -152,10 +167,14 @@ pub struct App {
     pub best_depth: ColourDepth,
     /// The tab shown.
     pub tab: Tab,
-    /// The pane that has the keys.
-    pub focus: Place,
-    /// The focused pane fills the body.
-    pub full_pane: bool,
+    /// The pane of each tab that has the focus.
+    pub focus: [Pane; 7],
+    /// The tabs whose focused pane fills the body.
+    pub full_pane: [bool; 7],
+    /// The keys in force.
+    pub keymap: Keymap,
+    /// This is the first start: a line says how to begin, until the first edit.
+    pub first_run: bool,
     /// The scene being edited.
     pub scene: Arc<Scene>,
     /// The preset it came from.
@@ -196,6 +215,8 @@ pub struct App {
     pub log: Vec<Notice>,
     /// First row shown of the Log tab.
     pub log_scroll: usize,
+    /// What `/` has found, and the text being typed.
+    pub find: Find,
     /// Run after every edit.
     pub auto_run: bool,
     /// The program has the mouse.
@@ -216,8 +237,10 @@ impl App {
             theme,
             best_depth: theme.depth,
             tab: Tab::Run,
-            focus: Place::Variables,
-            full_pane: false,
+            focus: FOCUS,
+            full_pane: [false; 7],
+            keymap: Keymap::default(),
+            first_run: false,
             scene: Arc::clone(&base.scene),
             base,
             editor: Editor::default(),
@@ -238,6 +261,7 @@ impl App {
             notice: None,
             log: Vec::new(),
             log_scroll: 0,
+            find: Find::default(),
             auto_run: true,
             mouse: false,
             presets: Vec::new(),
@@ -253,56 +277,47 @@ impl App {
 
     /// Where everything would stand at a size.
     pub fn layout_at(&self, size: (u16, u16)) -> Layout {
-        let rows = self.message_lines(usize::from(size.0)).len();
-        self.layout_with(size, u16::try_from(rows).unwrap_or(1))
+        layout::layout(&layout::Wanted {
+            size,
+            tab: self.tab,
+            focus: self.pane(),
+            full_pane: self.full_pane[self.tab.index()],
+            // On the lowest screens the frame of the pane names the page.
+            has_pages: pages::of(self.tab).names().len() > 1 && size.1 >= layout::WITH_PAGES,
+            pins: self.pins.len(),
+            picture: self.sweeping.visits.picture,
+        })
     }
 
-    /// Columns of a chart that stand for time; does not depend on the message.
+    /// Columns of a chart that stand for time.
     pub fn chart_columns(&self) -> u16 {
-        self.layout_with(self.size, 1).chart_columns().max(10)
+        self.layout().chart_columns().max(10)
     }
 
-    fn layout_with(&self, size: (u16, u16), message_rows: u16) -> Layout {
-        let pins = self.pins.len();
-        let focus = if self.tab == Tab::Run { self.focus } else { self.place() };
-        layout::layout(size, message_rows, self.tab, (focus, self.full_pane), pins)
+    /// Whether the scene is the baseline, untouched.
+    pub fn is_baseline(&self) -> bool {
+        self.base.name == crate::files::bundled::BASELINE && !self.is_modified()
     }
 
-    /// Where a key is pressed now.
-    pub fn place(&self) -> Place {
-        match self.tab {
-            Tab::Run => self.focus,
-            Tab::Sweep | Tab::Surface if self.sweeping.on_setup => Place::Setup,
-            Tab::Sweep => Place::Lines,
-            Tab::Surface => Place::Surface,
-            Tab::Accuracy => Place::Accuracy,
-            Tab::Stability if self.stability.battery_shown => Place::Battery,
-            Tab::Stability => Place::Map,
-            Tab::Log => Place::Log,
-            Tab::Thesis => match self.thesis.page {
-                thesis::Page::Claims => Place::Claims,
-                thesis::Page::Principles => Place::Principles,
-                thesis::Page::Screening => Place::Screening,
-            },
-            Tab::Limit => Place::Limit,
-            Tab::Search if self.searching.on_setup => Place::SearchSetup,
-            Tab::Search => Place::Search,
-        }
+    /// Whether the newest message refuses something.
+    pub fn is_refused(&self) -> bool {
+        self.notice.as_ref().is_some_and(|notice| notice.severity == Severity::Error)
     }
 
-    /// The panes of the tab, which Tab leads through.
-    pub fn panes(&self) -> &'static [Place] {
-        match self.tab {
-            Tab::Run => &[Place::Variables, Place::Charts, Place::Runs],
-            Tab::Sweep => &[Place::Setup, Place::Lines],
-            Tab::Surface => &[Place::Setup, Place::Surface],
-            Tab::Accuracy => &[Place::Accuracy],
-            Tab::Stability => &[Place::Map, Place::Battery],
-            Tab::Log => &[Place::Log],
-            Tab::Thesis => &[Place::Claims, Place::Principles, Place::Screening],
-            Tab::Limit => &[Place::Limit],
-            Tab::Search => &[Place::SearchSetup, Place::Search],
-        }
+    /// The pane that has the keys.
+    pub fn pane(&self) -> Pane {
+        self.focus[self.tab.index()]
+    }
+
+    /// Give a pane the keys; its tab is shown.
+    pub fn focus_on(&mut self, pane: Pane) {
+        self.tab = Tab::of(pane);
+        self.focus[self.tab.index()] = pane;
+    }
+
+    /// Whether a pane has the keys: its tab is shown and no dialog lies on top.
+    pub fn has_focus(&self, pane: Pane) -> bool {
+        self.pane() == pane && self.dialog.is_none()
     }
 
     /// Whether the scene differs from the preset it came from.

@@ -22,7 +22,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
-use crate::tui::theme::{GlyphSet, Pane, Theme, ascii_pass};
+use crate::tui::theme::{GlyphSet, PaneFrame, Theme, ascii_pass};
 
 mod canvas;
 pub mod curve;
@@ -38,7 +38,7 @@ mod titles;
 mod trace;
 
 pub use curve::{Curve, Emphasis, MARKERS, Points, Side};
-pub use heatmap::{Heatmap, Spot};
+pub use heatmap::{HeatCell, Heatmap};
 pub use layout::Layout;
 pub use levels::Levels;
 pub use prefix::Unit;
@@ -232,8 +232,8 @@ impl<'a> Chart<'a> {
 
     fn inner(&self, area: Rect) -> Rect {
         match self.frame {
-            Frame::Boxed => Pane::default().inner(area),
-            Frame::OpenBelow => Pane::default().open_below().inner(area),
+            Frame::Boxed => PaneFrame::default().inner(area),
+            Frame::OpenBelow => PaneFrame::default().open_below().inner(area),
             Frame::Bare => {
                 let top = area.height.min(1);
                 Rect { y: area.y + top, height: area.height - top, ..area }
@@ -243,7 +243,7 @@ impl<'a> Chart<'a> {
 
     fn draw_frame(&self, plan: &Plan<'_>, area: Rect, buffer: &mut Buffer, theme: Theme) {
         let title = Line::from(plan.title.as_str());
-        let pane = Pane::new(title.clone()).right(plan.right.clone()).focused(self.focused);
+        let pane = PaneFrame::new(title.clone()).right(plan.right.clone()).focused(self.focused);
         match self.frame {
             Frame::Boxed => {
                 pane.render(area, buffer, theme);

@@ -1,4 +1,4 @@
-//! The clerk: carries out the effects that touch files, on a thread of its own, so that a slow disk never holds up a key.
+//! The I/O thread: carries out the effects that touch files, on a thread of its own, so that a slow disk never holds up a key.
 //!
 //! Tasks are done in order; of questions asked again before they are answered only the newest is, and on leaving none. The
 //! session is kept soon after it changed (changes in quick succession are written once), and at
@@ -15,7 +15,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::Incoming;
-use crate::files::accuracy::{self, Named};
+use crate::files::accuracy;
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::{self, ExportRequest};
@@ -27,7 +27,7 @@ use crate::files::session::{self, Known, Session};
 use crate::files::sweep;
 use crate::model::scene::Scene;
 use crate::tui::complete;
-use crate::tui::message::{EffectReport, ExportOutcome, Message, PresetEntry, SweepExport};
+use crate::tui::message::{Content, EffectReport, ExportOutcome, Message, PresetEntry};
 
 /// How long a changed session may stay unsaved.
 const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -41,12 +41,8 @@ pub(super) enum Task {
     SavePreset { name: String, scene: Box<Scene>, overwrite: bool },
     /// Write an export.
     Export(Box<ExportRequest>),
-    /// Write what was measured of the methods.
-    ExportAccuracy { path: PathBuf, overwrite: bool, found: Box<Named> },
-    /// Write what a sweep found.
-    ExportSweep(Box<SweepExport>),
     /// Write a table.
-    ExportTable { path: PathBuf, overwrite: bool, text: String },
+    ExportTable { path: PathBuf, overwrite: bool, content: Content },
     /// Tell which presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     /// Read a scene file.
@@ -89,12 +85,12 @@ impl Unsaved {
 }
 
 /// The thread and its inbox.
-pub(super) struct Clerk {
+pub(super) struct IoThread {
     tasks: Sender<Task>,
     unsaved: Unsaved,
 }
 
-impl Clerk {
+impl IoThread {
     /// Start the thread. Without paths nothing of the program's own is kept.
     ///
     /// # Errors
@@ -107,13 +103,13 @@ impl Clerk {
         let (tasks, receive) = mpsc::channel();
         let unsaved =
             Unsaved { session: Arc::default(), known: Arc::new(Mutex::new(known)), paths };
-        let desk = Desk {
+        let queue = FileQueue {
             unsaved: unsaved.clone(),
             inbox,
             is_kept: Cell::new(true),
             shares: Cell::new(false),
         };
-        thread::Builder::new().name("clerk".to_owned()).spawn(move || desk.serve(&receive))?;
+        thread::Builder::new().name("io_thread".to_owned()).spawn(move || queue.serve(&receive))?;
         Ok(Self { tasks, unsaved })
     }
 
@@ -151,7 +147,7 @@ impl Clerk {
 }
 
 /// What the thread has at hand.
-struct Desk {
+struct FileQueue {
     unsaved: Unsaved,
     inbox: Sender<Incoming>,
     /// Whether the session could be saved the last time.
@@ -160,7 +156,7 @@ struct Desk {
     shares: Cell<bool>,
 }
 
-impl Desk {
+impl FileQueue {
     fn serve(&self, tasks: &Receiver<Task>) {
         let mut session_due: Option<Instant> = None;
         let mut waiting = VecDeque::new();
@@ -220,12 +216,8 @@ impl Desk {
                 EffectReport::Saved(save_preset(paths, name, &scene, overwrite))
             }
             Task::Export(request) => EffectReport::Exported(write_export(&request)),
-            Task::ExportAccuracy { path, overwrite, found } => {
-                EffectReport::Exported(write_accuracy(path, overwrite, &found))
-            }
-            Task::ExportSweep(export) => EffectReport::Exported(write_sweep(*export)),
-            Task::ExportTable { path, overwrite, text } => {
-                EffectReport::Exported(write_table(path, overwrite, &text))
+            Task::ExportTable { path, overwrite, content } => {
+                EffectReport::Exported(write_table(path, overwrite, &content))
             }
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
@@ -320,33 +312,23 @@ fn place(path: PathBuf, overwrite: bool, is_complete: bool) -> (PathBuf, Existin
     }
 }
 
-fn write_accuracy(path: PathBuf, overwrite: bool, found: &Named) -> ExportOutcome {
-    let (path, existing) = place(path, overwrite, found.1.is_complete);
+fn write_table(path: PathBuf, overwrite: bool, content: &Content) -> ExportOutcome {
+    let is_complete = match content {
+        Content::Text(_) => true,
+        Content::Grid(_, grid) => grid.is_complete(),
+        Content::Accuracy(found) => found.1.is_complete,
+    };
+    let (path, existing) = place(path, overwrite, is_complete);
+    let table = || {
+        Ok(match content {
+            Content::Text(text) => text.clone().into_bytes(),
+            Content::Grid(name, grid) => sweep::grid_csv(name, grid)?,
+            Content::Accuracy(found) => accuracy::csv(std::slice::from_ref(&**found))?.into_bytes(),
+        })
+    };
     let written = atomic::ordinary(&path)
-        .and_then(|()| accuracy::csv(std::slice::from_ref(found)))
-        .and_then(|table| atomic::write(&path, table.as_bytes(), existing));
-    match written {
-        Ok(()) => ExportOutcome::Written(vec![path]),
-        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
-        Err(error) => ExportOutcome::Failed(error.to_string()),
-    }
-}
-
-fn write_sweep(export: SweepExport) -> ExportOutcome {
-    let (path, existing) = place(export.path, export.overwrite, export.grid.is_complete());
-    let written = atomic::ordinary(&path)
-        .and_then(|()| sweep::grid_csv(&export.name, &export.grid))
+        .and_then(|()| table())
         .and_then(|table| atomic::write(&path, &table, existing));
-    match written {
-        Ok(()) => ExportOutcome::Written(vec![path]),
-        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
-        Err(error) => ExportOutcome::Failed(error.to_string()),
-    }
-}
-
-fn write_table(path: PathBuf, overwrite: bool, text: &str) -> ExportOutcome {
-    let written = atomic::ordinary(&path)
-        .and_then(|()| atomic::write(&path, text.as_bytes(), existing(overwrite)));
     match written {
         Ok(()) => ExportOutcome::Written(vec![path]),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
@@ -357,6 +339,7 @@ fn write_table(path: PathBuf, overwrite: bool, text: &str) -> ExportOutcome {
 fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
     let (presets, problems) = preset::list(paths);
     let (parts, wrong_parts) = library::list(paths);
+    let broken = broken(paths, &presets, &problems);
     for problem in problems.into_iter().chain(wrong_parts) {
         log::warn!("{problem}");
     }
@@ -368,6 +351,7 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         scene: found.scene,
         comment: found.comment,
         part: None,
+        problem: None,
     };
     presets
         .into_iter()
@@ -377,7 +361,24 @@ fn list_presets(paths: Option<&Paths>, recent: &[PathBuf]) -> Vec<PresetEntry> {
         })
         .chain(recent.map(|found| entry(found, "recent")))
         .chain(parts.into_iter().map(PresetEntry::of_part))
+        .chain(broken)
         .collect()
+}
+
+/// The user's own presets that cannot be read, each with its reason.
+fn broken(paths: Option<&Paths>, read: &[Preset], problems: &[FileError]) -> Vec<PresetEntry> {
+    let files = paths.and_then(|paths| fs::read_dir(&paths.presets).ok()).into_iter().flatten();
+    let names = files.filter_map(|file| {
+        let path = file.ok()?.path();
+        let is_preset = path.extension().is_some_and(|end| end == "toml");
+        is_preset.then(|| path.file_stem().map(|name| name.to_string_lossy().into_owned()))?
+    });
+    let missing = names.filter(|name| read.iter().all(|preset| preset.name != *name));
+    let reason = |name: &str| {
+        let file = format!("{name}.toml");
+        problems.iter().map(ToString::to_string).find(|text| text.contains(&file))
+    };
+    missing.filter_map(|name| Some(PresetEntry::broken(name.clone(), reason(&name)?))).collect()
 }
 
 /// Write the copied text where a terminal without OSC 52 leaves it in reach, and say where it went.
@@ -405,12 +406,12 @@ mod tests {
 
     const PATIENCE: Duration = Duration::from_secs(20);
 
-    fn start() -> (tempfile::TempDir, Paths, Clerk, Receiver<Incoming>) {
+    fn start() -> (tempfile::TempDir, Paths, IoThread, Receiver<Incoming>) {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
         let (send, receive) = mpsc::channel();
-        let clerk = Clerk::spawn(Some(paths.clone()), Known::default(), send).unwrap();
-        (place, paths, clerk, receive)
+        let io_thread = IoThread::spawn(Some(paths.clone()), Known::default(), send).unwrap();
+        (place, paths, io_thread, receive)
     }
 
     fn report(inbox: &Receiver<Incoming>) -> EffectReport {
@@ -433,17 +434,17 @@ mod tests {
 
     #[test]
     fn the_newest_session_is_saved_on_leaving() {
-        let (_place, paths, clerk, _inbox) = start();
-        clerk.session_changed(session_of(2.0));
-        clerk.session_changed(session_of(3.0));
-        clerk.finish(PATIENCE).unwrap();
+        let (_place, paths, io_thread, _inbox) = start();
+        io_thread.session_changed(session_of(2.0));
+        io_thread.session_changed(session_of(3.0));
+        io_thread.finish(PATIENCE).unwrap();
         let kept = session::load(&paths.session_file()).session;
         assert_eq!(kept, Some(session_of(3.0)));
     }
 
     #[test]
     fn a_session_that_cannot_be_kept_is_told_once_and_again_when_it_can() {
-        let (place, paths, clerk, inbox) = start();
+        let (place, paths, io_thread, inbox) = start();
         // Where the folder should be there is a file.
         let state = paths.state.clone();
         fs::create_dir_all(state.parent().unwrap()).unwrap();
@@ -452,22 +453,22 @@ mod tests {
             EffectReport::Session(saved) => saved,
             other => panic!("{other:?}"),
         };
-        clerk.session_changed(session_of(2.0));
+        io_thread.session_changed(session_of(2.0));
         let why = told().unwrap_err();
         assert!(why.contains("cannot write"), "{why}");
-        clerk.session_changed(session_of(3.0));
-        assert!(clerk.finish(PATIENCE).is_err());
+        io_thread.session_changed(session_of(3.0));
+        assert!(io_thread.finish(PATIENCE).is_err());
         fs::remove_file(&state).unwrap();
-        clerk.session_changed(session_of(4.0));
+        io_thread.session_changed(session_of(4.0));
         assert_eq!(told(), Ok(()));
         drop(place);
     }
 
     #[test]
     fn a_session_is_saved_by_itself_after_a_while() {
-        let (_place, paths, clerk, _inbox) = start();
+        let (_place, paths, io_thread, _inbox) = start();
         let started = Instant::now();
-        clerk.session_changed(session_of(2.0));
+        io_thread.session_changed(session_of(2.0));
         while !paths.session_file().exists() {
             assert!(started.elapsed() < PATIENCE, "never saved");
             thread::yield_now();
@@ -477,9 +478,9 @@ mod tests {
 
     #[test]
     fn a_preset_is_not_replaced_unasked() {
-        let (_place, paths, clerk, inbox) = start();
+        let (_place, paths, io_thread, inbox) = start();
         let ask = |overwrite| {
-            clerk.ask(Task::SavePreset {
+            io_thread.ask(Task::SavePreset {
                 name: "mine".to_owned(),
                 scene: Box::default(),
                 overwrite,
@@ -496,7 +497,7 @@ mod tests {
         );
         ask(true);
         assert!(matches!(report(&inbox), EffectReport::Saved(Ok(_))));
-        clerk.ask(Task::ListPresets(Vec::new()));
+        io_thread.ask(Task::ListPresets(Vec::new()));
         let EffectReport::Presets(presets) = report(&inbox) else {
             panic!("not a list");
         };
@@ -537,8 +538,8 @@ mod tests {
 
     #[test]
     fn copied_text_is_in_a_file_too_and_the_message_says_where() {
-        let (_place, paths, clerk, inbox) = start();
-        clerk.ask(Task::KeepCopy { text: "depth 7 mm".to_owned(), sent: "copied".to_owned() });
+        let (_place, paths, io_thread, inbox) = start();
+        io_thread.ask(Task::KeepCopy { text: "depth 7 mm".to_owned(), sent: "copied".to_owned() });
         let EffectReport::Copied(text) = report(&inbox) else {
             panic!("not copied");
         };

@@ -1,6 +1,6 @@
 //! The map of the mass efficiency as a heat map with the line of 1: the same on the command line and in the workbench.
 
-use super::chart::{Axis, Heatmap, Levels, Scale, Spot, Unit, ViewRange};
+use super::chart::{Axis, HeatCell, Heatmap, Levels, Scale, Unit, ViewRange};
 use super::theme::Role;
 use crate::study::compare::Absence;
 use crate::study::compare::map::Map;
@@ -17,14 +17,16 @@ pub fn levels(map: &Map) -> Option<Levels> {
 /// Hand the heat map of a map to whoever draws it.
 pub fn with_heatmap<T>(map: &Map, levels: &Levels, draw: impl FnOnce(&Heatmap<'_>) -> T) -> T {
     let (x, y) = (map.x(), map.y());
-    let turned = |at: usize, axis: &sweep::Axis| {
+    let from_lower_left = |at: usize, axis: &sweep::Axis| {
         let (at, last) = (at as u64, axis.count() - 1);
         if axis.ends().0 > axis.ends().1 { last - at } else { at }
     };
-    let spot = |across: usize, up: usize| match map.cell(turned(across, x), turned(up, y)) {
-        Some(Ok(value)) => Spot::Value(value),
-        Some(Err(absence)) => Spot::Mark(letter(absence), Role::Dim),
-        None => Spot::Empty,
+    let cell = |across: usize, up: usize| match map
+        .cell(from_lower_left(across, x), from_lower_left(up, y))
+    {
+        Some(Ok(value)) => HeatCell::Value(value),
+        Some(Err(absence)) => HeatCell::Mark(letter(absence), Role::Dim),
+        None => HeatCell::Empty,
     };
     let counts = |axis: &sweep::Axis| usize::try_from(axis.count()).unwrap_or(usize::MAX);
     draw(&Heatmap {
@@ -32,7 +34,7 @@ pub fn with_heatmap<T>(map: &Map, levels: &Levels, draw: impl FnOnce(&Heatmap<'_
         x: chart_axis(x),
         y: chart_axis(y),
         counts: (counts(x), counts(y)),
-        spot: &spot,
+        cell: &cell,
         levels,
         contour: Some(1.0),
         cursor: None,

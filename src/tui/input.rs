@@ -7,12 +7,17 @@
 //! and waits again with the rest unread: a long text that comes as keys (a paste in a terminal without bracketed paste) would
 //! fill the line, and no further key could ever get through.
 
+use std::collections::VecDeque;
 use std::io;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::mpsc::Sender;
 use std::thread;
+use std::time::Duration;
 
-use crossterm::event::{self, Event, KeyEventKind, MouseButton, MouseEvent, MouseEventKind};
+use crossterm::event::{
+    self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers, MouseButton, MouseEvent,
+    MouseEventKind,
+};
 
 use super::{Incoming, terminal};
 use crate::tui::message::{EffectReport, Message};
@@ -29,7 +34,9 @@ const RESTARTED: &str = "internal error while reading keys: reading was restarte
 /// When the system has no thread to give.
 pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
     let reading = move || {
-        listen(&inbox, event::read);
+        // Whether more has come in the same read. Without any time crossterm does not look at what it has read already.
+        let waits = || event::poll(Duration::from_millis(1)).unwrap_or(false);
+        listen(&inbox, event::read, waits);
         // The loop may be over already.
         let _ = inbox.send(Incoming::InputLost);
     };
@@ -37,10 +44,25 @@ pub(super) fn spawn(inbox: Sender<Incoming>) -> io::Result<()> {
 }
 
 /// Pass events on until reading fails, panics again and again, or the loop is over. A panic costs the bytes that had been read.
-fn listen(inbox: &Sender<Incoming>, mut read: impl FnMut() -> io::Result<Event>) {
+fn listen(
+    inbox: &Sender<Incoming>,
+    mut read: impl FnMut() -> io::Result<Event>,
+    mut waits: impl FnMut() -> bool,
+) {
     let mut panics = 0;
+    let mut repaired: VecDeque<Event> = VecDeque::new();
     while panics < PANICS_MAX {
-        let incoming = match panic::catch_unwind(AssertUnwindSafe(&mut read)) {
+        let mut next = || -> io::Result<Event> {
+            if let Some(event) = repaired.pop_front() {
+                return Ok(event);
+            }
+            let event = read()?;
+            if is_escape(&event) && waits() {
+                repaired = after_escape(&mut read, &mut waits)?;
+            }
+            Ok(event)
+        };
+        let incoming = match panic::catch_unwind(AssertUnwindSafe(&mut next)) {
             Err(_panic) => {
                 panics += 1;
                 let report = EffectReport::Warned(RESTARTED.to_owned());
@@ -60,6 +82,64 @@ fn listen(inbox: &Sender<Incoming>, mut read: impl FnMut() -> io::Result<Event>)
         }
     }
     log::error!("reading from the terminal failed {PANICS_MAX} times in a row");
+}
+
+fn is_escape(event: &Event) -> bool {
+    matches!(event, Event::Key(key) if key.code == KeyCode::Esc && key.modifiers.is_empty())
+}
+
+/// What came in the same read as an Esc. crossterm takes the two escapes of `Esc` and an arrow (`\x1b\x1b[D`) for one Esc and
+/// leaves `[D` as letters; nobody types a bracket and a letter within one read, so they are the arrow again.
+fn after_escape(
+    read: &mut impl FnMut() -> io::Result<Event>,
+    waits: &mut impl FnMut() -> bool,
+) -> io::Result<VecDeque<Event>> {
+    let mut events: VecDeque<Event> = VecDeque::new();
+    let mut text = String::new();
+    loop {
+        let event = read()?;
+        let letter = match event {
+            Event::Key(KeyEvent { code: KeyCode::Char(c), modifiers, .. })
+                if (modifiers - KeyModifiers::SHIFT).is_empty() =>
+            {
+                Some(c)
+            }
+            _ => None,
+        };
+        events.push_back(event);
+        let Some(letter) = letter else { return Ok(events) };
+        text.push(letter);
+        if let Some(key) = arrow(&text) {
+            return Ok([Event::Key(key)].into());
+        }
+        let may_become = matches!(text.as_bytes(), [b'[' | b'O', rest @ ..]
+            if rest.iter().all(|byte| byte.is_ascii_digit() || *byte == b';'));
+        if !may_become || text.len() > 6 || !waits() {
+            return Ok(events);
+        }
+    }
+}
+
+/// The key of what follows the escape of a control sequence: `[D`, `[1;2D`, `[5~`.
+fn arrow(text: &str) -> Option<KeyEvent> {
+    let rest = text.strip_prefix(['[', 'O'])?;
+    let (numbers, last) = rest.split_at_checked(rest.len().checked_sub(1)?)?;
+    let (number, modifier) = numbers.split_once(';').unwrap_or((numbers, "1"));
+    let code = match (last, number) {
+        ("A", _) => KeyCode::Up,
+        ("B", _) => KeyCode::Down,
+        ("C", _) => KeyCode::Right,
+        ("D", _) => KeyCode::Left,
+        ("H", _) | ("~", "1" | "7") => KeyCode::Home,
+        ("F", _) | ("~", "4" | "8") => KeyCode::End,
+        ("Z", _) => KeyCode::BackTab,
+        ("~", "3") => KeyCode::Delete,
+        ("~", "5") => KeyCode::PageUp,
+        ("~", "6") => KeyCode::PageDown,
+        _ => return None,
+    };
+    let shift = if modifier == "2" { KeyModifiers::SHIFT } else { KeyModifiers::NONE };
+    Some(KeyEvent::new(code, shift))
 }
 
 /// What an event of the terminal means to the workbench.
@@ -98,8 +178,6 @@ fn pointing(mouse: MouseEvent) -> Option<Incoming> {
 
 #[cfg(test)]
 mod tests {
-    use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
-
     use super::*;
 
     #[test]
@@ -118,14 +196,15 @@ mod tests {
         let (send, inbox) = std::sync::mpsc::channel();
         let key = Event::Key(KeyEvent::new(KeyCode::Char('x'), KeyModifiers::NONE));
         let mut turn = 0;
-        listen(&send, || {
+        let read = || {
             turn += 1;
             match turn {
                 1 => panic!("the parser"),
                 2 => Ok(key.clone()),
                 _ => Err(io::ErrorKind::NotConnected.into()),
             }
-        });
+        };
+        listen(&send, read, || false);
         let reported = inbox.recv().unwrap();
         assert!(
             matches!(reported, Incoming::Message(Message::Done(EffectReport::Warned(text))) if text == RESTARTED)
@@ -133,11 +212,44 @@ mod tests {
         assert!(matches!(inbox.recv().unwrap(), Incoming::Message(Message::Key(_))));
         // One that panics for ever does not keep a core busy for ever.
         let mut turns = 0;
-        listen(&send, || {
+        let read = || {
             turns += 1;
             panic!("the parser")
-        });
+        };
+        listen(&send, read, || false);
         assert_eq!(turns, PANICS_MAX);
+    }
+
+    /// `Esc` and an arrow in one read: the arrow is an arrow, not the letters of its sequence.
+    #[test]
+    fn an_arrow_in_the_same_read_as_an_escape_stays_an_arrow() {
+        let press = |code| Event::Key(KeyEvent::new(code, KeyModifiers::NONE));
+        let keys_of = |text: &str| {
+            let (send, inbox) = std::sync::mpsc::channel();
+            let mut rest: VecDeque<Event> = text
+                .chars()
+                .map(|c| press(if c == '\x1b' { KeyCode::Esc } else { KeyCode::Char(c) }))
+                .collect();
+            let left = std::cell::Cell::new(rest.len());
+            let read = || {
+                left.set(left.get().saturating_sub(1));
+                rest.pop_front().ok_or_else(|| io::ErrorKind::NotConnected.into())
+            };
+            listen(&send, read, || left.get() > 0);
+            drop(send);
+            let code = |incoming| match incoming {
+                Incoming::Message(Message::Key(key)) => Some(key.code),
+                _ => None,
+            };
+            inbox.iter().filter_map(code).collect::<Vec<_>>()
+        };
+        // crossterm has taken both escapes as one.
+        assert_eq!(keys_of("\x1b[D"), [KeyCode::Esc, KeyCode::Left]);
+        assert_eq!(keys_of("\x1b[5~"), [KeyCode::Esc, KeyCode::PageUp]);
+        assert_eq!(keys_of("\x1b[1;2C"), [KeyCode::Esc, KeyCode::Right]);
+        assert_eq!(keys_of("\x1bOA"), [KeyCode::Esc, KeyCode::Up]);
+        assert_eq!(keys_of("\x1bj"), [KeyCode::Esc, KeyCode::Char('j')]);
+        assert_eq!(keys_of("\x1b"), [KeyCode::Esc]);
     }
 
     #[test]

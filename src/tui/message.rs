@@ -1,5 +1,4 @@
-//! What can happen to the workbench ([`Message`]), what it asks the outside to do ([`Effect`]), what a key can do ([`Action`])
-//! and where ([`Place`]); and, in `keys`, THE key table.
+//! What can happen to the workbench ([`Message`]) and what it asks the outside to do ([`Effect`]).
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -16,13 +15,10 @@ use crate::study::sweep::grid::Grid;
 use crate::tui::app::Tab;
 use crate::tui::app::search::Row;
 use crate::tui::app::sweep::SetupRow;
+use crate::tui::keymap::{Action, Pane};
 use crate::worker::studies::{Study, StudyReport};
 use crate::worker::sweeps::{SweepJob, SweepReport};
 use crate::worker::{Job, Report};
-
-mod keys;
-
-pub use keys::{BINDINGS, Binding, Key, action_for};
 
 /// What can happen.
 #[derive(Clone, Debug)]
@@ -74,7 +70,7 @@ pub enum Target {
     /// An event of the current run, by its place.
     Event(usize),
     /// A pane, beside its parts.
-    Pane(Place),
+    Pane(Pane),
     /// A row of the setup of a sweep.
     Setup(SetupRow),
     /// A point of a sweep.
@@ -91,6 +87,10 @@ pub enum Target {
     Row(usize),
     /// A shot of the Limit tab, by its place in the curve.
     Shot(usize),
+    /// A cell of the map of mass efficiency.
+    Efficiency(usize, usize),
+    /// A page of the tab, by its place among the names.
+    Page(usize),
     /// A design of the front in the Search tab, by its place.
     Design(usize),
     /// A row of the list in the dialog on top.
@@ -148,6 +148,8 @@ pub struct PresetEntry {
     pub comment: String,
     /// The entry of a library, where it is one: it changes a part of the present scene.
     pub part: Option<Entry>,
+    /// Why its file cannot be read: then there is no scene to load.
+    pub problem: Option<String>,
 }
 
 impl PresetEntry {
@@ -162,6 +164,19 @@ impl PresetEntry {
             scene,
             comment,
             part: Some(part),
+            problem: None,
+        }
+    }
+
+    /// The row of a file that cannot be read.
+    pub fn broken(name: String, problem: String) -> Self {
+        Self {
+            name,
+            origin: "mine",
+            scene: Scene::default(),
+            comment: String::new(),
+            part: None,
+            problem: Some(problem),
         }
     }
 
@@ -200,23 +215,12 @@ pub enum Effect {
     Export(Box<ExportRequest>),
     /// Make a study; a newer one replaces an older one.
     Study(Study),
-    /// Stop the study that is being made.
-    CancelStudy,
-    /// Write what was measured of the methods as a table.
-    ExportAccuracy {
-        /// The CSV file.
-        path: PathBuf,
-        /// Replace an existing file.
-        overwrite: bool,
-        /// The scene's name and what was measured.
-        found: Box<Named>,
-    },
+    /// Stop a study, by its number.
+    CancelStudy(u64),
     /// Make a sweep; a newer one replaces an older one.
     Sweep(SweepJob),
     /// Stop the sweep that is being made.
     CancelSweep,
-    /// Write what a sweep found as a table.
-    ExportSweep(Box<SweepExport>),
     /// Write a table.
     ExportTable {
         /// The CSV file.
@@ -224,7 +228,7 @@ pub enum Effect {
         /// Replace an existing file.
         overwrite: bool,
         /// What goes into it.
-        text: String,
+        content: Content,
     },
     /// Save the session soon (edits in quick succession are saved once).
     SaveSession,
@@ -251,172 +255,13 @@ pub enum Effect {
     },
 }
 
-/// A sweep to be written.
+/// What goes into a table that is written.
 #[derive(Clone, Debug)]
-pub struct SweepExport {
-    /// The CSV file.
-    pub path: PathBuf,
-    /// Replace an existing file.
-    pub overwrite: bool,
-    /// The scene's name.
-    pub name: String,
-    /// What was found.
-    pub grid: Arc<Grid>,
-}
-
-/// Where a key is pressed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Place {
-    /// Anywhere outside an open field or dialog.
-    Anywhere,
-    /// The list of variables.
-    Variables,
-    /// A chart.
-    Charts,
-    /// The table of runs.
-    Runs,
-    /// The setup of a sweep.
-    Setup,
-    /// The curves of the Sweep tab.
-    Lines,
-    /// The map of the Surface tab.
-    Surface,
-    /// The Accuracy tab.
-    Accuracy,
-    /// The map of the Stability tab.
-    Map,
-    /// The battery of the Stability tab.
-    Battery,
-    /// The Log tab.
-    Log,
-    /// The claims of the Thesis tab.
-    Claims,
-    /// Its principles.
-    Principles,
-    /// Its screening matrix.
-    Screening,
-    /// The Limit tab.
-    Limit,
-    /// The setup of the Search tab.
-    SearchSetup,
-    /// What the Search tab has found.
-    Search,
-}
-
-impl Place {
-    /// Its name in the help overlay, the palette and messages.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Anywhere => "anywhere",
-            Self::Variables => "Variables",
-            Self::Charts => "Charts",
-            Self::Runs => "Runs",
-            Self::Setup => "Setup",
-            Self::Lines => "Sweep",
-            Self::Surface => "Surface",
-            Self::Accuracy => "Accuracy",
-            Self::Map => "Map",
-            Self::Battery => "Battery",
-            Self::Log => "Log",
-            Self::Claims => "Claims",
-            Self::Principles => "Principles",
-            Self::Screening => "Screening",
-            Self::Limit => "Limit",
-            Self::SearchSetup => "Search setup",
-            Self::Search => "Search",
-        }
-    }
-}
-
-/// Everything the workbench can do by a key.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[expect(missing_docs, reason = "each action is described once, in BINDINGS, for people")]
-pub enum Action {
-    TabRun,
-    TabSweep,
-    TabSurface,
-    TabAccuracy,
-    TabStability,
-    MapVariable,
-    MapMethod,
-    SlopeGuides,
-    SpreadBars,
-    TabLog,
-    TabThesis,
-    NextVerdict,
-    TabLimit,
-    TabSearch,
-    SearchNext,
-    Scatter,
-    TabNext,
-    TabPrevious,
-    FocusNext,
-    FocusPrevious,
-    Up,
-    Down,
-    First,
-    Last,
-    PageUp,
-    PageDown,
-    Edit,
-    StepDown,
-    StepUp,
-    StepDownCoarse,
-    StepUpCoarse,
-    StepDownFine,
-    StepUpFine,
-    Reset,
-    ResetAll,
-    Filter,
-    Undo,
-    Redo,
-    History,
-    Pin,
-    Unpin,
-    Adopt,
-    ShowHide,
-    Difference,
-    Presets,
-    Save,
-    SaveAs,
-    Export,
-    Copy,
-    Run,
-    AutoRun,
-    Cancel,
-    Back,
-    CursorLeft,
-    CursorRight,
-    CursorLeftFar,
-    CursorRightFar,
-    CursorUpFar,
-    CursorDownFar,
-    Contour,
-    OpenDesign,
-    EventNext,
-    EventPrevious,
-    ZoomIn,
-    ZoomOut,
-    ZoomFit,
-    PanLeft,
-    PanRight,
-    FitVertical,
-    Window,
-    Quantity,
-    SecondAxis,
-    NoSecondAxis,
-    LogX,
-    LogY,
-    FullPane,
-    Interface,
-    Models,
-    Glyphs,
-    Theme,
-    Mouse,
-    Redraw,
-    Help,
-    Palette,
-    Suspend,
-    Quit,
-    QuitWithSummary,
+pub enum Content {
+    /// This text.
+    Text(String),
+    /// What a sweep found, with the scene's name.
+    Grid(String, Arc<Grid>),
+    /// What was measured of the methods, with the scene's name.
+    Accuracy(Box<Named>),
 }

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use crossterm::clipboard::CopyToClipboard;
 use crossterm::event::{MouseEvent, MouseEventKind};
 
-use super::effects::{self, Clerk, Task};
+use super::effects::{self, IoThread, Task};
 use super::pace::Pace;
 use super::signals::{self, Signal, Watch};
 use super::terminal::{self, Guard, Stopped};
@@ -18,6 +18,7 @@ use crate::files::paths::Paths;
 use crate::tui::app::App;
 use crate::tui::message::{Effect, EffectReport, Message};
 use crate::tui::{update, view};
+use crate::worker::quiet::Quiet;
 use crate::worker::studies::Studies;
 use crate::worker::sweeps::Sweeps;
 use crate::worker::{Report, Slot, Worker};
@@ -61,7 +62,7 @@ pub(super) struct Shell {
     worker: Worker,
     studies: Studies,
     sweeps: Sweeps,
-    clerk: Clerk,
+    io_thread: IoThread,
     pace: Pace,
     timers: Vec<(Instant, Message)>,
     /// Jobs submitted that have not ended.
@@ -90,19 +91,21 @@ impl Shell {
             let _ = for_reports.send(Incoming::Message(Message::Report(report)));
         })?;
         let for_studies = sender.clone();
-        let studies = Studies::spawn(move |report| {
+        let quiet = Quiet::default();
+        let studies = Studies::spawn(&quiet, move |report| {
             // The loop may be over already.
             let _ = for_studies.send(Incoming::Message(Message::Study(report)));
         })?;
         let for_sweeps = sender.clone();
-        let sweeps = Sweeps::spawn(move |report| {
+        let sweeps = Sweeps::spawn(&quiet, move |report| {
             // The loop may be over already.
             let _ = for_sweeps.send(Incoming::Message(Message::Sweep(report)));
         })?;
         let (mut app, recent, known) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
-        let clerk = Clerk::spawn(paths, known, sender.clone())?;
-        let unsaved = clerk.unsaved();
+        log::info!("cmra {} started", env!("CARGO_PKG_VERSION"));
+        let io_thread = IoThread::spawn(paths, known, sender.clone())?;
+        let unsaved = io_thread.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
             // Nobody is left to be told.
             let _ = unsaved.save();
@@ -118,7 +121,7 @@ impl Shell {
             worker,
             studies,
             sweeps,
-            clerk,
+            io_thread,
             pace: Pace::new(now),
             timers: Vec::new(),
             running: HashSet::new(),
@@ -161,10 +164,10 @@ impl Shell {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
             Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
         };
-        self.clerk.session_changed(start::session(&self.app, &self.recent));
+        self.io_thread.session_changed(start::session(&self.app, &self.recent));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
-        let said = match self.clerk.finish(patience) {
+        let said = match self.io_thread.finish(patience) {
             Ok(aside) => aside.map(|aside| effects::of_another(&aside)),
             Err(why) => Some(format!("the session was not kept: {why}")),
         };
@@ -315,27 +318,23 @@ impl Shell {
             Effect::CancelJob => self.worker.cancel(),
             Effect::After(delay, message) => self.timers.push((Instant::now() + delay, message)),
             Effect::SavePreset { name, scene, overwrite } => {
-                self.clerk.ask(Task::SavePreset { name, scene, overwrite });
+                self.io_thread.ask(Task::SavePreset { name, scene, overwrite });
             }
-            Effect::Export(request) => self.clerk.ask(Task::Export(request)),
+            Effect::Export(request) => self.io_thread.ask(Task::Export(request)),
             Effect::Study(study) => self.studies.submit(study),
-            Effect::CancelStudy => self.studies.cancel(),
+            Effect::CancelStudy(id) => self.studies.cancel(id),
             Effect::Sweep(job) => self.sweeps.submit(job),
             Effect::CancelSweep => self.sweeps.cancel(),
-            Effect::ExportSweep(export) => self.clerk.ask(Task::ExportSweep(export)),
-            Effect::ExportAccuracy { path, overwrite, found } => {
-                self.clerk.ask(Task::ExportAccuracy { path, overwrite, found });
-            }
-            Effect::ExportTable { path, overwrite, text } => {
-                self.clerk.ask(Task::ExportTable { path, overwrite, text });
+            Effect::ExportTable { path, overwrite, content } => {
+                self.io_thread.ask(Task::ExportTable { path, overwrite, content });
             }
             Effect::SaveSession => {
-                self.clerk.session_changed(start::session(&self.app, &self.recent));
+                self.io_thread.session_changed(start::session(&self.app, &self.recent));
             }
-            Effect::ListPresets => self.clerk.ask(Task::ListPresets(self.recent.clone())),
-            Effect::Load(path) => self.clerk.ask(Task::Load(path)),
-            Effect::ReadCurve(second, path) => self.clerk.ask(Task::ReadCurve(second, path)),
-            Effect::Complete(text) => self.clerk.ask(Task::Complete(text)),
+            Effect::ListPresets => self.io_thread.ask(Task::ListPresets(self.recent.clone())),
+            Effect::Load(path) => self.io_thread.ask(Task::Load(path)),
+            Effect::ReadCurve(second, path) => self.io_thread.ask(Task::ReadCurve(second, path)),
+            Effect::Complete(text) => self.io_thread.ask(Task::Complete(text)),
             Effect::Copy(text) => self.copy(text)?,
             Effect::Mouse(on) => self.guard.set_mouse(on)?,
             Effect::Redraw => self.guard.redraw_all()?,
@@ -362,7 +361,7 @@ impl Shell {
                 CLIPBOARD_MAX / 1024
             )
         };
-        self.clerk.ask(Task::KeepCopy { text, sent });
+        self.io_thread.ask(Task::KeepCopy { text, sent });
         Ok(())
     }
 

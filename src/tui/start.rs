@@ -5,15 +5,16 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Options;
-use crate::files::atomic;
 use crate::files::error::FileError;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session};
+use crate::files::{atomic, config};
 use crate::tui::app::charts::Window;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::{LETTERS, Pin, name_of};
 use crate::tui::app::{App, Base, Origin};
+use crate::tui::keymap::Keymap;
 use crate::tui::theme::{ColourDepth, GlyphChoice, Theme};
 use crate::tui::update::done;
 
@@ -29,6 +30,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     let directory = std::env::current_dir().unwrap_or_default();
     let mut loaded =
         paths.map_or_else(session::Loaded::default, |paths| session::load(&paths.session_file()));
+    let is_first = paths.is_some_and(|paths| !paths.session_file().exists());
     if let Some(paths) = paths {
         atomic::clear_leftovers(&paths.presets);
     }
@@ -57,6 +59,10 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
         }
         (None, None) => App::new(baseline(), theme, directory),
     };
+    app.first_run = is_first && app.is_baseline();
+    if let Some(paths) = paths {
+        configure(&mut app, &paths.config, options.glyphs);
+    }
     if let Some(text) = loaded.notice {
         app.say(Severity::Warning, text);
     }
@@ -68,6 +74,37 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     }
     (app, recent, loaded.known)
 }
+
+/// Take over keys, colours and characters of the configuration; what is refused is said, and the usual ones stay.
+fn configure(app: &mut App, path: &Path, glyphs: GlyphChoice) {
+    let config = match config::load(path) {
+        Ok(config) => config,
+        Err(text) => return app.say(Severity::Warning, text),
+    };
+    match Keymap::remapped(&config.wanted_keys()) {
+        Ok(keymap) => app.keymap = keymap,
+        Err(text) => app.say(Severity::Warning, format!("{}: {text}", path.display())),
+    }
+    if let (GlyphChoice::Auto, Some(word)) = (glyphs, &config.characters) {
+        match word.parse::<GlyphChoice>() {
+            Ok(choice) => app.theme.glyphs = choice.resolve(environment),
+            Err(error) => app.say(Severity::Warning, format!("{}: {error}", path.display())),
+        }
+    }
+    if let Some(word) = &config.colours {
+        match DEPTHS.into_iter().find(|depth| depth.word() == word) {
+            Some(depth) => app.theme.depth = depth,
+            None => app.say(
+                Severity::Warning,
+                format!("{}: colours = \"{word}\": use none, sixteen, 256 or full", path.display()),
+            ),
+        }
+    }
+}
+
+/// The depths of colour that can be chosen.
+const DEPTHS: [ColourDepth; 4] =
+    [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb];
 
 /// Put the last session aside where another start would lose something of it: pins, or an edited scene. What to say of it.
 fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
@@ -203,8 +240,7 @@ fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
     {
         app.theme.glyphs = choice.resolve(environment);
     }
-    let depths = [ColourDepth::None, ColourDepth::Sixteen, ColourDepth::Ansi256, ColourDepth::Rgb];
-    if let Some(depth) = depths.into_iter().find(|depth| word(COLOURS) == Some(depth.word())) {
+    if let Some(depth) = DEPTHS.into_iter().find(|depth| word(COLOURS) == Some(depth.word())) {
         app.theme.depth = depth;
     }
     if word(WINDOW) == Some("whole") {

@@ -13,7 +13,7 @@ pub mod pane;
 
 pub use colours::ColourDepth;
 pub use glyphs::{GlyphChoice, GlyphSet, Lines, ascii_pass, ascii_text};
-pub use pane::Pane;
+pub use pane::PaneFrame;
 
 /// The columns a text takes on the screen: a wide character takes two, a mark on another one none.
 pub fn columns(text: &str) -> usize {

@@ -2,14 +2,16 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
+use crate::tui::app::App;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::layout::Body;
 use crate::tui::app::notice::{Notice, Severity};
-use crate::tui::app::{App, Tab};
-use crate::tui::message::{self, Action, Effect, Message, Place};
+use crate::tui::keymap::{Action, Key, Pane, works_in};
+use crate::tui::message::{Effect, Message};
+use crate::tui::pages;
 use crate::worker::studies::StudyReport;
 
-mod accuracy;
+pub(super) mod accuracy;
 mod act;
 mod charts;
 mod curve;
@@ -18,18 +20,23 @@ pub(super) mod done;
 mod edit;
 mod export;
 mod field;
+mod find;
 mod input;
 mod jobs;
-mod limit;
+pub(super) mod limit;
+pub(super) mod log;
+mod options;
+mod palette;
 mod path;
 mod pointer;
+pub(super) mod run;
 mod runs;
-mod search;
+pub(super) mod search;
 mod setup;
-mod stability;
-mod sweep;
+pub(super) mod stability;
+pub(super) mod sweep;
 mod table;
-mod thesis;
+pub(super) mod thesis;
 
 /// What to ask for first: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
@@ -87,6 +94,8 @@ fn studied(app: &mut App, report: StudyReport) -> Vec<Effect> {
         thesis::report(app, report.body);
     } else if of(&app.limit.finding) {
         limit::report(app, report.body);
+    } else if of(&app.limit.comparing) {
+        limit::report_comparison(app, report.body);
     } else if of(&app.searching.running) {
         search::report(app, report.body);
     }
@@ -95,53 +104,49 @@ fn studied(app: &mut App, report: StudyReport) -> Vec<Effect> {
 
 fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     app.notice = None;
-    if let Some(effects) = everywhere(app, key) {
+    let action = app.keymap.action(key);
+    if let Some(effects) = everywhere(app, action) {
         return effects;
     }
     if app.layout().body == Body::TooSmall {
-        return unseen(app, key);
+        return unseen(app, action);
     }
     if app.dialog.is_some() {
         return dialogs::press(app, key);
     }
-    if app.editor.field.is_some() {
-        return field::press(app, key);
+    if app.find.field.is_some() {
+        return find::press(app, key);
     }
-    if app.editor.filter_field.is_some() {
-        return field::press_in_filter(app, key);
+    if app.is_typing() {
+        return match app.pane() {
+            Pane::Variables => field::press(app, key),
+            Pane::ExploreSetup => setup::press(app, key),
+            _ => search::press(app, key),
+        };
     }
-    if app.sweeping.field.is_some() && app.picture().is_some() {
-        return setup::press(app, key);
-    }
-    if app.searching.field.is_some() && app.tab == Tab::Search {
-        return search::press(app, key);
-    }
-    if let Some(action) = message::action_for(app.place(), key) {
+    if let Some(action) = action.filter(|action| works_in(*action, app.pane())) {
         return act::act(app, action);
     }
-    app.history.seal();
+    app.history.commit();
     app.hint(key);
     Vec::new()
 }
 
 /// On a screen too small to show anything, keys only lead out: nobody edits what cannot be seen.
-fn unseen(app: &mut App, key: KeyEvent) -> Vec<Effect> {
-    match message::action_for(Place::Anywhere, key) {
+fn unseen(app: &mut App, action: Option<Action>) -> Vec<Effect> {
+    match action {
         Some(action @ (Action::Quit | Action::QuitWithSummary)) => act::act(app, action),
         Some(_) | None => Vec::new(),
     }
 }
 
 /// Keys that do the same with a field or dialog open.
-fn everywhere(app: &mut App, key: KeyEvent) -> Option<Vec<Effect>> {
-    if key.modifiers != KeyModifiers::CONTROL {
-        return None;
-    }
-    match key.code {
-        KeyCode::Char('z') => Some(vec![Effect::Suspend]),
-        KeyCode::Char('l') => Some(vec![Effect::Redraw]),
-        KeyCode::Char('c') if app.jobs.current.is_none() && close_top(app) => Some(Vec::new()),
-        KeyCode::Char('c') => Some(act::act(app, Action::Cancel)),
+fn everywhere(app: &mut App, action: Option<Action>) -> Option<Vec<Effect>> {
+    match action? {
+        Action::Suspend => Some(vec![Effect::Suspend]),
+        Action::Redraw => Some(vec![Effect::Redraw]),
+        Action::Cancel if app.jobs.current.is_none() && close_top(app) => Some(Vec::new()),
+        Action::Cancel => Some(act::act(app, Action::Cancel)),
         _ => None,
     }
 }
@@ -150,38 +155,48 @@ fn everywhere(app: &mut App, key: KeyEvent) -> Option<Vec<Effect>> {
 fn close_top(app: &mut App) -> bool {
     let open = app.dialog.take().is_some();
     let field = app.editor.field.take().is_some();
-    let filter = app.editor.filter_field.take().is_some();
+    let find = app.find.field.take().is_some();
     let setup = app.sweeping.field.take().is_some();
     let search = app.searching.field.take().is_some();
-    open || field || filter || setup || search
+    open || field || find || setup || search
 }
 
 impl App {
+    /// Whether a value is being typed in the pane that has the keys.
+    pub fn is_typing(&self) -> bool {
+        match self.pane() {
+            Pane::Variables => self.editor.field.is_some(),
+            Pane::ExploreSetup => self.sweeping.field.is_some(),
+            Pane::SearchSetup => self.searching.field.is_some(),
+            _ => false,
+        }
+    }
+
     /// Say that a key does nothing here, where a person may have expected something.
     fn hint(&mut self, key: KeyEvent) {
-        let pressed = match key.code {
-            KeyCode::Char(_) => message::Key(key.code, KeyModifiers::NONE),
-            KeyCode::Enter | KeyCode::PageUp | KeyCode::PageDown | KeyCode::Delete => {
-                message::Key(key.code, key.modifiers)
-            }
-            _ => return,
-        };
-        if !key.modifiers.difference(KeyModifiers::SHIFT).is_empty() {
+        let is_key = matches!(
+            key.code,
+            KeyCode::Char(_)
+                | KeyCode::Enter
+                | KeyCode::PageUp
+                | KeyCode::PageDown
+                | KeyCode::Delete
+        );
+        if !is_key || !key.modifiers.difference(KeyModifiers::SHIFT).is_empty() {
             return;
         }
-        let word = pressed.words();
-        let works_in = |place: Place| {
-            message::BINDINGS.iter().any(|row| row.place == place && row.keys.contains(&pressed))
-        };
-        let elsewhere = self.panes().iter().find(|place| works_in(**place));
+        let label = Key::of(key).label();
+        let action = self.keymap.action(key);
+        let works = |pane: &&Pane| action.is_some_and(|action| works_in(action, **pane));
+        let elsewhere = pages::of(self.tab).panes(self).iter().find(works);
         let text = match (key.code, elsewhere) {
-            (KeyCode::Char(c), _) if c.is_ascii_digit() && self.place() == Place::Variables => {
+            (KeyCode::Char(c), _) if c.is_ascii_digit() && self.pane() == Pane::Variables => {
                 format!("no tab has the number {c}: Enter opens the value to type it")
             }
-            (_, Some(place)) => {
-                format!("`{word}` does nothing here, but in {}: Tab goes there", place.words())
+            (_, Some(pane)) if *pane != self.pane() => {
+                format!("`{label}` does nothing here, but in {}: Tab goes there", pane.label())
             }
-            (_, None) => format!("`{word}` does nothing here: ? lists the keys"),
+            (_, _) => format!("`{label}` does nothing here: ? lists the keys"),
         };
         self.notice = Some(Notice { severity: Severity::Note, text });
     }

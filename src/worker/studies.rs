@@ -11,6 +11,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::job::contained;
+use super::quiet::Quiet;
 use super::searches::{self, Answer, Request};
 use super::{battery, clock};
 use crate::model::scene::Scene;
@@ -52,7 +53,7 @@ pub enum StudyKind {
 }
 
 impl StudyKind {
-    const COUNT: usize = 6;
+    const COUNT: usize = 7;
 
     /// Studies of one place replace each other.
     fn place(&self) -> usize {
@@ -62,6 +63,7 @@ impl StudyKind {
             Self::Battery => 2,
             Self::Thesis => 3,
             Self::Limit(_) => 4,
+            Self::Search(request) if **request == Request::Compare => 6,
             Self::Search(_) => 5,
         }
     }
@@ -122,11 +124,14 @@ pub enum StudyBody {
 /// A study with its flag to stop it.
 type Asked = (Study, Arc<AtomicBool>);
 
+/// The newest study of its kind: its number and its flag to stop it.
+type Newest = (u64, Arc<AtomicBool>);
+
 /// The threads' owner. They end when this is dropped.
 pub struct Studies {
     /// By lane.
     ask: [Sender<Asked>; 2],
-    newest: Mutex<[Option<Arc<AtomicBool>>; StudyKind::COUNT]>,
+    newest: Mutex<[Option<Newest>; StudyKind::COUNT]>,
 }
 
 impl Studies {
@@ -134,12 +139,15 @@ impl Studies {
     ///
     /// # Errors
     /// When the system has no thread to give.
-    pub fn spawn(sink: impl Fn(StudyReport) + Clone + Send + 'static) -> std::io::Result<Self> {
+    pub fn spawn(
+        quiet: &Quiet,
+        sink: impl Fn(StudyReport) + Clone + Send + 'static,
+    ) -> std::io::Result<Self> {
         let start = |name: &str| {
             let (ask, asked) = mpsc::channel();
-            let sink = sink.clone();
+            let (sink, quiet) = (sink.clone(), quiet.clone());
             let thread = thread::Builder::new().name(name.to_owned());
-            thread.spawn(move || serve(&asked, &sink)).map(|_| ask)
+            thread.spawn(move || serve(&asked, &quiet, &sink)).map(|_| ask)
         };
         Ok(Self { ask: [start("studies")?, start("searches")?], newest: Mutex::default() })
     }
@@ -147,8 +155,8 @@ impl Studies {
     /// Make a study; the one of its kind before it is stopped.
     pub fn submit(&self, study: Study) {
         let stop = Arc::new(AtomicBool::new(false));
-        let before = self.replace(study.kind.place(), Some(Arc::clone(&stop)));
-        if let Some(before) = before {
+        let before = self.replace(study.kind.place(), Some((study.id, Arc::clone(&stop))));
+        if let Some((_, before)) = before {
             before.store(true, Ordering::Relaxed);
         }
         if self.ask[study.kind.lane()].send((study, stop)).is_err() {
@@ -156,16 +164,15 @@ impl Studies {
         }
     }
 
-    /// Stop all studies.
-    pub fn cancel(&self) {
-        for place in 0..StudyKind::COUNT {
-            if let Some(stop) = self.replace(place, None) {
-                stop.store(true, Ordering::Relaxed);
-            }
+    /// Stop the study of this number; others go on.
+    pub fn cancel(&self, id: u64) {
+        let newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
+        for (_, stop) in newest.iter().flatten().filter(|(one, _)| *one == id) {
+            stop.store(true, Ordering::Relaxed);
         }
     }
 
-    fn replace(&self, place: usize, stop: Option<Arc<AtomicBool>>) -> Option<Arc<AtomicBool>> {
+    fn replace(&self, place: usize, stop: Option<Newest>) -> Option<Newest> {
         let mut newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
         std::mem::replace(&mut newest[place], stop)
     }
@@ -173,18 +180,33 @@ impl Studies {
 
 impl Drop for Studies {
     fn drop(&mut self) {
-        self.cancel();
+        let newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
+        for (_, stop) in newest.iter().flatten() {
+            stop.store(true, Ordering::Relaxed);
+        }
     }
 }
 
-fn serve(asked: &Receiver<Asked>, sink: &impl Fn(StudyReport)) {
+fn serve(asked: &Receiver<Asked>, quiet: &Quiet, sink: &impl Fn(StudyReport)) {
     while let Ok((study, stop)) = asked.recv() {
-        let body = make(&study, &stop, sink);
+        let body = if matches!(study.kind, StudyKind::Accuracy(_)) {
+            quiet.begin(&stop);
+            let body = make(&study, &stop, quiet, sink);
+            quiet.end();
+            body
+        } else {
+            quiet.together(&stop, || make(&study, &stop, quiet, sink))
+        };
         sink(StudyReport { id: study.id, body });
     }
 }
 
-fn make(study: &Study, stop: &Arc<AtomicBool>, sink: &impl Fn(StudyReport)) -> StudyBody {
+fn make(
+    study: &Study,
+    stop: &Arc<AtomicBool>,
+    quiet: &Quiet,
+    sink: &impl Fn(StudyReport),
+) -> StudyBody {
     let start = Instant::now();
     let mut told = start;
     let mut tell = |done: usize, total: usize, part: &dyn Fn() -> Finding| {
@@ -203,6 +225,9 @@ fn make(study: &Study, stop: &Arc<AtomicBool>, sink: &impl Fn(StudyReport)) -> S
     let work = || match &study.kind {
         StudyKind::Accuracy(effort) => {
             let watch = &mut |report: &accuracy::Report, done, total| {
+                // Between two points others have their turn.
+                quiet.end();
+                quiet.begin(stop);
                 tell(done, total, &|| Finding::Accuracy(Arc::new(report.clone())))
             };
             accuracy::compare_openly(&study.scene, *effort, &mut clock::processor_s, watch)

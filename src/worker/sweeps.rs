@@ -10,6 +10,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::job::contained;
+use super::quiet::Quiet;
 use crate::study::sweep::Plan;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::grid::{self, Grid};
@@ -82,9 +83,14 @@ impl Sweeps {
     ///
     /// # Errors
     /// When the system has no thread to give.
-    pub fn spawn(sink: impl Fn(SweepReport) + Send + 'static) -> std::io::Result<Self> {
+    pub fn spawn(
+        quiet: &Quiet,
+        sink: impl Fn(SweepReport) + Send + 'static,
+    ) -> std::io::Result<Self> {
         let (ask, asked) = mpsc::channel();
-        thread::Builder::new().name("sweeps".to_owned()).spawn(move || serve(&asked, &sink))?;
+        let quiet = quiet.clone();
+        let thread = thread::Builder::new().name("sweeps".to_owned());
+        thread.spawn(move || serve(&asked, &quiet, &sink))?;
         Ok(Self { ask, newest: Mutex::default() })
     }
 
@@ -116,10 +122,10 @@ impl Drop for Sweeps {
     }
 }
 
-fn serve(asked: &Receiver<Asked>, sink: &impl Fn(SweepReport)) {
+fn serve(asked: &Receiver<Asked>, quiet: &Quiet, sink: &impl Fn(SweepReport)) {
     while let Ok((job, stop)) = asked.recv() {
         let tell = |body| sink(SweepReport { id: job.id, body });
-        tell(make(&job, &stop, &tell));
+        tell(quiet.together(&stop, || make(&job, &stop, &tell)));
     }
 }
 
@@ -179,7 +185,7 @@ mod tests {
 
     fn start() -> (Sweeps, Receiver<SweepReport>) {
         let (send, reports) = mpsc::channel();
-        let sweeps = Sweeps::spawn(move |report| {
+        let sweeps = Sweeps::spawn(&Quiet::default(), move |report| {
             // The test may be over.
             let _ = send.send(report);
         })

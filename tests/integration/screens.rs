@@ -3,6 +3,7 @@
 mod accuracy;
 mod bench;
 mod curve;
+mod faults;
 mod keys;
 mod libraries;
 mod limit;
@@ -12,6 +13,7 @@ mod pointer;
 mod search;
 mod stability;
 mod sweep;
+mod tasks;
 mod thesis;
 
 use bench::{Bench, made};
@@ -117,7 +119,7 @@ fn a_failed_run() {
 fn the_log_tab() {
     for (columns, rows) in [(80, 24), (120, 40)] {
         let mut bench = Bench::ascii(columns, rows);
-        bench.keys("/cocking<Enter><Enter>0.5<Enter>6");
+        bench.keys("/cocking<Enter><Enter>0.5<Enter>7");
         assert_snapshot!(format!("log_{columns}x{rows}"), bench.screen());
     }
 }
@@ -128,10 +130,11 @@ fn dialogs() {
         ("help", "jj?"),
         ("help_charts", "<Tab>?/zoom"),
         ("palette", ":expo"),
+        ("options", "oj"),
         ("presets", "pjj"),
-        ("history", "jl jjjjll<Esc>lU"),
-        ("save", "jlS"),
-        ("save_over", "S<C-u>heavy-plate<Enter>"),
+        ("history", "jl jjjjll<Esc>l:list of<Enter>"),
+        ("save", "jls"),
+        ("save_over", "s<C-u>heavy-plate<Enter>"),
         ("export", " jle<Down><Down><Down> "),
     ] {
         let mut bench = Bench::ascii(80, 24);
@@ -160,8 +163,8 @@ proptest! {
     #[test]
     fn every_size_can_be_drawn(columns in 0u16..300, rows in 0u16..300, state in 0usize..17, full in any::<bool>()) {
         let keys = [
-            "", "<Tab>l", "<Tab><Tab>", "?", "p", "e", "6", "<Enter>abc<Enter>", "4", "5", "5<Tab>",
-            "2", "3l", "2<Tab>l", "3<Tab><Enter>abc<Enter>", "8", "8v",
+            "", "<Tab>l", "<Tab><Tab>", "?", "p", "e", "7", "<Enter>abc<Enter>", "5", "55", "55<Tab>",
+            "2", "2l", "2<Tab>l", "2<Tab><Enter>abc<Enter>", "3", "3v",
         ];
         let mut bench = Bench::ascii(80, 24);
         bench.keys(if full { "z" } else { "" });
@@ -201,7 +204,7 @@ fn the_accuracy_tab_at_every_size() {
     for glyphs in [GlyphSet::Ascii, GlyphSet::Braille] {
         for (columns, rows) in [(60, 16), (80, 24), (120, 40), (200, 60)] {
             let mut bench = accuracy::open(glyphs, (columns, rows));
-            bench.keys("jjjlll");
+            bench.keys("gjjjlll");
             assert_snapshot!(format!("accuracy_{columns}x{rows}_{glyphs}"), bench.screen());
         }
     }
@@ -210,16 +213,16 @@ fn the_accuracy_tab_at_every_size() {
 #[test]
 fn accuracy_with_slopes_and_spreads() {
     let mut bench = accuracy::open(GlyphSet::Ascii, (120, 40));
-    bench.keys("o");
+    bench.keys(":reference slopes<Enter>");
     assert_snapshot!("accuracy_slopes", bench.screen());
-    bench.keys("ob++");
+    bench.keys(":reference slopes<Enter>:bars of<Enter>++");
     assert_snapshot!("accuracy_zoomed_with_spreads", bench.screen());
 }
 
 #[test]
 fn while_accuracy_is_being_measured() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("4");
+    bench.keys("5");
     assert_snapshot!("accuracy_begins", bench.screen());
     accuracy::answer(&mut bench, 4);
     assert_snapshot!("accuracy_grows", bench.screen());
@@ -228,7 +231,7 @@ fn while_accuracy_is_being_measured() {
 #[test]
 fn a_method_that_refuses_says_why() {
     let mut bench = accuracy::open(GlyphSet::Ascii, (120, 40));
-    bench.keys("jjjjjV");
+    bench.keys("gjjjjjV");
     assert_snapshot!("accuracy_refusals", bench.screen());
     bench.keys("e");
     assert_snapshot!("accuracy_export", bench.screen());

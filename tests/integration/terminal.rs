@@ -178,7 +178,7 @@ fn a_limit_on_the_size_of_files_does_not_end_the_workbench() {
     shoot_at_150(&mut terminal);
     terminal.wait_for("the session cannot be kept");
     terminal.send("q");
-    terminal.wait_for("q again leaves without it");
+    terminal.wait_for("q again quits without it");
     terminal.send("q");
     assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
     terminal.assert_restored();
@@ -187,7 +187,7 @@ fn a_limit_on_the_size_of_files_does_not_end_the_workbench() {
 #[test]
 fn a_terminal_that_takes_no_bytes_does_not_hold_up_the_end() {
     let mut terminal = started();
-    terminal.send("M");
+    terminal.send(":mouse\r");
     terminal.wait_until("mouse reports", |screen| {
         screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
     });
@@ -267,7 +267,7 @@ fn stops_and_comes_back(stop: impl Fn(&mut Terminal, &str)) {
 fn the_mouse_is_the_terminals_until_asked_for_and_its_wheel_moves_then() {
     let mut terminal = started();
     assert_eq!(terminal.screen().mouse_protocol_mode(), vt100::MouseProtocolMode::None);
-    terminal.send("M");
+    terminal.send(":mouse\r");
     terminal.wait_until("mouse reports", |screen| {
         screen.mouse_protocol_mode() == vt100::MouseProtocolMode::PressRelease
     });
@@ -277,6 +277,20 @@ fn the_mouse_is_the_terminals_until_asked_for_and_its_wheel_moves_then() {
     terminal.send("q");
     assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
     terminal.assert_restored();
+}
+
+/// Esc and an arrow that arrive together: the arrow steps the value, and nothing is taken for a letter.
+#[test]
+fn an_arrow_right_after_an_escape_is_an_arrow() {
+    let mut terminal = started();
+    shoot_at_150(&mut terminal);
+    // The row below the velocity is selected: up to it, then Esc and Left in one write.
+    terminal.send("k");
+    terminal.settle(QUIET);
+    terminal.send("\x1b\x1b[D");
+    terminal.wait_for(" 149 m/s");
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PATIENCE).exit_code(), 0);
 }
 
 #[test]

@@ -137,8 +137,8 @@ fn a_table_is_renamed_where_its_name_is_taken_and_paths_are_completed() {
     let mut terminal = started(Start::default());
     fs::write(terminal.file("taken.csv"), "mine").unwrap();
     // The Limit tab has a table of shots.
-    terminal.send("8");
-    terminal.wait_for("V50");
+    terminal.send("3");
+    terminal.wait_for("v_bl");
     terminal.settle(QUIET);
     terminal.send("e\x15tak\t");
     terminal.wait_for("taken.csv");

@@ -37,21 +37,23 @@ pub struct Accuracy {
     pub report: Option<Arc<Report>>,
     /// What is being measured.
     pub measuring: Option<Measuring>,
-    /// Row of the selected method in [`Method::ALL`].
-    pub selected: usize,
+    /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
+    pub selected: Option<usize>,
     /// Methods that are not drawn.
     pub hidden: Vec<Method>,
     /// Where the crosshair stands: a run time, s.
     pub cursor_s: Option<f64>,
     /// How the chart is looked at.
-    pub sight: Sight,
-    /// How often the page of the table's columns was turned.
-    pub turned: usize,
+    pub view: ChartView,
+    /// Points of the study asked for last, once known.
+    pub points_in_all: usize,
+    /// The page of the table's columns.
+    pub table_page: usize,
 }
 
 /// How the chart is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sight {
+pub struct ChartView {
     /// The run times in view, s; `None`: all.
     pub times: Option<ViewRange>,
     /// The axis of run time.
@@ -64,7 +66,7 @@ pub struct Sight {
     pub bars: bool,
 }
 
-impl Default for Sight {
+impl Default for ChartView {
     fn default() -> Self {
         let (time_scale, error_scale) = (Scale::Log10, Scale::Log10);
         Self { times: None, time_scale, error_scale, guides: false, bars: false }
@@ -72,9 +74,30 @@ impl Default for Sight {
 }
 
 impl Accuracy {
+    /// The row of the selected method.
+    pub fn selected_row(&self) -> usize {
+        let cheapest = || {
+            let method = self.report.as_ref()?.cheapest(TARGETS[0])?.method;
+            Method::ALL.iter().position(|one| *one == method)
+        };
+        self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
+    }
+
     /// The selected method.
     pub fn method(&self) -> Method {
-        Method::ALL[self.selected.min(Method::ALL.len() - 1)]
+        Method::ALL[self.selected_row()]
+    }
+
+    /// The loosest tolerance at which a method keeps an error; that of the default where it has no knob.
+    pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
+        let report = self.of(method)?;
+        let good = report.measured().filter(|(_, it)| it.error() <= error);
+        good.filter_map(|(knob, _)| match knob {
+            Knob::Tolerance(tolerance) => Some(tolerance),
+            Knob::None => Some(Scene::default().run.tolerance),
+            Knob::Step(_) => None,
+        })
+        .max_by(f64::total_cmp)
     }
 
     /// What was measured of a method.
@@ -105,17 +128,17 @@ impl Accuracy {
 
     /// The run times in view.
     pub fn times(&self) -> Option<ViewRange> {
-        let scale = self.sight.time_scale;
+        let scale = self.view.time_scale;
         let all = || {
             let (least, most) = self.times_s()?;
             Some(ViewRange::new(least, most).rounded(scale))
         };
-        self.sight.times.map(|times| times.on(scale)).or_else(all)
+        self.view.times.map(|times| times.on(scale)).or_else(all)
     }
 
     /// The errors of what is in view, and what the judge of the selected method cannot tell from zero where that is near.
     pub fn errors(&self) -> Option<ViewRange> {
-        let (times, scale) = (self.times()?, self.sight.error_scale);
+        let (times, scale) = (self.times()?, self.view.error_scale);
         let curves = self.curves();
         let seen = || {
             let points = curves.iter().flat_map(|(_, points)| points);
@@ -138,13 +161,13 @@ impl Accuracy {
         let Some(times) = self.times() else { return };
         let middle = (times.lo() * times.hi()).sqrt();
         let about = self.cursor_s.unwrap_or(middle);
-        self.sight.times = Some(times.zoomed(self.sight.time_scale, about, factor));
+        self.view.times = Some(times.zoomed(self.view.time_scale, about, factor));
     }
 
     /// Move the view by a share of its span.
     pub fn pan(&mut self, share: f64) {
         let Some(times) = self.times() else { return };
-        self.sight.times = Some(times.panned(self.sight.time_scale, share));
+        self.view.times = Some(times.panned(self.view.time_scale, share));
     }
 
     /// Put the crosshair on a run time, s, or on the nearest there is.
@@ -159,7 +182,7 @@ impl Accuracy {
         let (Some((least, most)), Some(view)) = (self.times_s(), self.times()) else {
             return;
         };
-        let moved = match self.sight.time_scale {
+        let moved = match self.view.time_scale {
             Scale::Log10 => {
                 let here = self.cursor_s.unwrap_or_else(|| (view.lo() * view.hi()).sqrt());
                 here * (view.hi() / view.lo()).powf(share)
@@ -236,25 +259,25 @@ impl App {
         if let Some(measuring) = &tab.measuring {
             let (done, total) = measuring.points.unwrap_or_default();
             let text = match total {
-                0 => "measuring (Esc stops)".to_owned(),
-                _ => format!("measuring: {done} of {total} points (Esc stops)"),
+                0 => "measuring (Esc cancels)".to_owned(),
+                _ => format!("measuring: {done} of {total} points (Esc cancels)"),
             };
             parts.push(same(Severity::Note, text));
         } else if self.accuracy_is_old() {
-            let text = "old: r measures the changed scene".to_owned();
+            let text = "another scene's results: press r".to_owned();
             parts.push(same(Severity::Warning, text));
         } else if let Some(report) = &tab.report {
             parts.push(same(
                 if report.is_complete { Severity::Note } else { Severity::Warning },
                 format!(
                     "{} {count} points",
-                    if report.is_complete { "measured" } else { "stopped after" }
+                    if report.is_complete { "measured" } else { "cancelled after" }
                 ),
             ));
         } else if self.needs_single_plate() {
             parts.push(same(Severity::Note, "nothing to measure".to_owned()));
         } else {
-            parts.push(same(Severity::Note, "not measured yet: r measures".to_owned()));
+            parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
         }
         if let Some(first) = tab.report.as_ref().and_then(|report| report.references.first()) {
             let sure = first.uncertainty.map_or_else(
@@ -264,7 +287,7 @@ impl App {
             let words = first.basis.words();
             parts.push((
                 Severity::Note,
-                format!("judged by {words}, {sure}"),
+                format!("reference {words}, {sure}"),
                 format!("by {words}"),
             ));
             parts.push(same(
@@ -301,11 +324,22 @@ impl App {
                     let full = report.cheapest_in_full(*target);
                     let other = full.filter(|full| full.method != found.method);
                     let full = other.map_or_else(String::new, |full| {
-                        format!("; {} with nothing left out", seconds(full.min_s))
+                        format!("; {} with no term omitted", seconds(full.min_s))
                     });
                     format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
                 }
-                None => format!("error {target:.0e}: no method gets there"),
+                None if !report.is_complete => {
+                    let (done, total) =
+                        self.accuracy.measuring.as_ref().and_then(|it| it.points).unwrap_or_else(
+                            || {
+                                let points =
+                                    report.methods.iter().map(|one| one.points.len()).sum();
+                                (points, self.accuracy.points_in_all.max(points))
+                            },
+                        );
+                    format!("error {target:.0e}: not computed yet ({done} of {total})")
+                }
+                None => format!("error {target:.0e}: no method reaches it"),
             })
             .collect()
     }

@@ -7,7 +7,7 @@ use super::App;
 use super::quantity::Quantity;
 use super::runs::RunView;
 use crate::model::run::Run;
-use crate::tui::chart::scale::Scale;
+use crate::tui::chart::scale::{Scale, ViewRange};
 use coarse::Coarse;
 
 pub mod coarse;
@@ -140,12 +140,17 @@ impl App {
             let value = quantity.drawn(sample);
             let value = reference
                 .map_or(value, |run| value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN));
-            (sample.t_s, value)
+            let across = if quantity == Quantity::MountForce {
+                sample.plate_displacement_m
+            } else {
+                sample.t_s
+            };
+            (across, value)
         };
         // What is extreme in a run need not be so in its difference to another.
         let coarse = self.charts.coarse.iter().find(|one| one.is_of(view.run));
         let few = coarse
-            .filter(|_| reference.is_none())
+            .filter(|_| reference.is_none() && quantity != Quantity::MountForce)
             .and_then(|coarse| coarse.of_those(quantity, &seen));
         let points = match few {
             Some(indices) => indices.iter().copied().map(point).collect(),
@@ -189,6 +194,8 @@ impl App {
         let chart = self.charts.selected;
         let first = self.charts.quantities[chart];
         let next = self.charts.second[chart].unwrap_or(first).next();
+        // Force over displacement has no time axis to share.
+        let next = if next == Quantity::MountForce { next.next() } else { next };
         self.charts.second[chart] = (next != first).then_some(next);
         self.charts.second[chart]
     }
@@ -218,9 +225,11 @@ impl App {
     }
 
     /// Move the crosshair by columns of the chart; it starts in the middle and stays in the range.
-    pub fn move_cursor(&mut self, columns: f64) {
+    ///
+    /// `width` is the number of columns of the plot.
+    pub fn move_cursor(&mut self, columns: f64, width: u16) {
         let (from, to) = self.time_range_s();
-        let width = f64::from(self.chart_columns());
+        let width = f64::from(width.max(1));
         let step = (to - from) / width;
         let here = self.charts.cursor_s.unwrap_or(0.5 * (from + to) - columns * step);
         self.charts.cursor_s = Some(match self.charts.time_scale {
@@ -283,15 +292,21 @@ impl App {
         let (from, to) = self.time_range_s();
         let centre =
             self.charts.cursor_s.filter(|t| (from..=to).contains(t)).unwrap_or(0.5 * (from + to));
-        let low = centre - (centre - from) * factor;
-        let high = centre + (to - centre) * factor;
-        self.set_zoom(low, high);
+        let view = ViewRange::new(from, to).zoomed(self.charts.time_scale, centre, 1.0 / factor);
+        self.set_zoom(view.lo(), view.hi());
     }
 
     /// Move the range by a share of its width.
     pub fn pan(&mut self, share: f64) {
         let (from, to) = self.time_range_s();
-        let (_, end) = self.whole_s();
+        let (begin, end) = self.whole_s();
+        if self.charts.time_scale == Scale::Log10 {
+            let view = ViewRange::new(from, to).panned(Scale::Log10, share);
+            if view.lo() > 0.0 && view.hi() <= end {
+                self.set_zoom(view.lo().max(begin), view.hi());
+            }
+            return;
+        }
         let shift = (share * (to - from)).clamp((-from).min(0.0), (end - to).max(0.0));
         self.set_zoom(from + shift, to + shift);
     }

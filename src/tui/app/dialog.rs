@@ -3,9 +3,11 @@
 use tui_input::Input;
 
 use super::App;
+use super::find::{rank, ranked};
 use crate::files::export::Meta;
 use crate::files::style::Style;
-use crate::tui::message::{BINDINGS, Binding, Place, PresetEntry};
+use crate::tui::keymap::{Action, LINES, PANE_KEYS, Scope};
+use crate::tui::message::PresetEntry;
 
 /// The dialog on top.
 #[derive(Clone, Debug)]
@@ -24,11 +26,9 @@ pub enum Dialog {
     Save(Save),
     /// What to export and where.
     Export(Box<Export>),
-    /// Where to write what was measured of the methods: a path.
-    ExportAccuracy(Save),
-    /// Where to write what a sweep found: a path.
-    ExportSweep(Save),
-    /// Where to write another table: a path.
+    /// The options.
+    Options(Picker),
+    /// Where to write a table: a path.
     ExportTable(Table, Save),
     /// Which file a spring's measured curve is in (of the second spring: true): a path.
     Curve(bool, Save),
@@ -37,11 +37,19 @@ pub enum Dialog {
 /// A table that a tab writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
+    /// What Explore shows.
+    Explore,
+    /// What was measured of the methods.
+    Accuracy,
     /// The shots of the Limit tab.
     Limit,
-    /// The map of the Stability tab.
+    /// Its comparison at equal areal mass.
+    Comparison,
+    /// Its map of mass efficiency.
+    EfficiencyMap,
+    /// The map of stability.
     Map,
-    /// Its battery.
+    /// The stiff scenes.
     Battery,
     /// What the Search tab shows.
     Search,
@@ -53,10 +61,13 @@ impl Table {
     /// What is written, for the dialog's frame.
     pub fn title(self) -> &'static str {
         match self {
+            Self::Explore => "Export the sweep to CSV",
+            Self::Accuracy => "Export the measurements to CSV",
             Self::Limit => "Export the shots to CSV",
-            Self::Map => "Export the map to CSV",
-            Self::Battery => "Export the battery to CSV",
-            Self::Search => "Export what was found to CSV",
+            Self::Comparison => "Export the comparison to CSV",
+            Self::EfficiencyMap | Self::Map => "Export the map to CSV",
+            Self::Battery => "Export the stiff scenes to CSV",
+            Self::Search => "Export the results to CSV",
             Self::Thesis => "Export this page to CSV",
         }
     }
@@ -91,7 +102,7 @@ pub struct Save {
     /// The text.
     pub input: Input,
     /// The text is the proposed one: the first character replaces it.
-    pub fresh: bool,
+    pub all_selected: bool,
     /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
     pub question: bool,
     /// Why the text is no good, or saving failed.
@@ -135,7 +146,7 @@ impl What {
     pub const ALL: [Self; 4] = [Self::Series, Self::Grid, Self::Results, Self::Events];
 
     /// What it is, in words.
-    pub fn words(self) -> &'static str {
+    pub fn label(self) -> &'static str {
         match self {
             Self::Series => "time series: solver steps and points between",
             Self::Grid => "time series on a uniform grid",
@@ -222,103 +233,50 @@ pub fn wrap(at: usize, by: isize, count: usize) -> usize {
     usize::try_from((at + by).rem_euclid(count)).unwrap_or(0)
 }
 
-/// The bindings the help overlay lists: the focused pane first, then those that work anywhere, then those of the other panes,
-/// the tab's own before all others.
-pub fn help_rows(app: &App, filter: &str) -> Vec<&'static Binding> {
-    let wanted = filter.to_lowercase();
-    let mut places = vec![app.place(), Place::Anywhere];
-    places.extend(beside(app));
-    in_order(&places)
-        .filter(|row| {
-            row.help.to_lowercase().contains(&wanted)
-                || row.short.to_lowercase().contains(&wanted)
-                || row.keys.iter().any(|key| key.words().to_lowercase() == wanted)
+/// A row of help.
+#[derive(Clone, Debug)]
+pub struct HelpRow {
+    /// Its keys.
+    pub keys: String,
+    /// The pane they belong to; empty where they work everywhere.
+    pub pane: &'static str,
+    /// What they do.
+    pub help: &'static str,
+    /// What Enter calls.
+    pub action: Action,
+}
+
+/// What help lists: the keys of the focused pane first, with what they do there, then those that work everywhere.
+pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
+    let pane = app.pane();
+    let own = PANE_KEYS.iter().filter(|row| row.pane == pane).map(|row| HelpRow {
+        keys: app.keymap.label(row.action),
+        pane: pane.label(),
+        help: row.help,
+        action: row.action,
+    });
+    let in_scope = |wanted: bool| {
+        LINES.iter().filter(move |line| match line.scope {
+            Scope::Everywhere => !wanted,
+            Scope::Panes(panes) => wanted && panes.contains(&pane),
         })
-        .collect()
-}
-
-/// The actions that match what was typed in the palette, best first, each once: as the focused pane has it, or another pane
-/// of the tab, where one has it.
-pub fn palette_rows(app: &App, typed: &str) -> Vec<&'static Binding> {
-    let mut places = vec![app.place()];
-    places.extend(beside(app));
-    let mut seen = Vec::new();
-    let mut ranked: Vec<(usize, &'static Binding)> = Vec::new();
-    for row in in_order(&places) {
-        if row.is_movement() || seen.contains(&row.action) {
-            continue;
-        }
-        let text = format!("{} {}", row.short, row.help);
-        if let Some(rank) = fuzzy(typed, &text) {
-            seen.push(row.action);
-            ranked.push((rank, row));
-        }
-    }
-    ranked.sort_by_key(|(rank, _)| *rank);
-    ranked.into_iter().map(|(_, row)| row).collect()
-}
-
-/// The other panes of the tab.
-fn beside(app: &App) -> impl Iterator<Item = Place> {
-    let here = app.place();
-    app.panes().iter().copied().filter(move |place| *place != here)
-}
-
-/// All bindings: those of some places in their order, then the others as they stand in the table.
-fn in_order(places: &[Place]) -> impl Iterator<Item = &'static Binding> {
-    let last = places.len();
-    let mut rows: Vec<&'static Binding> = BINDINGS.iter().collect();
-    rows.sort_by_key(|row| places.iter().position(|place| *place == row.place).unwrap_or(last));
-    rows.into_iter()
-}
-
-/// The presets whose name or origin matches, best first; all of them in their order when nothing is typed.
-pub fn preset_rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
-    let mut ranked: Vec<(usize, &PresetEntry)> = presets
-        .iter()
-        .filter_map(|entry| {
-            let text = format!("{} {} {}", entry.name, entry.origin, entry.scene.title);
-            fuzzy(typed, &text).map(|rank| (rank, entry))
-        })
-        .collect();
-    ranked.sort_by_key(|(rank, _)| *rank);
-    ranked.into_iter().map(|(_, entry)| entry).collect()
-}
-
-/// Whether the characters of `typed` occur in `text` in order, and how far apart (smaller is better).
-pub fn fuzzy(typed: &str, text: &str) -> Option<usize> {
-    let wanted: Vec<char> = typed.to_lowercase().chars().filter(|c| !c.is_whitespace()).collect();
-    let text: Vec<char> = text.to_lowercase().chars().collect();
-    let Some(first) = wanted.first() else {
-        return Some(0);
     };
-    let starts = text.iter().enumerate().filter(|(_, c)| *c == first);
-    starts
-        .filter_map(|(start, _)| {
-            let mut at = start;
-            for (place, c) in wanted.iter().enumerate() {
-                let rest = &text[at..];
-                let step = rest.iter().position(|other| other == c)?;
-                at += step + usize::from(place + 1 < wanted.len());
-            }
-            if at - start > 4 * wanted.len() {
-                return None;
-            }
-            let begins_word = start == 0 || !text[start - 1].is_alphanumeric();
-            Some((at - start) * 4 + usize::from(!begins_word) * 8 + start / 4)
-        })
-        .min()
+    let line = |label: &'static str| {
+        move |line: &'static crate::tui::keymap::Line| HelpRow {
+            keys: app.keymap.line_label(line),
+            pane: label,
+            help: line.meaning,
+            action: line.keys[0].0,
+        }
+    };
+    let rows =
+        own.chain(in_scope(true).map(line(pane.label()))).chain(in_scope(false).map(line("")));
+    ranked(rows, |row| rank(typed, &[&row.keys], row.help))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn fuzzy_matches_a_subsequence_and_prefers_word_starts() {
-        assert_eq!(fuzzy("", "anything"), Some(0));
-        assert_eq!(fuzzy("xyz", "export runs to CSV"), None);
-        assert!(fuzzy("exp", "export runs") < fuzzy("exp", "next pane"));
-        assert!(fuzzy("pin", "pin this run") < fuzzy("pin", "unpin this run"));
-    }
+/// The presets that match, best first; all of them in their order when nothing is typed.
+pub fn preset_rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
+    ranked(presets.iter(), |entry| {
+        rank(typed, &[&entry.name], &format!("{} {}", entry.origin, entry.scene.title))
+    })
 }

@@ -2,6 +2,7 @@
 
 use tui_input::Input;
 
+use super::find::{rank, ranked};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{Group, VARIABLES, Value, Variable, is_offered};
@@ -11,10 +12,8 @@ use crate::model::variables::{Group, VARIABLES, Value, Variable, is_offered};
 pub struct Editor {
     /// Selected variable, by index into the table.
     pub selected: usize,
-    /// First row shown; the view keeps the selection in sight from here.
+    /// The text that the rows shown match.
     pub filter: String,
-    /// The filter's field while it is open.
-    pub filter_field: Option<Input>,
     /// The open field.
     pub field: Option<Field>,
     /// The arrow step in use: the variable and its decade, kept while the arrows go on.
@@ -29,7 +28,7 @@ pub struct Field {
     /// The text.
     pub input: Input,
     /// The old value is still selected: the first character replaces it.
-    pub fresh: bool,
+    pub all_selected: bool,
     /// Why the text is no value.
     pub error: Option<String>,
 }
@@ -44,13 +43,18 @@ pub enum Row {
 }
 
 impl Editor {
-    /// The rows that pass the filter, with a heading over each group that has any.
+    /// The rows with a heading over each group; under a filter those that match, best first, without headings.
     pub fn rows(&self, scene: &Scene) -> Vec<Row> {
+        if !self.filter.is_empty() {
+            let offered = VARIABLES.iter().enumerate().filter(|(_, it)| is_offered(it, scene));
+            let found = ranked(offered, |(_, variable)| self.rank(variable));
+            return found.into_iter().map(|(index, _)| Row::Variable(index)).collect();
+        }
         let mut rows = Vec::new();
         for group in Group::ALL {
             let start = rows.len();
             for (index, variable) in VARIABLES.iter().enumerate() {
-                if variable.group == group && is_offered(variable, scene) && self.passes(variable) {
+                if variable.group == group && is_offered(variable, scene) {
                     rows.push(Row::Variable(index));
                 }
             }
@@ -87,23 +91,20 @@ impl Editor {
         &VARIABLES[self.selected.min(VARIABLES.len() - 1)]
     }
 
-    /// Set the filter; the selection moves to the first row that passes when its own does not.
+    /// Set the filter; the selection moves to the best match.
     pub fn set_filter(&mut self, scene: &Scene, text: &str) {
         text.trim().clone_into(&mut self.filter);
         let listed = self.listed(scene);
-        if !listed.contains(&self.selected)
-            && let Some(first) = listed.first()
-        {
+        if let Some(first) = listed.first().filter(|_| !self.filter.is_empty()) {
             self.selected = *first;
         }
     }
 
-    fn passes(&self, variable: &Variable) -> bool {
-        let wanted = self.filter.to_lowercase();
-        wanted.is_empty()
-            || [variable.symbol, variable.key, variable.meaning, variable.group.title()]
-                .iter()
-                .any(|text| text.to_lowercase().contains(&wanted))
+    fn rank(&self, variable: &Variable) -> Option<usize> {
+        let mut names = vec![variable.symbol];
+        names.extend(variable.aliases);
+        let text = [variable.key, variable.meaning, variable.group.title()].join(" ");
+        rank(&self.filter, &names, &text)
     }
 
     /// The first of `height` rows to show so that the selected one is in sight, near the middle of a long list.

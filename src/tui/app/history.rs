@@ -91,7 +91,7 @@ impl History {
     }
 
     /// Further steps start a new edit.
-    pub fn seal(&mut self) {
+    pub fn commit(&mut self) {
         if let Some(last) = self.edits.last_mut() {
             last.stepping = None;
         }

@@ -1,7 +1,8 @@
 //! Where each pane stands: a total function of the size, without any type of the terminal library.
 
 use super::Tab;
-use crate::tui::message::Place;
+use super::sweep::Picture;
+use crate::tui::keymap::Pane;
 
 /// The smallest size that can be worked with: columns and rows.
 pub const SMALLEST: (u16, u16) = (60, 16);
@@ -62,6 +63,27 @@ pub struct Layout {
     pub status: Area,
     /// Keys that work here.
     pub keys: Area,
+    /// The names of the tab's pages, where it has several.
+    pub pages: Option<Area>,
+}
+
+/// What a layout depends on.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted {
+    /// Columns and rows.
+    pub size: (u16, u16),
+    /// The tab shown.
+    pub tab: Tab,
+    /// The pane that has the keys.
+    pub focus: Pane,
+    /// That pane fills the body.
+    pub full_pane: bool,
+    /// The tab has several pages: their names take a row.
+    pub has_pages: bool,
+    /// Pinned runs.
+    pub pins: usize,
+    /// What Explore shows.
+    pub picture: Picture,
 }
 
 /// What stands between title row and message row.
@@ -71,20 +93,31 @@ pub enum Body {
     TooSmall,
     /// The Run tab.
     Run(Panes),
-    /// The Sweep and Surface tabs.
-    Sweep(SweepPanes),
-    /// The Accuracy tab.
+    /// The Explore tab.
+    Explore(SweepPanes),
+    /// Accuracy.
     Accuracy(AccuracyPanes),
-    /// The Stability tab.
+    /// Stability: the map or the stiff scenes.
     Stability(Area),
     /// The Log tab.
     Log(Area),
     /// The Thesis tab.
     Thesis(Area),
     /// The Limit tab.
-    Limit(Area),
+    Limit(LimitPanes),
     /// The Search tab: setup, and what was found.
     Search(Area, Area),
+}
+
+/// The panes of the Limit tab: those that have room.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LimitPanes {
+    /// The comparison at equal areal mass.
+    pub comparison: Option<Area>,
+    /// The residual velocity, and the limit in words.
+    pub residual: Option<Area>,
+    /// The map of mass efficiency.
+    pub map: Option<Area>,
 }
 
 /// The panes of the Run tab.
@@ -100,9 +133,11 @@ pub struct Panes {
     pub events: Option<Area>,
     /// Its energy ledger.
     pub ledger: Option<Area>,
+    /// The drawing of the mechanism.
+    pub mechanism: Option<Area>,
 }
 
-/// The panes of the Sweep and Surface tabs.
+/// The panes of the Explore tab.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SweepPanes {
     /// Axes, output, held variables.
@@ -135,7 +170,7 @@ impl Layout {
             }
             Body::Accuracy(panes) => panes.chart.width.saturating_sub(12),
             Body::TooSmall
-            | Body::Sweep(_)
+            | Body::Explore(_)
             | Body::Stability(_)
             | Body::Log(_)
             | Body::Thesis(_)
@@ -151,7 +186,7 @@ impl Layout {
                 panes.variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
             }
             Body::TooSmall
-            | Body::Sweep(_)
+            | Body::Explore(_)
             | Body::Accuracy(_)
             | Body::Stability(_)
             | Body::Log(_)
@@ -167,7 +202,7 @@ impl Layout {
             Body::Log(area) | Body::Stability(area) | Body::Thesis(area) => {
                 usize::from(area.height.saturating_sub(2))
             }
-            Body::Sweep(panes) => {
+            Body::Explore(panes) => {
                 panes.setup.map_or(10, |area| usize::from(area.height.saturating_sub(2)))
             }
             Body::Search(setup, _) => usize::from(setup.height.saturating_sub(2)),
@@ -176,53 +211,36 @@ impl Layout {
     }
 }
 
-/// Where everything stands on a terminal of this size (columns, rows).
-///
-/// The message row grows to `message_rows` for a long message; the body gives way.
-pub fn layout(
-    size: (u16, u16),
-    message_rows: u16,
-    tab: Tab,
-    (focus, full_pane): (Place, bool),
-    pins: usize,
-) -> Layout {
-    let message_rows = if size.1 < SMALLEST.1 { 1 } else { message_rows.clamp(1, 4) };
-    let (width, height) = size;
+/// From this height on the names of the pages have a row.
+pub const WITH_PAGES: u16 = 18;
+
+/// Rows for messages: always the same number, so that the panes never move; two from this height on.
+pub const MESSAGE_ROWS: (u16, u16) = (1, 2);
+const TWO_MESSAGE_ROWS: u16 = 20;
+
+/// Where everything stands.
+pub fn layout(wanted: &Wanted) -> Layout {
+    let (width, height) = wanted.size;
+    let message_rows = if height < TWO_MESSAGE_ROWS { MESSAGE_ROWS.0 } else { MESSAGE_ROWS.1 };
     let row =
         |y: u16| Area { x: 0, y: y.min(height.saturating_sub(1)), width, height: height.min(1) };
-    let body =
+    let all =
         Area { x: 0, y: height.min(1), width, height: height.saturating_sub(3 + message_rows) };
+    let (pages, body) = if wanted.has_pages && all.height > 1 {
+        let body = Area { y: all.y + 1, height: all.height - 1, ..all };
+        (Some(Area { height: 1, ..all }), body)
+    } else {
+        (None, all)
+    };
     let body = if width < SMALLEST.0 || height < SMALLEST.1 {
         Body::TooSmall
     } else {
-        match tab {
-            Tab::Sweep => Body::Sweep(lines(body, focus, full_pane)),
-            Tab::Surface => Body::Sweep(surface(body, focus, full_pane)),
-            Tab::Accuracy => Body::Accuracy(accuracy(body, full_pane)),
-            Tab::Stability => Body::Stability(body),
-            Tab::Log => Body::Log(body),
-            Tab::Thesis => Body::Thesis(body),
-            Tab::Limit => Body::Limit(body),
-            Tab::Search => {
-                let width = match (full_pane, focus) {
-                    // Beside each other neither could be read: the one that has the keys gets the room.
-                    (false, Place::SearchSetup) if body.width < NARROW => SEARCH_SETUP,
-                    (false, _) if body.width < NARROW => 0,
-                    (false, _) => setup_width(body.width),
-                    (true, Place::SearchSetup) => body.width,
-                    (true, _) => 0,
-                };
-                let (setup, found) = body.split_left(width);
-                Body::Search(setup, found)
-            }
-            Tab::Run if full_pane => Body::Run(full(body, focus)),
-            Tab::Run if width < WIDE => Body::Run(narrow(body, height, focus, pins)),
-            Tab::Run => Body::Run(wide(body, height, focus, pins)),
-        }
+        parts(wanted, body)
     };
     Layout {
         title: row(0),
         body,
+        pages,
         message: Area {
             height: message_rows.min(height),
             ..row(height.saturating_sub(2 + message_rows))
@@ -232,36 +250,82 @@ pub fn layout(
     }
 }
 
-fn full(body: Area, focus: Place) -> Panes {
-    match focus {
-        Place::Variables
-        | Place::Anywhere
-        | Place::Setup
-        | Place::Lines
-        | Place::Surface
-        | Place::Accuracy
-        | Place::Map
-        | Place::Battery
-        | Place::Log
-        | Place::Claims
-        | Place::Principles
-        | Place::Screening
-        | Place::Limit
-        | Place::Search
-        | Place::SearchSetup => Panes { variables: Some(body), ..Panes::default() },
-        Place::Charts => Panes { charts: stacked(body), ..Panes::default() },
-        Place::Runs => Panes { runs: Some(body), ..Panes::default() },
+fn parts(wanted: &Wanted, body: Area) -> Body {
+    let Wanted { focus, full_pane, pins, size: (width, height), .. } = *wanted;
+    match wanted.tab {
+        Tab::Explore => Body::Explore(match wanted.picture {
+            Picture::Line => lines(body, focus, full_pane),
+            Picture::Surface => surface(body, focus, full_pane),
+        }),
+        Tab::Numerics if focus == Pane::Accuracy => Body::Accuracy(accuracy(body, full_pane)),
+        Tab::Numerics => Body::Stability(body),
+        Tab::Log => Body::Log(body),
+        Tab::Thesis => Body::Thesis(body),
+        Tab::Limit => Body::Limit(limit(body, focus, full_pane)),
+        Tab::Search => {
+            let width = match (full_pane, focus) {
+                // Beside each other neither could be read: the one that has the keys gets the room.
+                (false, Pane::SearchSetup) if body.width < NARROW => SEARCH_SETUP,
+                (false, _) if body.width < NARROW => 0,
+                (false, _) => setup_width(body.width),
+                (true, Pane::SearchSetup) => body.width,
+                (true, _) => 0,
+            };
+            let (setup, found) = body.split_left(width);
+            Body::Search(setup, found)
+        }
+        Tab::Run if full_pane => Body::Run(full(body, focus)),
+        Tab::Run if width < WIDE => Body::Run(narrow(body, height, focus, pins)),
+        Tab::Run => Body::Run(wide(body, height, focus, pins)),
     }
 }
 
-fn narrow(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
+/// The comparison above the residual velocity and the map; the pane that has the keys alone where there is no room for three.
+fn limit(body: Area, focus: Pane, full_pane: bool) -> LimitPanes {
+    let alone = full_pane || body.height < COMPARISON_ROWS + 8;
+    if alone {
+        let of = |pane| (focus == pane).then_some(body);
+        return LimitPanes {
+            comparison: of(Pane::Comparison),
+            residual: of(Pane::Residual),
+            map: of(Pane::EfficiencyMap),
+        };
+    }
+    let (below, comparison) = {
+        let (top, rest) = body.split_bottom(body.height - COMPARISON_ROWS);
+        (rest, top)
+    };
+    if body.width < NARROW {
+        let map = focus == Pane::EfficiencyMap;
+        return LimitPanes {
+            comparison: Some(comparison),
+            residual: (!map).then_some(below),
+            map: map.then_some(below),
+        };
+    }
+    let (left, right) = below.split_left(below.width / 2);
+    LimitPanes { comparison: Some(comparison), residual: Some(left), map: Some(right) }
+}
+
+/// Rows of the comparison, frame included.
+const COMPARISON_ROWS: u16 = 10;
+
+fn full(body: Area, focus: Pane) -> Panes {
+    match focus {
+        Pane::Charts => Panes { charts: stacked(body), ..Panes::default() },
+        Pane::Runs => Panes { runs: Some(body), ..Panes::default() },
+        _ => Panes { variables: Some(body), ..Panes::default() },
+    }
+}
+
+fn narrow(body: Area, height: u16, focus: Pane, pins: usize) -> Panes {
     let (left, right) = body.split_left(31);
     let mut panes = Panes { variables: Some(left), ..Panes::default() };
     if height >= TALL {
         let (top, bottom) = right.split_bottom(runs_height(pins));
         panes.runs = Some(bottom);
         panes.charts = if top.height >= 36 { stacked(top) } else { vec![top] };
-    } else if focus == Place::Runs {
+    } else if focus == Pane::Runs {
         panes.runs = Some(right);
     } else {
         panes.charts = vec![right];
@@ -269,10 +333,10 @@ fn narrow(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
     panes
 }
 
-fn wide(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
-    let (left, mut right) = body.split_left(if body.width >= ROOMY { 46 } else { 38 });
+fn wide(body: Area, height: u16, focus: Pane, pins: usize) -> Panes {
+    let (left, mut right) = body.split_left(if body.width >= ROOMY { 52 } else { 48 });
     let mut panes = Panes::default();
-    if height >= TALL || focus == Place::Runs {
+    if height >= TALL || focus == Pane::Runs {
         let wanted = runs_height(pins).min(body.height / 2);
         let (top, bottom) = left.split_bottom(wanted);
         panes.variables = Some(top);
@@ -287,13 +351,22 @@ fn wide(body: Area, height: u16, focus: Place, pins: usize) -> Panes {
         panes.events = Some(events);
         panes.ledger = Some(ledger);
     }
+    if right.height >= DRAWN {
+        let (charts, drawing) = right.split_bottom(DRAWING_ROWS);
+        right = charts;
+        panes.mechanism = Some(drawing);
+    }
     panes.charts = stacked(right);
     panes
 }
 
+/// Rows of the drawing of the mechanism, frame included, and from what height on it stands below the charts.
+const DRAWING_ROWS: u16 = 5;
+const DRAWN: u16 = 19;
+
 /// The setup beside one chart, or two where there is room.
-fn lines(body: Area, focus: Place, full_pane: bool) -> SweepPanes {
-    if full_pane && focus == Place::Setup {
+fn lines(body: Area, focus: Pane, full_pane: bool) -> SweepPanes {
+    if full_pane && focus == Pane::ExploreSetup {
         return SweepPanes { setup: Some(body), ..SweepPanes::default() };
     }
     let (setup, rest) = if full_pane {
@@ -321,8 +394,8 @@ fn setup_width(width: u16) -> u16 {
 
 /// The map; setup at its left, scale and slices at its right. On a narrow screen the pane at the left is the one that is of
 /// use: the setup while it has the keys, else scale and slices.
-fn surface(body: Area, focus: Place, full_pane: bool) -> SweepPanes {
-    let on_setup = focus == Place::Setup;
+fn surface(body: Area, focus: Pane, full_pane: bool) -> SweepPanes {
+    let on_setup = focus == Pane::ExploreSetup;
     if full_pane && on_setup {
         return SweepPanes { setup: Some(body), ..SweepPanes::default() };
     }

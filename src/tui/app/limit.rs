@@ -5,13 +5,16 @@ use std::sync::Arc;
 
 use super::App;
 use super::accuracy::Measuring;
-use super::layout::{Body, CHART_ROWS};
+use super::layout::{Body, CHART_ROWS, LimitPanes};
 use super::notice::Severity;
 use super::status::wrap;
 use crate::model::run::Outcome;
+use crate::model::scene::Scene;
 use crate::model::units::{fixed_significant, significant};
 use crate::study::limit::scatter::{ModelError, Scatter, Scattering};
 use crate::study::limit::{Criterion, Effort, Limit, Report, Shot, words};
+use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::worker::searches::Comparison;
 
 /// The scatter of the inputs that is asked for here.
 pub const SCATTERING: Scattering = Scattering {
@@ -41,6 +44,20 @@ pub struct Ballistic {
     pub scattered: bool,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
+    /// The part of the impact velocities in view; `None`: all of them.
+    pub zoomed: Option<ViewRange>,
+    /// Logarithmic axes: impact velocity, residual velocity.
+    pub log: (bool, bool),
+    /// The comparison at equal areal mass, with the scene it belongs to.
+    pub comparison: Option<(Arc<Scene>, Arc<Comparison>)>,
+    /// The comparison that is being computed.
+    pub comparing: Option<Measuring>,
+    /// The absorber it is made with: 0 the scene's own, then those of the library.
+    pub absorber: usize,
+    /// The first line shown of the comparison.
+    pub scrolled: usize,
+    /// The cell under the cursor of the map of mass efficiency; `None`: the scene's.
+    pub map_cursor: Option<(usize, usize)>,
     /// Where curve and words have no room together: the page of words that is shown, 0 for the curve.
     pub page: usize,
 }
@@ -73,6 +90,35 @@ impl Ballistic {
         self.cursor = Some(at.min(last));
     }
 
+    /// All impact velocities, and those in view.
+    fn views(&self) -> Option<(ViewRange, ViewRange)> {
+        let whole = ViewRange::of(self.scale(), self.shots().iter().map(|shot| shot.impact_m_s))?;
+        Some((whole, self.zoomed.unwrap_or(whole)))
+    }
+
+    fn scale(&self) -> Scale {
+        if self.log.0 { Scale::Log10 } else { Scale::Linear }
+    }
+
+    /// Zoom the impact velocity about the cursor.
+    pub fn zoom(&mut self, factor: f64) {
+        let Some((whole, view)) = self.views() else { return };
+        let middle = 0.5 * (view.lo() + view.hi());
+        let about = self.shot().map_or(middle, |shot| shot.impact_m_s);
+        self.keep_view(whole, view.zoomed(self.scale(), about, factor));
+    }
+
+    /// Move the view by a fraction of its span.
+    pub fn pan(&mut self, fraction: f64) {
+        let Some((whole, view)) = self.views() else { return };
+        self.keep_view(whole, view.panned(self.scale(), fraction));
+    }
+
+    fn keep_view(&mut self, whole: ViewRange, view: ViewRange) {
+        let all = view.lo() <= whole.lo() && view.hi() >= whole.hi();
+        self.zoomed = (!all).then_some(view);
+    }
+
     /// Everything but the limit itself, in words.
     pub fn facts(&self) -> Vec<Fact> {
         let Some(report) = &self.report else { return Vec::new() };
@@ -86,15 +132,12 @@ impl Ballistic {
         }
         if let Some(law) = report.recht_ipson {
             let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
-            add("Recht-Ipson", format!("a {a}, p 2, this v_bl; misses by {misfit} m/s (rms)"));
+            add("Recht-Ipson", format!("a {a}, p 2, this v_bl; RMS error {misfit} m/s"));
         }
         if let Some(law) = report.lambert_jonas {
             let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
             let (limit, misfit) = (velocity(law.limit_m_s), significant(law.misfit_m_s, 2));
-            add(
-                "Lambert-Jonas",
-                format!("a {a}, p {p}, v_bl {limit}; misses by {misfit} m/s (rms)"),
-            );
+            add("Lambert-Jonas", format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s"));
         }
         match report.scatter {
             Some(found) => facts.extend(scattered(&found, report)),
@@ -144,7 +187,9 @@ fn carried(report: &Report) -> Option<String> {
     let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
     let (_, residual) = first.filter(|(impact, residual)| *residual > CARRIED * impact)?;
     let residual = velocity(residual);
-    Some(format!("just beyond v_bl {residual} is left: the plate carries it along"))
+    Some(format!(
+        "Just above the limit the residual velocity is {residual}, the common velocity of projectile and plate."
+    ))
 }
 
 fn scattered(found: &Scatter, report: &Report) -> Vec<Fact> {
@@ -214,8 +259,9 @@ impl App {
     /// Where the curve and all that is to be said have no room together: the rows of a page of words, and how many pages
     /// they take. Then Tab turns from the curve through them.
     pub fn limit_pages(&self) -> Option<(usize, usize)> {
-        // What the message row says depends on this: so this must not depend on the rows it takes.
-        let Body::Limit(area) = self.layout_with(self.size, 1).body else { return None };
+        let Body::Limit(LimitPanes { residual: Some(area), .. }) = self.layout().body else {
+            return None;
+        };
         let lines = self.limit_lines(area.width).len();
         // The first row of the body is the limit itself; a frame takes two.
         let room = usize::from(area.height).saturating_sub(3);
@@ -262,11 +308,28 @@ impl App {
         let report = self.limit.report.as_ref()?;
         let Some(shot) = self.limit.shot() else {
             let hint = match self.limit_page() {
-                None => "Tab: fitted laws and V50",
-                Some((_, false)) => "Tab: the rest",
-                Some((_, true)) => "Tab: the curve",
+                None => "j: laws",
+                Some((_, false)) => "j: more",
+                Some((_, true)) => "k: curve",
             };
-            return self.limit_pages().map(|_| (Severity::Note, hint.to_owned()));
+            let mut parts = Vec::new();
+            if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
+                parts.push(format!("no single limit: {} is stopped again", velocity(again)));
+            }
+            parts.extend(report.caution());
+            let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
+            if let Some(found) = &report.scatter {
+                let (v50, spread) = (velocity(found.v50_m_s), velocity(found.deviation_m_s));
+                parts.push(format!("V50 {v50}, spread {spread}"));
+            }
+            let crowded = self.limit_pages().is_some();
+            parts.extend(crowded.then(|| hint.to_owned()));
+            // Where there is one row, the pane itself has the limit in full.
+            if self.layout().message.height > 1 {
+                let at = usize::from(severity == Severity::Warning);
+                parts.insert(at.min(parts.len()), self.limit_headline()?);
+            }
+            return Some((severity, parts.join("; ")));
         };
         let v = shot.impact_m_s;
         let laws = [
@@ -291,16 +354,14 @@ impl App {
                 let of = finding.points.map_or_else(String::new, |(done, total)| {
                     format!(": {done} of about {total} shots")
                 });
-                same(Severity::Note, format!("finding the limit{of} (Esc stops)"))
+                same(Severity::Note, format!("finding the limit{of} (Esc cancels)"))
             }
-            (None, None) => {
-                same(Severity::Note, "not looked for yet: r finds the limit".to_owned())
-            }
+            (None, None) => same(Severity::Note, "no results yet: press r".to_owned()),
             (None, Some(_)) if self.limit_is_old() => {
-                same(Severity::Warning, "old: r finds the changed scene's limit".to_owned())
+                same(Severity::Warning, "another scene's results: press r".to_owned())
             }
             (None, Some(report)) if !report.is_complete => {
-                same(Severity::Warning, "stopped: r finds it again".to_owned())
+                same(Severity::Warning, "cancelled: press r".to_owned())
             }
             (None, Some(_)) => same(Severity::Note, "done".to_owned()),
         }];
@@ -308,6 +369,12 @@ impl App {
             if let Limit::Found { basis, .. } = report.limit {
                 parts.push(same(Severity::Note, format!("by {}", basis.words())));
             }
+            parts.extend(tab.comparing.as_ref().map(|comparing| {
+                let of = comparing.points.map_or_else(String::new, |(done, total)| {
+                    format!(": {} of {total}", done.min(total))
+                });
+                same(Severity::Note, format!("comparing{of} (Esc cancels)"))
+            }));
             parts.push(same(Severity::Note, format!("curve of {} shots", report.shots.len())));
             parts.extend(self.validity_part());
         }

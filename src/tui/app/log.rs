@@ -7,6 +7,9 @@ use super::status::wrap;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run, envelope};
 use crate::tui::theme;
 
+/// Messages that stand before what is said of the run.
+const NEWEST: usize = 5;
+
 /// What a line of the Log tab is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineKind {
@@ -46,7 +49,11 @@ impl App {
     pub fn log_lines(&self, columns: usize) -> Vec<LogLine> {
         // Two borders, and three columns of indent with one of air.
         let room = columns.saturating_sub(6).max(10);
-        let lines = self.whole_lines().into_iter();
+        let wanted = self.find.log.trim().to_lowercase();
+        let matches = |line: &LogLine| line.text.to_lowercase().contains(&wanted);
+        let mut lines = self.whole_lines();
+        lines.retain(|line| wanted.is_empty() || matches(line));
+        let lines = lines.into_iter();
         lines
             .flat_map(|line| {
                 let kind = line.kind;
@@ -62,8 +69,25 @@ impl App {
 
     fn whole_lines(&self) -> Vec<LogLine> {
         let mut lines = Vec::new();
+        heading(&mut lines, "Messages of this session, newest first");
+        if self.log.is_empty() {
+            push(&mut lines, LineKind::Dim, "none".to_owned());
+        }
+        let (newest, older): (Vec<_>, Vec<_>) =
+            self.log.iter().rev().enumerate().partition(|(at, _)| *at < NEWEST);
+        let message = |lines: &mut Vec<LogLine>, notice: &Notice| {
+            let kind = match notice.severity {
+                Severity::Note => LineKind::Text,
+                Severity::Warning => LineKind::Warning,
+                Severity::Error => LineKind::Error,
+            };
+            push(lines, kind, format!("{:<8} {}", notice.severity.word(), notice.text));
+        };
+        for (_, notice) in newest {
+            message(&mut lines, notice);
+        }
         if let Some(shown) = &self.shown {
-            let which = if self.is_stale() { " (old: the scene has changed since)" } else { "" };
+            let which = if self.is_stale() { " (of another scene: press r)" } else { "" };
             warnings(&mut lines, &shown.run, which);
             stack(&mut lines, &shown.run);
             events(&mut lines, &shown.run);
@@ -73,17 +97,11 @@ impl App {
             heading(&mut lines, "Run");
             push(&mut lines, LineKind::Dim, "no run yet".to_owned());
         }
-        heading(&mut lines, "Messages of this session, newest first");
-        if self.log.is_empty() {
-            push(&mut lines, LineKind::Dim, "none".to_owned());
+        if !older.is_empty() {
+            heading(&mut lines, "Older messages");
         }
-        for notice in self.log.iter().rev() {
-            let kind = match notice.severity {
-                Severity::Note => LineKind::Text,
-                Severity::Warning => LineKind::Warning,
-                Severity::Error => LineKind::Error,
-            };
-            push(&mut lines, kind, format!("{:<8} {}", notice.severity.word(), notice.text));
+        for (_, notice) in older {
+            message(&mut lines, notice);
         }
         lines
     }
@@ -226,7 +244,7 @@ fn cost(lines: &mut Vec<LogLine>, run: &Run) {
         ),
         ("end", run.end.words().to_owned()),
         ("error", estimate),
-        ("left out", omitted),
+        ("omitted", omitted),
     ] {
         push(lines, LineKind::Text, format!("{name:<13}{text}"));
     }

@@ -21,11 +21,13 @@ pub enum Quantity {
     DamperForce,
     /// Projectile displacement since first contact.
     ProjectileDisplacement,
+    /// Force on the mount, over the plate's displacement in place of time.
+    MountForce,
 }
 
 impl Quantity {
     /// All quantities, in the order `v` goes through them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Penetration,
         Self::PlateDisplacement,
         Self::ContactForce,
@@ -34,6 +36,7 @@ impl Quantity {
         Self::SpringForce,
         Self::DamperForce,
         Self::ProjectileDisplacement,
+        Self::MountForce,
     ];
 
     /// The name for chart titles.
@@ -47,6 +50,7 @@ impl Quantity {
             Self::SpringForce => "Spring force",
             Self::DamperForce => "Damper force",
             Self::ProjectileDisplacement => "Projectile displacement",
+            Self::MountForce => "Mount force over displacement",
         }
     }
 
@@ -61,6 +65,7 @@ impl Quantity {
             Self::SpringForce => "F_spring",
             Self::DamperForce => "F_damper",
             Self::ProjectileDisplacement => "s",
+            Self::MountForce => "F(x)",
         }
     }
 
@@ -68,7 +73,7 @@ impl Quantity {
     pub fn unit(self) -> &'static str {
         match self {
             Self::Penetration | Self::PlateDisplacement | Self::ProjectileDisplacement => "m",
-            Self::ContactForce | Self::SpringForce | Self::DamperForce => "N",
+            Self::ContactForce | Self::SpringForce | Self::DamperForce | Self::MountForce => "N",
             Self::ProjectileVelocity | Self::PlateVelocity => "m/s",
         }
     }
@@ -92,6 +97,7 @@ impl Quantity {
             Self::SpringForce => sample.spring_force_n,
             Self::DamperForce => sample.damper_force_n,
             Self::ProjectileDisplacement => sample.projectile_displacement_m,
+            Self::MountForce => sample.spring_force_n + sample.damper_force_n + sample.stop_force_n,
         }
     }
 

@@ -108,7 +108,7 @@ pub fn name_of(scene: &Scene, base_name: &str, base: &Scene) -> String {
         .into_iter()
         .map(|index| {
             let variable = &VARIABLES[index];
-            format!("{}={}", variable.symbol, variable.show(scene))
+            format!("{}={}", variable.symbol, super::editor::shown_value(variable, scene, 24))
         })
         .collect();
     parts.join(" ")

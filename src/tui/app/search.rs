@@ -6,6 +6,7 @@ use super::App;
 use super::accuracy::Measuring;
 use super::layout::{Body, CHART_ROWS};
 use super::notice::Severity;
+use super::sweep::copy_value;
 use crate::files::error::FileError;
 use crate::files::{compare as compare_file, sensitivity as sensitivity_file};
 use crate::files::{front as front_file, scatter as scatter_file, seek as seek_file};
@@ -13,6 +14,9 @@ use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::study::search::front::{Design, Front, Task};
 use crate::study::search::scatter::Summary;
+use crate::study::sweep::Spacing;
+use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::keymap::Pane;
 use crate::worker::searches::{Answer, Request};
 pub use bounds::Bound;
 pub use setup::{Row, SearchField, Setup};
@@ -31,10 +35,8 @@ pub enum Page {
     Front,
     /// Which variables matter.
     Sensitivity,
-    /// How results scatter.
-    Scatter,
-    /// The comparison at equal areal mass.
-    Compare,
+    /// How results spread when inputs do.
+    MonteCarlo,
 }
 
 /// Rows of words that a chart must leave, frame included.
@@ -42,17 +44,15 @@ const LEAST_WORDS: u16 = 6;
 
 impl Page {
     /// All pages, in order.
-    pub const ALL: [Self; 5] =
-        [Self::Seek, Self::Front, Self::Sensitivity, Self::Scatter, Self::Compare];
+    pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
 
     /// What it answers, in two or three words.
     pub fn title(self) -> &'static str {
         match self {
-            Self::Seek => "goal seek",
-            Self::Front => "best designs",
-            Self::Sensitivity => "what matters",
-            Self::Scatter => "scatter",
-            Self::Compare => "mass efficiency",
+            Self::Seek => "Goal seek",
+            Self::Front => "Pareto front",
+            Self::Sensitivity => "Sensitivity",
+            Self::MonteCarlo => "Monte Carlo",
         }
     }
 
@@ -62,19 +62,13 @@ impl Page {
             Self::Seek => "seek.csv",
             Self::Front => "front.csv",
             Self::Sensitivity => "sensitivity.csv",
-            Self::Scatter => "scatter.csv",
-            Self::Compare => "compare.csv",
+            Self::MonteCarlo => "montecarlo.csv",
         }
     }
 
-    pub(in crate::tui) fn place(self) -> usize {
+    /// Its place among the pages, from 0.
+    pub fn index(self) -> usize {
         Self::ALL.iter().position(|page| *page == self).unwrap_or(0)
-    }
-
-    /// The page so many further, in a circle.
-    #[must_use]
-    pub fn turned(self, by: isize) -> Self {
-        Self::ALL[super::dialog::wrap(self.place(), by, Self::ALL.len())]
     }
 }
 
@@ -94,8 +88,6 @@ pub struct Found {
 pub struct Searching {
     /// The page shown.
     pub page: Page,
-    /// The setup has the keys.
-    pub on_setup: bool,
     /// The selected row of the setup.
     pub row: Row,
     /// The open field.
@@ -103,7 +95,7 @@ pub struct Searching {
     /// What is looked for.
     pub setup: Setup,
     /// What was found, page by page.
-    pub found: [Option<Found>; 5],
+    pub found: [Option<Found>; 4],
     /// What is being looked for, its page, and the request.
     pub running: Option<Measuring>,
     /// See `running`.
@@ -111,22 +103,26 @@ pub struct Searching {
     /// Why the present page cannot be computed.
     pub problem: Option<String>,
     /// The selected design or solution, page by page.
-    pub cursor: [usize; 5],
+    pub cursor: [Option<usize>; 4],
     /// Where chart and words have no room together, the words are shown.
     pub in_words: bool,
     /// Logarithmic axes across and up.
     pub log: (bool, bool),
+    /// The part of the axis across that is in view; `None`: all of it.
+    pub zoomed: Option<ViewRange>,
+    /// The column of the front that its table is sorted by: an objective by its place; `None`: the one across.
+    pub sorted_by: Option<usize>,
 }
 
 impl Searching {
     /// What was found on the page shown.
     pub fn shown(&self) -> Option<&Found> {
-        self.found[self.page.place()].as_ref()
+        self.found[self.page.index()].as_ref()
     }
 
     /// The front shown, with what was asked.
     pub fn front(&self) -> Option<(&Front, &Task)> {
-        match self.found[Page::Front.place()].as_ref().map(|found| (&found.answer, &*found.request))
+        match self.found[Page::Front.index()].as_ref().map(|found| (&found.answer, &*found.request))
         {
             Some((Answer::Front(front), Request::Front(task))) => Some((front, task)),
             Some(_) | None => None,
@@ -136,9 +132,10 @@ impl Searching {
     /// The designs of the front, by the measure across.
     pub fn designs(&self) -> Vec<&Design> {
         let Some((front, task)) = self.front() else { return Vec::new() };
-        let across = self.across(task).0;
+        let across = self.sorted_by.unwrap_or_else(|| self.across(task).0);
         let mut designs: Vec<&Design> = front.designs.iter().collect();
-        let value = |design: &Design| design.measures[across].unwrap_or(f64::NAN);
+        let value =
+            |design: &Design| design.measures.get(across).copied().flatten().unwrap_or(f64::NAN);
         designs.sort_by(|a, b| value(a).total_cmp(&value(b)));
         designs
     }
@@ -191,17 +188,108 @@ impl Searching {
 
     /// The first line shown of a page without designs to choose from.
     pub fn scrolled(&self) -> usize {
-        self.cursor[self.page.place()]
+        self.cursor[self.page.index()].unwrap_or(0)
     }
 
     /// Select one of them.
     pub fn select(&mut self, at: usize) {
-        self.cursor[self.page.place()] = at;
+        self.cursor[self.page.index()] = Some(at);
     }
 
-    /// The selected one of them.
+    /// The selected one of them: of a front its knee, until another one is selected.
     pub fn selected(&self) -> usize {
-        self.cursor[self.page.place()].min(self.choices().saturating_sub(1))
+        let chosen = self.cursor[self.page.index()];
+        let first = || if self.page == Page::Front { self.knee().unwrap_or(0) } else { 0 };
+        chosen.unwrap_or_else(first).min(self.choices().saturating_sub(1))
+    }
+
+    /// The knee of the front: the design farthest from the line between the ends of the two axes shown, each axis by its
+    /// range on the front; `None` where there is no such line.
+    pub fn knee(&self) -> Option<usize> {
+        let (_, task) = self.front()?;
+        let (across, up) = self.across(task);
+        let designs = self.designs();
+        let place = |design: &Design| {
+            let value = |at: usize| design.measures.get(at).copied().flatten();
+            value(across).zip(value(up))
+        };
+        let places: Vec<Option<(f64, f64)>> = designs.iter().map(|design| place(design)).collect();
+        let shown = || places.iter().flatten();
+        let range = |of: fn(&(f64, f64)) -> f64| {
+            let least = shown().map(of).min_by(f64::total_cmp)?;
+            let most = shown().map(of).max_by(f64::total_cmp)?;
+            (most > least).then_some((least, most - least))
+        };
+        let ((x0, width), (y0, height)) = (range(|it| it.0)?, range(|it| it.1)?);
+        // Both objectives are to be small: the knee is nearest to the corner of both least values, along the diagonal.
+        let depth = |(x, y): (f64, f64)| (x - x0) / width + (y - y0) / height;
+        let known = places.iter().enumerate().filter_map(|(at, place)| Some((at, (*place)?)));
+        known.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1))).map(|(at, _)| at)
+    }
+
+    /// Sort the table of the front by its next objective; the selection stays on its design.
+    pub fn sort_next(&mut self) {
+        let Some((_, task)) = self.front() else { return };
+        let (count, now) =
+            (task.measures().len(), self.sorted_by.unwrap_or_else(|| self.across(task).0));
+        let kept = self.designs().get(self.selected()).map(|design| design.values.clone());
+        self.sorted_by = Some((now + 1) % count.max(1));
+        let at = self.designs().iter().position(|design| Some(&design.values) == kept.as_ref());
+        if let Some(at) = at {
+            self.select(at);
+        }
+    }
+
+    /// The values of the axis across of what is drawn.
+    fn drawn_across(&self) -> Vec<f64> {
+        match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) => report.scan.iter().map(|point| point.0).collect(),
+            Some(Answer::Front(_)) => {
+                let across = self.front().map_or(0, |(_, task)| self.across(task).0);
+                let value = |design: &&Design| design.measures.get(across).copied().flatten();
+                self.designs().iter().filter_map(value).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The scale of the axis across.
+    fn scale_across(&self) -> Scale {
+        match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) if report.axis.spacing() == Spacing::Log => Scale::Log10,
+            Some(Answer::Front(_)) if self.log.0 => Scale::Log10,
+            _ => Scale::Linear,
+        }
+    }
+
+    fn view_across(&self) -> Option<(ViewRange, ViewRange, f64)> {
+        let scale = self.scale_across();
+        let whole = ViewRange::of(scale, self.drawn_across())?;
+        let about = match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) => {
+                report.solutions.get(self.selected()).map(|it| it.place.at)
+            }
+            _ => self.drawn_across().get(self.selected()).copied(),
+        };
+        let view = self.zoomed.unwrap_or(whole);
+        Some((whole, view, about.unwrap_or_else(|| 0.5 * (view.lo() + view.hi()))))
+    }
+
+    /// Zoom the axis across about the selected design.
+    pub fn zoom(&mut self, factor: f64) {
+        let Some((whole, view, about)) = self.view_across() else { return };
+        self.keep_view(whole, view.zoomed(self.scale_across(), about, factor));
+    }
+
+    /// Move the view across by a fraction of its span.
+    pub fn pan(&mut self, fraction: f64) {
+        let Some((whole, view, _)) = self.view_across() else { return };
+        self.keep_view(whole, view.panned(self.scale_across(), fraction));
+    }
+
+    fn keep_view(&mut self, whole: ViewRange, view: ViewRange) {
+        let all = view.lo() <= whole.lo() && view.hi() >= whole.hi();
+        self.zoomed = (!all).then_some(view);
     }
 }
 
@@ -218,44 +306,71 @@ impl App {
         self.searching.is_crowded(area.height, lines)
     }
 
-    /// Whether what is shown belongs to another scene or another setup.
+    /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do
+    /// not count: a design of the results may be loaded, and the others stay results.
     pub fn search_is_old(&self) -> bool {
         let Some(found) = self.searching.shown() else { return false };
         let request = self.search_request(self.searching.page).ok();
-        *found.scene != *self.scene || request.as_ref() != Some(&*found.request)
+        let mut scene = (*self.scene).clone();
+        scene.sweep.clone_from(&found.scene.sweep);
+        match &*found.request {
+            Request::Seek(goal) => copy_value(&goal.axis, &found.scene, &mut scene),
+            Request::Front(task) => {
+                task.axes.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
+            }
+            Request::Sensitivity { .. } | Request::Scatter(_) | Request::Compare => {}
+        }
+        *found.scene != scene || request.as_ref() != Some(&*found.request)
     }
 
-    /// The design under the cursor as a scene, and its name for the list of edits.
-    pub fn search_design(&self) -> Option<(Scene, String)> {
+    /// The design under the cursor as a scene, and what it is.
+    ///
+    /// # Errors
+    /// Why there is none to load.
+    pub fn search_design(&self) -> Result<(Scene, String), String> {
         let tab = &self.searching;
-        let found = tab.shown()?;
+        let Some(found) = tab.shown() else {
+            return Err("no results yet: press r to search".to_owned());
+        };
+        if self.search_is_old() {
+            return Err("these results belong to another setup: press r to search again".to_owned());
+        }
+        let mut scene = (*self.scene).clone();
         match (&found.answer, &*found.request) {
             (Answer::Seek(report), _) => {
-                let at = report.solutions.get(tab.selected())?.place.at;
-                let mut scene = (*found.scene).clone();
+                let Some(solution) = report.solutions.get(tab.selected()) else {
+                    return Err("no solution to load: change the goal or the range".to_owned());
+                };
+                let at = solution.place.at;
                 (report.axis.number().set)(&mut scene, Some(at));
-                Some((scene, format!("goal seek: {} {}", report.axis.symbol(), significant(at, 5))))
+                Ok((
+                    scene,
+                    format!(
+                        "{} = {}",
+                        report.axis.symbol(),
+                        super::sweep::axis_value(&report.axis, at)
+                    ),
+                ))
             }
             (Answer::Front(front), Request::Front(task)) => {
-                let design = *tab.designs().get(tab.selected())?;
-                let mut scene = (*found.scene).clone();
+                let designs = tab.designs();
+                let Some(design) = designs.get(tab.selected()) else {
+                    return Err("no design to load: relax a constraint or a bound".to_owned());
+                };
                 scene.interface.law = front.law;
                 for (axis, value) in task.axes.iter().zip(&design.values) {
                     (axis.number().set)(&mut scene, Some(*value));
                 }
-                Some((scene, format!("design {} of the front", tab.selected() + 1)))
+                Ok((scene, format!("design {} of the front", tab.selected() + 1)))
             }
-            (
-                Answer::Front(_) | Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Compare(_),
-                _,
-            ) => None,
+            _ => Err("no design to load here: goal seek and the Pareto front have some".to_owned()),
         }
     }
 
     /// What is selected, in words.
     pub fn search_readout(&self) -> Option<String> {
         let tab = &self.searching;
-        if tab.on_setup {
+        if self.pane() == Pane::SearchSetup {
             return Some(self.search_row_words());
         }
         if let Some(problem) = &tab.problem {
@@ -267,7 +382,7 @@ impl App {
                 let solution = report.solutions.get(tab.selected())?;
                 let at = super::sweep::axis_value(&report.axis, solution.place.at);
                 let value = report.measure.show(solution.place.value, 4);
-                Some(format!("{} {at}: {value}; Enter opens it", report.axis.symbol()))
+                Some(format!("{} {at}: {value}; Enter loads it", report.axis.symbol()))
             }
             (Answer::Front(_), Request::Front(task)) => {
                 let design = *tab.designs().get(tab.selected())?;
@@ -291,12 +406,8 @@ impl App {
                     results.join(", ")
                 ))
             }
-            (Answer::Sensitivity(_), _) => {
-                Some("+-: 95 % confidence; v: the next search; r: again".to_owned())
-            }
-            (Answer::Front(_) | Answer::Scatter(_) | Answer::Compare(_), _) => {
-                Some("v: the next search; z: this pane alone; r computes again".to_owned())
-            }
+            (Answer::Sensitivity(_), _) => Some("+- is the 95 % confidence interval".to_owned()),
+            _ => None,
         }
     }
 
@@ -309,30 +420,33 @@ impl App {
         match (&tab.running, mine, tab.shown()) {
             (Some(running), Some(_), _) => {
                 let of = running.points.map_or_else(String::new, |(done, total)| {
-                    format!(": {done} of about {total} runs")
+                    format!(": about {} of {total} runs", done.min(total))
                 });
-                parts.push(same(Severity::Note, format!("searching{of} (Esc stops)")));
+                parts.push(same(Severity::Note, format!("searching{of} (Esc cancels)")));
             }
             (Some(_), None, _) => {
                 parts.push(same(
                     Severity::Note,
-                    "another search is under way (Esc stops)".to_owned(),
+                    "another search is running (Esc cancels)".to_owned(),
                 ));
             }
             (None, _, None) => match &tab.problem {
                 Some(_) => {
-                    parts.push(same(Severity::Error, "this cannot be looked for".to_owned()));
+                    parts.push(same(Severity::Error, "this cannot be searched for".to_owned()));
                 }
                 None => {
-                    parts.push(same(Severity::Note, "not looked for yet: r searches".to_owned()));
+                    parts.push(same(
+                        Severity::Note,
+                        "No results yet. Press r to search.".to_owned(),
+                    ));
                 }
             },
             (None, _, Some(_)) if self.search_is_old() => {
-                parts.push(same(Severity::Warning, "old: r searches again".to_owned()));
+                parts.push(same(Severity::Warning, "another setup's results: press r".to_owned()));
             }
             (None, _, Some(found)) => {
                 let (done, runs) = told(&found.answer);
-                let word = if done { "done" } else { "stopped: what there is is shown" };
+                let word = if done { "done" } else { "Cancelled. Showing partial results." };
                 let severity = if done { Severity::Note } else { Severity::Warning };
                 parts.push(same(severity, word.to_owned()));
                 if let Some(runs) = runs {
@@ -341,10 +455,6 @@ impl App {
             }
         }
         parts.extend(self.validity_part());
-        let law = crate::model::variables::find("interface.law");
-        let law = law.map_or_else(|_| String::new(), |found| found.show(&self.scene));
-        let law = format!("interface {law}");
-        parts.push((Severity::Note, format!("{law} (i switches)"), law));
         parts
     }
 

@@ -1,9 +1,10 @@
-//! The setup of a sweep as a list: axes, output, and the variables that are held. No drawing.
+//! The setup of Explore as a list: axes, output, and the variables that are held. No drawing.
 
 use tui_input::Input;
 
 use super::App;
 use super::sweep::{Picture, Spread, has_family, sweep_of};
+use crate::model::results::ResultColumn;
 use crate::model::scene::SweepAxis;
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES};
@@ -23,6 +24,8 @@ pub enum SetupRow {
     Points(usize),
     /// How they are spread.
     Spacing(usize),
+    /// Curves or a map.
+    Picture,
     /// Which points there are.
     Design,
     /// The number of curves of a family.
@@ -41,7 +44,7 @@ pub struct SetupField {
     /// The text.
     pub input: Input,
     /// The old text is still selected: the first character replaces it.
-    pub fresh: bool,
+    pub all_selected: bool,
     /// Why the text is no good.
     pub error: Option<String>,
 }
@@ -61,12 +64,12 @@ impl App {
     pub fn setup_rows(&self, picture: Picture) -> Vec<SetupRow> {
         use SetupRow as R;
         let axis = |at| [R::Name(at), R::From(at), R::To(at), R::Points(at), R::Spacing(at)];
-        let mut rows = vec![R::Heading("Along")];
+        let mut rows = vec![R::Heading("Show"), R::Output, R::Picture, R::Heading("Along")];
         rows.extend(axis(0));
         match picture {
             Picture::Surface => {
                 let grid = self.sweeping.spread(picture) == Spread::Grid;
-                rows.extend([R::Design, R::Heading("Up"), R::Name(1), R::From(1), R::To(1)]);
+                rows.extend([R::Design, R::Heading("Across"), R::Name(1), R::From(1), R::To(1)]);
                 // A design has so many points in all, not along each axis.
                 rows.extend(grid.then_some(R::Points(1)));
                 rows.push(R::Spacing(1));
@@ -74,7 +77,7 @@ impl App {
             Picture::Line => {
                 let grid = self.sweeping.spread(picture) == Spread::Grid;
                 rows.push(R::Design);
-                rows.extend([R::Heading(if grid { "Repeat for" } else { "And" }), R::Name(1)]);
+                rows.extend([R::Heading("Across"), R::Name(1)]);
                 if has_family(&self.scene) {
                     rows.extend([R::From(1), R::To(1)]);
                     rows.extend(grid.then_some(R::Curves));
@@ -82,7 +85,7 @@ impl App {
                 }
             }
         }
-        rows.extend([R::Heading("Show"), R::Output, R::Heading("Hold")]);
+        rows.push(R::Heading("Hold"));
         let sweep = sweep_of(&self.scene);
         let axes = if picture == Picture::Surface || has_family(&self.scene) { 2 } else { 1 };
         let swept = |variable: &variables::Variable| {
@@ -141,6 +144,10 @@ impl App {
                 let word = if axis(at).log { "log" } else { "linear" };
                 shown("spacing", word.to_owned(), "")
             }
+            SetupRow::Picture => {
+                let word = if picture == Picture::Line { "curves" } else { "map" };
+                shown("shown as", word.to_owned(), "")
+            }
             SetupRow::Design => {
                 shown("design", self.sweeping.spread(picture).word().to_owned(), "")
             }
@@ -172,19 +179,20 @@ impl App {
             SetupRow::From(at) => units::shortest(sweep.axes[at].from),
             SetupRow::To(at) => units::shortest(sweep.axes[at].to),
             // What is shown: a stand-in that nobody chose would be taken for chosen.
-            SetupRow::Name(1)
-                if self.picture() == Some(Picture::Line) && !has_family(&self.scene) =>
-            {
+            SetupRow::Name(1) if self.picture() == Picture::Line && !has_family(&self.scene) => {
                 "none".to_owned()
             }
             SetupRow::Name(at) => sweep.axes[at].name.clone(),
             SetupRow::Points(at) => sweep.axes[at].count.to_string(),
             SetupRow::Curves => self.sweeping.visits.curves.to_string(),
             SetupRow::Output => {
-                sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)].clone()
+                let name = &sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)];
+                crate::model::results::find(name).map_or_else(|| name.clone(), ResultColumn::title)
             }
             SetupRow::Held(index) => VARIABLES[index].show(&self.scene),
-            SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Design => String::new(),
+            SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Picture | SetupRow::Design => {
+                String::new()
+            }
         }
     }
 
@@ -209,6 +217,10 @@ impl App {
             | SetupRow::To(at)
             | SetupRow::Points(at)
             | SetupRow::Spacing(at) => of_axis(at),
+            SetupRow::Picture => {
+                "curves: one for each value of the variable across, if any; map: colours over both"
+                    .to_owned()
+            }
             SetupRow::Design => {
                 "every combination; or a Latin hypercube or Sobol's sequence of so many points"
                     .to_owned()

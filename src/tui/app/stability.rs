@@ -9,11 +9,24 @@ use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, Map, Method};
+use crate::tui::keymap::Pane;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
     "expl: DOP853, impl: Radau IIA, th-6 and th-7: the thesis's scheme at dt 1e-6 and 1e-7 s";
 const COLUMNS_BRIEF: &str = "expl: DOP853, impl: Radau IIA";
+
+/// How the table of stiff scenes is sorted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Order {
+    /// As the scenes are listed.
+    #[default]
+    Listed,
+    /// Failures first.
+    Failures,
+    /// By name.
+    Name,
+}
 
 /// The state of the tab.
 #[derive(Clone, Debug)]
@@ -28,16 +41,16 @@ pub struct Stability {
     pub mapping: Option<Measuring>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    /// The battery is shown in place of the map.
-    pub battery_shown: bool,
+    /// The order of the stiff scenes: as they are, failures first, by name.
+    pub order: Order,
     /// The rows of the battery, and whether these are all.
     pub battery: Option<(Arc<Vec<Row>>, bool)>,
     /// The battery that is being run.
     pub running: Option<Measuring>,
     /// The selected row of the battery.
     pub selected: usize,
-    /// How often the page of its columns was turned.
-    pub turned: usize,
+    /// The page of its columns.
+    pub table_page: usize,
 }
 
 impl Default for Stability {
@@ -48,11 +61,11 @@ impl Default for Stability {
             map: None,
             mapping: None,
             cursor: None,
-            battery_shown: false,
+            order: Order::default(),
             battery: None,
             running: None,
             selected: 0,
-            turned: 0,
+            table_page: 0,
         }
     }
 }
@@ -79,6 +92,27 @@ impl Stability {
                 column.saturating_add_signed(columns).min(map.dt_s.len().saturating_sub(1));
             self.cursor = Some((row, column));
         }
+    }
+
+    /// Sort the table in the next order.
+    pub fn sort_next(&mut self) {
+        self.order = match self.order {
+            Order::Listed => Order::Failures,
+            Order::Failures => Order::Name,
+            Order::Name => Order::Listed,
+        };
+        self.selected = 0;
+    }
+
+    /// The rows in the order they are shown in.
+    pub fn sorted(&self) -> Vec<&Row> {
+        let mut rows: Vec<&Row> = self.rows().iter().collect();
+        match self.order {
+            Order::Listed => {}
+            Order::Failures => rows.sort_by_key(|row| row.shortfall.is_none()),
+            Order::Name => rows.sort_by_key(|row| row.case.name.to_string()),
+        }
+        rows
     }
 
     /// The rows of the battery there are.
@@ -121,7 +155,7 @@ impl App {
 
     /// The selected row of the battery in words.
     pub fn battery_readout(&self) -> Option<(Severity, String)> {
-        let row = self.stability.rows().get(self.stability.selected)?;
+        let row = *self.stability.sorted().get(self.stability.selected)?;
         Some(match row.shortfall {
             None => (Severity::Note, format!("{}: {}", row.case.name, row.case.why)),
             Some(shortfall) => (
@@ -141,22 +175,24 @@ impl App {
         let same = |severity, text: String| (severity, text.clone(), text);
         let tab = &self.stability;
         let mut parts = Vec::new();
-        if tab.battery_shown {
+        if self.pane() == Pane::Battery {
             let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
-            let holds = format!("{} of {} scenes hold", tab.rows().len() - short, tab.rows().len());
+            let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
             match (&tab.running, &tab.battery) {
                 (Some(running), _) => {
                     let (done, total) = running.points.unwrap_or_default();
                     let of = if total > 0 { format!(": {done} of {total}") } else { String::new() };
-                    parts
-                        .push(same(Severity::Note, format!("running the battery{of} (Esc stops)")));
+                    parts.push(same(
+                        Severity::Note,
+                        format!("running the battery{of} (Esc cancels)"),
+                    ));
                 }
                 (None, None) => {
-                    parts.push(same(Severity::Note, "not run yet: r runs it".to_owned()));
+                    parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
                 }
                 (None, Some((_, false))) => {
-                    parts.push(same(Severity::Warning, "stopped: r runs all".to_owned()));
+                    parts.push(same(Severity::Warning, "cancelled: press r to run all".to_owned()));
                 }
                 (None, Some((_, true))) => {}
             }
@@ -167,9 +203,9 @@ impl App {
             return parts;
         }
         if tab.mapping.is_some() {
-            parts.push(same(Severity::Note, "drawing up the map (Esc stops)".to_owned()));
+            parts.push(same(Severity::Note, "computing the map (Esc cancels)".to_owned()));
         } else if self.map_is_old() {
-            parts.push(same(Severity::Warning, "old: r maps the changed scene".to_owned()));
+            parts.push(same(Severity::Warning, "another scene's map: press r".to_owned()));
         }
         if let Some((_, map)) = &tab.map {
             parts.push(same(

@@ -1,128 +1,135 @@
 //! The texts of the message row and the status row, and the summary printed after leaving. No drawing.
 
-use super::notice::{Severity, demand, times};
+use super::notice::{Severity, demand};
 use super::quantity::Quantity;
-use super::runs::{RunView, engineering, millimetres, name_of};
+use super::runs::{RunView, engineering};
 use super::show_duration;
 use super::{App, Tab};
-use crate::model::run::envelope;
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
-use crate::tui::message::Place;
+use crate::model::variables::Kind;
+use crate::tui::keymap::Pane;
+use crate::tui::pages::{self, StatusPart};
 use crate::tui::theme::columns;
 
-/// Most rows a message may take; the second on a screen lower than that.
-const MESSAGE_ROWS: (usize, usize) = (4, 2);
-const LOW: u16 = 20;
+/// Most lines of a message.
+const MESSAGE_LINES: usize = 4;
+/// From this width on the first line is said in full.
+const WIDE_ENOUGH: u16 = 78;
 
 impl App {
-    /// The message row: error of the open field, newest message, readout, or what the selected variable means; wrapped.
+    /// The message area: what stands under the cursor or what the selected row means, and below it the newest message; wrapped.
+    /// A message with more lines than the area has covers what stands above it.
     pub fn message_lines(&self, width: usize) -> Vec<(Severity, String)> {
-        let (severity, text) = self.message(width);
         let room = width.saturating_sub(4).max(10);
-        let mut lines = wrap(&glued(&text), room);
-        // A refused text keeps its whole reason: it is nowhere else.
-        let is_kept = self.notice.as_ref().is_some_and(|notice| notice.text == text);
-        let most = if self.size.1 < LOW && is_kept { MESSAGE_ROWS.1 } else { MESSAGE_ROWS.0 };
-        if lines.len() > most {
-            lines.truncate(most);
-            let end = if is_kept { " ...: 6:Log" } else { " ..." };
+        let wrapped = |text: &str| wrap(&glued(text), room);
+        let area = usize::from(self.layout().message.height).max(1);
+        let readout = self.readout_line(room);
+        let Some((severity, text)) = self.urgent() else {
+            let (severity, text) = readout.unwrap_or((Severity::Note, String::new()));
+            let mut lines = wrapped(&text);
+            if lines.len() > area {
+                lines.truncate(area);
+                if let Some(last) = lines.last_mut() {
+                    *last = clip(last, room.saturating_sub(4)) + " ...";
+                }
+            }
+            return plain(severity, lines);
+        };
+        let mut lines = wrapped(&text);
+        if lines.len() > MESSAGE_LINES {
+            lines.truncate(MESSAGE_LINES);
+            let end = " ...: 7:Log";
             if let Some(last) = lines.last_mut() {
                 *last = clip(last, room.saturating_sub(end.len())).trim_end_matches('.').to_owned()
                     + end;
             }
         }
-        lines.into_iter().map(|line| (severity, line.replace('\u{a0}', " "))).collect()
+        let mut all = Vec::new();
+        if lines.len() < area
+            && let Some((severity, text)) = readout
+        {
+            all.extend(plain(severity, vec![clip(&text, room)]));
+        }
+        all.extend(plain(severity, lines));
+        all
     }
 
-    fn message(&self, width: usize) -> (Severity, String) {
-        let field_error = self.editor.field.as_ref().and_then(|field| field.error.clone());
-        let in_setup = self.sweeping.field.as_ref().and_then(|field| field.error.clone());
-        let in_search = self.searching.field.as_ref().and_then(|field| field.error.clone());
-        if let Some(error) = field_error.or(in_setup).or(in_search) {
-            return (Severity::Error, error);
+    /// Why an open field refuses its text, or the newest message.
+    fn urgent(&self) -> Option<(Severity, String)> {
+        let error = match self.pane() {
+            Pane::Variables => self.editor.field.as_ref().and_then(|field| field.error.clone()),
+            Pane::ExploreSetup => {
+                self.sweeping.field.as_ref().and_then(|field| field.error.clone())
+            }
+            Pane::SearchSetup => {
+                self.searching.field.as_ref().and_then(|field| field.error.clone())
+            }
+            _ => None,
+        };
+        if let Some(error) = error {
+            return Some((Severity::Error, error));
         }
         if let Some(notice) = &self.notice {
-            return (notice.severity, notice.text.clone());
+            return Some((notice.severity, notice.text.clone()));
         }
+        (self.first_run && self.dialog.is_none()).then(|| (Severity::Note, self.first_line()))
+    }
+
+    /// How to begin, at the first start.
+    fn first_line(&self) -> String {
+        if self.size.0 < WIDE_ENOUGH {
+            return "Move j/k, change h/l, 2 explore, 3 limit, ? help.".to_owned();
+        }
+        let scene = &self.scene.projectile;
+        format!(
+            "Baseline: a {} projectile at {} m/s hits a sprung plate. Move with j/k, change a value with h/l, press 2 to explore, 3 for the limit, ? for help.",
+            engineering(scene.mass_kg * 1e3, "g").replace(".50", ".5"),
+            crate::model::units::significant(scene.velocity_m_s, 4),
+        )
+    }
+
+    /// What stands under the cursor, or what the selected row means.
+    fn readout_line(&self, room: usize) -> Option<(Severity, String)> {
         if self.dialog.is_some() {
-            return (Severity::Note, String::new());
+            return None;
         }
         if self.needs_single_plate()
             && let Err(error) = crate::model::variables::require_single(&self.scene)
         {
-            return (Severity::Warning, error.to_string());
+            return Some((Severity::Warning, error.to_string()));
         }
-        if self.place() == Place::Charts && self.charts.cursor_s.is_some() {
-            return (Severity::Note, self.readout());
-        }
-        if self.place() == Place::Accuracy
-            && let Some(text) = self.accuracy_readout()
-        {
-            return (Severity::Note, text);
-        }
-        let room = width.saturating_sub(4);
-        if let Some(picture) = self.picture() {
-            let text = if self.sweeping.on_setup {
-                self.setup_readout(picture)
-            } else {
-                self.sweep_readout(room).unwrap_or_default()
-            };
-            return (Severity::Note, text);
-        }
-        if self.place() == Place::Map
-            && let Some(text) = self.map_readout()
-        {
-            return (Severity::Note, text);
-        }
-        if self.place() == Place::Battery
-            && let Some((severity, text)) = self.battery_readout()
-        {
-            return (severity, text);
-        }
-        if self.tab == Tab::Limit
-            && let Some((severity, text)) = self.limit_readout()
-        {
-            return (severity, text);
-        }
-        if self.tab == Tab::Search
-            && let Some(text) = self.search_readout()
-        {
-            return (Severity::Note, text);
-        }
-        if self.tab == Tab::Thesis
-            && let Some(text) = self.thesis_readout()
-        {
-            return (Severity::Note, text);
-        }
-        if self.place() == Place::Variables {
-            return (Severity::Note, self.variable_words(width.saturating_sub(4)));
-        }
-        (Severity::Note, String::new())
+        pages::of(self.tab).readout(self, room)
     }
 
     /// What the selected variable means, with its source where there is room.
-    fn variable_words(&self, room: usize) -> String {
+    pub(in crate::tui) fn variable_words(&self, room: usize) -> String {
         let variable = self.editor.variable();
         let idle = !crate::model::variables::is_used(variable, &self.scene);
         let note = if idle { " (no effect here)" } else { "" };
-        let text = format!("{}{note}: {}", variable.symbol, variable.meaning);
-        let long = format!("{text}; {}", variable.source);
-        // Cut, not wrapped: the list would move while it is walked through; `?` has all of it.
+        let unit = variable.unit().trim_matches('-');
+        let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
+        let text = format!("{}{note}: {}{unit}", variable.symbol, variable.meaning);
+        let range = match &variable.kind {
+            Kind::Number(number) => number.thesis_range.map_or_else(
+                || variable.allowed(),
+                |(low, high)| {
+                    let show = crate::model::units::shortest;
+                    format!("thesis {} to {}", show(low), show(high))
+                },
+            ),
+            Kind::Choice(_) | Kind::Switch { .. } => variable.allowed(),
+        };
+        let long = format!("{text}; {range}");
+        // Cut, not wrapped: `?` has all of it.
         if long.chars().count() <= room { long } else { clip(&text, room) }
     }
 
     /// Whether the tab shows nothing because its study looks at one plate and the scene is a stack.
     pub fn needs_single_plate(&self) -> bool {
-        let is_empty = match self.tab {
-            Tab::Accuracy => self.accuracy.report.is_none(),
-            Tab::Stability => self.place() == Place::Map && self.stability.map.is_none(),
-            Tab::Run
-            | Tab::Sweep
-            | Tab::Surface
-            | Tab::Log
-            | Tab::Thesis
-            | Tab::Search
-            | Tab::Limit => false,
+        let is_empty = match self.pane() {
+            Pane::Accuracy => self.accuracy.report.is_none(),
+            Pane::StabilityMap => self.stability.map.is_none(),
+            _ => false,
         };
         is_empty && crate::model::variables::require_single(&self.scene).is_err()
     }
@@ -133,9 +140,6 @@ impl App {
             return String::new();
         };
         let mut parts = vec![format!("t {}", engineering(cursor, "s"))];
-        if let Some(event) = self.event_at_cursor() {
-            parts.push(event.to_owned());
-        }
         let selected = self.charts.quantities[self.charts.selected];
         let full = [
             Quantity::Penetration,
@@ -161,31 +165,33 @@ impl App {
                 _ => format!("{} {values}", short_name(view)),
             });
         }
+        parts.extend(self.event_at_cursor().map(str::to_owned));
         parts.join(" | ")
     }
 
-    /// The parts of the status row, the most important first; the second of a pair is a shorter form.
-    pub fn status(&self) -> Vec<(Severity, String, String)> {
-        if let Some(picture) = self.picture() {
-            return self.sweep_status(picture);
+    /// The parts of the status row, the most important first; the second of a pair is a shorter form. What other tabs are
+    /// computing stands at the end.
+    pub fn status(&self) -> Vec<StatusPart> {
+        let mut parts = pages::of(self.tab).status(self);
+        let others = Tab::ALL.into_iter().filter(|tab| *tab != self.tab && *tab != Tab::Run);
+        for job in others.flat_map(|tab| pages::of(tab).running(self)) {
+            let text = format!("{} is computing", job.label);
+            let at = parts.len().min(1);
+            parts.insert(at, (Severity::Note, text.clone(), text));
         }
-        if self.tab == Tab::Accuracy {
-            return self.accuracy_status();
-        }
-        if self.tab == Tab::Stability {
-            return self.stability_status();
-        }
-        if self.tab == Tab::Limit {
-            return self.limit_status();
-        }
-        if self.tab == Tab::Search {
-            return self.search_status();
-        }
-        if self.tab == Tab::Thesis {
-            return self.thesis_status();
-        }
+        parts
+    }
+
+    /// The status of the run on the screen.
+    pub(in crate::tui) fn run_status(&self) -> Vec<StatusPart> {
         let same = |severity, text: String| (severity, text.clone(), text);
-        let mut parts = vec![self.state_words()];
+        let state = self.state_words();
+        let is_done = self.shown.as_ref().is_some_and(|shown| {
+            shown.took.is_some() && shown.run.end.is_complete() && !self.shows_old()
+        });
+        // The answer comes first; how long it took is of less interest.
+        let (mut parts, last) =
+            if is_done { (Vec::new(), Some(state)) } else { (vec![state], None) };
         let Some(shown) = &self.shown else {
             return parts;
         };
@@ -206,9 +212,9 @@ impl App {
                 (severity(stack.outcome), stack.sentence(), short)
             }
             None if run.outcome == Outcome::Moving && run.end == EndReason::Swings => {
-                same(severity(run.outcome), "moving after 500 swings".to_owned())
+                same(severity(run.outcome), "moving after 500 oscillations".to_owned())
             }
-            None => same(severity(run.outcome), run.outcome.word().to_owned()),
+            None => (severity(run.outcome), sentence(run), run.outcome.word().to_owned()),
         });
         parts.extend(demand(run).map(|text| same(Severity::Warning, text)));
         parts.extend(self.validity_part());
@@ -218,9 +224,9 @@ impl App {
                 match estimate.basis {
                     EstimateBasis::ClosedForm => "exact".to_owned(),
                     EstimateBasis::SecondComputation | EstimateBasis::HalfStep => {
-                        format!("err est {:.0e}", estimate.relative)
+                        format!("estimated error {:.0e}", estimate.relative)
                     }
-                    EstimateBasis::OutcomeDiffers(_) => "err est unknown".to_owned(),
+                    EstimateBasis::OutcomeDiffers(_) => "estimated error unknown".to_owned(),
                 },
             ));
         }
@@ -231,6 +237,7 @@ impl App {
             format!("{} ({})", cost.method, cost.reason),
             cost.method.to_owned(),
         ));
+        parts.extend(last);
         parts.extend(left_out(run));
         parts
     }
@@ -247,17 +254,17 @@ impl App {
                     format!("running for {seconds:.1} s, at t = {t}")
                 },
             );
-            return same(Severity::Note, &format!("{text} (Esc stops)"));
+            return same(Severity::Note, &format!("{text} (Esc cancels)"));
         }
         if self.jobs.failure.is_some() {
-            return same(Severity::Error, "failed: see 6:Log");
+            return same(Severity::Error, "failed: see 7:Log");
         }
         match &self.shown {
-            None => same(Severity::Note, "not run yet: r runs"),
+            None => same(Severity::Note, "no results yet: press r"),
             Some(_) if self.is_stale() && self.jobs.current.is_none() => (
                 Severity::Warning,
-                "old: r runs the changed scene".to_owned(),
-                "old: r runs".to_owned(),
+                "another scene's results: press r".to_owned(),
+                "old: press r".to_owned(),
             ),
             Some(shown) => match shown.took {
                 Some(took) if shown.run.end.is_complete() => {
@@ -268,39 +275,37 @@ impl App {
             },
         }
     }
+}
 
-    /// The last result in a few lines, for the main screen after leaving.
-    pub fn summary(&self) -> String {
-        let Some(shown) = &self.shown else {
-            return format!("{}: not run", self.base.name);
-        };
-        let run = &shown.run;
-        let name = name_of(&run.scene, &self.base.name, &self.base.scene);
-        let mut lines = vec![format!("scene         {name}")];
-        lines.extend(results(run));
-        // How it ended stands beside the outcome already.
-        let ended = Warning::EndedEarly(run.end).to_string();
-        let warnings = envelope::warnings(run).into_iter().filter(|text| *text != ended);
-        lines.extend(warnings.map(|warning| format!("{:<LABEL$}{warning}", "warning")));
-        let room = usize::from(self.size.0).saturating_sub(LABEL).max(LABEL);
-        let hang = |line: String| {
-            // A label is columns of ASCII.
-            let (label, words) = line.split_at_checked(LABEL).unwrap_or((&line, ""));
-            let indent = format!("\n{:LABEL$}", "");
-            format!("{label}{}", wrap(words, room).join(&indent))
-        };
-        lines.into_iter().map(hang).collect::<Vec<_>>().join("\n")
+/// What became of the shot, in a sentence: `arrested at 4.565 mm (64.2 % of a rigid mount)`.
+fn sentence(run: &Run) -> String {
+    let word = run.outcome.word();
+    let percent = run.percent_of_baseline();
+    let percent = percent.map_or_else(String::new, |it| format!(" ({it:.1} % of a rigid mount)"));
+    match (run.outcome, run.final_penetration_m, run.residual_velocity_m_s) {
+        (Outcome::Perforated, _, Some(speed)) => {
+            format!("{word}, residual velocity {}", engineering(speed.abs(), "m/s"))
+        }
+        (Outcome::Arrested, Some(depth), _) => {
+            format!("{word} at {}{percent}", engineering(depth, "m"))
+        }
+        (Outcome::Separated, Some(depth), _) => {
+            format!("{word} after {} of penetration{percent}", engineering(depth, "m"))
+        }
+        _ => word.to_owned(),
     }
 }
 
-/// Columns of a label before its words, in the summary and beside the runs.
-const LABEL: usize = 14;
+/// Lines as they are drawn: numbers and units are apart by a plain blank again.
+fn plain(severity: Severity, lines: Vec<String>) -> Vec<(Severity, String)> {
+    lines.into_iter().map(|line| (severity, line.replace('\u{a0}', " "))).collect()
+}
 
 /// A warning with the key that acts on it, where there is one.
 pub fn warning_text(warning: &Warning) -> String {
     match warning {
         Warning::InterfacePush { .. } | Warning::InterfacePull { .. } => {
-            format!("{warning} (key i)")
+            format!("{warning} (interface law: key o)")
         }
         Warning::InterfaceWithoutStrength
         | Warning::PenetrationResumed { .. }
@@ -314,59 +319,6 @@ pub fn warning_text(warning: &Warning) -> String {
         | Warning::StillMoving { .. }
         | Warning::NoBaseline => warning.to_string(),
     }
-}
-
-/// The results of a run in words, one a line.
-pub fn results(run: &Run) -> Vec<String> {
-    let mut lines = vec![format!("outcome       {} ({})", run.outcome, run.end.words())];
-    let mut add = |name: &str, text: String| lines.push(format!("{name:<LABEL$}{text}"));
-    if let Some(arrest) = run.first_arrest {
-        let depth = millimetres(Some(arrest.penetration_m));
-        add("first arrest", format!("{depth} mm deep at {}", engineering(arrest.t_s, "s")));
-    }
-    let percent = run
-        .percent_of_baseline()
-        .map_or_else(String::new, |percent| format!(", {percent:.1} % of a rigid mount's"));
-    if run.outcome == Outcome::Perforated {
-        let time = run.exit_time_s.map(|t_s| engineering(t_s, "s"));
-        add("perforation", format!("at {}", time.unwrap_or_else(|| "-".to_owned())));
-        if let Some(speed) = run.residual_velocity_m_s {
-            let way = if speed < 0.0 { " backwards: the plate swung over it" } else { "" };
-            add("goes on at", format!("{}{way}", engineering(speed.abs(), "m/s")));
-        }
-    } else {
-        match run.at_least.penetration_m {
-            Some(_) => {
-                let so_far = millimetres(run.at_least.penetration_m);
-                add("depth so far", format!("{so_far} mm (lower bound)"));
-            }
-            None => {
-                add("final depth", format!("{} mm{percent}", millimetres(run.final_penetration_m)));
-            }
-        }
-        if run.protrusion_m().is_some() {
-            let out = millimetres(run.protrusion_m());
-            add("nose", format!("{out} mm out of the rear face"));
-        }
-    }
-    if let Some(margin) = run.mechanism.yield_margin {
-        let margin = crate::model::units::fixed_significant(margin, 3);
-        add("yield margin", format!("{margin} (strength over greatest stress)"));
-    }
-    if let Some(peak_n) = run.peak_contact_force_n {
-        add("peak force", engineering(peak_n, "N"));
-    }
-    if run.at_least.plate_displacement_m.is_some() {
-        let so_far = millimetres(run.at_least.plate_displacement_m);
-        add("plate travel", format!("{so_far} mm so far (lower bound)"));
-    }
-    if run.max_plate_displacement_m.is_some() {
-        add("plate travel", format!("{} mm at most", millimetres(run.max_plate_displacement_m)));
-    }
-    if let Some(ratio) = run.interface_demand_ratio {
-        add("interface", format!("{} of the A S_y it can push", times(ratio)));
-    }
-    lines
 }
 
 /// `10 steps, 2 events`.

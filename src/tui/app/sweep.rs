@@ -1,4 +1,4 @@
-//! The Sweep and Surface tabs: what is swept, what was found, where the cursor stands, and all of it in words. No drawing.
+//! The Explore tab: what is swept, what was found, where the cursor stands, and all of it in words. No drawing.
 //!
 //! Axes and outputs are the scene's own `[sweep]`, so that they are undone, saved and exported with it; where the scene has
 //! none, usual ones stand in until something is changed. The cursor is the scene itself: moving it changes the variables
@@ -7,8 +7,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::notice::Severity;
-use super::{App, Tab, show_duration};
+use super::App;
 use crate::model::results::ResultColumn;
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units::{self, Engineering};
@@ -16,12 +15,14 @@ use crate::model::variables::{self, Kind as VariableKind};
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, Fate, Plan, USUAL_OUTPUTS};
+use crate::tui::chart::scale::ViewRange;
 
 pub use super::setup::{SetupField, SetupRow};
 pub use gaps::no_value;
 
 mod gaps;
 mod plan;
+mod progress;
 
 /// Curves of a family unless another number is chosen.
 const CURVES: u64 = 5;
@@ -29,12 +30,13 @@ const CURVES: u64 = 5;
 const USUAL_AXES: [(&str, f64, f64, usize); 3] =
     [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
 
-/// Which of the two tabs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// How a sweep is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Picture {
     /// One axis, with a family of curves or without.
+    #[default]
     Line,
-    /// Two axes.
+    /// Two axes: a map.
     Surface,
 }
 
@@ -110,18 +112,20 @@ impl Spread {
     }
 }
 
-/// How many points the two tabs visit, and which.
+/// How a sweep is shown, how many points it visits, and which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Visits {
     /// Curves of a family.
     pub curves: u64,
-    /// Which points each tab visits: Sweep, Surface.
+    /// Which points each picture visits: curves, map.
     pub spreads: [Spread; 2],
+    /// Curves or a map.
+    pub picture: Picture,
 }
 
 impl Default for Visits {
     fn default() -> Self {
-        Self { curves: CURVES, spreads: [Spread::Grid; 2] }
+        Self { curves: CURVES, spreads: [Spread::Grid; 2], picture: Picture::Line }
     }
 }
 
@@ -135,7 +139,7 @@ pub enum Contour {
     Off,
 }
 
-/// The state of both tabs.
+/// The state of the tab.
 #[derive(Clone, Debug)]
 pub struct Sweeping {
     /// Curves over one axis.
@@ -146,10 +150,12 @@ pub struct Sweeping {
     pub computing: Option<Computing>,
     /// Why the present axes cannot be swept.
     pub problem: Option<String>,
-    /// The setup has the keys.
-    pub on_setup: bool,
     /// The selected row of the setup.
     pub row: SetupRow,
+    /// The point under the cursor, by picture; `None`: the one nearest to the scene.
+    pub cursor: [Option<(usize, usize)>; 2],
+    /// The part of the variable along that is in view, by picture; `None`: all of it.
+    pub zoom: [Option<ViewRange>; 2],
     /// The open field.
     pub field: Option<SetupField>,
     /// The output shown, of those computed.
@@ -171,8 +177,9 @@ impl Default for Sweeping {
             surface: None,
             computing: None,
             problem: None,
-            on_setup: false,
             row: SetupRow::Name(0),
+            cursor: [None; 2],
+            zoom: [None; 2],
             field: None,
             output: 0,
             log_values: false,
@@ -202,8 +209,13 @@ impl Sweeping {
         self.visits.spreads[picture as usize] = spread;
     }
 
-    /// Show what was found.
+    /// Show what was found; over other axes the cursor begins anew.
     pub fn show(&mut self, picture: Picture, found: Found) {
+        let before = self.found(picture).map(|found| found.grid.plan());
+        if before.is_none_or(|plan| plan.axes() != found.grid.plan().axes()) {
+            self.cursor[picture as usize] = None;
+            self.zoom[picture as usize] = None;
+        }
         match picture {
             Picture::Line => self.line = Some(found),
             Picture::Surface => self.surface = Some(found),
@@ -269,19 +281,9 @@ pub fn has_family(scene: &Scene) -> bool {
 }
 
 impl App {
-    /// The picture of the present tab.
-    pub fn picture(&self) -> Option<Picture> {
-        match self.tab {
-            Tab::Sweep => Some(Picture::Line),
-            Tab::Surface => Some(Picture::Surface),
-            Tab::Run
-            | Tab::Accuracy
-            | Tab::Stability
-            | Tab::Log
-            | Tab::Thesis
-            | Tab::Limit
-            | Tab::Search => None,
-        }
+    /// What Explore shows: curves or a map.
+    pub fn picture(&self) -> Picture {
+        self.sweeping.visits.picture
     }
 
     /// Whether the picture belongs to other axes or held variables than those on the screen.
@@ -298,8 +300,13 @@ impl App {
         (at, outputs[at])
     }
 
-    /// The grid point nearest to the scene.
+    /// The grid point under the cursor: the one it was moved to, or the one nearest to the scene.
     pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
+        let (across, up) = grid.counts();
+        let kept = self.sweeping.cursor[self.picture() as usize];
+        if let Some(at) = kept.filter(|(x, y)| *x < across && *y < up) {
+            return at;
+        }
         if !grid.is_full() {
             return (self.nearest_point(grid), 0);
         }
@@ -339,7 +346,7 @@ impl App {
     }
 
     fn readout_with(&self, words: Words) -> Option<String> {
-        let picture = self.picture()?;
+        let picture = self.picture();
         let grid = &self.sweeping.found(picture)?.grid;
         let (x, y) = self.cursor_point(grid);
         let axes = grid.plan().axes();
@@ -384,69 +391,28 @@ impl App {
         Some(format!("{place}: {}", parts.join(", ")))
     }
 
-    /// The parts of the status row in these tabs; see [`App::status`].
-    pub fn sweep_status(&self, picture: Picture) -> Vec<(Severity, String, String)> {
-        let same = |severity, text: String| (severity, text.clone(), text);
-        let mut parts = Vec::new();
-        let found = self.sweeping.found(picture);
-        if let Some(computing) = self.sweeping.computing.as_ref().filter(|it| it.picture == picture)
-        {
-            let points = computing
-                .points
-                .map_or_else(String::new, |(done, total)| format!(": {done} of {total} points"));
-            let left = computing.left().filter(|left| left.as_secs() > 0);
-            let left =
-                left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
-            parts.push(same(Severity::Note, format!("sweeping{points}{left} (Esc stops)")));
-        } else if let Some(problem) = &self.sweeping.problem {
-            parts.push(same(Severity::Error, problem.clone()));
-        } else if self.sweep_is_old(picture) {
-            parts.push(same(Severity::Warning, "old: r sweeps the changed scene".to_owned()));
-        } else if let Some(found) = found {
-            let (done, total) = found.grid.progress();
-            match found.took.filter(|_| found.grid.is_complete()) {
-                Some(took) => {
-                    let text = format!("{total} points in {}", show_duration(took));
-                    parts.push(same(Severity::Note, text));
-                }
-                None => parts.push(same(
-                    Severity::Warning,
-                    format!("stopped after {done} of {total} points: r sweeps again"),
-                )),
-            }
-        } else {
-            parts.push(same(Severity::Note, "not swept yet: r sweeps".to_owned()));
+    /// The design under the cursor as a scene, with the values of the axes in words.
+    ///
+    /// # Errors
+    /// Why there is none: nothing computed yet, or what is shown belongs to another scene.
+    pub fn sweep_design(&self) -> Result<(Scene, String), String> {
+        let picture = self.picture();
+        let Some(found) = self.sweeping.found(picture) else {
+            return Err("nothing computed yet: press r to sweep".to_owned());
+        };
+        if self.sweep_is_old(picture) {
+            return Err("these results belong to another setup: press r to sweep again".to_owned());
         }
-        if let Some(found) = found {
-            let words = ["", "perforated", "separated", "moving", "failed"];
-            for (count, word) in found.grid.census().into_iter().zip(words) {
-                if count > 0 && !word.is_empty() {
-                    let severity =
-                        if word == "separated" { Severity::Note } else { Severity::Warning };
-                    parts.push(same(severity, format!("{count} {word}")));
-                }
-            }
-            let output = self.shown_output(&found.grid).0;
-            parts.extend(gaps::at_rest(&found.grid, output).map(|text| same(Severity::Note, text)));
+        let grid = &found.grid;
+        let point = self.cursor_point(grid);
+        let mut scene = (*self.scene).clone();
+        let mut words = Vec::new();
+        for (place, axis) in grid.plan().axes().iter().enumerate() {
+            let value = grid.coordinate(point, place);
+            (axis.number().set)(&mut scene, Some(value));
+            words.push(format!("{} = {}", axis.symbol(), axis_value(axis, value)));
         }
-        if let Some(found) =
-            found.filter(|_| picture == Picture::Surface && self.sweeping.residuals)
-        {
-            let (output, _) = self.shown_output(&found.grid);
-            let text = quadratic(&found.grid, output).map_or_else(
-                || "no quadratic fits".to_owned(),
-                |fit| format!("quadratic fit: R2 {}", units::fixed_significant(fit.r_squared, 4)),
-            );
-            parts.push(same(Severity::Note, text));
-        }
-        let law = format!("interface {}", self.scene_word("interface.law"));
-        parts.extend(self.validity_part());
-        parts.push((Severity::Note, format!("{law} (i switches)"), law));
-        parts
-    }
-
-    fn scene_word(&self, key: &str) -> String {
-        variables::find(key).map_or_else(|_| String::new(), |found| found.show(&self.scene))
+        Ok((scene, words.join(", ")))
     }
 }
 
@@ -470,6 +436,11 @@ impl Words {
             (Self::Long | Self::Short | Self::Least, _) => output.title(),
         }
     }
+}
+
+/// Give a scene the value of an axis that another scene has.
+pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
+    (axis.number().set)(to, (axis.number().get)(from));
 }
 
 /// A value of an axis with its unit, short: `0.24 m`, `1.5e6 N/m^n`.

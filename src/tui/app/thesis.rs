@@ -4,47 +4,25 @@ use std::sync::Arc;
 
 use super::App;
 use super::accuracy::Measuring;
+use super::find::{rank, ranked};
 use super::notice::Severity;
 use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CRITERIA, WEIGHTS_PERCENT};
 use crate::study::thesis::{Opens, Row, Verdict, tally};
-
-/// A page of the tab.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Page {
-    /// Every claim against what is computed.
-    #[default]
-    Claims,
-    /// Families, principles and functions.
-    Principles,
-    /// The screening matrix.
-    Screening,
-}
-
-impl Page {
-    /// The page that follows, in a circle.
-    #[must_use]
-    pub fn next(self) -> Self {
-        match self {
-            Self::Claims => Self::Principles,
-            Self::Principles => Self::Screening,
-            Self::Screening => Self::Claims,
-        }
-    }
-}
+use crate::tui::keymap::Pane;
 
 /// The state of the tab.
 #[derive(Clone, Debug)]
 pub struct Thesis {
-    /// The page shown.
-    pub page: Page,
     /// The rows so far, and whether these are all.
     pub report: Option<(Arc<Vec<Row>>, bool)>,
     /// The report that is being made.
     pub running: Option<Measuring>,
     /// Only rows with this verdict are shown.
     pub filter: Option<Verdict>,
+    /// The rows are sorted by verdict.
+    pub by_verdict: bool,
     /// The selected one of the rows shown.
     pub selected: usize,
     /// The selected principle.
@@ -58,10 +36,10 @@ pub struct Thesis {
 impl Default for Thesis {
     fn default() -> Self {
         Self {
-            page: Page::Claims,
             report: None,
             running: None,
             filter: None,
+            by_verdict: false,
             selected: 0,
             principle: 0,
             criterion: 0,
@@ -76,42 +54,6 @@ impl Thesis {
         self.report.as_ref().map_or(&[], |(rows, _)| rows)
     }
 
-    /// The rows that pass the filter.
-    pub fn shown(&self) -> Vec<&Row> {
-        let passes = |row: &&Row| self.filter.is_none_or(|wanted| row.found.verdict == wanted);
-        self.rows().iter().filter(passes).collect()
-    }
-
-    /// The selected row.
-    pub fn row(&self) -> Option<&Row> {
-        self.shown().get(self.selected).copied()
-    }
-
-    /// Move the selection of the page shown.
-    pub fn move_by(&mut self, rows: isize) {
-        let count = match self.page {
-            Page::Claims => self.shown().len(),
-            Page::Principles => PRINCIPLES.len(),
-            Page::Screening => CRITERIA.len(),
-        };
-        let last = count.saturating_sub(1);
-        let selected = match self.page {
-            Page::Claims => &mut self.selected,
-            Page::Principles => &mut self.principle,
-            Page::Screening => &mut self.criterion,
-        };
-        *selected = selected.saturating_add_signed(rows).min(last);
-    }
-
-    /// Select a row of the page shown; whether it was selected already.
-    pub fn pick(&mut self, row: usize) -> bool {
-        let before = (self.selected, self.principle, self.criterion);
-        let far = isize::MAX / 2;
-        self.move_by(-far);
-        self.move_by(isize::try_from(row).unwrap_or(far));
-        before == (self.selected, self.principle, self.criterion)
-    }
-
     /// The next verdict to filter by; after the last one, all rows.
     pub fn next_filter(&mut self) {
         let at = self.filter.and_then(|it| Verdict::ALL.iter().position(|other| *other == it));
@@ -124,12 +66,61 @@ impl Thesis {
 }
 
 impl App {
+    /// The claims shown: of the wanted verdict, and those that match what is looked for, best first.
+    pub fn claims(&self) -> Vec<&Row> {
+        let tab = &self.thesis;
+        let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.found.verdict == wanted);
+        let mut rows = ranked(tab.rows().iter().filter(passes), |row| {
+            let claim = &row.claim;
+            rank(&self.find.claims, &[claim.id, claim.place], claim.says)
+        });
+        if tab.by_verdict {
+            let order = |row: &&Row| Verdict::ALL.iter().position(|it| *it == row.found.verdict);
+            rows.sort_by_key(order);
+        }
+        rows
+    }
+
+    /// The selected claim.
+    pub fn claim(&self) -> Option<&Row> {
+        self.claims().get(self.thesis.selected).copied()
+    }
+
+    /// Move the selection of the page shown.
+    pub fn move_in_thesis(&mut self, rows: isize) {
+        let count = match self.pane() {
+            Pane::Principles => PRINCIPLES.len(),
+            Pane::Screening => CRITERIA.len(),
+            _ => self.claims().len(),
+        };
+        let last = count.saturating_sub(1);
+        let selected = match self.pane() {
+            Pane::Principles => &mut self.thesis.principle,
+            Pane::Screening => &mut self.thesis.criterion,
+            _ => &mut self.thesis.selected,
+        };
+        *selected = selected.saturating_add_signed(rows).min(last);
+    }
+
+    /// Select a row of the page shown; whether it was selected already.
+    pub fn pick_in_thesis(&mut self, row: usize) -> bool {
+        let state = |app: &Self| {
+            let tab = &app.thesis;
+            (tab.selected, tab.principle, tab.criterion)
+        };
+        let before = state(self);
+        let far = isize::MAX / 2;
+        self.move_in_thesis(-far);
+        self.move_in_thesis(isize::try_from(row).unwrap_or(far));
+        before == state(self)
+    }
+
     /// What is selected, in words, for the message row.
     pub fn thesis_readout(&self) -> Option<String> {
         let tab = &self.thesis;
-        match tab.page {
-            Page::Claims => {
-                let row = tab.row()?;
+        match self.pane() {
+            Pane::Claims => {
+                let row = self.claim()?;
                 let opens = match row.claim.opens {
                     Opens::Nothing => "no scene shows this".to_owned(),
                     Opens::Scene(_) => "Enter opens its scene".to_owned(),
@@ -138,7 +129,7 @@ impl App {
                 // The cause is in the detail: a line that changes its height here would move the list.
                 Some(format!("{}: {opens}", row.found.verdict.words()))
             }
-            Page::Principles => {
+            Pane::Principles => {
                 let principle = &PRINCIPLES[tab.principle];
                 let opens = principle.preset.map_or_else(
                     || "no preset shows it".to_owned(),
@@ -147,7 +138,7 @@ impl App {
                 // Its name is selected in the list and heads the detail.
                 Some(opens)
             }
-            Page::Screening => {
+            _ => {
                 let weight = tab.weights[tab.criterion];
                 // In one row of the narrowest screen: a second one would hide the ranks.
                 Some(format!(
@@ -170,10 +161,12 @@ impl App {
                 let of = running
                     .points
                     .map_or_else(String::new, |(done, total)| format!(": {done} of {total}"));
-                parts.push(note(format!("checking the claims{of} (Esc stops)")));
+                parts.push(note(format!("checking the claims{of} (Esc cancels)")));
             }
-            (None, None) => parts.push(note("not checked yet: r checks".to_owned())),
-            (None, Some((_, false))) => parts.push(note("stopped: r checks all".to_owned())),
+            (None, None) => parts.push(note("no results yet: press r".to_owned())),
+            (None, Some((_, false))) => {
+                parts.push(note("cancelled: press r to check all".to_owned()));
+            }
             (None, Some((_, true))) => {}
         }
         if let Some((rows, _)) = &tab.report {
@@ -187,7 +180,8 @@ impl App {
                 format!("{} rows: {}", rows.len(), parts.join(gap))
             };
             let long = listed(|it| it.words().to_owned(), ", ");
-            parts.push((Severity::Note, long, listed(|it| it.letter().to_string(), "  ")));
+            let short = listed(|it| format!("{} {}", it.letter(), it.words()), ", ");
+            parts.push((Severity::Note, long, short));
         }
         parts
     }

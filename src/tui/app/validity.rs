@@ -16,7 +16,7 @@ impl App {
             .filter(|breach| breach.check != Check::Interface)
             .map(|breach| breach.check.label())
             .collect();
-        let long = format!("! outside validity: {} (6:Log)", labels.join(", "));
+        let long = format!("! outside validity: {} (7:Log)", labels.join(", "));
         let short = format!("! validity {}", labels.len());
         (!labels.is_empty()).then_some((Severity::Warning, long, short))
     }

@@ -35,7 +35,7 @@ const RAMP: [char; super::levels::BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*
 
 /// What is at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Spot {
+pub enum HeatCell {
     /// A value.
     Value(f64),
     /// No value, and the letter that says why.
@@ -45,6 +45,7 @@ pub enum Spot {
 }
 
 /// A heat map. Points are spread evenly over both axes, from their lower to their upper bound.
+#[derive(Clone)]
 pub struct Heatmap<'a> {
     /// What it shows; the vertical axis's unit is appended.
     pub title: Cow<'a, str>,
@@ -55,7 +56,7 @@ pub struct Heatmap<'a> {
     /// Points along them.
     pub counts: (usize, usize),
     /// What is at a point, counted from the lower left one.
-    pub spot: &'a dyn Fn(usize, usize) -> Spot,
+    pub cell: &'a dyn Fn(usize, usize) -> HeatCell,
     /// The bands.
     pub levels: &'a Levels,
     /// A contour at this value.
@@ -99,7 +100,7 @@ impl Heatmap<'_> {
         for row in 0..plot.height {
             for column in 0..plot.width {
                 let x = spread(column, plot.width, self.counts.0);
-                let at = |half: Half| (self.spot)(x, half.spread(plot, row, self.counts.1));
+                let at = |half: Half| (self.cell)(x, half.spread(plot, row, self.counts.1));
                 let (symbol, style) = if halves {
                     two(at(Half::Upper), at(Half::Lower), self.levels, theme)
                 } else {
@@ -117,9 +118,9 @@ impl Heatmap<'_> {
         let noise = NOISE * level.abs();
         let value = |column: u16, row: u16| {
             let x = spread(column, plot.width, self.counts.0);
-            match (self.spot)(x, Half::Middle.spread(plot, row, self.counts.1)) {
-                Spot::Value(value) => Some(value - level),
-                Spot::Mark(..) | Spot::Empty => None,
+            match (self.cell)(x, Half::Middle.spread(plot, row, self.counts.1)) {
+                HeatCell::Value(value) => Some(value - level),
+                HeatCell::Mark(..) | HeatCell::Empty => None,
             }
         };
         for row in 0..plot.height {
@@ -211,11 +212,11 @@ fn rounded(numerator: usize, denominator: usize) -> usize {
 }
 
 /// A cell of one value: the band's character, on its colour where there is one.
-fn one(spot: Spot, levels: &Levels, theme: Theme) -> (char, Style) {
-    match spot {
-        Spot::Value(value) => swatch(levels.index(value), levels.bands(), theme),
-        Spot::Mark(letter, role) => (letter, theme.style(role)),
-        Spot::Empty => (' ', Style::new()),
+fn one(cell: HeatCell, levels: &Levels, theme: Theme) -> (char, Style) {
+    match cell {
+        HeatCell::Value(value) => swatch(levels.index(value), levels.bands(), theme),
+        HeatCell::Mark(letter, role) => (letter, theme.style(role)),
+        HeatCell::Empty => (' ', Style::new()),
     }
 }
 
@@ -247,13 +248,13 @@ fn shade(band: usize, bands: usize) -> usize {
 }
 
 /// A cell of two values.
-fn two(upper: Spot, lower: Spot, levels: &Levels, theme: Theme) -> (char, Style) {
-    let colour = |spot: Spot| match spot {
-        Spot::Value(value) => theme.heat(shade(levels.index(value), levels.bands())),
-        Spot::Mark(..) | Spot::Empty => None,
+fn two(upper: HeatCell, lower: HeatCell, levels: &Levels, theme: Theme) -> (char, Style) {
+    let colour = |cell: HeatCell| match cell {
+        HeatCell::Value(value) => theme.heat(shade(levels.index(value), levels.bands())),
+        HeatCell::Mark(..) | HeatCell::Empty => None,
     };
     match (upper, lower, colour(upper), colour(lower)) {
-        (Spot::Mark(letter, role), _, _, _) | (_, Spot::Mark(letter, role), _, _) => {
+        (HeatCell::Mark(letter, role), _, _, _) | (_, HeatCell::Mark(letter, role), _, _) => {
             (letter, theme.style(role))
         }
         (_, _, Some(upper), Some(lower)) if upper.0 == lower.0 => (' ', Style::new().bg(upper.0)),
@@ -289,8 +290,8 @@ mod tests {
     use super::*;
 
     /// A slope that rises to the right, with a mark in the lower left corner.
-    fn slope(x: usize, y: usize) -> Spot {
-        if x < 3 && y < 2 { Spot::Mark('P', Role::Error) } else { Spot::Value(x as f64) }
+    fn slope(x: usize, y: usize) -> HeatCell {
+        if x < 3 && y < 2 { HeatCell::Mark('P', Role::Error) } else { HeatCell::Value(x as f64) }
     }
 
     fn lines(theme: Theme, cursor: Option<(usize, usize)>) -> Vec<String> {
@@ -299,7 +300,7 @@ mod tests {
 
     /// A map of values up to `top`, with one contour.
     fn map(
-        (spot, top): (&dyn Fn(usize, usize) -> Spot, f64),
+        (cell, top): (&dyn Fn(usize, usize) -> HeatCell, f64),
         contour: f64,
         (theme, cursor): (Theme, Option<(usize, usize)>),
     ) -> Vec<String> {
@@ -310,7 +311,7 @@ mod tests {
             x: axis("x", 10.0),
             y: axis("y", 5.0),
             counts: (11, 6),
-            spot,
+            cell,
             levels: &levels,
             contour: Some(contour),
             cursor,
@@ -327,7 +328,8 @@ mod tests {
 
     #[test]
     fn no_contour_runs_through_what_differs_by_rounding_only() {
-        let flat = |x: usize, y: usize| Spot::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
+        let flat =
+            |x: usize, y: usize| HeatCell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
         let text = map((&flat, 110.0), 100.0 + 3e-14, (Theme::PLAIN, None)).join("\n");
         assert!(!text.contains('O'), "{text}");
     }
@@ -364,7 +366,7 @@ mod tests {
                         x: axis.clone(),
                         y: axis,
                         counts,
-                        spot: &slope,
+                        cell: &slope,
                         levels: &levels,
                         contour: Some(1.5),
                         cursor: Some((1, 1)),

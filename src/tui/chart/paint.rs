@@ -9,7 +9,7 @@ use super::layout::Layout;
 use super::scale::Mapping;
 use super::ticks::{Tick, label_start};
 use super::trace::trace;
-use super::{Chart, Curve, Emphasis, Labels, Side};
+use super::{Chart, Curve, Emphasis, EventLine, Labels, Side};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 
 /// Columns from one marker of a curve to its next where curves differ by colour.
@@ -22,24 +22,25 @@ pub(super) fn paint(chart: &Chart<'_>, layout: &Layout, buffer: &mut Buffer, the
     if layout.plot.width == 0 || layout.plot.height == 0 {
         return;
     }
-    let mut brush = Brush { chart, layout, buffer, theme };
-    brush.vertical_axis(layout.axis_left, &layout.y_ticks.labelled, true);
-    brush.vertical_axis(layout.axis_right, &layout.right_ticks.labelled, false);
-    brush.horizontal_axis();
-    brush.levels();
-    brush.events();
-    brush.curves();
-    brush.level_tags();
+    let mut painter = Painter { chart, layout, buffer, theme };
+    painter.vertical_axis(layout.axis_left, &layout.y_ticks.labelled, true);
+    painter.vertical_axis(layout.axis_right, &layout.right_ticks.labelled, false);
+    painter.horizontal_axis();
+    painter.levels();
+    painter.events();
+    painter.curves();
+    painter.event_tags();
+    painter.level_tags();
 }
 
-struct Brush<'a> {
+struct Painter<'a> {
     chart: &'a Chart<'a>,
     layout: &'a Layout,
     buffer: &'a mut Buffer,
     theme: Theme,
 }
 
-impl Brush<'_> {
+impl Painter<'_> {
     fn put(&mut self, x: u16, y: u16, character: char, style: Style) {
         if let Some(cell) = self.buffer.cell_mut((x, y)) {
             cell.set_char(character).set_style(style);
@@ -130,6 +131,13 @@ impl Brush<'_> {
                 continue;
             };
             let y = self.row(cell);
+            // A label of the axis in this row has another value: the line would seem to stand at it.
+            let labelled = self.layout.y_ticks.labelled.iter().any(|tick| tick.cell == cell);
+            if let (true, Some(axis)) = (labelled, self.layout.axis_left) {
+                for x in self.layout.inner.left()..axis {
+                    self.put(x, y, ' ', style);
+                }
+            }
             for x in (plot.left()..plot.right()).step_by(step) {
                 self.put(x, y, dotted, style);
             }
@@ -167,7 +175,6 @@ impl Brush<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         let dotted = self.theme.lines().event;
-        let mut tags: Vec<(u16, &str)> = Vec::new();
         for event in &self.chart.events {
             let Some(cell) = self.layout.x.cell(event.x) else {
                 continue;
@@ -175,18 +182,34 @@ impl Brush<'_> {
             for y in plot.top()..plot.bottom() {
                 self.put(plot.x + cell, y, dotted, style);
             }
-            if !event.tag.is_empty() {
-                tags.push((plot.x + cell, &event.tag));
-            }
         }
+    }
+
+    /// The tags of events, each in the highest row in which no curve runs through it.
+    fn event_tags(&mut self) {
+        let plot = self.layout.plot;
+        let style = self.theme.style(Role::Event);
+        let dotted = self.theme.lines().event;
+        let cell = |event: &EventLine<'_>| Some(plot.x + self.layout.x.cell(event.x)?);
+        let events = self.chart.events.iter().filter(|event| !event.tag.is_empty());
+        let mut tags: Vec<(u16, &str)> =
+            events.filter_map(|event| Some((cell(event)?, &*event.tag))).collect();
         tags.sort_by_key(|(x, _)| *x);
         tags.dedup_by_key(|(x, _)| *x);
         for (index, (x, tag)) in tags.iter().enumerate() {
             // A blank before the next tag, unless the two are neighbours.
             let next = tags.get(index + 1);
             let end = next.map_or_else(|| plot.right(), |(next, _)| next.saturating_sub(1));
-            let room = usize::from((end - x).max(1));
-            self.buffer.set_stringn(*x, plot.top(), tag, room, style);
+            let room = (end - x).max(1);
+            let width = u16::try_from(Span::raw(*tag).width()).unwrap_or(u16::MAX).min(room);
+            let is_free = |x: u16, y: u16| {
+                let symbol = self.buffer.cell((x, y)).map_or("", |cell| cell.symbol());
+                symbol == " " || symbol.chars().eq([dotted])
+            };
+            let rows = plot.top()..plot.bottom();
+            let row = rows.clone().find(|y| (*x..x + width).all(|x| is_free(x, *y)));
+            let row = row.unwrap_or_else(|| plot.top());
+            self.buffer.set_stringn(*x, row, tag, usize::from(room), style);
         }
     }
 

@@ -9,14 +9,14 @@ use super::{Role, Theme};
 
 /// A frame with its titles.
 #[derive(Clone, Debug, Default)]
-pub struct Pane<'a> {
+pub struct PaneFrame<'a> {
     title: Line<'a>,
     right: Line<'a>,
     focused: bool,
     open_below: bool,
 }
 
-impl<'a> Pane<'a> {
+impl<'a> PaneFrame<'a> {
     /// A frame with this title at its left.
     pub fn new(title: impl Into<Line<'a>>) -> Self {
         Self { title: title.into(), ..Self::default() }
@@ -123,7 +123,7 @@ mod tests {
     use super::super::ColourDepth;
     use super::*;
 
-    fn lines(pane: &Pane<'_>, width: u16, height: u16) -> Vec<String> {
+    fn lines(pane: &PaneFrame<'_>, width: u16, height: u16) -> Vec<String> {
         let area = Rect::new(0, 0, width, height);
         let mut buffer = Buffer::empty(area);
         pane.render(area, &mut buffer, Theme::PLAIN);
@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn the_title_stands_left_and_the_rest_right() {
-        let pane = Pane::new("Runs").right("t [us]");
+        let pane = PaneFrame::new("Runs").right("t [us]");
         assert_eq!(
             lines(&pane, 24, 3),
             ["+- Runs ------- t [us] +", "|                      |", "+----------------------+",]
@@ -145,7 +145,7 @@ mod tests {
 
     #[test]
     fn a_narrow_frame_drops_the_right_part_then_cuts_the_title() {
-        let pane = Pane::new("Runs").right("t [us]");
+        let pane = PaneFrame::new("Runs").right("t [us]");
         assert_eq!(lines(&pane, 12, 2), ["+- Runs ---+", "+----------+"]);
         assert_eq!(lines(&pane, 7, 1), ["+- Ru +"]);
         assert_eq!(lines(&pane, 3, 1), ["+-+"]);
@@ -160,7 +160,7 @@ mod tests {
             let theme = Theme { depth, ..Theme::PLAIN };
             let title = |focused| {
                 let mut buffer = Buffer::empty(area);
-                Pane::new("Runs").focused(focused).render(area, &mut buffer, theme);
+                PaneFrame::new("Runs").focused(focused).render(area, &mut buffer, theme);
                 buffer[(3, 0)].style()
             };
             assert_ne!(title(true), title(false), "{depth:?}");
@@ -173,8 +173,11 @@ mod tests {
             for height in 0..6 {
                 let area = Rect::new(3, 2, width, height);
                 let mut buffer = Buffer::empty(Rect::new(0, 0, 20, 10));
-                let inner =
-                    Pane::new("A title").right("right").render(area, &mut buffer, Theme::PLAIN);
+                let inner = PaneFrame::new("A title").right("right").render(
+                    area,
+                    &mut buffer,
+                    Theme::PLAIN,
+                );
                 assert_eq!(inner.intersection(area), inner, "{area} {inner}");
             }
         }

@@ -1,19 +1,19 @@
-//! The Accuracy tab: asking for measurements, moving about in them, exporting them.
+//! Accuracy: asking for measurements, moving about in them, using a method for the scene.
 
 use std::sync::Arc;
 
-use crossterm::event::KeyEvent;
-use tui_input::Input;
-
-use super::{jobs, path};
+use super::act::rows_moved;
+use super::{edit, jobs, table};
+use crate::model::scene::ContactModel;
 use crate::study::accuracy::Effort;
+use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
-use crate::tui::app::accuracy::Measuring;
-use crate::tui::app::dialog::{Dialog, Save};
+use crate::tui::app::accuracy::{Measuring, TARGETS};
+use crate::tui::app::dialog::Table;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::runs::name_of;
 use crate::tui::chart::scale::Scale;
-use crate::tui::message::{Action, Effect, Message};
+use crate::tui::keymap::Action;
+use crate::tui::message::{Effect, Message};
 use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
 
 /// One zoom step.
@@ -22,87 +22,112 @@ const ZOOM: f64 = 2.0;
 const PAN: f64 = 0.25;
 
 /// The tab is shown: measure, unless this scene has been or is being measured.
-pub(super) fn enter(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let tab = &app.accuracy;
     let measured = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
     let under_way = tab.measuring.as_ref().is_some_and(|study| study.scene == app.scene);
     if measured || under_way { Vec::new() } else { measure(app) }
 }
 
-/// Whether the tab has its own meaning for an action.
-pub(super) fn is_own(action: Action) -> bool {
-    matches!(
-        action,
-        Action::Run
-            | Action::Export
-            | Action::ShowHide
-            | Action::CursorLeft
-            | Action::CursorRight
-            | Action::CursorLeftFar
-            | Action::CursorRightFar
-            | Action::ZoomIn
-            | Action::ZoomOut
-            | Action::ZoomFit
-            | Action::PanLeft
-            | Action::PanRight
-            | Action::LogX
-            | Action::LogY
-            | Action::SlopeGuides
-            | Action::SpreadBars
-            | Action::Quantity
-    )
-}
-
-/// An action the tab has its own meaning for.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     let column = 1.0 / f64::from(app.layout().chart_columns().max(1));
     match action {
-        Action::Run => return measure(app),
-        Action::Export => export(app),
-        Action::CursorLeft => app.accuracy.move_cursor(-column),
-        Action::CursorRight => app.accuracy.move_cursor(column),
-        Action::CursorLeftFar => app.accuracy.move_cursor(-10.0 * column),
-        Action::CursorRightFar => app.accuracy.move_cursor(10.0 * column),
+        Action::Run => return Some(measure(app)),
+        Action::Enter => return Some(use_method(app)),
+        Action::Export => table::open(app, Table::Accuracy),
+        Action::Copy => return Some(table::copy(app, Table::Accuracy)),
+        Action::Left => app.accuracy.move_cursor(-column),
+        Action::Right => app.accuracy.move_cursor(column),
+        Action::FarLeft => app.accuracy.move_cursor(-10.0 * column),
+        Action::FarRight => app.accuracy.move_cursor(10.0 * column),
         Action::ZoomIn => app.accuracy.zoom(ZOOM),
         Action::ZoomOut => app.accuracy.zoom(1.0 / ZOOM),
-        Action::ZoomFit => app.accuracy.sight.times = None,
+        Action::ZoomFit => app.accuracy.view.times = None,
         Action::PanLeft => app.accuracy.pan(-PAN),
         Action::PanRight => app.accuracy.pan(PAN),
-        Action::Quantity => app.accuracy.turned += 1,
+        Action::View => app.accuracy.table_page += 1,
         Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
-        _ => show_or_hide(app),
+        Action::ShowHide | Action::Mark => show_or_hide(app),
+        _ => {
+            let by = rows_moved(action, 8)?;
+            let last = Method::ALL.len() - 1;
+            let here = app.accuracy.selected_row();
+            app.accuracy.selected = Some(here.saturating_add_signed(by).min(last));
+        }
     }
-    Vec::new()
+    Some(Vec::new())
+}
+
+/// Set the scene to the selected method at the accuracy asked for first: its tolerance, or the thesis's listing.
+fn use_method(app: &mut App) -> Vec<Effect> {
+    let method = app.accuracy.method();
+    let refuse = |app: &mut App, text: String| {
+        app.say(Severity::Error, text);
+        Vec::new()
+    };
+    if app.accuracy_is_old() || app.accuracy.report.is_none() {
+        return refuse(app, "no results of this scene: press r to measure".to_owned());
+    }
+    let mut scene = (*app.scene).clone();
+    let what = match method {
+        Method::ThesisPrinted => {
+            scene.contact.model = ContactModel::Appendix;
+            "the listing of the thesis (contact model appendix)".to_owned()
+        }
+        Method::Taylor | Method::Lean | Method::Full | Method::Auto | Method::ClosedForm => {
+            let Some(tolerance) = app.accuracy.tolerance_for(method, TARGETS[0]) else {
+                let text = format!("{} does not reach an error of 1e-6 here", method.name());
+                return refuse(app, text);
+            };
+            scene.run.tolerance = tolerance;
+            format!("{}: tolerance {tolerance:.0e} gives 1e-6", method.name())
+        }
+        _ => {
+            let text = format!(
+                "{} is here for comparison: a scene is run by auto, which chooses the method",
+                method.name()
+            );
+            return refuse(app, text);
+        }
+    };
+    if scene == *app.scene {
+        app.say(Severity::Note, format!("the scene has this already: {what}"));
+        return Vec::new();
+    }
+    let effects = edit::commit_scene(app, scene, format!("use {what}"), None);
+    app.say(Severity::Note, format!("{what} (u undoes)"));
+    effects
 }
 
 /// Another way to look at the chart.
 fn look(app: &mut App, action: Action) {
-    let sight = &mut app.accuracy.sight;
+    let view = &mut app.accuracy.view;
     let word = |scale| match scale {
         Scale::Linear => "linear",
         Scale::Log10 => "logarithmic",
     };
     let text = match action {
         Action::LogX => {
-            sight.time_scale = sight.time_scale.toggled();
-            format!("run time: {}", word(sight.time_scale))
+            view.time_scale = view.time_scale.toggled();
+            format!("run time: {}", word(view.time_scale))
         }
         Action::LogY => {
-            sight.error_scale = sight.error_scale.toggled();
-            format!("error: {}", word(sight.error_scale))
+            view.error_scale = view.error_scale.toggled();
+            format!("error: {}", word(view.error_scale))
         }
         Action::SlopeGuides => {
-            sight.guides = !sight.guides;
-            let logarithmic = (sight.time_scale, sight.error_scale) == (Scale::Log10, Scale::Log10);
-            match (sight.guides, logarithmic) {
+            view.guides = !view.guides;
+            let logarithmic = (view.time_scale, view.error_scale) == (Scale::Log10, Scale::Log10);
+            match (view.guides, logarithmic) {
                 (true, true) => "slopes of orders 1, 2, 4 and 8, from the upper left".to_owned(),
                 (true, false) => "slopes of orders show where both axes are logarithmic".to_owned(),
                 (false, _) => "no slopes".to_owned(),
             }
         }
         _ => {
-            sight.bars = !sight.bars;
-            if sight.bars {
+            view.bars = !view.bars;
+            if view.bars {
                 "bars: from the least of the timings to their median and its deviation".to_owned()
             } else {
                 "no bars".to_owned()
@@ -140,6 +165,7 @@ pub(super) fn report(app: &mut App, body: StudyBody) {
         StudyBody::Part { done, total, part: Finding::Accuracy(part) } => {
             if let Some(measuring) = &mut tab.measuring {
                 measuring.points = Some((done, total));
+                tab.points_in_all = total;
             }
             tab.report = Some(part);
         }
@@ -148,7 +174,10 @@ pub(super) fn report(app: &mut App, body: StudyBody) {
             let stopped = !found.is_complete;
             tab.report = Some(found);
             if stopped {
-                app.say(Severity::Note, "stopped: what was measured is shown, r measures again");
+                app.say(
+                    Severity::Note,
+                    "Cancelled. Partial results are shown; press r to measure again.",
+                );
             }
         }
         StudyBody::Failed(text) => {
@@ -158,33 +187,4 @@ pub(super) fn report(app: &mut App, body: StudyBody) {
         // Findings of other kinds carry other numbers.
         StudyBody::Part { .. } | StudyBody::Ended(_) => {}
     }
-}
-
-fn export(app: &mut App) {
-    let Some(report) = &app.accuracy.report else {
-        app.say(Severity::Error, "nothing to export yet: r measures");
-        return;
-    };
-    let name = format!("{}-accuracy.csv", path::stem(app, &report.scene));
-    app.dialog = Some(Dialog::ExportAccuracy(Save {
-        input: Input::new(name),
-        fresh: false,
-        question: false,
-        error: None,
-    }));
-}
-
-/// A key while the dialog for the path is open.
-pub(super) fn press(app: &mut App, state: Save, key: KeyEvent) -> Vec<Effect> {
-    path::press(app, state, key, write, Dialog::ExportAccuracy)
-}
-
-fn write(app: &App, state: &mut Save, overwrite: bool) -> Vec<Effect> {
-    let Some(report) = &app.accuracy.report else {
-        return Vec::new();
-    };
-    let Some(path) = path::typed(app, state, "accuracy.csv") else { return Vec::new() };
-    let name = name_of(&report.scene, &app.base.name, &app.base.scene);
-    let found = Box::new((name, (**report).clone()));
-    vec![Effect::ExportAccuracy { path, overwrite, found }]
 }

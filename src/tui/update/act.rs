@@ -1,380 +1,265 @@
-//! One action of the key table.
+//! One action: the page that is shown comes first, then what the action means anywhere.
 
 use crate::model::units;
-use crate::study::accuracy::method::Method;
-use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Dialog, Picker};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::steps::Size;
 use crate::tui::app::{App, Tab, runs as run_words};
-use crate::tui::message::{Action, Effect, Place};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::Effect;
+use crate::tui::pages;
 
-use super::{
-    accuracy, charts, dialogs, edit, export, field, jobs, limit, runs, search, stability, sweep,
-    thesis,
-};
+use super::{dialogs, edit, export, find, options, runs};
 
 /// Do it, in the pane that has the keys.
 pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
-    use Action as A;
-    if !matches!(action, A::Quit | A::QuitWithSummary) {
+    if !matches!(action, Action::Quit | Action::QuitWithSummary | Action::Cancel) {
         app.jobs.asked_to_quit = false;
     }
-    if !is_step(action) && !sweep::is_step(app, action) {
-        app.history.seal();
+    if !steps(app.pane(), action) {
+        app.history.commit();
         app.editor.stride = None;
     }
-    if app.picture().is_some() && sweep::is_own(app, action) {
-        return sweep::act(app, action);
-    }
-    if app.tab == Tab::Accuracy && accuracy::is_own(action) {
-        return accuracy::act(app, action);
-    }
-    if app.tab == Tab::Stability && stability::is_own(action) {
-        return stability::act(app, action);
-    }
-    if app.tab == Tab::Thesis && thesis::is_own(action) {
-        return thesis::act(app, action);
-    }
-    if app.tab == Tab::Limit && limit::is_own(app, action) {
-        return limit::act(app, action);
-    }
-    if app.tab == Tab::Search && search::is_own(app, action) {
-        return search::act(app, action);
+    if let Some(effects) = pages::of(app.tab).act(app, action) {
+        return effects;
     }
     anywhere(app, action)
 }
 
-/// The list of presets, filled as soon as it has been read.
-fn presets(app: &mut App) -> Vec<Effect> {
-    app.dialog = Some(Dialog::Presets(Picker::default()));
-    vec![Effect::ListPresets]
+/// Whether an action steps the value of a row: such steps join into one edit.
+fn steps(pane: Pane, action: Action) -> bool {
+    let form =
+        matches!(pane, Pane::Variables | Pane::ExploreSetup | Pane::SearchSetup | Pane::Screening);
+    let step = matches!(
+        action,
+        Action::Left
+            | Action::Right
+            | Action::FarLeft
+            | Action::FarRight
+            | Action::FineLess
+            | Action::FineMore
+    );
+    form && step
 }
 
-/// What an action does where no tab has its own meaning for it; the first ones only some tabs have.
+/// By how many rows an action moves in a list that shows so many at once; `None` for other actions.
+pub(super) fn rows_moved(action: Action, page: usize) -> Option<isize> {
+    let page = isize::try_from(page.max(2) - 1).unwrap_or(1);
+    match action {
+        Action::Up => Some(-1),
+        Action::Down => Some(1),
+        Action::PageUp => Some(-page),
+        Action::PageDown => Some(page),
+        Action::First => Some(isize::MIN / 2),
+        Action::Last => Some(isize::MAX / 2),
+        _ => None,
+    }
+}
+
+/// How far along and upward an action moves a cursor; far is this many.
+pub(super) fn cursor_moved(action: Action, far: isize) -> Option<(isize, isize)> {
+    match action {
+        Action::Left => Some((-1, 0)),
+        Action::Right => Some((1, 0)),
+        Action::FarLeft => Some((-far, 0)),
+        Action::FarRight => Some((far, 0)),
+        Action::Up => Some((0, 1)),
+        Action::Down => Some((0, -1)),
+        Action::PageUp => Some((0, far)),
+        Action::PageDown => Some((0, -far)),
+        Action::First => Some((isize::MIN / 2, 0)),
+        Action::Last => Some((isize::MAX / 2, 0)),
+        _ => None,
+    }
+}
+
+/// What an action does where the page has no meaning of its own for it.
 fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
     use Action as A;
+    if let Some(tab) = tab_of(action) {
+        return go_to(app, tab);
+    }
+    if let Some(effects) = page_of(app, action) {
+        return effects;
+    }
     match action {
-        A::MapVariable
-        | A::MapMethod
-        | A::SlopeGuides
-        | A::SpreadBars
-        | A::CursorUpFar
-        | A::CursorDownFar
-        | A::Contour
-        | A::NextVerdict
-        | A::Scatter
-        | A::SearchNext
-        | A::OpenDesign => {}
-        A::TabRun
-        | A::TabSweep
-        | A::TabSurface
-        | A::TabAccuracy
-        | A::TabStability
-        | A::TabLog
-        | A::TabThesis
-        | A::TabLimit
-        | A::TabSearch
-        | A::TabNext
-        | A::TabPrevious => return tabs(app, action),
-        A::FocusNext | A::FocusPrevious => focus(app, action),
-        A::Up | A::Down | A::First | A::Last | A::PageUp | A::PageDown => movement(app, action),
-        A::Edit => return field::open(app),
-        A::StepDown => return edit::step(app, false, Size::Plain),
-        A::StepUp => return edit::step(app, true, Size::Plain),
-        A::StepDownCoarse => return edit::step(app, false, Size::Coarse),
-        A::StepUpCoarse => return edit::step(app, true, Size::Coarse),
-        A::StepDownFine => return edit::step(app, false, Size::Fine),
-        A::StepUpFine => return edit::step(app, true, Size::Fine),
-        A::Reset | A::ResetAll => return reset(app, action),
-        A::Filter => field::open_filter(app),
-        A::Undo | A::Redo => return history(app, action),
-        A::Interface => return edit::switch_interface(app),
-        A::History | A::Help | A::Palette => overlay(app, action),
-        A::Presets => return presets(app),
-        A::Save | A::SaveAs => return dialogs::save(app, action == A::SaveAs),
+        A::FocusNext => return focus(app, true),
+        A::FocusPrevious => return focus(app, false),
+        A::TabNext | A::TabPrevious => return beside(app, action == A::TabNext),
+        A::Find => find::open(app),
+        A::Undo => return edit::undo(app),
+        A::Redo => return edit::redo(app),
+        A::ResetAll => return edit::reset_all(app),
+        A::History => app.dialog = Some(Dialog::History(Picker::at(app.history.done))),
+        A::Palette => app.dialog = Some(Dialog::Palette(Picker::typing())),
+        A::Help => app.dialog = Some(Dialog::Help(Picker::default())),
+        A::Options => app.dialog = Some(Dialog::Options(Picker::default())),
+        A::Presets => {
+            app.dialog = Some(Dialog::Presets(Picker::default()));
+            return vec![Effect::ListPresets];
+        }
+        A::Save => return dialogs::save(app),
         A::Export => export::open(app),
-        A::Models | A::Pin | A::Unpin | A::Adopt | A::ShowHide => return runs::act(app, action),
         A::Copy => return copy(app),
-        A::Run => return jobs::run_now(app),
-        A::AutoRun => return auto_run(app),
+        A::Models => return runs::models(app),
+        A::Interface | A::AutoRun | A::Glyphs | A::Theme | A::Mouse => {
+            return options::switch(app, action);
+        }
         A::Cancel | A::Back | A::Quit | A::QuitWithSummary => return leave(app, action),
-        A::Difference
-        | A::CursorLeft
-        | A::CursorRight
-        | A::CursorLeftFar
-        | A::CursorRightFar
-        | A::EventNext
-        | A::EventPrevious
-        | A::ZoomIn
-        | A::ZoomOut
-        | A::ZoomFit
-        | A::PanLeft
-        | A::PanRight
-        | A::FitVertical
-        | A::Window
-        | A::Quantity
-        | A::SecondAxis
-        | A::NoSecondAxis
-        | A::LogX
-        | A::LogY => return charts::act(app, action),
-        A::FullPane | A::Glyphs | A::Theme | A::Mouse | A::Redraw | A::Suspend => {
-            return screen(app, action);
+        A::FullPane => {
+            let at = app.tab.index();
+            app.full_pane[at] = !app.full_pane[at];
+        }
+        A::Redraw => return vec![Effect::Redraw],
+        A::Suspend => return vec![Effect::Suspend],
+        _ => {
+            let key = app.keymap.label(action);
+            app.say(Severity::Note, format!("`{key}` does nothing here: ? lists the keys"));
         }
     }
     Vec::new()
 }
 
-fn history(app: &mut App, action: Action) -> Vec<Effect> {
-    if action == Action::Undo { edit::undo(app) } else { edit::redo(app) }
-}
-
-fn reset(app: &mut App, action: Action) -> Vec<Effect> {
-    if action == Action::Reset { edit::reset(app) } else { edit::reset_all(app) }
-}
-
-fn is_step(action: Action) -> bool {
-    matches!(
-        action,
-        Action::StepDown
-            | Action::StepUp
-            | Action::StepDownCoarse
-            | Action::StepUpCoarse
-            | Action::StepDownFine
-            | Action::StepUpFine
-    )
-}
-
-fn tabs(app: &mut App, action: Action) -> Vec<Effect> {
-    let at = Tab::ALL.iter().position(|tab| *tab == app.tab).unwrap_or(0);
-    let count = Tab::ALL.len();
-    app.tab = match action {
+fn tab_of(action: Action) -> Option<Tab> {
+    Some(match action {
         Action::TabRun => Tab::Run,
-        Action::TabSweep => Tab::Sweep,
-        Action::TabSurface => Tab::Surface,
-        Action::TabAccuracy => Tab::Accuracy,
-        Action::TabStability => Tab::Stability,
-        Action::TabLog => Tab::Log,
-        Action::TabThesis => Tab::Thesis,
+        Action::TabExplore => Tab::Explore,
         Action::TabLimit => Tab::Limit,
         Action::TabSearch => Tab::Search,
-        Action::TabPrevious => Tab::ALL[(at + count - 1) % count],
-        _ => Tab::ALL[(at + 1) % count],
-    };
-    app.log_scroll = 0;
-    entered(app)
+        Action::TabNumerics => Tab::Numerics,
+        Action::TabThesis => Tab::Thesis,
+        Action::TabLog => Tab::Log,
+        _ => return None,
+    })
 }
 
-/// The tab is shown: it computes what it has not, for the scene there is.
-pub(super) fn entered(app: &mut App) -> Vec<Effect> {
-    match app.tab {
-        Tab::Sweep | Tab::Surface => sweep::enter(app),
-        Tab::Accuracy => accuracy::enter(app),
-        Tab::Stability => stability::enter(app),
-        Tab::Thesis => thesis::enter(app),
-        Tab::Limit => limit::enter(app),
-        Tab::Search => search::enter(app),
-        Tab::Run | Tab::Log => Vec::new(),
+/// Show a tab; one that is shown already shows its next page.
+pub(super) fn go_to(app: &mut App, tab: Tab) -> Vec<Effect> {
+    if app.tab != tab {
+        app.tab = tab;
+        app.log_scroll = 0;
+        return pages::of(tab).enter(app);
     }
+    next_page(app, true)
 }
 
-/// The next pane of the Run tab; the other tabs that come here have one.
-fn focus(app: &mut App, action: Action) {
-    if app.tab != Tab::Run {
-        app.say(Severity::Note, "this tab has one pane; } and { change tabs");
-        return;
-    }
-    let forward = action == Action::FocusNext;
-    let places = [Place::Variables, Place::Charts, Place::Runs];
-    let at = places.iter().position(|place| *place == app.focus);
-    let step = if forward { 1 } else { places.len() - 1 };
-    app.focus = places[(at.unwrap_or(0) + step) % places.len()];
-}
-
-fn overlay(app: &mut App, action: Action) {
-    app.dialog = Some(match action {
-        Action::History => Dialog::History(Picker::at(app.history.done)),
-        Action::Palette => Dialog::Palette(Picker::typing()),
-        _ => Dialog::Help(Picker::default()),
-    });
-}
-
-fn movement(app: &mut App, action: Action) {
-    let by = |page: usize| {
-        let page = isize::try_from(page.max(2) - 1).unwrap_or(1);
-        match action {
-            Action::Up => -1,
-            Action::Down => 1,
-            Action::PageUp => -page,
-            Action::PageDown => page,
-            Action::First => isize::MIN / 2,
-            _ => isize::MAX / 2,
-        }
-    };
-    match app.place() {
-        Place::Variables | Place::Anywhere => {
-            let rows = app.layout().variable_rows();
-            app.editor.move_by(&app.scene, by(rows));
-        }
-        Place::Charts => {
-            app.charts.selected = app.charts.selected.saturating_add_signed(by(3)).min(2);
-        }
-        Place::Runs => {
-            let last = app.pins.len();
-            app.selected_run = app.selected_run.saturating_add_signed(by(8)).min(last);
-        }
-        Place::Setup => {
-            let rows = app.layout().log_rows();
-            if let Some(picture) = app.picture() {
-                app.move_in_setup(picture, by(rows));
-            }
-        }
-        // The cursor's own steps.
-        Place::Lines | Place::Surface | Place::Limit | Place::Search => {}
-        Place::SearchSetup => app.move_in_search(by(app.layout().log_rows())),
-        Place::Accuracy => {
-            let last = Method::ALL.len() - 1;
-            let selected = app.accuracy.selected;
-            app.accuracy.selected = selected.saturating_add_signed(by(8)).min(last);
-        }
-        Place::Map => app.stability.move_cursor(-by(8).clamp(-100, 100), 0),
-        Place::Battery => {
-            let last = app.stability.rows().len().saturating_sub(1);
-            let selected = app.stability.selected;
-            let page = app.layout().log_rows();
-            app.stability.selected = selected.saturating_add_signed(by(page)).min(last);
-        }
-        Place::Claims | Place::Principles | Place::Screening => app.thesis.move_by(by(8)),
-        Place::Log => {
-            let rows = app.layout().log_rows();
-            let most = app.log_lines(usize::from(app.size.0)).len().saturating_sub(rows);
-            app.log_scroll = app.log_scroll.saturating_add_signed(by(rows)).min(most);
-        }
-    }
-}
-
-fn auto_run(app: &mut App) -> Vec<Effect> {
-    app.auto_run = !app.auto_run;
-    if !app.auto_run {
-        app.say(Severity::Note, "auto-run is off: r runs, a switches it on again");
+/// The next or previous page of the tab, in a circle; nothing where it has one.
+fn next_page(app: &mut App, forward: bool) -> Vec<Effect> {
+    let page = pages::of(app.tab);
+    let count = page.names().len();
+    if count < 2 {
         return Vec::new();
     }
-    app.say(Severity::Note, "auto-run is on: every edit runs at once");
-    if app.is_stale() { jobs::run_now(app) } else { Vec::new() }
+    let step = if forward { 1 } else { count - 1 };
+    let next = (page.shown(app) + step) % count;
+    page.turn_to(app, next)
 }
 
-/// What a tab may be waiting for on the studies' thread.
-fn studies_of(app: &App, tab: Tab) -> [Option<&Measuring>; 2] {
-    match tab {
-        Tab::Accuracy => [app.accuracy.measuring.as_ref(), None],
-        Tab::Stability => [app.stability.mapping.as_ref(), app.stability.running.as_ref()],
-        Tab::Thesis => [app.thesis.running.as_ref(), None],
-        Tab::Limit => [app.limit.finding.as_ref(), None],
-        Tab::Search => [app.searching.running.as_ref(), None],
-        Tab::Run | Tab::Sweep | Tab::Surface | Tab::Log => [None, None],
+/// The tab at the right or the left of the one shown.
+fn beside(app: &mut App, forward: bool) -> Vec<Effect> {
+    let count = Tab::ALL.len();
+    let step = if forward { 1 } else { count - 1 };
+    go_to(app, Tab::ALL[(app.tab.index() + step) % count])
+}
+
+/// The page an action names, shown with the keys in its results.
+fn page_of(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let (pane, page) = match action {
+        Action::PageGoalSeek => (Pane::Search, Some(0)),
+        Action::PageFront => (Pane::Search, Some(1)),
+        Action::PageSensitivity => (Pane::Search, Some(2)),
+        Action::PageMonteCarlo => (Pane::Search, Some(3)),
+        Action::PageComparison => (Pane::Comparison, None),
+        Action::PageResidual => (Pane::Residual, None),
+        Action::PageAccuracy => (Pane::Accuracy, None),
+        Action::PageStability => (Pane::StabilityMap, None),
+        Action::PageBattery => (Pane::Battery, None),
+        Action::PageClaims => (Pane::Claims, None),
+        Action::PagePrinciples => (Pane::Principles, None),
+        Action::PageScreening => (Pane::Screening, None),
+        _ => return None,
+    };
+    app.focus_on(pane);
+    let page_of = pages::of(app.tab);
+    Some(match page {
+        Some(page) => page_of.turn_to(app, page),
+        None => page_of.enter(app),
+    })
+}
+
+/// The next pane of the page; the next page where the page has one pane.
+fn focus(app: &mut App, forward: bool) -> Vec<Effect> {
+    let page = pages::of(app.tab);
+    let panes = page.panes(app);
+    if panes.len() < 2 {
+        if page.names().len() < 2 {
+            app.say(Severity::Note, "this tab has one pane; } and { change tabs");
+        }
+        return next_page(app, forward);
     }
+    let at = panes.iter().position(|pane| *pane == app.pane()).unwrap_or(0);
+    let step = if forward { 1 } else { panes.len() - 1 };
+    app.focus_on(panes[(at + step) % panes.len()]);
+    // Only the panes of stability have results of their own each.
+    if app.tab == Tab::Numerics { pages::of(app.tab).enter(app) } else { Vec::new() }
 }
 
 /// Whether anything under way has been so for so long that leaving it asks twice.
 fn is_long(app: &App) -> bool {
-    app.jobs.current.as_ref().is_some_and(|job| job.long)
-        || Tab::ALL.into_iter().flat_map(|tab| studies_of(app, tab)).flatten().any(|it| it.long)
-        || app.sweeping.computing.as_ref().is_some_and(|it| it.long)
-}
-
-/// What Esc stops: what the tab says it stops, before anything that goes on elsewhere.
-fn to_stop(app: &App) -> Option<Effect> {
-    let is_studying = |tab: Tab| studies_of(app, tab).iter().any(Option::is_some);
-    let sweeps = app.sweeping.computing.is_some();
-    if sweeps && matches!(app.tab, Tab::Sweep | Tab::Surface) {
-        Some(Effect::CancelSweep)
-    } else if is_studying(app.tab) {
-        Some(Effect::CancelStudy)
-    } else if app.jobs.current.is_some() {
-        Some(Effect::CancelJob)
-    } else if sweeps {
-        Some(Effect::CancelSweep)
-    } else {
-        Tab::ALL.into_iter().any(is_studying).then_some(Effect::CancelStudy)
-    }
+    Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).running(app)).any(|job| job.long)
 }
 
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
-    let quit = |summary| vec![Effect::SaveSession, Effect::Quit { summary }];
-    let long = is_long(app);
-    let stopped = to_stop(app);
-    match action {
-        Action::Quit | Action::QuitWithSummary if long && !app.jobs.asked_to_quit => {
-            app.jobs.asked_to_quit = true;
-            app.say(
-                Severity::Warning,
-                "a job has been going on for more than 5 s: q again leaves without it, Esc stops it",
-            );
-            Vec::new()
-        }
-        Action::Quit | Action::QuitWithSummary
-            if app.session_lost && app.is_modified() && !app.jobs.asked_to_quit =>
-        {
-            app.jobs.asked_to_quit = true;
-            app.say(
-                Severity::Warning,
-                "the session cannot be kept (see 6:Log): q again leaves without it, s or e save what matters",
-            );
-            Vec::new()
-        }
-        Action::Cancel | Action::Back if stopped.is_some() => stopped.into_iter().collect(),
-        Action::Back => {
-            if app.full_pane {
-                app.full_pane = false;
-            } else if !app.editor.filter.is_empty() {
-                app.editor.set_filter(&app.scene, "");
-            } else {
-                let kept = if app.session_lost { "is not kept" } else { "is kept" };
-                let text = format!("nothing to stop: q quits (the session {kept})");
-                app.say(Severity::Note, text);
-            }
-            Vec::new()
-        }
-        Action::QuitWithSummary => quit(true),
-        _ => quit(false),
+    let is_quit = matches!(action, Action::Quit | Action::QuitWithSummary);
+    let own = pages::of(app.tab).running(app);
+    let all = || Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).running(app));
+    let cancelled: Vec<Effect> = match action {
+        Action::Back => own.iter().map(|job| job.cancel.clone()).collect(),
+        Action::Cancel if own.is_empty() => all().take(1).map(|job| job.cancel).collect(),
+        Action::Cancel => own.iter().map(|job| job.cancel.clone()).collect(),
+        _ => Vec::new(),
+    };
+    if !cancelled.is_empty() {
+        return cancelled;
     }
+    if action == Action::Back {
+        back(app);
+        return Vec::new();
+    }
+    let question = if is_quit && is_long(app) {
+        Some(
+            "a job has been running for more than 5 s: q again quits without it, Esc in its tab cancels it",
+        )
+    } else if is_quit && app.session_lost && app.is_modified() {
+        Some(
+            "the session cannot be kept (see 7:Log): q again quits without it, s or e save what matters",
+        )
+    } else if action == Action::Cancel {
+        Some("no job is running: Ctrl-c again quits")
+    } else {
+        None
+    };
+    if let Some(question) = question.filter(|_| !app.jobs.asked_to_quit) {
+        app.jobs.asked_to_quit = true;
+        app.say(Severity::Warning, question);
+        return Vec::new();
+    }
+    vec![Effect::SaveSession, Effect::Quit { summary: action == Action::QuitWithSummary }]
 }
 
-fn screen(app: &mut App, action: Action) -> Vec<Effect> {
-    match action {
-        Action::FullPane => app.full_pane = !app.full_pane,
-        Action::Glyphs => {
-            app.theme.glyphs = app.theme.glyphs.next();
-            app.say(
-                Severity::Note,
-                format!("characters: {} (m for the next set)", app.theme.glyphs),
-            );
-            return vec![Effect::SaveSession];
-        }
-        Action::Theme => {
-            app.theme.depth = app.theme.depth.next(app.best_depth);
-            app.say(
-                Severity::Note,
-                format!("colours: {} (t for the next)", app.theme.depth.word()),
-            );
-            return vec![Effect::SaveSession];
-        }
-        Action::Mouse => {
-            app.mouse = !app.mouse;
-            app.say(
-                Severity::Note,
-                if app.mouse {
-                    "the program has the mouse: M gives it back"
-                } else {
-                    "the terminal has the mouse: select text as usual"
-                },
-            );
-            return vec![Effect::Mouse(app.mouse)];
-        }
-        Action::Redraw => return vec![Effect::Redraw],
-        _ => return vec![Effect::Suspend],
+/// Esc with nothing to stop: it closes what is open here, and never takes anything away.
+fn back(app: &mut App) {
+    let at = app.tab.index();
+    if app.full_pane[at] {
+        app.full_pane[at] = false;
+    } else if !find::clear(app) {
+        let elsewhere = Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).running(app)).next();
+        let kept = if app.session_lost { "is not kept" } else { "is kept" };
+        let text = elsewhere.map_or_else(
+            || format!("nothing to close: q quits (the session {kept})"),
+            |job| format!("nothing to stop here: Esc in {} stops its job", job.label),
+        );
+        app.say(Severity::Note, text);
     }
-    Vec::new()
 }
 
 fn copy(app: &mut App) -> Vec<Effect> {

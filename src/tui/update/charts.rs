@@ -1,25 +1,36 @@
 //! Crosshair, zoom, axes and quantities.
 
+use super::act::rows_moved;
+use super::runs;
 use crate::tui::app::App;
 use crate::tui::app::charts::{Fit, Window};
 use crate::tui::app::notice::Severity;
+use crate::tui::app::quantity::Quantity;
 use crate::tui::chart::scale::Scale;
-use crate::tui::message::{Action, Effect};
+use crate::tui::keymap::Action;
+use crate::tui::message::Effect;
+use crate::tui::view::pointer::plot_columns;
 
 /// One zoom step.
 const ZOOM: f64 = 0.5;
 /// One pan step, as a share of the range.
 const PAN: f64 = 0.25;
 
-/// One of the actions on charts.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+/// What an action does in the charts; `None` where it means nothing of its own.
+pub(super) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     use Action as A;
     let selected = app.charts.selected;
+    let width = plot_columns(app).unwrap_or_else(|| app.chart_columns());
+    if let Some(by) = rows_moved(action, 3) {
+        app.charts.selected = selected.saturating_add_signed(by).min(2);
+        return Some(Vec::new());
+    }
     match action {
-        A::CursorLeft => app.move_cursor(-1.0),
-        A::CursorRight => app.move_cursor(1.0),
-        A::CursorLeftFar => app.move_cursor(-10.0),
-        A::CursorRightFar => app.move_cursor(10.0),
+        A::Mark => return Some(runs::pin_scene(app)),
+        A::Left => app.move_cursor(-1.0, width),
+        A::Right => app.move_cursor(1.0, width),
+        A::FarLeft => app.move_cursor(-10.0, width),
+        A::FarRight => app.move_cursor(10.0, width),
         A::EventNext => event(app, true),
         A::EventPrevious => event(app, false),
         A::ZoomIn => app.zoom(ZOOM),
@@ -32,18 +43,17 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         A::PanRight => app.pan(PAN),
         A::FitVertical => fit(app),
         A::Window => window(app),
-        A::Quantity => {
-            let next = app.charts.quantities[selected].next();
+        A::View => {
+            let mut next = app.charts.quantities[selected].next();
+            while app.charts.quantities.contains(&next) {
+                next = next.next();
+            }
             app.charts.quantities[selected] = next;
-            if app.charts.second[selected] == Some(next) {
+            if app.charts.second[selected] == Some(next) || next == Quantity::MountForce {
                 app.charts.second[selected] = None;
             }
         }
         A::SecondAxis => second_axis(app),
-        A::NoSecondAxis => {
-            app.charts.second[selected] = None;
-            app.say(Severity::Note, "no second axis: w puts a quantity there");
-        }
         A::LogX => {
             app.charts.time_scale = app.charts.time_scale.toggled();
             let text = format!("time axis: {}", word(app.charts.time_scale));
@@ -55,15 +65,16 @@ pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
             let text = format!("value axis: {}", word(*scale));
             app.say(Severity::Note, text);
         }
-        _ => difference(app),
+        A::Difference => difference(app),
+        _ => return None,
     }
-    Vec::new()
+    Some(Vec::new())
 }
 
 fn second_axis(app: &mut App) {
     let text = match app.next_second() {
         Some(quantity) => format!(
-            "at the right: {} (w: the next quantity, W: none)",
+            "at the right: {} (w: the next quantity, at last none)",
             quantity.title().to_lowercase()
         ),
         None => "no second axis: w puts a quantity there".to_owned(),

@@ -22,7 +22,8 @@ pub(super) fn ask(app: &mut App, word: &str) {
         _ => return,
     };
     if word == SpringKind::Table.word() {
-        let save = Save { input: Input::default(), fresh: false, question: false, error: None };
+        let save =
+            Save { input: Input::default(), all_selected: false, question: false, error: None };
         app.dialog = Some(Dialog::Curve(second, save));
     }
 }

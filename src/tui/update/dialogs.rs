@@ -9,17 +9,16 @@ use crate::tui::app::dialog::{self, Dialog, Picker, Save};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
 use crate::tui::app::{App, Base, Origin};
-use crate::tui::message::{Binding, Effect, Place, PresetEntry, Target};
+use crate::tui::message::{Effect, PresetEntry, Target};
 
-use super::{accuracy, act, curve, edit, export, input, path, runs, sweep, table};
+use super::{curve, edit, export, input, options, palette, path, runs, table, thesis};
 
 /// A key while a dialog is open.
 pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     match app.dialog.take() {
         Some(Dialog::Save(state)) => save_key(app, state, key),
         Some(Dialog::Export(state)) => export::press(app, *state, key),
-        Some(Dialog::ExportAccuracy(state)) => accuracy::press(app, state, key),
-        Some(Dialog::ExportSweep(state)) => sweep::press(app, state, key),
+        Some(Dialog::Options(picker)) => options::press(app, picker, key),
         Some(Dialog::ExportTable(which, state)) => table::press(app, which, state, key),
         Some(Dialog::Curve(second, state)) => curve::press(app, second, state, key),
         Some(Dialog::Help(picker)) => in_list(app, picker, key, Kind::Help),
@@ -40,6 +39,7 @@ pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
             | Dialog::Palette(picker)
             | Dialog::Presets(picker)
             | Dialog::History(picker)
+            | Dialog::Options(picker)
             | Dialog::Words(picker),
         ) => &mut picker.selected,
         Some(Dialog::Export(_)) => {
@@ -88,7 +88,7 @@ impl Kind {
     fn count(self, app: &App, typed: &str) -> usize {
         match self {
             Self::Help => dialog::help_rows(app, typed).len(),
-            Self::Palette => dialog::palette_rows(app, typed).len(),
+            Self::Palette => app.palette(typed).len(),
             Self::Presets => dialog::preset_rows(&app.presets, typed).len(),
             Self::History => app.history.edits.len() + 1,
             Self::Words => app.editor.variable().words().len(),
@@ -157,13 +157,7 @@ pub(super) fn after_typing(app: &mut App) {
         Some(Dialog::Help(picker) | Dialog::Palette(picker) | Dialog::Presets(picker)) => {
             picker.selected = 0;
         }
-        Some(
-            Dialog::Save(save)
-            | Dialog::ExportAccuracy(save)
-            | Dialog::ExportSweep(save)
-            | Dialog::ExportTable(_, save)
-            | Dialog::Curve(_, save),
-        ) => {
+        Some(Dialog::Save(save) | Dialog::ExportTable(_, save) | Dialog::Curve(_, save)) => {
             save.question = false;
             save.error = None;
         }
@@ -172,7 +166,7 @@ pub(super) fn after_typing(app: &mut App) {
             export.error = None;
             export.completions.clear();
         }
-        Some(Dialog::History(_) | Dialog::Words(_)) | None => {}
+        Some(Dialog::History(_) | Dialog::Words(_) | Dialog::Options(_)) | None => {}
     }
 }
 
@@ -181,15 +175,19 @@ fn chosen(app: &mut App, picker: &Picker, kind: Kind) -> Vec<Effect> {
     match kind {
         Kind::Help => {
             let rows = dialog::help_rows(app, typed);
-            rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
+            let action = rows.get(picker.selected).map(|row| row.action);
+            action.map_or_else(Vec::new, |action| palette::press(app, action))
         }
-        Kind::Palette => {
-            let rows = dialog::palette_rows(app, typed);
-            rows.get(picker.selected).map_or_else(Vec::new, |row| execute(app, row))
-        }
+        Kind::Palette => palette::chosen(app, picker),
         Kind::Presets => match selected_preset(app, picker) {
-            Some(PresetEntry { part: Some(part), .. }) => take_part(app, picker, &part),
-            Some(entry) => edit::load(app, base_of(entry)),
+            Some(entry) => {
+                let refused = entry.problem.is_some();
+                let effects = take_preset(app, entry);
+                if refused || (effects.is_empty() && app.dialog.is_none() && app.is_refused()) {
+                    app.dialog = Some(Dialog::Presets(picker.clone()));
+                }
+                effects
+            }
             None if looks_like_path(typed) => vec![Effect::Load(typed.trim().into())],
             None => {
                 let typed = clip(typed.trim(), 24);
@@ -223,49 +221,16 @@ fn take_word(app: &mut App, picker: &Picker) -> Vec<Effect> {
     }
 }
 
-/// Do what a row of the key table says, in the tab and pane it belongs to.
-fn execute(app: &mut App, row: &Binding) -> Vec<Effect> {
-    use crate::tui::app::Tab;
-    use crate::tui::app::thesis::Page;
-    let before = app.tab;
-    match row.place {
-        Place::Anywhere => {}
-        Place::Accuracy => app.tab = Tab::Accuracy,
-        Place::Map | Place::Battery => {
-            app.tab = Tab::Stability;
-            app.stability.battery_shown = row.place == Place::Battery;
-        }
-        Place::Setup | Place::Lines | Place::Surface => {
-            app.tab = match (row.place, app.tab) {
-                (Place::Surface, _) | (Place::Setup, Tab::Surface) => Tab::Surface,
-                (_, _) => Tab::Sweep,
-            };
-            app.sweeping.on_setup = row.place == Place::Setup;
-        }
-        Place::Limit => app.tab = Tab::Limit,
-        Place::SearchSetup | Place::Search => {
-            app.tab = Tab::Search;
-            app.searching.on_setup = row.place == Place::SearchSetup;
-        }
-        Place::Log => app.tab = Tab::Log,
-        Place::Claims | Place::Principles | Place::Screening => {
-            app.tab = Tab::Thesis;
-            app.thesis.page = match row.place {
-                Place::Principles => Page::Principles,
-                Place::Screening => Page::Screening,
-                _ => Page::Claims,
-            };
-        }
-        Place::Variables | Place::Charts | Place::Runs => {
-            app.tab = Tab::Run;
-            app.focus = row.place;
-        }
+/// Load a preset and show what it is about; put a part of a library into the scene.
+pub(super) fn take_preset(app: &mut App, entry: PresetEntry) -> Vec<Effect> {
+    if let Some(problem) = entry.problem {
+        app.say(Severity::Error, format!("{} cannot be loaded: {problem}", entry.name));
+        return Vec::new();
     }
-    // What a tab computes when it is entered by its key, it computes when an action leads there.
-    let page = matches!(row.place, Place::Map | Place::Battery);
-    let mut effects = if before != app.tab || page { act::entered(app) } else { Vec::new() };
-    effects.extend(act::act(app, row.action));
-    effects
+    match &entry.part {
+        Some(part) => take_part(app, part),
+        None => thesis::show(app, base_of(entry)),
+    }
 }
 
 fn looks_like_path(text: &str) -> bool {
@@ -289,6 +254,10 @@ fn base_of(entry: PresetEntry) -> Base {
 
 fn pin_preset(app: &mut App, picker: &Picker) -> Vec<Effect> {
     let Some(entry) = selected_preset(app, picker) else { return Vec::new() };
+    if let Some(problem) = entry.problem {
+        app.say(Severity::Error, format!("{} cannot be pinned: {problem}", entry.name));
+        return Vec::new();
+    }
     match entry.scene_on(&app.scene) {
         Ok(scene) => runs::pin(app, entry.name, scene.into()),
         Err(error) => {
@@ -298,13 +267,12 @@ fn pin_preset(app: &mut App, picker: &Picker) -> Vec<Effect> {
     }
 }
 
-/// Takes an entry of a library into the scene, as one edit; one that makes no sense leaves the list open, with the reason.
-fn take_part(app: &mut App, picker: &Picker, part: &Entry) -> Vec<Effect> {
+/// Takes an entry of a library into the scene, as one edit; one that makes no sense is refused.
+fn take_part(app: &mut App, part: &Entry) -> Vec<Effect> {
     let mut scene = (*app.scene).clone();
     let made = part.apply(&mut scene).and_then(|()| variables::validate(&scene));
     if let Err(error) = made {
         app.say(Severity::Error, error.to_string());
-        app.dialog = Some(Dialog::Presets(picker.clone()));
         return Vec::new();
     }
     let label = format!("{} {}", part.library.word(), part.name);
@@ -317,18 +285,11 @@ fn take_part(app: &mut App, picker: &Picker, part: &Entry) -> Vec<Effect> {
     effects
 }
 
-/// Save the scene: under its own name where it is one of the user's presets, else ask for a name.
-pub(super) fn save(app: &mut App, ask: bool) -> Vec<Effect> {
-    if !ask && app.base.origin == Origin::Mine {
-        return vec![Effect::SavePreset {
-            name: app.base.name.clone(),
-            scene: Box::new((*app.scene).clone()),
-            overwrite: true,
-        }];
-    }
+/// Save the scene as a preset: ask for the name, and before an existing one is replaced.
+pub(super) fn save(app: &mut App) -> Vec<Effect> {
     app.dialog = Some(Dialog::Save(Save {
         input: Input::new(proposed_name(app)),
-        fresh: true,
+        all_selected: true,
         question: false,
         error: None,
     }));
@@ -357,7 +318,7 @@ fn save_key(app: &mut App, mut state: Save, key: KeyEvent) -> Vec<Effect> {
         KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Enter if state.question => {}
         KeyCode::Enter => {
-            state.fresh = false;
+            state.all_selected = false;
             match name_problem(app, state.input.value().trim()) {
                 Some(NameProblem::Exists) => state.question = true,
                 Some(NameProblem::Refused(text)) => state.error = Some(text),
@@ -365,7 +326,7 @@ fn save_key(app: &mut App, mut state: Save, key: KeyEvent) -> Vec<Effect> {
             }
         }
         _ => {
-            if input::press(&mut state.input, &mut state.fresh, key) {
+            if input::press(&mut state.input, &mut state.all_selected, key) {
                 state.question = false;
                 state.error = None;
             }

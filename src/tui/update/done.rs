@@ -64,37 +64,15 @@ fn saved(app: &mut App, name: String, path: &Path) -> Vec<Effect> {
 fn exported(app: &mut App, outcome: ExportOutcome) {
     match (outcome, &mut app.dialog) {
         (ExportOutcome::Written(files), dialog) => {
-            if matches!(
-                dialog,
-                Some(
-                    Dialog::Export(_)
-                        | Dialog::ExportAccuracy(_)
-                        | Dialog::ExportSweep(_)
-                        | Dialog::ExportTable(..)
-                )
-            ) {
+            if matches!(dialog, Some(Dialog::Export(_) | Dialog::ExportTable(..))) {
                 *dialog = None;
             }
             let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
             app.say(Severity::Note, format!("written: {}", names.join(" and ")));
         }
         (ExportOutcome::Exists(_), Some(Dialog::Export(export))) => export.question = true,
-        (
-            ExportOutcome::Exists(_),
-            Some(
-                Dialog::ExportAccuracy(save)
-                | Dialog::ExportSweep(save)
-                | Dialog::ExportTable(_, save),
-            ),
-        ) => save.question = true,
-        (
-            ExportOutcome::Failed(text),
-            Some(
-                Dialog::ExportAccuracy(save)
-                | Dialog::ExportSweep(save)
-                | Dialog::ExportTable(_, save),
-            ),
-        ) => {
+        (ExportOutcome::Exists(_), Some(Dialog::ExportTable(_, save))) => save.question = true,
+        (ExportOutcome::Failed(text), Some(Dialog::ExportTable(_, save))) => {
             save.error = Some(text);
         }
         (ExportOutcome::Failed(text), Some(Dialog::Export(export))) => export.error = Some(text),
@@ -107,15 +85,9 @@ fn exported(app: &mut App, outcome: ExportOutcome) {
 
 /// One name: take it. Several: what they have in common, and the list.
 fn complete(app: &mut App, names: Vec<String>) {
-    if let Some(
-        Dialog::Curve(_, save)
-        | Dialog::ExportAccuracy(save)
-        | Dialog::ExportSweep(save)
-        | Dialog::ExportTable(_, save),
-    ) = &mut app.dialog
-    {
+    if let Some(Dialog::Curve(_, save) | Dialog::ExportTable(_, save)) = &mut app.dialog {
         match common_start(&names) {
-            Some(common) => (save.input, save.fresh) = (Input::new(common), false),
+            Some(common) => (save.input, save.all_selected) = (Input::new(common), false),
             None => save.error = Some("no file or directory begins like this".to_owned()),
         }
         return;

@@ -6,6 +6,7 @@ use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::dialog::wrap;
+use crate::tui::app::editor::shown_value;
 use crate::tui::app::history::{Edit, Setting, Snapshot};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::Pin;
@@ -14,6 +15,9 @@ use crate::tui::app::{App, Base};
 use crate::tui::message::Effect;
 
 use super::{jobs, runs, sweep};
+
+/// Columns that hold six digits of any value.
+const WIDE: usize = 24;
 
 /// Set a variable. `stepping` joins it with the steps just before.
 ///
@@ -37,11 +41,11 @@ pub(super) fn set(
     let old = match app.history.edits.last() {
         // Held arrows: from where they began.
         Some(last) if stepping.is_some() && last.stepping == stepping => {
-            variable.show(&last.before.scene)
+            shown_value(variable, &last.before.scene, WIDE)
         }
-        _ => variable.show(&app.scene),
+        _ => shown_value(variable, &app.scene, WIDE),
     };
-    let label = format!("{} {old} -> {}", variable.symbol, variable.show(&scene));
+    let label = format!("{} {old} -> {}", variable.symbol, shown_value(variable, &scene, WIDE));
     // What was outside before is marked in the list; what comes to be outside is said.
     let before = envelope::of_scene(&app.scene);
     let breach = envelope::of_scene(&scene)
@@ -82,6 +86,7 @@ fn commit(app: &mut App, after: Snapshot, label: String, stepping: Option<usize>
     let edit =
         Edit { label, before, after: after.clone(), unpinned: None, setting: None, stepping };
     app.history.push(edit);
+    app.first_run = false;
     install(app, after)
 }
 
@@ -219,18 +224,6 @@ pub(super) fn reset_all(app: &mut App) -> Vec<Effect> {
     let label = format!("reset all to {}", app.base.name);
     app.say(Severity::Note, format!("{label}: u undoes"));
     commit_scene(app, scene, label, None)
-}
-
-/// Switch between the interface laws.
-pub(super) fn switch_interface(app: &mut App) -> Vec<Effect> {
-    let found = VARIABLES.iter().position(|one| one.key == "interface.law");
-    let Some((index, value)) = found.zip(found.and_then(|index| cycled(app, index, true))) else {
-        return Vec::new();
-    };
-    let effects = finish(app, index, value, None);
-    let law = VARIABLES[index].show(&app.scene);
-    app.say(Severity::Note, format!("interface law: {law}"));
-    effects
 }
 
 /// Step the selected variable: a number by its rule, a choice or switch to its neighbour.

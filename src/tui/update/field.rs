@@ -1,4 +1,4 @@
-//! The open field of a variable, and the filter of the list.
+//! The open field of a variable.
 
 use crossterm::event::{KeyCode, KeyEvent};
 use tui_input::Input;
@@ -9,7 +9,8 @@ use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Picker};
 use crate::tui::app::editor::Field;
 use crate::tui::app::steps::Size;
-use crate::tui::message::{Action, Effect};
+use crate::tui::keymap::Action;
+use crate::tui::message::Effect;
 
 use super::{act, edit, input};
 
@@ -30,7 +31,7 @@ pub(super) fn open(app: &mut App) -> Vec<Effect> {
             app.editor.field = Some(Field {
                 variable: app.editor.selected,
                 input: Input::new(variable.show(&app.scene)),
-                fresh: true,
+                all_selected: true,
                 error: None,
             });
             Vec::new()
@@ -55,7 +56,7 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
         }),
         _ => {
             if let Some(field) = &mut app.editor.field
-                && input::press(&mut field.input, &mut field.fresh, key)
+                && input::press(&mut field.input, &mut field.all_selected, key)
             {
                 field.error = None;
             }
@@ -71,7 +72,7 @@ fn commit(app: &mut App, then: impl FnOnce(&mut App)) -> Vec<Effect> {
     };
     let variable = &VARIABLES[field.variable];
     let text = field.input.value();
-    let unchanged = field.fresh || text.trim() == variable.show(&app.scene);
+    let unchanged = field.all_selected || text.trim() == variable.show(&app.scene);
     let result = if unchanged {
         Ok(Vec::new())
     } else {
@@ -90,31 +91,4 @@ fn commit(app: &mut App, then: impl FnOnce(&mut App)) -> Vec<Effect> {
             Vec::new()
         }
     }
-}
-
-/// Open the filter's field.
-pub(super) fn open_filter(app: &mut App) {
-    app.editor.filter_field = Some(Input::new(app.editor.filter.clone()));
-}
-
-/// A key while the filter's field is open: the list follows every character.
-pub(super) fn press_in_filter(app: &mut App, key: KeyEvent) -> Vec<Effect> {
-    match key.code {
-        KeyCode::Esc => {
-            app.editor.filter_field = None;
-            app.editor.set_filter(&app.scene, "");
-        }
-        KeyCode::Enter | KeyCode::Tab => app.editor.filter_field = None,
-        KeyCode::Up => app.editor.move_by(&app.scene, -1),
-        KeyCode::Down => app.editor.move_by(&app.scene, 1),
-        _ => {
-            if let Some(field) = &mut app.editor.filter_field
-                && input::press(field, &mut false, key)
-            {
-                let text = field.value().to_owned();
-                app.editor.set_filter(&app.scene, &text);
-            }
-        }
-    }
-    Vec::new()
 }

@@ -3,19 +3,20 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
+use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, ExportRow};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Tab};
+use crate::tui::keymap::Pane;
 use crate::tui::message::Effect;
 
-use super::dialogs;
+use super::{dialogs, find};
 
 /// No field of the workbench takes a longer text: characters that nobody means to type (a paste that came as keys, a book on
 /// the keyboard) are dropped.
 const TEXT_MAX: usize = 1024;
 
-/// Put a key into a field; whether it was one for a field. While `fresh`, the whole text is selected.
-pub(super) fn press(input: &mut Input, fresh: &mut bool, key: KeyEvent) -> bool {
+/// Put a key into a field; whether it was one for a field. While `all_selected`, the whole text is selected.
+pub(super) fn press(input: &mut Input, all_selected: &mut bool, key: KeyEvent) -> bool {
     let Some(request) = request(key) else {
         return false;
     };
@@ -23,10 +24,10 @@ pub(super) fn press(input: &mut Input, fresh: &mut bool, key: KeyEvent) -> bool 
         request,
         InputRequest::InsertChar(_) | InputRequest::DeletePrevChar | InputRequest::DeleteNextChar
     );
-    if *fresh && replaces {
+    if *all_selected && replaces {
         input.reset();
     }
-    *fresh = false;
+    *all_selected = false;
     let adds = matches!(request, InputRequest::InsertChar(_));
     if !adds || input.value().chars().count() < TEXT_MAX {
         input.handle(request);
@@ -69,25 +70,17 @@ pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
         return Vec::new();
     }
     let mut never = false;
-    let in_setup = app.picture().is_some();
-    let in_search = app.tab == Tab::Search;
-    let setup = app.sweeping.field.as_mut().filter(|_| in_setup);
-    let setup = setup.map(|field| (&mut field.input, &mut field.fresh, &mut field.error));
-    let search = app.searching.field.as_mut().filter(|_| in_search);
-    let search = search.map(|field| (&mut field.input, &mut field.fresh, &mut field.error));
-    let open = app.editor.field.as_mut();
-    let open = open.map(|field| (&mut field.input, &mut field.fresh, &mut field.error));
-    let (input, fresh) = match (&mut app.dialog, open.or(setup).or(search)) {
-        (
-            Some(
-                Dialog::Save(save)
-                | Dialog::ExportAccuracy(save)
-                | Dialog::ExportSweep(save)
-                | Dialog::ExportTable(_, save)
-                | Dialog::Curve(_, save),
-            ),
-            _,
-        ) => (&mut save.input, &mut save.fresh),
+    let pane = app.pane();
+    let setup = app.sweeping.field.as_mut().filter(|_| pane == Pane::ExploreSetup);
+    let setup = setup.map(|field| (&mut field.input, &mut field.all_selected, &mut field.error));
+    let search = app.searching.field.as_mut().filter(|_| pane == Pane::SearchSetup);
+    let search = search.map(|field| (&mut field.input, &mut field.all_selected, &mut field.error));
+    let open = app.editor.field.as_mut().filter(|_| pane == Pane::Variables);
+    let open = open.map(|field| (&mut field.input, &mut field.all_selected, &mut field.error));
+    let (input, all_selected) = match (&mut app.dialog, open.or(setup).or(search)) {
+        (Some(Dialog::Save(save) | Dialog::ExportTable(_, save) | Dialog::Curve(_, save)), _) => {
+            (&mut save.input, &mut save.all_selected)
+        }
         (Some(Dialog::Export(export)), _) if export.row == ExportRow::Path => {
             (&mut export.path, &mut never)
         }
@@ -99,12 +92,12 @@ pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
         {
             (&mut picker.filter, &mut never)
         }
-        (None, Some((input, fresh, error))) => {
+        (None, Some((input, all_selected, error))) => {
             *error = None;
-            (input, fresh)
+            (input, all_selected)
         }
-        (None, None) if app.editor.filter_field.is_some() => {
-            return paste_filter(app, &clean);
+        (None, None) if app.find.field.is_some() => {
+            return paste_into_find(app, &clean);
         }
         (Some(_) | None, _) => {
             app.say(
@@ -114,9 +107,9 @@ pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
             return Vec::new();
         }
     };
-    if *fresh {
+    if *all_selected {
         input.reset();
-        *fresh = false;
+        *all_selected = false;
     }
     for c in clean.chars() {
         input.handle(InputRequest::InsertChar(c));
@@ -125,14 +118,13 @@ pub(super) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
     Vec::new()
 }
 
-/// Into the filter of the list of variables, which follows.
-fn paste_filter(app: &mut App, text: &str) -> Vec<Effect> {
-    if let Some(field) = &mut app.editor.filter_field {
+/// Into the field of `/`; the list follows.
+fn paste_into_find(app: &mut App, text: &str) -> Vec<Effect> {
+    if let Some(field) = &mut app.find.field {
         for c in text.chars() {
             field.handle(InputRequest::InsertChar(c));
         }
-        let text = field.value().to_owned();
-        app.editor.set_filter(&app.scene, &text);
     }
+    find::follow(app);
     Vec::new()
 }

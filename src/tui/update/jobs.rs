@@ -162,13 +162,13 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
     let known: Vec<Warning> = before.map_or_else(Vec::new, |shown| shown.run.warnings.clone());
     let same_kind =
         |a: &Warning, b: &Warning| std::mem::discriminant(a) == std::mem::discriminant(b);
-    let fresh: Vec<String> = run
+    let new: Vec<String> = run
         .warnings
         .iter()
         .filter(|warning| !known.iter().any(|old| same_kind(old, warning)))
         .map(warning_text)
         .collect();
-    for text in fresh {
+    for text in new {
         // A message about the edit itself stays; the warning is in the status row and the Log tab.
         let kept = app.notice.take();
         app.say(Severity::Warning, text);

@@ -32,7 +32,7 @@ pub(super) fn press(
         KeyCode::Enter => effects = write(app, &mut state, false),
         KeyCode::Tab => effects = vec![Effect::Complete(state.input.value().to_owned())],
         _ => {
-            if input::press(&mut state.input, &mut state.fresh, key) {
+            if input::press(&mut state.input, &mut state.all_selected, key) {
                 state.question = false;
                 state.error = None;
             }

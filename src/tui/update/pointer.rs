@@ -2,9 +2,11 @@
 //! what Enter does there, and the wheel moves what it is over.
 
 use super::{act, dialogs, sweep};
+use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Tab};
-use crate::tui::message::{Action, Effect, Place, Target};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::{Effect, Target};
+use crate::tui::pages;
 
 /// A click.
 pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
@@ -16,60 +18,55 @@ pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
         app.say(Severity::Note, "a field is open: Enter takes it, Esc leaves it as it was");
         return Vec::new();
     }
-    app.history.seal();
+    app.history.commit();
     match target {
-        Target::Tab(tab) => return act::act(app, action_of(tab)),
+        Target::Tab(tab) => return act::go_to(app, tab),
+        Target::Page(page) => return pages::of(app.tab).turn_to(app, page),
         Target::Variable(index) => {
-            if app.focus == Place::Variables && app.editor.selected == index {
-                return act::act(app, Action::Edit);
+            if app.pane() == Pane::Variables && app.editor.selected == index {
+                return act::act(app, Action::Enter);
             }
-            app.focus = Place::Variables;
+            app.focus_on(Pane::Variables);
             app.editor.selected = index;
         }
         Target::Time { chart, t_s } => {
-            app.focus = Place::Charts;
+            app.focus_on(Pane::Charts);
             app.charts.selected = chart;
             app.charts.cursor_s = Some(t_s);
         }
         Target::Run(run) => return choose_run(app, run),
         Target::Event(event) => {
-            app.focus = Place::Charts;
+            app.focus_on(Pane::Charts);
             app.place_at_event(event);
         }
-        Target::Pane(place) => focus(app, place),
-        Target::Setup(row) => {
-            if app.sweeping.on_setup && app.sweeping.row == row {
-                return act::act(app, Action::Edit);
-            }
-            app.sweeping.on_setup = true;
-            app.sweeping.row = row;
-        }
-        Target::SearchSetup(row) => {
-            if app.searching.on_setup && app.searching.row == row {
-                return act::act(app, Action::Edit);
-            }
-            app.searching.on_setup = true;
-            app.searching.row = row;
-        }
+        Target::Pane(pane) => app.focus_on(pane),
+        Target::Setup(_) | Target::SearchSetup(_) => return in_form(app, target),
         Target::Point(point) => {
-            app.sweeping.on_setup = false;
-            return sweep::jump(app, point);
+            app.focus_on(Pane::Explore);
+            sweep::jump(app, point);
         }
         Target::RunTime(run_time_s) => app.accuracy.place_cursor(run_time_s),
         Target::Method(method) => {
-            if app.accuracy.selected == method {
+            if app.accuracy.selected == Some(method) {
                 return act::act(app, Action::ShowHide);
             }
-            app.accuracy.selected = method;
+            app.accuracy.selected = Some(method);
         }
         Target::Cell(row, column) => app.stability.cursor = Some((row, column)),
         Target::Row(row) => return pick(app, row),
-        Target::Shot(shot) => app.limit.cursor = Some(shot),
+        Target::Shot(shot) => {
+            app.focus_on(Pane::Residual);
+            app.limit.cursor = Some(shot);
+        }
+        Target::Efficiency(x, y) => {
+            app.focus_on(Pane::EfficiencyMap);
+            app.limit.map_cursor = Some((x, y));
+        }
         Target::Design(design) => {
-            let again = !app.searching.on_setup && app.searching.selected() == design;
-            app.searching.on_setup = false;
+            let again = app.pane() == Pane::Search && app.searching.selected() == design;
+            app.focus_on(Pane::Search);
             if again {
-                return act::act(app, Action::OpenDesign);
+                return act::act(app, Action::Enter);
             }
             app.searching.select(design);
         }
@@ -79,22 +76,40 @@ pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
     Vec::new()
 }
 
-/// A row of the table of runs: selected, and adopted where it was selected already.
-fn choose_run(app: &mut App, run: usize) -> Vec<Effect> {
-    if app.focus == Place::Runs && app.selected_run == run {
-        return act::act(app, Action::Adopt);
+/// A row of a form: selected, and opened where it was selected already.
+fn in_form(app: &mut App, target: Target) -> Vec<Effect> {
+    let before = (app.pane(), app.sweeping.row, app.searching.row);
+    match target {
+        Target::Setup(row) => {
+            app.focus_on(Pane::ExploreSetup);
+            app.sweeping.row = row;
+        }
+        Target::SearchSetup(row) => {
+            app.focus_on(Pane::SearchSetup);
+            app.searching.row = row;
+        }
+        _ => {}
     }
-    app.focus = Place::Runs;
+    let again = before == (app.pane(), app.sweeping.row, app.searching.row);
+    if again { act::act(app, Action::Enter) } else { Vec::new() }
+}
+
+/// A row of the table of runs: selected, and loaded where it was selected already.
+fn choose_run(app: &mut App, run: usize) -> Vec<Effect> {
+    if app.pane() == Pane::Runs && app.selected_run == run {
+        return act::act(app, Action::Enter);
+    }
+    app.focus_on(Pane::Runs);
     app.selected_run = run;
     Vec::new()
 }
 
 /// A row of the list that the tab shows: selected, and opened where it was selected already.
 fn pick(app: &mut App, row: usize) -> Vec<Effect> {
-    if app.tab == Tab::Stability {
+    if app.pane() == Pane::Battery {
         app.stability.selected = row;
-    } else if app.thesis.pick(row) {
-        return act::act(app, Action::OpenDesign);
+    } else if app.pick_in_thesis(row) {
+        return act::act(app, Action::Enter);
     }
     Vec::new()
 }
@@ -106,27 +121,27 @@ pub(super) fn wheel(app: &mut App, up: bool, target: Option<Target>) -> Vec<Effe
     }
     match target {
         Some(Target::Time { chart, t_s }) => {
-            app.focus = Place::Charts;
+            app.focus_on(Pane::Charts);
             app.charts.selected = chart;
             app.charts.cursor_s = Some(t_s);
             return act::act(app, if up { Action::ZoomIn } else { Action::ZoomOut });
         }
-        Some(Target::Variable(_)) => app.focus = Place::Variables,
-        Some(Target::Setup(_)) => app.sweeping.on_setup = true,
-        Some(Target::SearchSetup(_)) => app.searching.on_setup = true,
-        Some(Target::Run(_)) => app.focus = Place::Runs,
-        Some(Target::Pane(place)) => focus(app, place),
-        Some(Target::Design(_)) => app.searching.on_setup = false,
-        Some(Target::Point(_)) => app.sweeping.on_setup = false,
+        Some(Target::Variable(_)) => app.focus_on(Pane::Variables),
+        Some(Target::Setup(_)) => app.focus_on(Pane::ExploreSetup),
+        Some(Target::SearchSetup(_)) => app.focus_on(Pane::SearchSetup),
+        Some(Target::Run(_)) => app.focus_on(Pane::Runs),
+        Some(Target::Pane(pane)) => app.focus_on(pane),
+        Some(Target::Design(_)) => app.focus_on(Pane::Search),
+        Some(Target::Point(_)) => app.focus_on(Pane::Explore),
         Some(Target::RunTime(run_time_s)) => {
             app.accuracy.place_cursor(run_time_s);
             return act::act(app, if up { Action::ZoomIn } else { Action::ZoomOut });
         }
         Some(_) | None => {}
     }
-    let action = match (app.place(), up) {
-        (Place::Search | Place::Limit, true) => Action::CursorLeft,
-        (Place::Search | Place::Limit, false) => Action::CursorRight,
+    let action = match (app.pane(), up) {
+        (Pane::Residual, true) => Action::Left,
+        (Pane::Residual, false) => Action::Right,
         (_, true) => Action::Up,
         (_, false) => Action::Down,
     };
@@ -135,34 +150,5 @@ pub(super) fn wheel(app: &mut App, up: bool, target: Option<Target>) -> Vec<Effe
 
 /// Whether a text is being typed: no click may take it away.
 fn is_typing(app: &App) -> bool {
-    app.editor.field.is_some()
-        || app.editor.filter_field.is_some()
-        || (app.sweeping.field.is_some() && app.picture().is_some())
-        || (app.searching.field.is_some() && app.tab == Tab::Search)
-}
-
-fn focus(app: &mut App, place: Place) {
-    match place {
-        Place::Search | Place::SearchSetup => {
-            app.searching.on_setup = place == Place::SearchSetup;
-        }
-        Place::Setup | Place::Lines | Place::Surface => {
-            app.sweeping.on_setup = place == Place::Setup;
-        }
-        _ => app.focus = place,
-    }
-}
-
-fn action_of(tab: Tab) -> Action {
-    match tab {
-        Tab::Run => Action::TabRun,
-        Tab::Sweep => Action::TabSweep,
-        Tab::Surface => Action::TabSurface,
-        Tab::Accuracy => Action::TabAccuracy,
-        Tab::Stability => Action::TabStability,
-        Tab::Log => Action::TabLog,
-        Tab::Thesis => Action::TabThesis,
-        Tab::Limit => Action::TabLimit,
-        Tab::Search => Action::TabSearch,
-    }
+    app.is_typing() || app.find.field.is_some()
 }

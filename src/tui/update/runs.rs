@@ -1,4 +1,4 @@
-//! Pinning, unpinning, adopting, showing and hiding runs.
+//! Pinning, unpinning, loading, showing and hiding runs.
 
 use std::sync::Arc;
 
@@ -8,23 +8,18 @@ use crate::study::models::by_every_model;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::{LETTERS, Pin, name_of};
-use crate::tui::message::{Action, Effect};
+use crate::tui::message::Effect;
 
 use super::{edit, jobs};
 
-/// One of the actions on runs.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
-    match action {
-        Action::Models => models(app),
-        Action::Pin => {
-            let name = name_of(&app.scene, &app.base.name, &app.base.scene);
-            let scene = Arc::clone(&app.scene);
-            pin(app, name, scene)
-        }
-        Action::Unpin => unpin(app),
-        Action::Adopt => adopt(app),
-        _ => show_or_hide(app),
+/// Pin the scene, or unpin it where it is pinned already.
+pub(super) fn pin_scene(app: &mut App) -> Vec<Effect> {
+    if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
+        return unpinned(app, pin);
     }
+    let name = name_of(&app.scene, &app.base.name, &app.base.scene);
+    let scene = Arc::clone(&app.scene);
+    pin(app, name, scene)
 }
 
 /// Freeze a scene under the next free letter; its result is the one on the screen, or is computed.
@@ -36,7 +31,10 @@ pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect>
     }
     let free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
     let Some(letter) = LETTERS.into_iter().find(free) else {
-        app.say(Severity::Error, "all eight pins A to H are taken: x in the pane Runs unpins one");
+        app.say(
+            Severity::Error,
+            "all eight pins A to H are taken: Space on one in the pane Runs unpins it",
+        );
         return Vec::new();
     };
     let run = app
@@ -53,7 +51,7 @@ pub(super) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect>
 }
 
 /// Pin the scene by every interaction model but its own; take them away when all are there.
-fn models(app: &mut App) -> Vec<Effect> {
+pub(super) fn models(app: &mut App) -> Vec<Effect> {
     let own = app.scene.contact.model;
     let mut refused = None;
     let mut wanted: Vec<(&str, Arc<Scene>)> = Vec::new();
@@ -81,7 +79,7 @@ fn models(app: &mut App) -> Vec<Effect> {
     let room = LETTERS.len() - app.pins.len();
     if missing.len() > room {
         let text = format!(
-            "{} models need a pin each, and {room} of the eight pins are free: x in the pane Runs unpins one",
+            "{} models need a pin each, and {room} of the eight pins are free: Space on one in the pane Runs unpins it",
             missing.len()
         );
         app.say(Severity::Error, text);
@@ -95,7 +93,10 @@ fn models(app: &mut App) -> Vec<Effect> {
         if refused.is_some() { "; those that know power laws only are left out" } else { "" };
     app.say(
         Severity::Note,
-        format!("{} and the other models side by side (I again takes them away){rest}", own.word()),
+        format!(
+            "{} and the other models side by side (the same again takes them away){rest}",
+            own.word()
+        ),
     );
     effects
 }
@@ -116,20 +117,25 @@ fn selected(app: &mut App) -> Option<usize> {
     found
 }
 
-fn unpin(app: &mut App) -> Vec<Effect> {
+pub(super) fn unpin(app: &mut App) -> Vec<Effect> {
     let Some(at) = selected(app) else {
         return Vec::new();
     };
     let pin = app.pins[at].clone();
+    unpinned(app, pin)
+}
+
+fn unpinned(app: &mut App, pin: Pin) -> Vec<Effect> {
     let effects = take_away(app, &pin);
     app.say(Severity::Note, format!("unpinned {}: {} (u undoes)", pin.letter, pin.name));
     edit::note_unpinned(app, pin);
     effects
 }
 
-/// Remove the pin of this letter.
+/// Remove the pin of this scene.
 pub(super) fn take_away(app: &mut App, gone: &Pin) -> Vec<Effect> {
-    app.pins.retain(|pin| pin.letter != gone.letter);
+    // By its scene, not by its letter: that may have become another one's since.
+    app.pins.retain(|pin| *pin.scene != *gone.scene);
     app.selected_run = app.selected_run.min(app.pins.len());
     if app.pins.is_empty() {
         app.charts.difference = false;
@@ -139,6 +145,9 @@ pub(super) fn take_away(app: &mut App, gone: &Pin) -> Vec<Effect> {
 
 /// Put a pin back that had been taken away, under its letter or, if that is taken, the first free one.
 pub(super) fn put_back(app: &mut App, pin: Pin) -> Vec<Effect> {
+    if app.pins.iter().any(|other| *other.scene == *pin.scene) {
+        return Vec::new();
+    }
     let free = |letter: &char| app.pins.iter().all(|other| other.letter != *letter);
     let Some(letter) = std::iter::once(pin.letter).chain(LETTERS).find(free) else {
         app.say(Severity::Error, "all eight pins A to H are taken: nothing was put back");
@@ -152,7 +161,7 @@ pub(super) fn put_back(app: &mut App, pin: Pin) -> Vec<Effect> {
     effects
 }
 
-fn adopt(app: &mut App) -> Vec<Effect> {
+pub(super) fn load(app: &mut App) -> Vec<Effect> {
     let Some(at) = selected(app) else {
         return Vec::new();
     };
@@ -161,13 +170,13 @@ fn adopt(app: &mut App) -> Vec<Effect> {
         app.say(Severity::Note, "the current scene is this one already");
         return Vec::new();
     }
-    let label = format!("adopt {}: {}", pin.letter, pin.name);
+    let label = format!("load {}: {}", pin.letter, pin.name);
     let scene = (*pin.scene).clone();
     app.say(Severity::Note, format!("{label} (u undoes)"));
     edit::commit_scene(app, scene, label, None)
 }
 
-fn show_or_hide(app: &mut App) -> Vec<Effect> {
+pub(super) fn show_or_hide(app: &mut App) -> Vec<Effect> {
     match app.selected_run.checked_sub(1) {
         None => app.current_visible = !app.current_visible,
         Some(at) => {

@@ -1,4 +1,4 @@
-//! The Search tab: asking, stepping through designs, editing what is looked for, opening a design.
+//! The Search tab: searching, moving through designs, editing the setup, loading a design.
 
 use std::fmt::Display;
 use std::ops::RangeInclusive;
@@ -8,10 +8,12 @@ use std::sync::Arc;
 use crossterm::event::{KeyCode, KeyEvent};
 use tui_input::Input;
 
+use super::act::rows_moved;
 use super::{edit, input, jobs, table};
 use crate::model::results::RESULTS;
 use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::seek::SCAN;
+use crate::tui::app::App;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Table, wrap};
 use crate::tui::app::history::{Edit, Setting};
@@ -21,8 +23,8 @@ use crate::tui::app::search::bounds::{bound, read_bound, read_end};
 use crate::tui::app::search::setup::Setup;
 use crate::tui::app::search::{Found, Page, Row, SearchField};
 use crate::tui::app::sweep::numeric;
-use crate::tui::app::{App, Tab};
-use crate::tui::message::{Action, Effect, Message};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::{Effect, Message};
 use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
 
 /// Far along a front, in designs.
@@ -34,90 +36,99 @@ const POPULATIONS: (usize, usize, usize) = (20, 400, 20);
 const GENERATIONS: (usize, usize, usize) = (10, 1000, 10);
 const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000];
 
-/// The tab is shown: look, unless it has been or is being.
-pub(super) fn enter(app: &mut App) -> Vec<Effect> {
-    app.searching.field = None;
+/// The tab is shown: search, unless there are results or a search is running.
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let tab = &app.searching;
     let there = tab.shown().is_some() || tab.running.is_some();
     if there { Vec::new() } else { look(app) }
 }
 
-/// Whether the tab has its own meaning for an action.
-pub(super) fn is_own(app: &App, action: Action) -> bool {
-    use Action as A;
-    let both =
-        matches!(action, A::Run | A::Export | A::FocusNext | A::FocusPrevious | A::SearchNext);
-    let setup = matches!(action, A::Edit | A::StepUp | A::StepDown | A::Reset);
-    let found = matches!(
-        action,
-        A::CursorLeft
-            | A::CursorRight
-            | A::CursorLeftFar
-            | A::CursorRightFar
-            | A::First
-            | A::Last
-            | A::OpenDesign
-            | A::LogX
-            | A::LogY
-    );
-    both || if app.searching.on_setup { setup } else { found }
-}
-
-/// An action the tab has its own meaning for.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
-        Action::Run => return look(app),
-        Action::Export => table::open(app, Table::Search),
-        Action::FocusNext => focus(app, true),
-        Action::FocusPrevious => focus(app, false),
-        Action::SearchNext => return turn(app, 1),
-        Action::StepUp => return step(app, 1),
-        Action::StepDown => return step(app, -1),
-        Action::Edit => return open_field(app),
-        Action::OpenDesign => return open(app),
+        Action::Run => return Some(look(app)),
+        Action::Export => {
+            table::open(app, Table::Search);
+            return Some(Vec::new());
+        }
+        Action::Copy => return Some(table::copy(app, Table::Search)),
+        _ if app.pane() == Pane::SearchSetup => return in_setup(app, action),
+        Action::Enter => return Some(load(app)),
+        Action::Mark => return Some(pin(app)),
+        Action::View => return Some(view(app)),
+        Action::Sort => app.searching.sort_next(),
         Action::LogX if app.searching.page != Page::Front => {
             app.say(
                 Severity::Note,
-                "only the chart of the best designs has a scale across to choose",
+                "only the chart of the Pareto front has a scale across to choose",
             );
         }
         Action::LogY if !matches!(app.searching.page, Page::Front | Page::Seek) => {
             app.say(
                 Severity::Note,
-                "nothing with a scale to choose here: goal seek and best designs have one",
+                "no scale to choose here: goal seek and the Pareto front have one",
             );
         }
         Action::LogX => app.searching.log.0 = !app.searching.log.0,
         Action::LogY => app.searching.log.1 = !app.searching.log.1,
-        Action::First => walk(app, isize::MIN / 2),
-        Action::Last => walk(app, isize::MAX / 2),
-        Action::CursorLeft => walk(app, -1),
-        Action::CursorRight => walk(app, 1),
-        Action::CursorLeftFar => walk(app, -FAR),
-        Action::CursorRightFar => walk(app, FAR),
-        _ => app.say(Severity::Note, "r searches again with what is set up here"),
+        Action::ZoomIn => app.searching.zoom(2.0),
+        Action::ZoomOut => app.searching.zoom(0.5),
+        Action::ZoomFit => app.searching.zoomed = None,
+        Action::PanLeft => app.searching.pan(-0.25),
+        Action::PanRight => app.searching.pan(0.25),
+        _ => {
+            let by = match action {
+                Action::Left => -1,
+                Action::Right => 1,
+                Action::FarLeft => -FAR,
+                Action::FarRight => FAR,
+                _ => rows_moved(action, app.layout().log_rows())?,
+            };
+            walk(app, by);
+        }
     }
-    Vec::new()
+    Some(Vec::new())
 }
 
-/// Another page, which looks at once unless it has something to show.
-fn turn(app: &mut App, by: isize) -> Vec<Effect> {
-    app.searching.page = app.searching.page.turned(by);
+fn in_setup(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    if let Some(by) = rows_moved(action, app.layout().log_rows()) {
+        app.move_in_search(by);
+        return Some(Vec::new());
+    }
+    match action {
+        Action::Right | Action::FarRight | Action::FineMore => Some(step(app, 1)),
+        Action::Left | Action::FarLeft | Action::FineLess => Some(step(app, -1)),
+        Action::Enter => Some(open_field(app)),
+        _ => None,
+    }
+}
+
+/// Another page, which searches at once unless it has something to show.
+pub(in crate::tui) fn turn_to(app: &mut App, page: usize) -> Vec<Effect> {
+    app.searching.page = Page::ALL[page.min(Page::ALL.len() - 1)];
     app.searching.problem = None;
+    app.searching.field = None;
+    app.searching.row = app.search_row();
     if app.searching.shown().is_some() { Vec::new() } else { look(app) }
 }
 
-/// From what was found to the setup and back: in a circle, by way of the words where these have no room below the chart.
-fn focus(app: &mut App, forward: bool) {
-    let crowded = app.search_is_crowded();
-    let tab = &mut app.searching;
-    if tab.on_setup {
-        (tab.on_setup, tab.in_words) = (false, !forward);
-    } else if crowded && tab.in_words != forward {
-        tab.in_words = forward;
-    } else {
-        tab.on_setup = true;
+/// The next pair of objectives on the axes of a front.
+fn view(app: &mut App) -> Vec<Effect> {
+    if app.searching.page != Page::Front {
+        app.say(Severity::Note, "one view here: only the Pareto front has axes to choose");
+        return Vec::new();
     }
+    let count = app.chosen_objectives().len();
+    let before = app.searching.setup.clone();
+    let setup = &mut app.searching.setup;
+    let (across, up) = setup.axes;
+    setup.axes = if up + 1 < count { (across, up + 1) } else { (across + 1, across + 2) };
+    if setup.axes.1 >= count {
+        setup.axes = (0, 1.min(count.saturating_sub(1)));
+    }
+    app.searching.zoomed = None;
+    note(app, Row::Up, before, false);
+    Vec::new()
 }
 
 fn walk(app: &mut App, by: isize) {
@@ -131,7 +142,7 @@ fn walk(app: &mut App, by: isize) {
         (choices, _) => (app.searching.selected(), choices.saturating_sub(1)),
     };
     let at = at.min(last).saturating_add_signed(by).min(last);
-    app.searching.cursor[app.searching.page.place()] = at;
+    app.searching.select(at);
 }
 
 fn look(app: &mut App) -> Vec<Effect> {
@@ -154,19 +165,33 @@ fn look(app: &mut App) -> Vec<Effect> {
     vec![Effect::Study(Study { id, scene, kind }), Effect::After(jobs::LONG, Message::LongJob(id))]
 }
 
-/// Load the design under the cursor and show it in the Run tab.
-fn open(app: &mut App) -> Vec<Effect> {
-    let Some((scene, label)) = app.search_design() else {
-        app.say(Severity::Note, "no design to open here: goal seek and best designs have some");
-        return Vec::new();
-    };
-    app.tab = Tab::Run;
-    let effects = edit::commit_scene(app, scene, label, None);
-    app.say(
-        Severity::Note,
-        "this design is the current scene: u undoes, 9 goes back, Space pins it",
-    );
-    effects
+/// Load the design under the cursor into the scene.
+fn load(app: &mut App) -> Vec<Effect> {
+    match app.search_design() {
+        Ok((scene, _)) if scene == *app.scene => {
+            app.say(Severity::Note, "the scene is this design already: 1 shows its run");
+            Vec::new()
+        }
+        Ok((scene, label)) => {
+            let effects = edit::commit_scene(app, scene, format!("load {label}"), None);
+            app.say(Severity::Note, format!("loaded {label}: 1 shows its run, u undoes"));
+            effects
+        }
+        Err(why) => {
+            app.say(Severity::Error, why);
+            Vec::new()
+        }
+    }
+}
+
+fn pin(app: &mut App) -> Vec<Effect> {
+    match app.search_design() {
+        Ok((scene, label)) => super::runs::pin(app, label, Arc::new(scene)),
+        Err(why) => {
+            app.say(Severity::Error, why);
+            Vec::new()
+        }
+    }
 }
 
 /// A report of the search under way.
@@ -178,7 +203,7 @@ pub(super) fn report(app: &mut App, body: StudyBody) {
     let (page, request) = (*page, Arc::clone(request));
     let scene = Arc::clone(&running.scene);
     let keep = |answer| {
-        app.searching.found[page.place()] = Some(Found { scene, request, answer });
+        app.searching.found[page.index()] = Some(Found { scene, request, answer });
     };
     match body {
         StudyBody::Part { done, total, part: Finding::Search(part) } => {
@@ -207,13 +232,16 @@ pub(super) fn report(app: &mut App, body: StudyBody) {
 fn step(app: &mut App, by: isize) -> Vec<Effect> {
     let row = app.search_row();
     app.searching.row = row;
-    if row == Row::Page {
-        return turn(app, by);
-    }
     let before = app.searching.setup.clone();
     change(app, row, by);
     note(app, row, before, true);
-    Vec::new()
+    after_edit(app)
+}
+
+/// After an edit of the setup: a search that takes less than a second follows at once.
+fn after_edit(app: &mut App) -> Vec<Effect> {
+    let quick = app.searching.page == Page::Seek && app.auto_run;
+    if quick && app.search_is_old() { look(app) } else { Vec::new() }
 }
 
 /// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
@@ -222,7 +250,7 @@ fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
         return;
     }
     let at = app.search_rows().iter().position(|one| *one == row).unwrap_or(0);
-    let stepping = stepped.then_some(STEPPING + 100 * app.searching.page.place() + at);
+    let stepping = stepped.then_some(STEPPING + 100 * app.searching.page.index() + at);
     // Held arrows: from where they began.
     let first = match app.history.edits.last() {
         Some(Edit { stepping: last, setting: Some((Setting::Search(first), _)), .. })
@@ -260,7 +288,6 @@ fn change(app: &mut App, row: Row, by: isize) {
         all[wrap(at, by, all.len())]
     };
     match row {
-        Row::Page => {}
         Row::Name => {
             let names: Vec<&'static str> = numeric().map(|variable| variable.symbol).collect();
             let at = names.iter().position(|name| *name == setup.seek.name).unwrap_or(0);
@@ -305,7 +332,7 @@ fn open_field(app: &mut App) -> Vec<Effect> {
     let row = app.search_row();
     app.searching.row = row;
     match row {
-        Row::Page | Row::Spacing | Row::Across | Row::Up => return step(app, 1),
+        Row::Spacing | Row::Across | Row::Up => return step(app, 1),
         Row::Objective(at) => {
             let before = app.searching.setup.clone();
             app.searching.setup.objectives[at] = !before.objectives[at];
@@ -319,7 +346,7 @@ fn open_field(app: &mut App) -> Vec<Effect> {
         Row::Heading(_) => {}
         _ => {
             let input = Input::new(app.search_text(row));
-            app.searching.field = Some(SearchField { row, input, fresh: true, error: None });
+            app.searching.field = Some(SearchField { row, input, all_selected: true, error: None });
         }
     }
     Vec::new()
@@ -329,12 +356,12 @@ fn open_field(app: &mut App) -> Vec<Effect> {
 pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     match key.code {
         KeyCode::Esc => app.searching.field = None,
-        KeyCode::Enter | KeyCode::Down => commit(app, 1),
-        KeyCode::Up => commit(app, -1),
-        KeyCode::Tab | KeyCode::BackTab => commit(app, 0),
+        KeyCode::Enter | KeyCode::Tab | KeyCode::BackTab => return commit(app, 0),
+        KeyCode::Down => return commit(app, 1),
+        KeyCode::Up => return commit(app, -1),
         _ => {
             if let Some(field) = &mut app.searching.field
-                && input::press(&mut field.input, &mut field.fresh, key)
+                && input::press(&mut field.input, &mut field.all_selected, key)
             {
                 field.error = None;
             }
@@ -344,20 +371,24 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
 }
 
 /// Take the text and go on; a text that is refused stays, with the reason, and nothing else changes.
-fn commit(app: &mut App, then: isize) {
-    let Some(field) = app.searching.field.take() else { return };
+fn commit(app: &mut App, then: isize) -> Vec<Effect> {
+    let Some(field) = app.searching.field.take() else { return Vec::new() };
     let text = field.input.value().trim().to_owned();
     // The bounds of a held variable are a proposal: typed again they are taken.
     let same = text == app.search_text(field.row) && !matches!(field.row, Row::Bound(_));
-    let untouched = field.fresh || same;
+    let untouched = field.all_selected || same;
     let before = app.searching.setup.clone();
     let taken = if untouched { Ok(()) } else { take(app, field.row, &text) };
     match taken {
         Ok(()) => {
             note(app, field.row, before, false);
             app.move_in_search(then);
+            after_edit(app)
         }
-        Err(error) => app.searching.field = Some(SearchField { error: Some(error), ..field }),
+        Err(error) => {
+            app.searching.field = Some(SearchField { error: Some(error), ..field });
+            Vec::new()
+        }
     }
 }
 
@@ -417,8 +448,7 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
                 .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
         }
         Row::Samples => setup.samples = count(text, &(2..=1_000_000))?,
-        Row::Page
-        | Row::Heading(_)
+        Row::Heading(_)
         | Row::Spacing
         | Row::Objective(_)
         | Row::Feasible

@@ -8,6 +8,8 @@ use std::ops::RangeInclusive;
 use crossterm::event::{KeyCode, KeyEvent};
 use tui_input::Input;
 
+use super::act::rows_moved;
+use super::run::step_of;
 use super::{edit, input};
 use crate::model::results::RESULTS;
 use crate::model::scene::{Scene, Sweep};
@@ -23,61 +25,64 @@ use crate::tui::app::steps::{self, Size};
 use crate::tui::app::sweep::{
     Picture, SetupField, SetupRow, Spread, Sweeping, has_family, numeric, sweep_of,
 };
-use crate::tui::message::{Action, Effect};
+use crate::tui::keymap::Action;
+use crate::tui::message::Effect;
 
 /// The numbers of points the arrows go through.
 const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
 /// How many curves a family may have.
 const CURVES: RangeInclusive<u64> = 2..=7;
 
-/// Whether the setup has its own meaning for an action.
-pub(super) fn is_own(action: Action) -> bool {
-    step_of(action).is_some() || matches!(action, Action::Edit | Action::Reset)
-}
-
-fn step_of(action: Action) -> Option<(bool, Size)> {
-    match action {
-        Action::StepDown => Some((false, Size::Plain)),
-        Action::StepUp => Some((true, Size::Plain)),
-        Action::StepDownCoarse => Some((false, Size::Coarse)),
-        Action::StepUpCoarse => Some((true, Size::Coarse)),
-        Action::StepDownFine => Some((false, Size::Fine)),
-        Action::StepUpFine => Some((true, Size::Fine)),
-        _ => None,
+/// What an action does in the setup; `None` where it means nothing of its own.
+pub(super) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let picture = app.picture();
+    if let Some(by) = rows_moved(action, app.layout().log_rows()) {
+        app.move_in_setup(picture, by);
+        return Some(Vec::new());
     }
-}
-
-/// An action of the setup.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
-    let Some(picture) = app.picture() else {
-        return Vec::new();
-    };
     let row = app.setup_row(picture);
     app.sweeping.row = row;
     if let SetupRow::Held(index) = row {
         app.editor.selected = index;
     }
-    match (step_of(action), row) {
-        (Some((up, size)), SetupRow::Held(_)) => edit::step(app, up, size),
-        (Some((up, size)), row) => step(app, picture, row, (up, size)),
-        (None, SetupRow::Held(_)) if action == Action::Reset => edit::reset(app),
-        (None, _) if action == Action::Reset => {
+    if let Some((up, size)) = step_of(action) {
+        return Some(match row {
+            SetupRow::Held(_) => edit::step(app, up, size),
+            row => step(app, picture, row, (up, size)),
+        });
+    }
+    match (action, row) {
+        (Action::Reset, SetupRow::Held(_)) => Some(edit::reset(app)),
+        (Action::Reset, _) => {
             app.say(Severity::Note, "only held variables are reset here: u undoes an edit");
-            Vec::new()
+            Some(Vec::new())
         }
-        (None, SetupRow::Spacing(_) | SetupRow::Design) => {
+        (Action::Enter, row) => Some(open(app, picture, row)),
+        _ => None,
+    }
+}
+
+/// Open the field of a row, or take its next value where it has words.
+fn open(app: &mut App, picture: Picture, row: SetupRow) -> Vec<Effect> {
+    match row {
+        SetupRow::Spacing(_) | SetupRow::Design | SetupRow::Picture => {
             step(app, picture, row, (true, Size::Plain))
         }
         // A list of the words, or the other of two.
-        (None, SetupRow::Held(index)) if !matches!(VARIABLES[index].kind, Kind::Number(_)) => {
+        SetupRow::Held(index) if !matches!(VARIABLES[index].kind, Kind::Number(_)) => {
             super::field::open(app)
         }
-        (None, row) => {
+        row => {
             let input = Input::new(app.setup_text(row));
-            app.sweeping.field = Some(SetupField { row, input, fresh: true, error: None });
+            app.sweeping.field = Some(SetupField { row, input, all_selected: true, error: None });
             Vec::new()
         }
     }
+}
+
+/// The variable along on the other scale.
+pub(super) fn toggle_spacing(app: &mut App) -> Vec<Effect> {
+    step(app, app.picture(), SetupRow::Spacing(0), (true, Size::Plain))
 }
 
 /// A key while a field of the setup is open.
@@ -92,7 +97,7 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
         KeyCode::Tab | KeyCode::BackTab => commit(app, 0),
         _ => {
             if let Some(field) = &mut app.sweeping.field
-                && input::press(&mut field.input, &mut field.fresh, key)
+                && input::press(&mut field.input, &mut field.all_selected, key)
             {
                 field.error = None;
             }
@@ -103,11 +108,10 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
 
 /// Take the text and go on; a text that is refused stays, with the reason, and nothing else changes.
 fn commit(app: &mut App, then: isize) -> Vec<Effect> {
-    let (Some(field), Some(picture)) = (app.sweeping.field.take(), app.picture()) else {
-        return Vec::new();
-    };
+    let Some(field) = app.sweeping.field.take() else { return Vec::new() };
+    let picture = app.picture();
     let text = field.input.value().trim().to_owned();
-    let result = if field.fresh || text == app.setup_text(field.row) {
+    let result = if field.all_selected || text == app.setup_text(field.row) {
         Ok(Vec::new())
     } else {
         take(app, picture, field.row, &text)
@@ -159,7 +163,9 @@ fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Ve
             return tried(app, picture, |sweeping| sweeping.visits.curves = curves);
         }
         SetupRow::Output => {
-            let output = sweep::output(text).map_err(|error| error.to_string())?;
+            let titled = RESULTS.iter().find(|one| one.title().eq_ignore_ascii_case(text));
+            let output = sweep::output(titled.map_or(text, |one| one.name))
+                .map_err(|error| error.to_string())?;
             let at = app.sweeping.output.min(sweep.outputs.len() - 1);
             return Ok(choose_output(app, sweep, at, output.name));
         }
@@ -167,7 +173,9 @@ fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Ve
             let value = VARIABLES[index].parse(&app.scene, text, Bare::Stored);
             return edit::set(app, index, value.map_err(|error| error.to_string())?, None);
         }
-        SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Design => return Ok(Vec::new()),
+        SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Design | SetupRow::Picture => {
+            return Ok(Vec::new());
+        }
     }
     checked(app, picture, sweep, row)
 }
@@ -203,6 +211,13 @@ fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)
         SetupRow::Spacing(at) => {
             sweep.axes[at].log = !sweep.axes[at].log;
             checked(app, picture, sweep, row)
+        }
+        SetupRow::Picture => {
+            let next = match picture {
+                Picture::Line => Picture::Surface,
+                Picture::Surface => Picture::Line,
+            };
+            tried(app, next, |sweeping| sweeping.visits.picture = next)
         }
         SetupRow::Design => {
             let all = Spread::ALL;
@@ -250,7 +265,7 @@ fn step_end(
     Ok(())
 }
 
-/// Another variable on an axis; on the second of the Sweep tab also none.
+/// Another variable on an axis; across curves also none.
 fn next_variable(app: &mut App, picture: Picture, at: usize, by: isize) -> Vec<Effect> {
     let mut sweep = sweep_of(&app.scene);
     let other = variables::find(&sweep.axes[1 - at].name).map(|found| found.key);
@@ -339,7 +354,10 @@ fn tried(
     if after == before {
         return Ok(Vec::new());
     }
-    let label = if old == new {
+    let label = if before.picture != after.picture {
+        let word = if after.picture == Picture::Line { "curves" } else { "a map" };
+        format!("show {word}")
+    } else if old == new {
         format!("curves {} -> {}", before.curves, after.curves)
     } else {
         format!("design {} -> {}", old.word(), new.word())

@@ -2,87 +2,111 @@
 
 use std::sync::Arc;
 
-use super::{jobs, table};
+use super::act::{cursor_moved, rows_moved};
+use super::{edit, jobs, table};
+use crate::model::units::significant;
+use crate::model::variables::{VARIABLES, Value};
 use crate::study::stability::map::{Axis, Method};
 use crate::tui::app::App;
 use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::Table;
 use crate::tui::app::notice::Severity;
-use crate::tui::message::{Action, Effect, Message};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::{Effect, Message};
 use crate::worker::studies::{Finding, Study, StudyBody, StudyKind, StudyReport};
 
 /// Far along the map.
 const FAR: isize = 10;
 
 /// What is shown is computed, unless it has been or is being.
-pub(super) fn enter(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let tab = &app.stability;
-    if tab.battery_shown {
+    if app.pane() == Pane::Battery {
         let there = tab.battery.as_ref().is_some_and(|(_, all)| *all) || tab.running.is_some();
         return if there { Vec::new() } else { battery(app) };
     }
     let there = tab.map.as_ref().is_some_and(|(scene, map)| {
         *scene == app.scene && map.method == tab.method && map.axis == tab.axis
     });
-    if there { Vec::new() } else { map(app) }
+    let coming = tab.mapping.as_ref().is_some_and(|study| study.scene == app.scene);
+    if there || coming { Vec::new() } else { map(app) }
 }
 
-/// Whether the tab has its own meaning for an action.
-pub(super) fn is_own(action: Action) -> bool {
-    matches!(
-        action,
-        Action::Run
-            | Action::Export
-            | Action::FocusNext
-            | Action::FocusPrevious
-            | Action::MapVariable
-            | Action::MapMethod
-            | Action::CursorLeft
-            | Action::CursorRight
-            | Action::CursorLeftFar
-            | Action::CursorRightFar
-            | Action::CursorUpFar
-            | Action::CursorDownFar
-            | Action::Quantity
-    )
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let table = if app.pane() == Pane::Battery { Table::Battery } else { Table::Map };
+    match action {
+        Action::Export => {
+            table::open(app, table);
+            Some(Vec::new())
+        }
+        Action::Copy => Some(table::copy(app, table)),
+        _ if table == Table::Battery => in_battery(app, action),
+        _ => in_map(app, action),
+    }
 }
 
-/// An action the tab has its own meaning for.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+fn in_battery(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Run => return Some(battery(app)),
+        Action::View => app.stability.table_page += 1,
+        Action::Sort => app.stability.sort_next(),
+        _ => {
+            let by = rows_moved(action, app.layout().log_rows())?;
+            let last = app.stability.rows().len().saturating_sub(1);
+            let selected = app.stability.selected;
+            app.stability.selected = selected.saturating_add_signed(by).min(last);
+        }
+    }
+    Some(Vec::new())
+}
+
+fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     let tab = &mut app.stability;
     match action {
-        Action::Run if tab.battery_shown => return battery(app),
-        Action::Run => return map(app),
-        Action::FocusNext | Action::FocusPrevious => {
-            tab.battery_shown = !tab.battery_shown;
-            return enter(app);
-        }
-        Action::MapVariable => {
-            tab.axis = match tab.axis {
-                Axis::K => Axis::N,
-                Axis::N => Axis::B,
-                Axis::B => Axis::K,
+        Action::Run => return Some(map(app)),
+        Action::View => {
+            // Three variables, then the same with the other method.
+            (tab.axis, tab.method) = match (tab.axis, tab.method) {
+                (Axis::K, method) => (Axis::N, method),
+                (Axis::N, method) => (Axis::B, method),
+                (Axis::B, Method::Thesis) => (Axis::K, Method::Rk4),
+                (Axis::B, Method::Rk4) => (Axis::K, Method::Thesis),
             };
-            return map(app);
+            return Some(map(app));
         }
-        Action::MapMethod => {
-            tab.method = match tab.method {
-                Method::Thesis => Method::Rk4,
-                Method::Rk4 => Method::Thesis,
-            };
-            return map(app);
+        Action::Enter => return Some(load(app)),
+        _ => {
+            let (columns, rows) = cursor_moved(action, FAR)?;
+            tab.move_cursor(rows.clamp(-100, 100), columns.clamp(-1000, 1000));
         }
-        Action::Quantity => tab.turned += 1,
-        Action::CursorLeft => tab.move_cursor(0, -1),
-        Action::CursorRight => tab.move_cursor(0, 1),
-        Action::CursorUpFar => tab.move_cursor(FAR, 0),
-        Action::CursorDownFar => tab.move_cursor(-FAR, 0),
-        Action::CursorLeftFar => tab.move_cursor(0, -FAR),
-        Action::CursorRightFar => tab.move_cursor(0, FAR),
-        _ if tab.battery_shown => table::open(app, Table::Battery),
-        _ => table::open(app, Table::Map),
     }
-    Vec::new()
+    Some(Vec::new())
+}
+
+/// Load the value of the row under the cursor into the scene.
+fn load(app: &mut App) -> Vec<Effect> {
+    if app.map_is_old() || app.stability.map.is_none() {
+        app.say(Severity::Error, "no map of this scene: press r to compute it");
+        return Vec::new();
+    }
+    let found = app.stability.map.as_ref().zip(app.stability.cursor());
+    let Some(((_, map), (row, _))) = found else { return Vec::new() };
+    let (symbol, value) = (map.axis.symbol(), map.values[row]);
+    let Some(index) = VARIABLES.iter().position(|one| one.symbol == symbol) else {
+        return Vec::new();
+    };
+    match edit::set(app, index, Value::Number(value), None) {
+        Ok(effects) => {
+            let text = format!("loaded {symbol} = {} (u undoes)", significant(value, 4));
+            app.say(Severity::Note, text);
+            effects
+        }
+        Err(error) => {
+            app.say(Severity::Error, error);
+            Vec::new()
+        }
+    }
 }
 
 fn study(app: &mut App, kind: StudyKind) -> (Measuring, Vec<Effect>) {

@@ -1,43 +1,41 @@
-//! The Sweep and Surface tabs: asking for pictures, moving the cursor (which is the scene), exporting what was found.
+//! The Explore tab: asking for sweeps, moving the cursor, loading the design under it.
 
 use std::sync::Arc;
 
-use crossterm::event::KeyEvent;
-use tui_input::Input;
-
-use super::{edit, jobs, path, setup};
-use crate::study::sweep::Axis;
+use super::act::cursor_moved;
+use super::{edit, jobs, runs, setup, table};
 use crate::study::sweep::grid::Grid;
-use crate::tui::app::dialog::{Dialog, Save};
+use crate::study::sweep::{Axis, Spacing};
+use crate::tui::app::App;
+use crate::tui::app::dialog::Table;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::runs::name_of;
 use crate::tui::app::sweep::{Computing, Contour, Found, Picture};
-use crate::tui::app::{App, Tab};
-use crate::tui::message::{Action, Effect, Message, SweepExport};
+use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::{Effect, Message};
 use crate::worker::sweeps::{SweepBody, SweepJob, SweepReport};
 
-/// Steps of the cursor that belong to one edit carry this in place of a variable.
-const CURSOR: usize = usize::MAX;
 /// Far along a picture, in points.
 const FAR: isize = 10;
+/// One pan step, as a fraction of the view.
+const PAN: f64 = 0.25;
 /// A sweep that will take longer says so.
 const LONG_S: u64 = 60;
 
 /// The picture is computed, unless it is there.
-pub(super) fn enter(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     app.sweeping.field = None;
     refresh(app)
 }
 
 /// After an edit of the scene: a picture on the screen follows at once.
 pub(super) fn after_edit(app: &mut App) -> Vec<Effect> {
-    if app.auto_run { refresh(app) } else { Vec::new() }
+    let shown = app.tab == crate::tui::app::Tab::Explore;
+    if app.auto_run && shown { refresh(app) } else { Vec::new() }
 }
 
 fn refresh(app: &mut App) -> Vec<Effect> {
-    let Some(picture) = app.picture() else {
-        return Vec::new();
-    };
+    let picture = app.picture();
     let plan = app.sweep_plan(picture);
     let wanted = plan.as_ref().ok();
     let coming = app.sweeping.computing.as_ref().map(|it| (it.picture, &*it.plan));
@@ -55,15 +53,21 @@ fn refresh(app: &mut App) -> Vec<Effect> {
     if there { Vec::new() } else { compute(app) }
 }
 
-/// Compute the picture of the present tab.
+/// Compute what Explore shows.
 pub(super) fn compute(app: &mut App) -> Vec<Effect> {
-    let Some(picture) = app.picture() else {
-        return Vec::new();
-    };
+    let picture = app.picture();
+    if let Some(horizon_s) = app.scene.run.horizon_s {
+        let horizon = super::super::app::runs::engineering(horizon_s, "s");
+        app.say(
+            Severity::Warning,
+            format!("horizon is set by hand: every point is simulated to {horizon}, which takes long; `auto` stops at the result"),
+        );
+    }
     match app.sweep_plan(picture) {
         Err(error) => {
             app.sweeping.computing = None;
-            app.sweeping.problem = Some("these axes cannot be swept: r says why".to_owned());
+            app.sweeping.problem =
+                Some("these axes cannot be swept: press r to see why".to_owned());
             app.say(Severity::Error, error.to_string());
             vec![Effect::CancelSweep]
         }
@@ -88,64 +92,40 @@ pub(super) fn compute(app: &mut App) -> Vec<Effect> {
     }
 }
 
-/// Whether the tab has its own meaning for an action.
-pub(super) fn is_own(app: &App, action: Action) -> bool {
-    let both =
-        matches!(action, Action::Run | Action::Export | Action::FocusNext | Action::FocusPrevious);
-    if both || app.sweeping.on_setup {
-        return both || setup::is_own(action);
-    }
-    let surface = app.picture() == Some(Picture::Surface);
-    moved(action).is_some()
-        || matches!(action, Action::Quantity | Action::LogY | Action::Contour | Action::OpenDesign)
-        || (action == Action::Difference && surface)
-}
-
-/// Whether an action moves the cursor: such steps join into one edit.
-pub(super) fn is_step(app: &App, action: Action) -> bool {
-    app.picture().is_some() && !app.sweeping.on_setup && moved(action).is_some()
-}
-
-/// How many points along and up an action moves the cursor.
-fn moved(action: Action) -> Option<(isize, isize)> {
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
-        Action::CursorLeft => Some((-1, 0)),
-        Action::CursorRight => Some((1, 0)),
-        Action::CursorLeftFar => Some((-FAR, 0)),
-        Action::CursorRightFar => Some((FAR, 0)),
-        Action::Up => Some((0, 1)),
-        Action::Down => Some((0, -1)),
-        Action::CursorUpFar => Some((0, FAR)),
-        Action::CursorDownFar => Some((0, -FAR)),
-        _ => None,
-    }
-}
-
-/// An action the tab has its own meaning for.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
-    match action {
-        Action::Run => return compute(app),
-        Action::Export => export(app),
-        Action::FocusNext | Action::FocusPrevious => {
-            app.sweeping.on_setup = !app.sweeping.on_setup;
+        Action::Run => return Some(compute(app)),
+        Action::Export => {
+            table::open(app, Table::Explore);
+            return Some(Vec::new());
         }
-        _ if app.sweeping.on_setup => return setup::act(app, action),
-        Action::Quantity => app.sweeping.output = next_output(app),
-        Action::LogY => app.sweeping.log_values = !app.sweeping.log_values,
+        Action::Copy => return Some(table::copy(app, Table::Explore)),
+        Action::Mark => return Some(pin(app)),
         Action::Contour => {
             app.sweeping.contour = match app.sweeping.contour {
                 Contour::Cursor => Contour::Off,
                 Contour::Off => Contour::Cursor,
             };
+            return Some(Vec::new());
         }
-        Action::Difference => app.sweeping.residuals = !app.sweeping.residuals,
-        Action::OpenDesign => {
-            app.tab = Tab::Run;
-            app.say(Severity::Note, "this design is the current scene: u undoes, Space pins it");
+        Action::FitResiduals => {
+            app.sweeping.residuals = !app.sweeping.residuals;
+            return Some(Vec::new());
         }
-        _ => return walk(app, action),
+        _ if app.pane() == Pane::ExploreSetup => return setup::act(app, action),
+        Action::View => app.sweeping.output = next_output(app),
+        Action::LogY => app.sweeping.log_values = !app.sweeping.log_values,
+        Action::LogX => return Some(setup::toggle_spacing(app)),
+        Action::ZoomIn => zoom(app, |view, scale, about| view.zoomed(scale, about, 2.0)),
+        Action::ZoomOut => zoom(app, |view, scale, about| view.zoomed(scale, about, 0.5)),
+        Action::PanLeft => zoom(app, |view, scale, _| view.panned(scale, -PAN)),
+        Action::PanRight => zoom(app, |view, scale, _| view.panned(scale, PAN)),
+        Action::ZoomFit => app.sweeping.zoom[app.picture() as usize] = None,
+        Action::Enter => return Some(load(app)),
+        _ => move_cursor(app, cursor_moved(action, FAR)?),
     }
-    Vec::new()
+    Some(Vec::new())
 }
 
 fn next_output(app: &App) -> usize {
@@ -153,83 +133,96 @@ fn next_output(app: &App) -> usize {
     (app.sweeping.output + 1) % count
 }
 
-/// Move the cursor: the variables on the axes get the values of the point.
-fn walk(app: &mut App, action: Action) -> Vec<Effect> {
-    let (Some((x, y)), Some(picture)) = (moved(action), app.picture()) else {
-        return Vec::new();
+/// Change the part of the variable along that curves show.
+fn zoom(app: &mut App, change: impl FnOnce(ViewRange, Scale, f64) -> ViewRange) {
+    let picture = app.picture();
+    let Some(found) = app.sweeping.found(picture).filter(|_| picture == Picture::Line) else {
+        app.say(Severity::Note, "a map shows all of its axes: change their ends in the setup");
+        return;
     };
-    let Some(found) = app.sweeping.found(picture) else {
-        app.say(Severity::Note, "nothing to move in yet: r sweeps");
-        return Vec::new();
+    let grid = &found.grid;
+    let axis = &grid.plan().axes()[0];
+    let (from, to) = axis.ends();
+    let whole = ViewRange::new(from, to);
+    let scale = match axis.spacing() {
+        Spacing::Linear => Scale::Linear,
+        Spacing::Log => Scale::Log10,
     };
-    let grid = Arc::clone(&found.grid);
-    if !grid.is_full() {
-        let upward = x == 0 && picture == Picture::Surface;
-        return to_neighbour(app, &grid, usize::from(upward), x + y);
-    }
-    let at = app.cursor_point(&grid);
-    let axes = grid.plan().axes();
-    // On curves only the axis that is walked along snaps to its points; on a surface the cross is the design.
-    let steps = axes.iter().zip([(at.0, x), (at.1, y)]);
-    let steps = steps.filter(|(_, (_, by))| *by != 0 || picture == Picture::Surface);
-    let values: Vec<(&Axis, f64)> =
-        steps.map(|(axis, (at, by))| (axis, stepped(axis, at, by))).collect();
-    cursor_to(app, &values)
+    let about = grid.coordinate(app.cursor_point(grid), 0);
+    let view = change(app.sweeping.zoom[picture as usize].unwrap_or(whole), scale, about);
+    let inside = ViewRange::new(view.lo().max(whole.lo()), view.hi().min(whole.hi()));
+    let all = inside.lo() <= whole.lo() && inside.hi() >= whole.hi();
+    app.sweeping.zoom[picture as usize] = (!all).then_some(inside);
 }
 
-/// Move to another point of a design, in the order of one of its axes.
-fn to_neighbour(app: &mut App, grid: &Grid, axis: usize, by: isize) -> Vec<Effect> {
+/// Move the cursor by points; the scene stays as it is.
+fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
+    let picture = app.picture();
+    let Some(found) = app.sweeping.found(picture) else {
+        app.say(Severity::Note, "no results yet: press r to sweep");
+        return;
+    };
+    let grid = Arc::clone(&found.grid);
+    let at = app.cursor_point(&grid);
+    let next = if grid.is_full() {
+        let (across, up) = grid.counts();
+        let axes = grid.plan().axes();
+        let moved = |at: usize, by: isize, count: usize, axis: Option<&Axis>| {
+            // Right and up lead to greater values, also on an axis that runs downward.
+            let down = axis.is_some_and(|axis| axis.ends().0 > axis.ends().1);
+            at.saturating_add_signed(if down { -by } else { by }).min(count - 1)
+        };
+        (moved(at.0, x, across, axes.first()), moved(at.1, y, up, axes.get(1)))
+    } else {
+        let upward = x == 0 && picture == Picture::Surface;
+        (neighbour(&grid, at.0, usize::from(upward), x + y), 0)
+    };
+    app.sweeping.cursor[picture as usize] = Some(next);
+}
+
+/// Another point of a design, in the order of one of its axes.
+fn neighbour(grid: &Grid, here: usize, axis: usize, by: isize) -> usize {
     let mut order: Vec<usize> = (0..grid.counts().0).collect();
     let axis = axis.min(grid.plan().axes().len() - 1);
     let along = |x: &usize| grid.coordinate((*x, 0), axis);
     order.sort_by(|a, b| along(a).total_cmp(&along(b)));
-    let here = app.cursor_point(grid).0;
     let at = order.iter().position(|x| *x == here).unwrap_or(0);
-    cursor_to_point(app, grid, (order[at.saturating_add_signed(by).min(order.len() - 1)], 0))
+    order[at.saturating_add_signed(by).min(order.len() - 1)]
 }
 
-/// The design of a point of the picture shown becomes the scene.
-pub(super) fn jump(app: &mut App, point: (usize, usize)) -> Vec<Effect> {
-    let found = app.picture().and_then(|picture| app.sweeping.found(picture));
-    let Some(grid) = found.map(|found| Arc::clone(&found.grid)) else {
-        return Vec::new();
-    };
-    let along = app.picture() == Some(Picture::Line) && grid.is_full();
-    if !along {
-        return cursor_to_point(app, &grid, point);
+/// Put the cursor on a point.
+pub(super) fn jump(app: &mut App, point: (usize, usize)) {
+    app.sweeping.cursor[app.picture() as usize] = Some(point);
+}
+
+/// Load the design under the cursor into the scene, as one edit.
+fn load(app: &mut App) -> Vec<Effect> {
+    match app.sweep_design() {
+        Ok((scene, _)) if scene == *app.scene => {
+            app.say(Severity::Note, "the scene is this design already: 1 shows its run");
+            Vec::new()
+        }
+        Ok((scene, words)) => {
+            let effects = edit::commit_scene(app, scene, format!("load {words}"), None);
+            app.say(Severity::Note, format!("loaded {words}: 1 shows its run, u undoes"));
+            effects
+        }
+        Err(why) => {
+            app.say(Severity::Error, why);
+            Vec::new()
+        }
     }
-    let axes: Vec<(&Axis, f64)> =
-        grid.plan().axes().iter().take(1).map(|axis| (axis, grid.coordinate(point, 0))).collect();
-    cursor_to(app, &axes)
 }
 
-fn cursor_to_point(app: &mut App, grid: &Grid, point: (usize, usize)) -> Vec<Effect> {
-    let axes = grid.plan().axes().iter().enumerate();
-    let values: Vec<(&Axis, f64)> =
-        axes.map(|(place, axis)| (axis, grid.coordinate(point, place))).collect();
-    cursor_to(app, &values)
-}
-
-/// The variables on axes get these values.
-fn cursor_to(app: &mut App, values: &[(&Axis, f64)]) -> Vec<Effect> {
-    let mut scene = (*app.scene).clone();
-    let mut words = Vec::new();
-    for (axis, value) in values {
-        (axis.number().set)(&mut scene, Some(*value));
-        words.push(format!("{}={}", axis.symbol(), crate::model::units::significant(*value, 5)));
+/// Pin the design under the cursor.
+fn pin(app: &mut App) -> Vec<Effect> {
+    match app.sweep_design() {
+        Ok((scene, words)) => runs::pin(app, words, Arc::new(scene)),
+        Err(why) => {
+            app.say(Severity::Error, why);
+            Vec::new()
+        }
     }
-    if scene == *app.scene {
-        return Vec::new();
-    }
-    edit::commit_scene(app, scene, format!("cursor to {}", words.join(" ")), Some(CURSOR))
-}
-
-/// The value so many points further, stopping at the ends; up and right lead to greater values.
-fn stepped(axis: &Axis, at: usize, by: isize) -> f64 {
-    let by = if axis.ends().0 < axis.ends().1 { by } else { -by };
-    let last = usize::try_from(axis.count() - 1).unwrap_or(usize::MAX);
-    let index = at.saturating_add_signed(by).min(last);
-    axis.value(u64::try_from(index).unwrap_or(u64::MAX))
 }
 
 /// What is said of the sweep under way; reports of replaced ones are dropped.
@@ -253,13 +246,16 @@ pub(super) fn report(app: &mut App, report: SweepReport) {
             let stopped = !grid.is_complete();
             app.sweeping.show(picture, Found { grid, took: Some(took) });
             if stopped {
-                app.say(Severity::Note, "stopped: what was finished is shown, r sweeps again");
+                app.say(
+                    Severity::Note,
+                    "Cancelled. Partial results are shown; press r to sweep again.",
+                );
             }
             return;
         }
         SweepBody::Failed(text) => {
             app.sweeping.computing = None;
-            app.sweeping.problem = Some("this cannot be swept: r says why".to_owned());
+            app.sweeping.problem = Some("this cannot be swept: press r to see why".to_owned());
             app.say(Severity::Error, text);
             return;
         }
@@ -281,34 +277,4 @@ fn warn_if_long(app: &mut App) {
             "this sweep will take about {minutes} min more: Esc stops it and keeps what is finished"
         ),
     );
-}
-
-fn export(app: &mut App) {
-    let Some(found) = app.picture().and_then(|picture| app.sweeping.found(picture)) else {
-        app.say(Severity::Error, "nothing to export yet: r sweeps");
-        return;
-    };
-    let names: Vec<&str> = found.grid.plan().axes().iter().map(Axis::symbol).collect();
-    let name = format!("{}-{}.csv", path::base_stem(app), names.join("-"));
-    app.dialog = Some(Dialog::ExportSweep(Save {
-        input: Input::new(name),
-        fresh: false,
-        question: false,
-        error: None,
-    }));
-}
-
-/// A key while the dialog for the path is open.
-pub(super) fn press(app: &mut App, state: Save, key: KeyEvent) -> Vec<Effect> {
-    path::press(app, state, key, write, Dialog::ExportSweep)
-}
-
-fn write(app: &App, state: &mut Save, overwrite: bool) -> Vec<Effect> {
-    let Some(found) = app.picture().and_then(|picture| app.sweeping.found(picture)) else {
-        return Vec::new();
-    };
-    let Some(path) = path::typed(app, state, "sweep.csv") else { return Vec::new() };
-    let name = name_of(found.grid.plan().base(), &app.base.name, &app.base.scene);
-    let grid = Arc::clone(&found.grid);
-    vec![Effect::ExportSweep(Box::new(SweepExport { path, overwrite, name, grid }))]
 }

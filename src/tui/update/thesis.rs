@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use super::act::rows_moved;
+use super::run::step_of;
 use super::{edit, jobs, sweep, table};
-use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
@@ -12,10 +13,11 @@ use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::Table;
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::notice::Severity;
+use crate::tui::app::steps::Size;
 use crate::tui::app::sweep::{Picture, Spread};
-use crate::tui::app::thesis::Page;
-use crate::tui::app::{App, Base, Origin, Tab};
-use crate::tui::message::{Action, Effect, Message};
+use crate::tui::app::{App, Base, Origin};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::{Effect, Message};
 use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
 
 /// A step of a weight, percent.
@@ -26,50 +28,45 @@ const STEPPING: usize = usize::MAX - 100;
 const WEIGHT_MAX: f64 = 100.0;
 
 /// The tab is shown: check the claims, unless they have been or are being.
-pub(super) fn enter(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let tab = &app.thesis;
     let there = tab.report.as_ref().is_some_and(|(_, all)| *all) || tab.running.is_some();
-    if there { Vec::new() } else { check(app) }
+    if there || app.pane() != Pane::Claims { Vec::new() } else { check(app) }
 }
 
-/// Whether the tab has its own meaning for an action.
-pub(super) fn is_own(action: Action) -> bool {
-    matches!(
-        action,
-        Action::Run
-            | Action::Export
-            | Action::FocusNext
-            | Action::FocusPrevious
-            | Action::OpenDesign
-            | Action::NextVerdict
-            | Action::StepUp
-            | Action::StepDown
-            | Action::ResetAll
-    )
-}
-
-/// An action the tab has its own meaning for.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
-    let tab = &mut app.thesis;
-    match action {
-        Action::Run => return check(app),
-        Action::FocusNext => tab.page = tab.page.next(),
-        Action::FocusPrevious => tab.page = tab.page.next().next(),
-        Action::OpenDesign => return open(app),
-        Action::NextVerdict => tab.next_filter(),
-        Action::StepUp | Action::StepDown => {
-            let by = if action == Action::StepUp { STEP } else { -STEP };
-            let (mut weights, at) = (tab.weights, tab.criterion);
-            weights[at] = (weights[at] + by).clamp(0.0, WEIGHT_MAX);
-            weigh(app, weights, Some(at));
-        }
-        Action::ResetAll => {
-            weigh(app, WEIGHTS_PERCENT, None);
-            app.say(Severity::Note, "the weights are those of Table 7.1 again (u undoes)");
-        }
-        _ => table::open(app, Table::Thesis),
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let pane = app.pane();
+    if let (Pane::Screening, Some((up, size))) = (pane, step_of(action)) {
+        let step = match size {
+            Size::Plain => STEP,
+            Size::Coarse => 10.0 * STEP,
+            Size::Fine => 0.1 * STEP,
+        };
+        let (mut weights, at) = (app.thesis.weights, app.thesis.criterion);
+        weights[at] = (weights[at] + if up { step } else { -step }).clamp(0.0, WEIGHT_MAX);
+        weigh(app, weights, Some(at));
+        return Some(Vec::new());
     }
-    Vec::new()
+    match action {
+        Action::Run => return Some(check(app)),
+        Action::Enter => return Some(open(app)),
+        Action::View if pane == Pane::Claims => app.thesis.next_filter(),
+        Action::Sort => app.thesis.by_verdict = !app.thesis.by_verdict,
+        Action::Reset => {
+            let (mut weights, at) = (app.thesis.weights, app.thesis.criterion);
+            weights[at] = WEIGHTS_PERCENT[at];
+            weigh(app, weights, None);
+            app.say(Severity::Note, "the weight is that of Table 7.1 again (u undoes)");
+        }
+        Action::Export => table::open(app, Table::Thesis),
+        Action::Copy => return Some(table::copy(app, Table::Thesis)),
+        _ => {
+            let by = rows_moved(action, app.layout().log_rows())?;
+            app.move_in_thesis(by);
+        }
+    }
+    Some(Vec::new())
 }
 
 /// Other weights, as one edit; steps of one criterion join.
@@ -111,12 +108,13 @@ fn check(app: &mut App) -> Vec<Effect> {
 /// Open what the selected row shows, as one edit: a sweep in its tab, another scene in the Run tab.
 fn open(app: &mut App) -> Vec<Effect> {
     let tab = &app.thesis;
-    let opens = match tab.page {
-        Page::Claims => tab.row().map_or(Opens::Nothing, |row| row.claim.opens),
-        Page::Principles => PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset),
-        Page::Screening => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
+    let row = app.claim();
+    let opens = match app.pane() {
+        Pane::Principles => PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset),
+        Pane::Screening => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
+        _ => row.map_or(Opens::Nothing, |row| row.claim.opens),
     };
-    let id = tab.row().map_or("claim", |row| row.claim.id);
+    let id = row.map_or("claim", |row| row.claim.id);
     let base = match opens {
         Opens::Nothing => None,
         Opens::Scene(scene) => Some(Base {
@@ -136,36 +134,29 @@ fn open(app: &mut App) -> Vec<Effect> {
         app.say(Severity::Note, "no scene shows this");
         return Vec::new();
     };
-    let name = base.name.clone();
-    app.tab = tab_of(&base.scene);
-    let swept = app.tab != Tab::Run;
-    if swept {
-        // The sweep as the preset has it, whatever was looked at before.
-        app.sweeping.on_setup = false;
-        app.sweeping.output = 0;
-        for picture in [Picture::Line, Picture::Surface] {
-            app.sweeping.set_spread(picture, Spread::Grid);
-        }
-    }
-    let mut effects = edit::load(app, base);
-    if swept {
-        effects.extend(sweep::enter(app));
-    }
-    let what = if swept { "its sweep" } else { "its run" };
-    app.say(
-        Severity::Note,
-        format!("{name} loaded, here is {what} (u undoes, 7 goes back to the thesis)"),
-    );
-    effects
+    show(app, base)
 }
 
-/// The tab that shows what a scene is about: a map over two variables, curves over one, else its run.
-pub(super) fn tab_of(scene: &Scene) -> Tab {
-    match scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len()) {
-        0 => Tab::Run,
-        1 => Tab::Sweep,
-        _ => Tab::Surface,
+/// Load a scene and show what it is about: a sweep in Explore, else its run.
+pub(super) fn show(app: &mut App, base: Base) -> Vec<Effect> {
+    let name = base.name.clone();
+    let axes = base.scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len());
+    let mut effects = edit::load(app, base);
+    if axes == 0 {
+        app.focus_on(Pane::Variables);
+        return effects;
     }
+    app.focus_on(Pane::Explore);
+    app.sweeping.output = 0;
+    app.sweeping.cursor = [None; 2];
+    app.sweeping.zoom = [None; 2];
+    // The sweep as the preset has it, whatever was looked at before.
+    let visits = &mut app.sweeping.visits;
+    visits.picture = if axes == 1 { Picture::Line } else { Picture::Surface };
+    visits.spreads = [Spread::Grid; 2];
+    effects.extend(sweep::enter(app));
+    app.say(Severity::Note, format!("{name} loaded, here is its sweep (u undoes)"));
+    effects
 }
 
 /// A report of the study under way.

@@ -16,7 +16,7 @@ use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, Layout, Legend, Level, Scale, Unit, ViewRange,
 };
-use crate::tui::theme::{Pane, Role};
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Columns of a method's letter and name in the table.
 const NAME: u16 = 19;
@@ -68,10 +68,10 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     let curves = tab.curves();
     let title = "Relative error";
     let (Some(times), Some(errors)) = (tab.times(), tab.errors()) else {
-        let inner = Pane::new(title).render(area, buffer, app.theme);
+        let inner = PaneFrame::new(title).render(area, buffer, app.theme);
         let text = match (&tab.measuring, &tab.report) {
             (Some(_), _) => "measuring the first points",
-            (None, Some(_)) if tab.sight.times.is_some() => "nothing in view: 0 shows everything",
+            (None, Some(_)) if tab.view.times.is_some() => "nothing in view: 0 shows everything",
             (None, Some(_)) => "nothing to draw: no point, or all are hidden (V)",
             (None, None) if app.needs_single_plate() => NEEDS_SINGLE,
             (None, None) => "not measured yet: r measures",
@@ -96,16 +96,16 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
             .emphasis(emphasis(*method))
     });
     let (guides, bars) =
-        (guides(app, times, errors), if tab.sight.bars { tab.spreads() } else { Vec::new() });
+        (guides(app, times, errors), if tab.view.bars { tab.spreads() } else { Vec::new() });
     let slopes = guides.iter().map(|(marker, points)| {
         Curve::new(*marker, "slope", points).colour(GUIDE_COLOUR).emphasis(Emphasis::Stale)
     });
     let spreads = bars.iter().map(|(method, points)| {
         Curve::new('-', "spread", points).colour(colour(*method)).emphasis(Emphasis::Normal)
     });
-    let x = Axis::new("run time", times).scale(tab.sight.time_scale).unit(Unit::scaled(1e6, "µs"));
-    let y = Axis::new("", errors).scale(tab.sight.error_scale);
-    let title = if old { "Relative error, old" } else { title };
+    let x = Axis::new("run time", times).scale(tab.view.time_scale).unit(Unit::scaled(1e6, "µs"));
+    let y = Axis::new("", errors).scale(tab.view.error_scale);
+    let title = if old { "Relative error, of another scene" } else { title };
     let targets = TARGETS.iter().map(|y| Level { y: *y, tag: "".into() });
     // In a small chart the curves would run through the words.
     let floor = if area.width < 44 { "floor" } else { "reference's floor" };
@@ -129,9 +129,9 @@ type Line = Vec<(f64, f64)>;
 
 /// Dashed lines of the slopes that orders make, from the upper left corner, each drawn with its order.
 fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
-    let sight = app.accuracy.sight;
-    let logarithmic = sight.time_scale == Scale::Log10 && sight.error_scale == Scale::Log10;
-    if !(sight.guides && logarithmic) {
+    let view = app.accuracy.view;
+    let logarithmic = view.time_scale == Scale::Log10 && view.error_scale == Scale::Log10;
+    if !(view.guides && logarithmic) {
         return Vec::new();
     }
     let span = times.hi() / times.lo();
@@ -154,13 +154,13 @@ fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
 fn methods(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.accuracy;
     let room = area.width.saturating_sub(2 + NAME);
-    let page = Page::of(&TABLE, room, tab.turned);
+    let page = Page::of(&TABLE, room, tab.table_page);
     let hint = page.hint().unwrap_or_else(|| "V hides".to_owned());
-    let inner = Pane::new("Methods").right(hint).render(area, buffer, app.theme);
+    let inner = PaneFrame::new("Methods").right(hint).render(area, buffer, app.theme);
     page.headings(buffer, inner, NAME, app.theme.style(Role::Dim));
     let count = Method::ALL.len();
     let height = usize::from(inner.height.saturating_sub(1));
-    let first = first_row(tab.selected, height, count);
+    let first = first_row(tab.selected_row(), height, count);
     for (row, (index, method)) in (1..inner.height).zip(Method::ALL.iter().enumerate().skip(first))
     {
         let hidden = tab.hidden.contains(method);
@@ -172,7 +172,7 @@ fn methods(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
         if let Some(report) = tab.of(*method) {
             page.values(buffer, inner, (NAME, row), (report, style));
         }
-        if index == tab.selected && app.dialog.is_none() {
+        if index == tab.selected_row() && app.dialog.is_none() {
             paint_row(buffer, inner, row, app.theme.style(Role::Selection));
         }
     }

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::text::{put, put_line};
+use crate::model::mechanism::load::yields_at_m;
 use crate::model::run::Run;
 use crate::tui::app::App;
 use crate::tui::app::charts::{Curve as Data, Window};
@@ -16,7 +17,7 @@ use crate::tui::chart::{
     self, Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Side,
     Unit, ViewRange, align_gutters,
 };
-use crate::tui::theme::{Pane, Role};
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Rows of readout below a single chart, without the line that closes the box.
 const READOUT_ROWS: u16 = 2;
@@ -43,7 +44,7 @@ pub(super) fn render(
 }
 
 fn single(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) -> chart::Layout {
-    let inner = Pane::new("").focused(focused).render(area, buffer, app.theme);
+    let inner = PaneFrame::new("").focused(focused).render(area, buffer, app.theme);
     let data = app.curves(app.charts.quantities[app.charts.selected]);
     let below = if area.height >= 12 { READOUT_ROWS } else { 0 };
     let second = app.second_curve(app.charts.selected);
@@ -106,6 +107,9 @@ type Drawn<'a> = (&'a [Data], Option<&'a (Quantity, Data)>);
 
 fn chart<'a>(app: &'a App, index: usize, (data, second): Drawn<'a>) -> Chart<'a> {
     let quantity = app.charts.quantities[index];
+    if quantity == Quantity::MountForce {
+        return force_over_displacement(app, data);
+    }
     let (from, to) = app.time_range_s();
     let scale = app.charts.value_scales[index];
     let time = ViewRange::new(from, to);
@@ -143,6 +147,35 @@ fn chart<'a>(app: &'a App, index: usize, (data, second): Drawn<'a>) -> Chart<'a>
         right,
         ..Chart::new(title(app, quantity), x, y, overlay.into_iter().chain(curves).collect())
     }
+}
+
+/// The force on the mount over the plate's displacement, with the displacement at which the spring yields, and its stop.
+fn force_over_displacement<'a>(app: &'a App, data: &'a [Data]) -> Chart<'a> {
+    let quantity = Quantity::MountForce;
+    let points = || data.iter().flat_map(|curve| curve.points.iter().copied());
+    let mechanism = &app.scene.mechanism;
+    let yields = yields_at_m(&mechanism.spring).map(|at| (at, "yield"));
+    let marks = yields.into_iter().chain(mechanism.stop.position_m.map(|at| (at, "stop")));
+    let x = ViewRange::of(Scale::Linear, points().map(|point| point.0)).unwrap_or_default();
+    let y = ViewRange::of(Scale::Linear, points().map(|point| point.1).chain([0.0]));
+    let (x, y) = (x.padded(Scale::Linear, 0.04), y.unwrap_or_default().padded(Scale::Linear, 0.04));
+    let marks: Vec<EventLine<'static>> = marks
+        .filter(|(at, _)| x.contains(*at))
+        .map(|(at, tag)| EventLine { x: at, tag: tag.into() })
+        .collect();
+    let views = app.visible_runs();
+    let curves = data.iter().zip(&views).map(|(curve, view)| {
+        Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
+            .colour(curve.index)
+            .emphasis(if curve.old { Emphasis::Stale } else { Emphasis::Normal })
+    });
+    let run = app.shown.as_ref().map(|shown| &shown.run);
+    let crosshair = run
+        .zip(app.charts.cursor_s)
+        .and_then(|(run, t_s)| Quantity::PlateDisplacement.at(run, t_s));
+    let x = Axis::new("x", x).unit(Unit::with_prefix(x, "m"));
+    let y = Axis::new("", y).unit(Unit::with_prefix(y, quantity.unit()));
+    Chart { events: marks, crosshair, ..Chart::new(title(app, quantity), x, y, curves.collect()) }
 }
 
 /// A vertical axis that shows all of some curves.

@@ -66,7 +66,7 @@ fn one(
     let (lead, text) = match row {
         ExportRow::Path => ("  file", String::new()),
         ExportRow::GridRows => ("  rows", String::new()),
-        ExportRow::What => ("  what", format!("< {} >", state.what.words())),
+        ExportRow::What => ("  what", format!("< {} >", state.what.label())),
         ExportRow::Style => ("  style", format!("< {} >", state.style.words())),
         ExportRow::Meta => ("  scene", format!("< {} >", state.meta.words())),
         ExportRow::Run(index) => {

@@ -1,4 +1,4 @@
-//! The help overlay and the palette: both list the key table.
+//! The help overlay, which lists the key table, and the palette.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -8,16 +8,13 @@ use super::popup::{filter, frame};
 use super::text::{Rows, first_row, paint_row, put};
 use crate::model::variables::Kind;
 use crate::tui::app::App;
-use crate::tui::app::dialog::{Picker, help_rows, palette_rows};
+use crate::tui::app::dialog::{HelpRow, Picker, help_rows};
 use crate::tui::app::status::{clip, wrap};
-use crate::tui::message::{Binding, Place};
-use crate::tui::theme::{Role, columns};
+use crate::tui::keymap::Pane;
+use crate::tui::theme::Role;
 
-/// Where the pane and the sentence of a row begin.
-const PLACE: u16 = 16;
-const SENTENCE: u16 = 29;
-/// A list keeps so many rows before anything stands below it.
-const LEAST_ROWS: u16 = 4;
+/// Where the sentence of a row begins.
+const SENTENCE: u16 = 14;
 
 /// Keys: what the selected variable means on top, then the keys of the focused pane, then the others.
 pub(super) fn help(
@@ -27,7 +24,8 @@ pub(super) fn help(
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) -> Rows {
-    let inner = frame(app, screen, (92, 48), ("Help", "q closes"), buffer);
+    let title = format!("Keys of {}, then of every pane", app.pane().label());
+    let inner = frame(app, screen, (92, 48), (title.as_str(), "q closes"), buffer);
     let about = about(app, usize::from(inner.width));
     let mut top = 0;
     for (text, role) in &about {
@@ -44,7 +42,7 @@ pub(super) fn help(
     list(app, &rows, picker.selected, below(rest), buffer)
 }
 
-/// Every action by name.
+/// What `:` finds, and what Enter does with the selected one.
 pub(super) fn palette(
     app: &App,
     picker: &Picker,
@@ -52,33 +50,52 @@ pub(super) fn palette(
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) -> Rows {
-    let inner = frame(app, screen, (76, 20), ("Find an action", "Esc closes"), buffer);
+    let titles = ("Find an action, preset, variable or page", "Esc closes");
+    let inner = frame(app, screen, (76, 20), titles, buffer);
     filter(app, picker, inner, buffer, cursor);
-    let rows = palette_rows(app, picker.filter.value());
-    list(app, &rows, picker.selected, below(inner), buffer)
+    let list = below(inner);
+    let list = Rect { height: list.height.saturating_sub(DOES), ..list };
+    let found = app.palette(picker.filter.value());
+    if found.is_empty() {
+        put(buffer, list, (0, 0), "nothing has this name", app.theme.style(Role::Dim));
+    }
+    let first = first_row(picker.selected, usize::from(list.height), found.len());
+    for (row, (index, item)) in (0..list.height).zip(found.iter().enumerate().skip(first)) {
+        let mark = if item.kind() == "broken" { "!" } else { " " };
+        put(buffer, list, (0, row), mark, app.theme.style(Role::Warning));
+        put(buffer, list, (2, row), &clip(item.name(), 40), app.theme.style(Role::Text));
+        let kind = list.width.saturating_sub(10);
+        put(buffer, list, (kind, row), item.kind(), app.theme.style(Role::Dim));
+        if index == picker.selected {
+            paint_row(buffer, list, row, app.theme.style(Role::Selection));
+        }
+    }
+    let does = found.get(picker.selected).map_or_else(String::new, |item| app.palette_does(item));
+    let foot = Rect { y: list.bottom(), height: DOES, ..list };
+    for (row, line) in (0..DOES).zip(wrap(&does, usize::from(foot.width))) {
+        put(buffer, foot, (0, row), &line, app.theme.style(Role::Title));
+    }
+    Rows { area: list, first, count: found.len() }
 }
+
+/// Rows that say what Enter does.
+const DOES: u16 = 2;
 
 fn below(area: Rect) -> Rect {
     Rect { y: area.y + area.height.min(1), height: area.height.saturating_sub(1), ..area }
 }
 
-fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut Buffer) -> Rows {
+fn list(app: &App, rows: &[HelpRow], selected: usize, area: Rect, buffer: &mut Buffer) -> Rows {
     if rows.is_empty() {
         put(buffer, area, (0, 0), "nothing matches", app.theme.style(Role::Dim));
     }
     let room = usize::from(area.width.saturating_sub(SENTENCE));
-    let area = whole(app, rows, (selected, room), area, buffer);
     let first = first_row(selected, usize::from(area.height), rows.len());
-    for (row, (index, binding)) in (0..area.height).zip(rows.iter().enumerate().skip(first)) {
-        put(
-            buffer,
-            area,
-            (0, row),
-            &clip(&binding.keys_in_words(), 15),
-            app.theme.style(Role::Key),
-        );
-        put(buffer, area, (PLACE, row), binding.place.words(), app.theme.style(Role::Dim));
-        put(buffer, area, (SENTENCE, row), &clip(binding.help, room), app.theme.style(Role::Text));
+    for (row, (index, line)) in (0..area.height).zip(rows.iter().enumerate().skip(first)) {
+        let keys = clip(&line.keys, usize::from(SENTENCE) - 2);
+        put(buffer, area, (0, row), &keys, app.theme.style(Role::Key));
+        let role = if line.pane.is_empty() { Role::Dim } else { Role::Text };
+        put(buffer, area, (SENTENCE, row), &clip(line.help, room), app.theme.style(role));
         if index == selected {
             paint_row(buffer, area, row, app.theme.style(Role::Selection));
         }
@@ -86,34 +103,9 @@ fn list(app: &App, rows: &[&Binding], selected: usize, area: Rect, buffer: &mut 
     Rows { area, first, count: rows.len() }
 }
 
-/// The whole sentence of the selected row below the list, where some are cut and there is room; gives what is left for the
-/// list.
-fn whole(
-    app: &App,
-    rows: &[&Binding],
-    (selected, room): (usize, usize),
-    area: Rect,
-    buffer: &mut Buffer,
-) -> Rect {
-    let width = usize::from(area.width);
-    let cut = rows.iter().filter(|row| columns(row.help) > room);
-    let needed = cut.map(|row| wrap(row.help, width).len()).max().unwrap_or(0);
-    let needed = u16::try_from(needed).unwrap_or(u16::MAX);
-    if needed == 0 || area.height < needed.saturating_add(LEAST_ROWS) {
-        return area;
-    }
-    let list = Rect { height: area.height - needed, ..area };
-    let below = Rect { y: list.bottom(), height: needed, ..area };
-    let lines = rows.get(selected).map_or_else(Vec::new, |row| wrap(row.help, width));
-    for (row, line) in (0..below.height).zip(&lines) {
-        put(buffer, below, (0, row), line, app.theme.style(Role::Dim));
-    }
-    list
-}
-
 /// Meaning, allowed values, range and source of the selected variable, while the list of variables has the keys.
 fn about(app: &App, width: usize) -> Vec<(String, Role)> {
-    if app.place() != Place::Variables {
+    if app.pane() != Pane::Variables {
         return Vec::new();
     }
     let variable = app.editor.variable();

@@ -3,18 +3,24 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
+use tui_input::Input;
 
-use super::text::{columns, put_line};
+use super::Cursor;
+use super::text::{columns, put, put_line, window};
 use crate::tui::app::App;
 use crate::tui::app::dialog::Dialog;
-use crate::tui::app::sweep::{SetupRow, has_family};
-use crate::tui::message::{Action, BINDINGS, Binding, Place};
+use crate::tui::app::search::Page;
+use crate::tui::app::sweep::{Picture, SetupRow, has_family};
+use crate::tui::keymap::{Action, PANE_KEYS, Pane};
 use crate::tui::theme::Role;
 
 type Keys = &'static [(&'static str, &'static str)];
 
 /// Draw it.
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
+    if let Some(field) = app.find.field.as_ref().filter(|_| app.dialog.is_none()) {
+        return find(app, field, area, buffer, cursor);
+    }
     let entries = match special(app) {
         Some(list) => {
             list.iter().map(|(key, what)| ((*key).to_owned(), (*what).to_owned())).collect()
@@ -35,6 +41,19 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     put_line(buffer, area, 0, &Line::from(spans));
 }
 
+/// The field of `/`, and what ends it.
+fn find(app: &App, field: &Input, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
+    let lead = format!("/ find in {}: ", app.pane().label());
+    let start = put(buffer, area, (1, 0), &lead, app.theme.style(Role::Key));
+    let hint = "Enter keep  Esc all";
+    let room = area.width.saturating_sub(start + columns(hint) + 2);
+    let (shown, at) = window(field, room);
+    put(buffer, area, (start, 0), &shown, app.theme.style(Role::Text));
+    let hint_at = area.width.saturating_sub(columns(hint) + 1);
+    put(buffer, area, (hint_at, 0), hint, app.theme.style(Role::Dim));
+    *cursor = Some((area.x + start + at, area.y));
+}
+
 /// While a quantity is typed.
 const QUANTITY: Keys = &[
     ("Enter", "ok"),
@@ -49,18 +68,15 @@ const WORD: Keys = &[("Enter", "ok"), ("Esc", "old value"), ("Up/Down", "ok and 
 fn special(app: &App) -> Option<Keys> {
     match &app.dialog {
         Some(dialog) => Some(in_dialog(dialog)),
-        None if app.editor.field.is_some() => Some(QUANTITY),
-        None if app.sweeping.field.is_some() && app.picture().is_some() => {
+        None if !app.is_typing() => None,
+        None if app.pane() == Pane::Variables => Some(QUANTITY),
+        None if app.pane() == Pane::ExploreSetup => {
             let row = app.sweeping.field.as_ref().map(|field| field.row);
             let has_unit =
                 matches!(row, Some(SetupRow::From(_) | SetupRow::To(_) | SetupRow::Held(_)));
             Some(if has_unit { QUANTITY } else { WORD })
         }
-        None if app.searching.field.is_some() => Some(WORD),
-        None if app.editor.filter_field.is_some() => {
-            Some(&[("Enter", "keep"), ("Esc", "all rows again"), ("Up/Down", "move")])
-        }
-        None => None,
+        None => Some(WORD),
     }
 }
 
@@ -86,12 +102,11 @@ fn in_dialog(dialog: &Dialog) -> Keys {
         Dialog::Save(save) if save.question => {
             &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
         }
-        Dialog::ExportAccuracy(save) | Dialog::ExportSweep(save) | Dialog::ExportTable(_, save)
-            if save.question =>
-        {
+        Dialog::ExportTable(_, save) if save.question => {
             &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]
         }
-        Dialog::ExportAccuracy(_) | Dialog::ExportSweep(_) | Dialog::ExportTable(..) => {
+        Dialog::Options(_) => &[("j/k", "move"), ("h/l", "change"), ("Esc", "close")],
+        Dialog::ExportTable(..) => {
             &[("Enter", "write"), ("Tab", "complete path"), ("Esc", "close")]
         }
         Dialog::Curve(..) => &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")],
@@ -110,80 +125,66 @@ fn in_dialog(dialog: &Dialog) -> Keys {
     }
 }
 
-/// As many as fit by priority, then the pane's own first and `?` last.
+/// The keys of the pane, the most useful first, as many as fit; the keys of every pane at the end: `? keys  : find  q quit`.
 fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
-    let place = app.place();
-    let mut rows: Vec<&Binding> = BINDINGS
-        .iter()
-        .filter(|row| row.footer > 0 && (row.place == place || row.place == Place::Anywhere))
-        // These tabs have one pane.
-        .filter(|row| {
-            let elsewhere = [Action::Pin, Action::Window, Action::FullPane];
-            match place {
-                Place::Log | Place::Accuracy | Place::Limit => {
-                    row.action != Action::FocusNext && !elsewhere.contains(&row.action)
-                }
-                Place::Map
-                | Place::Battery
-                | Place::SearchSetup
-                | Place::Search
-                | Place::Claims
-                | Place::Principles
-                | Place::Screening => !elsewhere.contains(&row.action),
-                Place::Setup | Place::Lines | Place::Surface => row.action != Action::Window,
-                Place::Anywhere | Place::Variables | Place::Charts | Place::Runs => true,
-            }
-        })
-        .collect();
-    rows.retain(|row| !is_idle(app, row));
-    rows.sort_by_key(|row| (row.footer, row.place == Place::Anywhere));
+    let map = &app.keymap;
+    let key = |action| map.label(action);
+    let mut last: Vec<(String, String)> = Vec::new();
+    for (action, what) in
+        [(Action::Help, "keys"), (Action::Palette, "find"), (Action::Quit, "quit")]
+    {
+        last.push((key(action), what.to_owned()));
+    }
+    let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + 3;
+    let room = width.saturating_sub(last.iter().map(size).sum::<u16>());
+    let own = PANE_KEYS.iter().filter(|row| row.pane == app.pane() && !is_idle(app, row.action));
+    let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
+    let common = [
+        (Action::FocusNext, "pane"),
+        (Action::Presets, "presets"),
+        (Action::Export, "export"),
+        (Action::Undo, "undo"),
+        (Action::Options, "options"),
+    ];
+    let common = common.map(|(action, what)| (key(action), what.to_owned()));
     let mut used = 1;
-    rows.retain(|row| {
-        let (key, short) = entry(row);
-        used += columns(&key) + columns(short) + 3;
-        used <= width + 2
-    });
-    rows.sort_by_key(|row| (row.footer == 1, row.place == Place::Anywhere, row.footer));
-    rows.into_iter()
-        .map(|row| {
-            let (key, short) = entry(row);
-            (key, short.to_owned())
-        })
-        .collect()
+    let mut shown: Vec<(String, String)> = Vec::new();
+    for entry in own.chain(common) {
+        used += size(&entry);
+        if used > room {
+            break;
+        }
+        shown.push(entry);
+    }
+    shown.extend(last);
+    shown
 }
 
-/// Whether it has nothing to act on as things are: no design to choose or open, no family of curves.
-fn is_idle(app: &App, row: &Binding) -> bool {
-    match (row.place, row.action) {
-        (Place::Search, Action::CursorRight | Action::OpenDesign) => app.searching.choices() == 0,
-        (Place::Lines, Action::Down) => !has_family(&app.scene),
+/// Whether it has nothing to act on as things are.
+fn is_idle(app: &App, action: Action) -> bool {
+    match (app.pane(), action) {
+        (Pane::Search, Action::Down | Action::Enter | Action::Mark | Action::Sort) => {
+            app.searching.choices() == 0
+        }
+        (Pane::Search, Action::View) => app.searching.page != Page::Front,
+        (Pane::Explore, Action::Down) => app.picture() == Picture::Line && !has_family(&app.scene),
         (_, _) => false,
     }
 }
 
-/// The key to show, with its opposite where there is one: `h/l step`.
-fn entry(row: &Binding) -> (String, &'static str) {
-    let key = row.keys.first().map_or_else(String::new, |key| key.words());
-    let Some((opposite, short, first)) = opposite(row.action) else {
-        return (key, row.short);
-    };
-    let other = BINDINGS.iter().find(|other| other.place == row.place && other.action == opposite);
-    let other = other.and_then(|other| other.keys.first()).map(|key| key.words());
-    let Some(other) = other else {
-        return (key, short);
-    };
-    let short = if short.is_empty() { row.short } else { short };
-    (if first { format!("{key}/{other}") } else { format!("{other}/{key}") }, short)
-}
-
-/// The action that goes the other way, a word for both, and whether the action itself is named first.
-fn opposite(action: Action) -> Option<(Action, &'static str, bool)> {
-    match action {
-        Action::StepUp => Some((Action::StepDown, "step", false)),
-        Action::CursorRight => Some((Action::CursorLeft, "", false)),
-        Action::ZoomIn => Some((Action::ZoomOut, "zoom", true)),
-        Action::EventNext => Some((Action::EventPrevious, "event", true)),
-        Action::Down => Some((Action::Up, "", true)),
+/// The key to show, with its opposite where there is one: `h/l`.
+fn pair(app: &App, action: Action) -> String {
+    let opposite = match action {
+        Action::Right => Some((Action::Left, false)),
+        Action::Down => Some((Action::Up, true)),
+        Action::ZoomIn => Some((Action::ZoomOut, true)),
+        Action::EventNext => Some((Action::EventPrevious, true)),
         _ => None,
+    };
+    let own = app.keymap.label(action);
+    match opposite.map(|(other, first)| (app.keymap.label(other), first)) {
+        Some((other, true)) => format!("{own}/{other}"),
+        Some((other, false)) => format!("{other}/{own}"),
+        None => own,
     }
 }

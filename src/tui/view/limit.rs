@@ -13,7 +13,8 @@ use crate::tui::app::status::clip;
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, EventLine, Layout, Legend, Mapping, Scale, Unit, ViewRange,
 };
-use crate::tui::theme::{Pane, Role};
+use crate::tui::keymap::Pane;
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Points of a drawn law.
 const LAW_POINTS: usize = 400;
@@ -24,7 +25,7 @@ const OWN_IN_VIEW: f64 = 4.0;
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     // Until something is found nothing stands above the pane.
     let Some(head) = app.limit_headline() else { return chart(app, area, buffer) };
-    let head = if app.limit_is_old() { format!("old: {head}") } else { head };
+    let head = if app.limit_is_old() { format!("{head}; another scene's: press r") } else { head };
     let head = clip(&head, usize::from(area.width.saturating_sub(2)));
     let role = if app.limit_is_old() { Role::Warning } else { Role::Title };
     put(buffer, area, (1, 0), &head, app.theme.style(role));
@@ -56,8 +57,9 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layou
 
 fn write(app: &App, lines: &[Fact], hint: &'static str, area: Rect, buffer: &mut Buffer) {
     let title = "Fitted laws and scatter";
-    let inner = Pane::new(title).right(hint).render(area, buffer, app.theme);
-    let column = if app.size.0 >= BESIDE { 0 } else { LABEL };
+    let inner = PaneFrame::new(title).right(hint).render(area, buffer, app.theme);
+    let column =
+        if lines.iter().any(|line| !line.0.is_empty() && !line.2.is_empty()) { LABEL } else { 0 };
     for (row, (label, severity, text)) in (0..inner.height).zip(lines) {
         let role = match severity {
             Severity::Note => Role::Text,
@@ -71,12 +73,13 @@ fn write(app: &App, lines: &[Fact], hint: &'static str, area: Rect, buffer: &mut
 
 /// What stands in the chart's place where there is no curve.
 fn nothing(app: &App, area: Rect, buffer: &mut Buffer) {
-    let inner = Pane::new("Residual velocity").render(area, buffer, app.theme);
+    let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(Pane::Residual));
+    let inner = frame.render(area, buffer, app.theme);
     let text = match (&app.limit.finding, &app.limit.report) {
         (Some(_), _) => "finding the limit",
-        (None, Some(report)) if !report.is_complete => "stopped before there was a curve",
+        (None, Some(report)) if !report.is_complete => "cancelled before there was a curve",
         (None, Some(_)) => "no shot goes through: there is no curve",
-        (None, None) => "not looked for yet: r finds the limit",
+        (None, None) => "no results yet: press r",
     };
     let column = inner.width.saturating_sub(columns(text)) / 2;
     put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
@@ -121,6 +124,10 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
         nothing(app, area, buffer);
         return None;
     };
+    let x = Axis { view: app.limit.zoomed.unwrap_or(x.view), ..x.clone() };
+    let log = |on: bool, scale| if on { Scale::Log10 } else { scale };
+    let x = x.clone().scale(log(app.limit.log.0, x.scale));
+    let y = y.clone().scale(log(app.limit.log.1, y.scale));
     let old = app.limit_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let recht_ipson = report
@@ -153,12 +160,12 @@ fn chart(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Layout> {
     };
     let own = report.scene.projectile.velocity_m_s;
     let lines = limit.into_iter().chain(x.view.contains(own).then_some((own, "scene")));
-    let title = if old { "Residual velocity, old" } else { "Residual velocity" };
+    let title = if old { "Residual velocity, of another scene" } else { "Residual velocity" };
     let chart = Chart {
         legend: Legend::Shown,
         events: lines.map(|(x, tag)| EventLine { x, tag: tag.into() }).collect(),
         crosshair: tab.shot().map(|shot| shot.impact_m_s),
-        focused: app.dialog.is_none(),
+        focused: app.has_focus(Pane::Residual),
         ..Chart::new(title, x, y, curves)
     };
     let layout = chart.render(area, buffer, app.theme).layout;

@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use super::text::put;
 use crate::tui::app::App;
 use crate::tui::app::log::LineKind;
-use crate::tui::theme::{Pane, Role};
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Draw the tab.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
@@ -19,8 +19,9 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     } else {
         String::new()
     };
-    let pane =
-        Pane::new("Log of this run and this session").right(counter).focused(app.dialog.is_none());
+    let pane = PaneFrame::new("Log of this run and this session")
+        .right(counter)
+        .focused(app.dialog.is_none());
     let inner = pane.render(area, buffer, app.theme);
     for (row, line) in (0..inner.height).zip(lines.iter().skip(first)) {
         let role = match line.kind {

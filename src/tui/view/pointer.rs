@@ -7,17 +7,20 @@ use ratatui::layout::Rect;
 
 use super::text::first_row;
 use super::{
-    accuracy, charts, limit, popup, rect, rows, runs, search, side, stability, surface, sweep,
-    thesis,
+    accuracy, charts, comparison, limit, popup, rect, rows, runs, search, side, stability, surface,
+    sweep, thesis,
 };
 use crate::study::limit::Shot;
+use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::editor::Row;
-use crate::tui::app::layout::{AccuracyPanes, Area, Body, Panes, SweepPanes};
+use crate::tui::app::layout::{AccuracyPanes, Area, Body, LimitPanes, Panes, SweepPanes};
+use crate::tui::app::quantity::Quantity;
 use crate::tui::app::search::Row as SearchRow;
 use crate::tui::app::sweep::{Picture, SetupRow};
 use crate::tui::chart::Layout;
-use crate::tui::message::{Place, Target};
+use crate::tui::keymap::Pane;
+use crate::tui::message::Target;
 
 /// What is at a column and a row of the screen; `None` where a click means nothing.
 pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
@@ -33,20 +36,29 @@ pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     if at.1 == layout.title.y {
         return rows::tab_at(app, layout.title.width, at.0).map(Target::Tab);
     }
+    if layout.pages.is_some_and(|area| area.y == at.1) {
+        return rows::page_at(app, at.0).map(Target::Page);
+    }
     match &layout.body {
         Body::Run(panes) => in_run(app, panes, at),
-        Body::Sweep(panes) => in_sweep(app, panes, at),
+        Body::Explore(panes) => in_sweep(app, panes, at),
         Body::Search(setup, found) => in_search(app, (*setup, *found), at),
         Body::Accuracy(panes) => in_accuracy(app, panes, at, &mut unseen()),
         Body::Stability(area) => stability::target(app, rect(*area), at, &mut unseen()),
         Body::Thesis(area) => thesis::row_at(app, rect(*area), at, &mut unseen()).map(Target::Row),
-        Body::Limit(area) => {
-            let layout = limit::render(app, rect(*area), &mut unseen())?;
-            nearest_shot(app, &layout, at).map(Target::Shot)
-        }
+        Body::Limit(panes) => in_limit(app, panes, at, &mut unseen()),
         // The log has nothing to select: the wheel scrolls it wherever it is.
         Body::TooSmall | Body::Log(_) => None,
     }
+}
+
+/// The columns of the plot of the charts of the Run tab, as they are drawn; `None` where none is.
+pub fn plot_columns(app: &App) -> Option<u16> {
+    let Body::Run(panes) = app.layout().body else { return None };
+    let areas: Vec<Rect> = panes.charts.iter().copied().map(rect).collect();
+    let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
+    let layouts = charts::render(app, &areas, false, &mut unseen);
+    layouts.first().map(|layout| layout.plot.width).filter(|width| *width > 1)
 }
 
 /// A row of the list in the dialog on top, or beside the dialog.
@@ -72,6 +84,28 @@ fn in_accuracy(
         .at(at)
         .map(Target::Method)
         .or_else(|| chart.and_then(|layout| along(&layout, at)).map(Target::RunTime))
+}
+
+fn in_limit(app: &App, panes: &LimitPanes, at: (u16, u16), unseen: &mut Buffer) -> Option<Target> {
+    let hit = |area: Option<Area>| area.map(rect).filter(|area| area.contains(at.into()));
+    if let Some(area) = hit(panes.residual) {
+        let layout = limit::render(app, area, unseen);
+        let shot = layout.and_then(|layout| nearest_shot(app, &layout, at));
+        return Some(shot.map_or(Target::Pane(Pane::Residual), Target::Shot));
+    }
+    if let Some(area) = hit(panes.map) {
+        let beside = Target::Pane(Pane::EfficiencyMap);
+        let Some(layout) = comparison::map(app, area, unseen) else { return Some(beside) };
+        let map = app.comparison().and_then(|found| found.map.as_ref())?;
+        if !layout.plot.contains(at.into()) {
+            return Some(beside);
+        }
+        let (x, up) = (at.0 - layout.plot.x, layout.plot.bottom() - 1 - at.1);
+        let nearest = |axis: &Axis, value: f64| usize::try_from(axis.nearest(value)).ok();
+        let cell = nearest(map.x(), layout.x.value(x)).zip(nearest(map.y(), layout.y.value(up)));
+        return Some(cell.map_or(beside, |(x, y)| Target::Efficiency(x, y)));
+    }
+    hit(panes.comparison).map(|_| Target::Pane(Pane::Comparison))
 }
 
 /// The shot that is drawn nearest to a cell of the plot.
@@ -123,13 +157,13 @@ fn in_run(app: &App, panes: &Panes, at: (u16, u16)) -> Option<Target> {
             row_of(area, at).filter(|row| *row < height).and_then(|row| rows.get(first + row));
         return Some(match row {
             Some(Row::Variable(index)) => Target::Variable(*index),
-            Some(Row::Heading(_)) | None => Target::Pane(Place::Variables),
+            Some(Row::Heading(_)) | None => Target::Pane(Pane::Variables),
         });
     }
     let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
     if let Some(area) = panes.runs.map(rect).filter(|area| area.contains(at.into())) {
         let rows = runs::render(app, area, false, &mut unseen);
-        return Some(rows.at(at).map_or(Target::Pane(Place::Runs), Target::Run));
+        return Some(rows.at(at).map_or(Target::Pane(Pane::Runs), Target::Run));
     }
     if let Some(area) = panes.events.map(rect).filter(|area| area.contains(at.into())) {
         return side::events(app, area, &mut unseen).at(at).map(Target::Event);
@@ -138,8 +172,9 @@ fn in_run(app: &App, panes: &Panes, at: (u16, u16)) -> Option<Target> {
     let place = areas.iter().position(|area| area.contains(at.into()))?;
     let layouts = charts::render(app, &areas, false, &mut unseen);
     let chart = if areas.len() == 1 { app.charts.selected } else { place };
-    let time = layouts.get(place).and_then(|layout| along(layout, at));
-    Some(time.map_or(Target::Pane(Place::Charts), |t_s| Target::Time { chart, t_s }))
+    let over_time = app.charts.quantities[chart] != Quantity::MountForce;
+    let time = layouts.get(place).filter(|_| over_time).and_then(|layout| along(layout, at));
+    Some(time.map_or(Target::Pane(Pane::Charts), |t_s| Target::Time { chart, t_s }))
 }
 
 /// The value of a chart's horizontal axis at a cell of its plot.
@@ -148,26 +183,24 @@ fn along(layout: &Layout, at: (u16, u16)) -> Option<f64> {
 }
 
 fn in_sweep(app: &App, panes: &SweepPanes, at: (u16, u16)) -> Option<Target> {
-    let picture = app.picture()?;
+    let picture = app.picture();
     if let Some(area) = panes.setup
         && rect(area).contains(at.into())
     {
         let rows = app.setup_rows(picture);
         let here = rows.iter().position(|row| *row == app.setup_row(picture)).unwrap_or(0);
         let height = usize::from(area.height.saturating_sub(2));
-        let first = if app.sweeping.on_setup { first_row(here, height, rows.len()) } else { 0 };
+        let first =
+            if app.pane() == Pane::ExploreSetup { first_row(here, height, rows.len()) } else { 0 };
         let row = row_of(area, at).and_then(|row| rows.get(first + row));
         let row = row.filter(|row| !matches!(row, SetupRow::Heading(_)));
-        return Some(row.map_or(Target::Pane(Place::Setup), |row| Target::Setup(*row)));
+        return Some(row.map_or(Target::Pane(Pane::ExploreSetup), |row| Target::Setup(*row)));
     }
     let panes_of = panes.plots.iter().chain(&panes.scale).chain(&panes.slices);
     if !panes_of.copied().any(|area| rect(area).contains(at.into())) {
         return None;
     }
-    let beside = Some(Target::Pane(match picture {
-        Picture::Line => Place::Lines,
-        Picture::Surface => Place::Surface,
-    }));
+    let beside = Some(Target::Pane(Pane::Explore));
     let Some(found) = app.sweeping.found(picture) else { return beside };
     let grid = &found.grid;
     let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
@@ -222,7 +255,7 @@ fn nearest_design(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Op
 fn in_search(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Option<Target> {
     if rect(found).contains(at.into()) {
         let design = nearest_design(app, (setup, found), at);
-        return design.map(Target::Design).or(Some(Target::Pane(Place::Search)));
+        return design.map(Target::Design).or(Some(Target::Pane(Pane::Search)));
     }
     if !rect(setup).contains(at.into()) {
         return None;
@@ -230,8 +263,9 @@ fn in_search(app: &App, (setup, found): (Area, Area), at: (u16, u16)) -> Option<
     let rows = app.search_rows();
     let here = rows.iter().position(|row| *row == app.search_row()).unwrap_or(0);
     let height = usize::from(setup.height.saturating_sub(2));
-    let first = if app.searching.on_setup { first_row(here, height, rows.len()) } else { 0 };
+    let first =
+        if app.pane() == Pane::SearchSetup { first_row(here, height, rows.len()) } else { 0 };
     let row = row_of(setup, at).and_then(|row| rows.get(first + row));
     let row = row.filter(|row| !matches!(row, SearchRow::Heading(_)));
-    Some(row.map_or(Target::Pane(Place::SearchSetup), |row| Target::SearchSetup(*row)))
+    Some(row.map_or(Target::Pane(Pane::SearchSetup), |row| Target::SearchSetup(*row)))
 }

@@ -5,10 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Clear, Widget};
 
 use super::text::{Rows, put, window};
-use super::{Cursor, export, help, history, presets, save, words};
+use super::{Cursor, export, help, history, options, presets, save, words};
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Dialog, Picker};
-use crate::tui::theme::{Pane, Role};
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Draw the dialog, if one is open; gives where the rows of its list lie, if it has one.
 pub(super) fn render(
@@ -28,19 +28,12 @@ pub(super) fn render(
         Some(Dialog::History(picker)) => {
             return Some(history::render(app, picker, screen, buffer));
         }
+        Some(Dialog::Options(picker)) => return Some(options::render(app, picker, screen, buffer)),
         Some(Dialog::Words(picker)) => return Some(words::render(app, picker, screen, buffer)),
         Some(Dialog::Export(state)) => {
             return Some(export::render(app, state, screen, buffer, cursor));
         }
         Some(Dialog::Save(state)) => save::render(app, state, screen, buffer, cursor),
-        Some(Dialog::ExportAccuracy(state)) => {
-            let titles = ("Export what was measured to CSV", "Enter writes");
-            save::path(app, state, (screen, titles), buffer, cursor);
-        }
-        Some(Dialog::ExportSweep(state)) => {
-            let titles = ("Export this sweep to CSV", "Enter writes");
-            save::path(app, state, (screen, titles), buffer, cursor);
-        }
         Some(Dialog::ExportTable(table, state)) => {
             let titles = (table.title(), "Enter writes");
             save::path(app, state, (screen, titles), buffer, cursor);
@@ -76,7 +69,7 @@ pub(super) fn frame(
         height,
     };
     Clear.render(area, buffer);
-    let inner = Pane::new(title).right(right).focused(true).render(area, buffer, app.theme);
+    let inner = PaneFrame::new(title).right(right).focused(true).render(area, buffer, app.theme);
     Rect { x: inner.x + inner.width.min(1), width: inner.width.saturating_sub(2), ..inner }
 }
 

@@ -6,9 +6,12 @@ use ratatui::layout::Rect;
 use super::Cursor;
 use super::popup::{filter, frame};
 use super::text::{Rows, first_row, paint_row, put};
-use crate::model::variables::VARIABLES;
+use crate::model::scene::Scene;
+use crate::model::variables::{VARIABLES, Variable};
 use crate::tui::app::App;
 use crate::tui::app::dialog::{Picker, preset_rows};
+use crate::tui::app::editor::shown_value;
+use crate::tui::app::palette::shown_in;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::message::PresetEntry;
 use crate::tui::theme::Role;
@@ -47,8 +50,13 @@ pub(super) fn render(
     }
     let first = first_row(picker.selected, usize::from(left.height), rows.len());
     for (row, (index, entry)) in (0..left.height).zip(rows.iter().enumerate().skip(first)) {
-        let room = usize::from(left.width.saturating_sub(10));
-        put(buffer, left, (0, row), &clip(&entry.name, room), app.theme.style(Role::Text));
+        let room = usize::from(left.width.saturating_sub(11));
+        let (mark, role) = match entry.problem {
+            Some(_) => ("!", Role::Warning),
+            None => (" ", Role::Text),
+        };
+        put(buffer, left, (0, row), mark, app.theme.style(role));
+        put(buffer, left, (1, row), &clip(&entry.name, room), app.theme.style(role));
         let at = left.width.saturating_sub(8);
         put(buffer, left, (at, row), entry.origin, app.theme.style(Role::Dim));
         if index == picker.selected {
@@ -65,8 +73,22 @@ pub(super) fn render(
 fn about(app: &App, entry: &PresetEntry, area: Rect, buffer: &mut Buffer) {
     let width = usize::from(area.width);
     let mut lines: Vec<(String, Role)> = Vec::new();
+    if let Some(problem) = &entry.problem {
+        lines.push((format!("{} cannot be loaded:", entry.name), Role::Warning));
+        lines.extend(wrap(problem, width).into_iter().map(|line| (line, Role::Text)));
+        lines.push(("correct its file, or delete it".to_owned(), Role::Dim));
+        for (row, (text, role)) in (0..area.height).zip(&lines) {
+            put(buffer, area, (0, row), text, app.theme.style(*role));
+        }
+        return;
+    }
     let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
     lines.extend(wrap(title, width).into_iter().map(|line| (line, Role::Title)));
+    if entry.part.is_none() {
+        let tab = shown_in(entry);
+        let text = format!("shows on {}", tab.title());
+        lines.push((text, Role::Dim));
+    }
     lines.push((String::new(), Role::Text));
     lines.extend(changes(app, entry, width));
     for text in [&entry.comment, &entry.scene.notes] {
@@ -93,17 +115,27 @@ fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> 
     };
     let differing = App::differing(&app.scene, &scene);
     if differing.is_empty() {
-        return vec![("changes nothing: the same scene".to_owned(), Role::Text)];
+        let same = if entry.scene.sweep == app.scene.sweep {
+            "changes nothing: the same scene"
+        } else {
+            "the same variables; its own sweep"
+        };
+        return vec![(same.to_owned(), Role::Text)];
     }
     let mut lines = vec![("would change:".to_owned(), Role::Text)];
     for index in differing {
         let variable = &VARIABLES[index];
-        let (old, new) = (variable.show(&app.scene), variable.show(&scene));
+        let (old, new) = (brief(variable, &app.scene), brief(variable, &scene));
         let unit = variable.unit().trim_matches('-');
         let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
         lines.push((clip(&text, width), Role::Text));
     }
     lines
+}
+
+/// A value in at most six digits.
+fn brief(variable: &Variable, scene: &Scene) -> String {
+    shown_value(variable, scene, 24)
 }
 
 /// Paragraphs of a comment that was broken into lines for a file: a blank line or a line such as `Expect: ...` begins one.
@@ -113,16 +145,16 @@ fn paragraphs(text: &str) -> Vec<String> {
         word.is_some_and(|word| !word.is_empty() && word.chars().all(char::is_alphabetic))
     };
     let mut paragraphs: Vec<String> = Vec::new();
-    let mut fresh = true;
+    let mut begins_anew = true;
     for line in text.lines().map(str::trim) {
         match paragraphs.last_mut() {
-            Some(last) if !fresh && !line.is_empty() && !begins(line) => {
+            Some(last) if !begins_anew && !line.is_empty() && !begins(line) => {
                 last.push(' ');
                 last.push_str(line);
             }
             _ => paragraphs.push(line.to_owned()),
         }
-        fresh = line.is_empty();
+        begins_anew = line.is_empty();
     }
     paragraphs
 }

@@ -3,12 +3,18 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
+use ratatui::widgets::{Clear, Widget};
 
 use super::text::{columns, put, put_line};
+use crate::tui::app::layout::SMALLEST;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
 use crate::tui::app::{App, Tab};
+use crate::tui::pages;
 use crate::tui::theme::Role;
+
+/// From this width on the title row has the name of the program.
+const ROOMY: u16 = 100;
 
 /// The role of a message.
 fn role(severity: Severity) -> Role {
@@ -22,8 +28,8 @@ fn role(severity: Severity) -> Role {
 /// Tabs at the left; preset, whether it is modified, and auto-run at the right.
 pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     let style = |role| app.theme.style(role);
-    let mut column = 1;
     let (named, titles) = tabs(app, area.width);
+    let mut column = lead(area.width);
     if named {
         column = put(buffer, area, (1, 0), "cmra", style(Role::Title)) + 2;
     }
@@ -32,6 +38,9 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
         column = put(buffer, area, (column, 0), text, style(role)) + 1;
     }
     let room = usize::from(area.width.saturating_sub(column + 2));
+    if room < 6 {
+        return;
+    }
     // Everything in words where that leaves room for the name.
     let wide = room >= usize::from(columns(&app.base.name)) + 32;
     let changed = match (app.is_modified(), wide) {
@@ -53,10 +62,15 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     put(buffer, area, (start, 0), &text, style(Role::Text));
 }
 
+/// The first column of the tabs: none is left free on the narrowest screen.
+fn lead(width: u16) -> u16 {
+    u16::from(width > SMALLEST.0)
+}
+
 /// The tab whose title is at a column of the title row.
 pub(super) fn tab_at(app: &App, width: u16, column: u16) -> Option<Tab> {
     let (named, titles) = tabs(app, width);
-    let mut start = if named { 7 } else { 1 };
+    let mut start = if named { 7 } else { lead(width) };
     Tab::ALL.into_iter().zip(&titles).find_map(|(tab, title)| {
         let end = start + columns(title);
         let hit = (start..end).contains(&column);
@@ -65,46 +79,67 @@ pub(super) fn tab_at(app: &App, width: u16, column: u16) -> Option<Tab> {
     })
 }
 
-/// Whether the program's name is shown, and the titles of the tabs: the longest that leave the scene's name in full.
+/// Whether the program's name is shown, and the titles of the tabs, the one shown in brackets.
 fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
-    let titles = |shown: usize, full: bool, active_full: bool| -> Vec<String> {
-        let title = |tab: Tab| {
-            let is_shown = tab == app.tab;
-            let long = if is_shown { active_full } else { full };
-            let title = if long { tab.title() } else { tab.short_title() };
-            if is_shown { format!("[{title}]") } else { title.chars().take(shown).collect() }
-        };
-        Tab::ALL.into_iter().map(title).collect()
+    let title = |tab: Tab| {
+        let title = tab.title();
+        if tab == app.tab { format!("[{title}]") } else { title.to_owned() }
     };
-    if width < 74 {
-        // Not even the tabs have room: only the one shown has its name.
-        return (width >= 66, titles(1, false, true));
-    }
-    let changed = if app.is_modified() { 2 } else { 0 };
-    let name = usize::from(columns(&app.base.name)) + changed;
-    let fits = |named: bool, titles: &[String]| {
-        let tabs: usize = titles.iter().map(|title| title.chars().count() + 1).sum();
-        tabs + name + if named { 9 } else { 3 } <= usize::from(width)
-    };
-    for (named, full) in [(true, true), (false, true), (true, false), (false, false)] {
-        let titles = titles(usize::MAX, full, true);
-        if fits(named, &titles) {
-            return (named, titles);
-        }
-    }
-    // No titles leave a very long name whole.
-    let roomy = width >= 100;
-    (roomy, titles(usize::MAX, roomy, roomy))
+    (width >= ROOMY, Tab::ALL.into_iter().map(title).collect())
 }
 
-/// The newest message with its mark, or what stands in its place.
+/// The names of the tab's pages, the one shown in brackets, and how to get to the next.
+pub(super) fn pages(app: &App, area: Rect, buffer: &mut Buffer) {
+    let mut column = 1;
+    for (at, name) in page_names(app).iter().enumerate() {
+        let is_shown = at == pages::of(app.tab).shown(app);
+        let role = if is_shown { Role::Selection } else { Role::Text };
+        column = put(buffer, area, (column, 0), name, app.theme.style(role)) + 2;
+    }
+    let number = app.tab.index() + 1;
+    let hint = format!("{number}: next page");
+    let start = area.width.saturating_sub(columns(&hint) + 1);
+    if start > column {
+        put(buffer, area, (start, 0), &hint, app.theme.style(Role::Dim));
+    }
+}
+
+fn page_names(app: &App) -> Vec<String> {
+    let page = pages::of(app.tab);
+    let name = |(at, name): (usize, &&str)| {
+        if at == page.shown(app) { format!("[{name}]") } else { (*name).to_owned() }
+    };
+    page.names().iter().enumerate().map(name).collect()
+}
+
+/// The page whose name is at a column of the row of names.
+pub(super) fn page_at(app: &App, column: u16) -> Option<usize> {
+    let mut start = 1;
+    page_names(app).iter().position(|name| {
+        let end = start + columns(name);
+        let hit = (start..end).contains(&column);
+        start = end + 2;
+        hit
+    })
+}
+
+/// What stands under the cursor and the newest message, each with its mark. What has no room in the area covers what stands above
+/// it: the panes keep their places.
 pub(super) fn message(app: &App, area: Rect, buffer: &mut Buffer) {
     let lines = app.message_lines(usize::from(area.width));
+    let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);
+    let above = count.saturating_sub(area.height).min(area.y);
+    let area = Rect { y: area.y - above, height: area.height + above, ..area };
+    if above > 0 {
+        Clear.render(area, buffer);
+    }
+    let mut before = None;
     for (row, (severity, text)) in (0..area.height).zip(&lines) {
         let style = app.theme.style(role(*severity));
-        if row == 0 {
+        if before != Some(*severity) {
             put(buffer, area, (1, row), severity.mark(), style);
         }
+        before = Some(*severity);
         let column = if *severity == Severity::Note { 1 } else { 3 };
         put(buffer, area, (column, row), text, style);
     }

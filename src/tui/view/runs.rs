@@ -9,9 +9,10 @@ use crate::model::units;
 use crate::model::variables::VARIABLES;
 use crate::tui::app::App;
 use crate::tui::app::runs::{Pin, final_depth, millimetres, name_of};
-use crate::tui::app::status::{clip, results, wrap};
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::summary::results;
 use crate::tui::chart::MARKERS;
-use crate::tui::theme::{Pane, Role};
+use crate::tui::theme::{PaneFrame, Role};
 
 /// A column: heading, width, value; the ones at the right go first when there is little room.
 type Column = (&'static str, u16, fn(&Run) -> String);
@@ -52,19 +53,19 @@ const NAME_LEAST: u16 = 5;
 pub(super) fn render(app: &App, area: Rect, focused: bool, buffer: &mut Buffer) -> Rows {
     let right = match (app.pins.is_empty(), focused) {
         (true, _) => "Space pins",
-        (false, true) => "= adopt  x unpin",
+        (false, true) => "Enter load  Space unpin",
         (false, false) => "",
     };
     let table: &'static [Column] = if area.width < 60 { &NARROW } else { &COLUMNS };
     let title = if area.width < 60 { "Runs [mm]" } else { "Runs" };
-    let inner = Pane::new(title).right(right).focused(focused).render(area, buffer, app.theme);
+    let inner = PaneFrame::new(title).right(right).focused(focused).render(area, buffer, app.theme);
     let (shown, name_width) = fitting(table, inner.width);
     header(app, inner, shown, name_width, buffer);
     let mut row = 1;
     let now = name_of(&app.scene, &app.base.name, &app.base.scene);
     let run = app.shown.as_ref().map(|shown| &*shown.run);
     let mut line = |index: usize, letter: &str, name: &str, run: Option<&Run>, visible: bool| {
-        let place = Place { inner, row, shown, name_width };
+        let place = Pane { inner, row, shown, name_width };
         one(app, &place, (index, letter, name), (run, visible), buffer);
         row += 1;
     };
@@ -107,7 +108,7 @@ fn header(app: &App, inner: Rect, shown: &'static [Column], name_width: u16, buf
     }
 }
 
-struct Place {
+struct Pane {
     inner: Rect,
     row: u16,
     shown: &'static [Column],
@@ -116,7 +117,7 @@ struct Place {
 
 fn one(
     app: &App,
-    place: &Place,
+    place: &Pane,
     (index, letter, name): (usize, &str, &str),
     (run, visible): (Option<&Run>, bool),
     buffer: &mut Buffer,

@@ -106,7 +106,7 @@ fn field(
 ) {
     let lead = put(buffer, inner, (0, 1), name, app.theme.style(Role::Title));
     let (shown, at) = window(&state.input, inner.width.saturating_sub(lead + 1));
-    let style = app.theme.style(if state.fresh { Role::Selection } else { Role::Text });
+    let style = app.theme.style(if state.all_selected { Role::Selection } else { Role::Text });
     put(buffer, inner, (lead, 1), &shown, style);
     *cursor = Some((inner.x + lead + at, inner.y + 1));
 }

@@ -6,7 +6,6 @@ use ratatui::layout::Rect;
 use super::Cursor;
 use super::text::{columns, first_row, paint_row, put, window};
 use crate::model::results::ResultColumn;
-use crate::model::units::significant;
 use crate::study::search::front::{Candidate, Design};
 use crate::study::search::seek;
 use crate::study::sweep::Fate;
@@ -14,15 +13,14 @@ use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::search::lines::LETTERS;
 use crate::tui::app::search::setup::brief;
-use crate::tui::app::search::{Row, SearchField};
+use crate::tui::app::search::{Page, Row, SearchField};
 use crate::tui::app::status::clip;
-use crate::tui::chart::heatmap;
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, EventLine, Layout, Legend, Level, Mapping, Scale, Unit, ViewRange,
 };
-use crate::tui::efficiency_map::{levels, with_heatmap};
-use crate::tui::theme::{Pane, Role};
-use crate::worker::searches::{Answer, Comparison};
+use crate::tui::keymap::Pane;
+use crate::tui::theme::{PaneFrame, Role};
+use crate::worker::searches::Answer;
 
 /// Where a row's label and value begin.
 const LABEL: u16 = 2;
@@ -50,13 +48,12 @@ pub(super) fn render(
     }
     let mut layout = None;
     let top = Rect { height: right.height - below, ..right };
-    let focused = below == 0 && !app.searching.on_setup && app.dialog.is_none();
+    let focused = below == 0 && app.has_focus(Pane::Search);
     match &found.answer {
         Answer::Seek(report) => sought(app, report, (top, focused), buffer),
         Answer::Front(_) => layout = front(app, (top, focused), buffer),
         Answer::Scatter(_) => histogram(app, (top, focused), buffer),
-        Answer::Compare(found) => efficiency(app, found, top, buffer),
-        Answer::Sensitivity(_) => {}
+        Answer::Sensitivity(_) | Answer::Compare(_) => {}
     }
     if below == 0 {
         turn(app, top, buffer);
@@ -69,16 +66,17 @@ pub(super) fn render(
 
 /// Where else to look, in the lower line of a chart that stands alone.
 fn turn(app: &App, area: Rect, buffer: &mut Buffer) {
-    let hint = if app.searching.on_setup { " Tab " } else { " Tab: in words " };
+    let hint = if app.pane() == Pane::SearchSetup { " Tab " } else { " z: in words " };
     let column = area.width.saturating_sub(columns(hint) + 1);
     put(buffer, area, (column, area.height - 1), hint, app.theme.style(Role::Dim));
 }
 
 fn setup(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
-    let on = app.searching.on_setup;
+    let on = app.pane() == Pane::SearchSetup;
     let hint = if on { "" } else { "Tab" };
-    let focused = on && app.dialog.is_none();
-    let inner = Pane::new("Setup").right(hint).focused(focused).render(area, buffer, app.theme);
+    let focused = app.has_focus(Pane::SearchSetup);
+    let inner =
+        PaneFrame::new("Setup").right(hint).focused(focused).render(area, buffer, app.theme);
     let rows = app.search_rows();
     let selected = app.search_row();
     let here = rows.iter().position(|row| *row == selected).unwrap_or(0);
@@ -121,7 +119,7 @@ fn open(
     let start = if wide { LABEL } else { VALUE };
     let room = area.width.saturating_sub(start + 1);
     let (shown, place) = window(&field.input, room);
-    let style = app.theme.style(match (field.error.is_some(), field.fresh) {
+    let style = app.theme.style(match (field.error.is_some(), field.all_selected) {
         (true, _) => Role::Error,
         (false, true) => Role::Selection,
         (false, false) => Role::Text,
@@ -136,34 +134,51 @@ fn open(
 /// What stands where nothing has been found yet.
 fn nothing(app: &App, area: Rect, buffer: &mut Buffer) {
     let title = app.searching.page.title();
-    let alone = area.width == app.size.0 && !app.full_pane;
+    let alone = area.width == app.size.0 && !app.full_pane[app.tab.index()];
     let hint = if alone { "Tab: setup" } else { "" };
-    let inner = Pane::new(title).right(hint).render(area, buffer, app.theme);
+    let inner = PaneFrame::new(title).right(hint).render(area, buffer, app.theme);
     let text = match (&app.searching.running, &app.searching.problem) {
         (Some(_), _) => "searching",
         (None, Some(_)) => "see the message below",
-        (None, None) => "not looked for yet: r searches",
+        (None, None) => "No results yet. Press r to search.",
     };
     let column = inner.width.saturating_sub(columns(text)) / 2;
     put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
 }
 
 fn words(app: &App, lines: &[(Severity, String)], area: Rect, buffer: &mut Buffer) {
-    let old = if app.search_is_old() { ", old" } else { "" };
+    let old = if app.search_is_old() { ", of another setup: press r" } else { "" };
     let title = format!("{}{old}", app.searching.page.title());
-    let focused = !app.searching.on_setup && app.dialog.is_none();
+    let focused = app.has_focus(Pane::Search);
     let height = usize::from(area.height.saturating_sub(2));
     let (has_choices, more) = (app.searching.choices() > 0, lines.len() > height);
-    let hint = if more && !has_choices { "j/k: more" } else { "v: next" };
+    let hint = if more && !has_choices { "j/k: more" } else { "" };
     // Where the setup has no room beside, nothing else tells of it.
-    let alone = area.width == app.size.0 && !app.full_pane;
+    let alone = area.width == app.size.0 && !app.full_pane[app.tab.index()];
     let hint = if alone { format!("Tab: setup  {hint}") } else { hint.to_owned() };
-    let inner = Pane::new(title).right(hint).focused(focused).render(area, buffer, app.theme);
+    let inner = PaneFrame::new(title).right(hint).focused(focused).render(area, buffer, app.theme);
+    // The heading of a table stays.
+    let is_table = app.searching.page == Page::Front && has_choices;
+    let (head, lines) =
+        if is_table { lines.split_at(1.min(lines.len())) } else { (&[][..], lines) };
+    let height = height.saturating_sub(head.len());
+    let selected = app.searching.selected();
     let first = match (more, has_choices) {
         (false, _) => 0,
-        (true, true) => first_row(app.searching.selected().min(lines.len()), height, lines.len()),
-        (true, false) => app.searching.scrolled().min(lines.len() - height),
+        (true, true) => first_row(selected.min(lines.len()), height, lines.len()),
+        (true, false) => app.searching.scrolled().min(lines.len().saturating_sub(height)),
     };
+    if let Some((_, text)) = head.first() {
+        put(
+            buffer,
+            inner,
+            (0, 0),
+            &clip(text, usize::from(inner.width)),
+            app.theme.style(Role::Title),
+        );
+    }
+    let top = u16::try_from(head.len()).unwrap_or(0);
+    let inner = Rect { y: inner.y + top, height: inner.height.saturating_sub(top), ..inner };
     for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
         let role = match severity {
             Severity::Note => Role::Text,
@@ -172,6 +187,9 @@ fn words(app: &App, lines: &[(Severity, String)], area: Rect, buffer: &mut Buffe
         };
         let text = clip(text, usize::from(inner.width));
         put(buffer, inner, (0, row), &text, app.theme.style(role));
+        if has_choices && first + usize::from(row) == selected {
+            paint_row(buffer, inner, row, app.theme.style(Role::Selection));
+        }
     }
 }
 
@@ -202,6 +220,8 @@ fn sought(app: &App, report: &seek::Report, (area, focused): (Rect, bool), buffe
     let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
         return words(app, &[(Severity::Warning, "no point has a value".to_owned())], area, buffer);
     };
+    let x = super::sweep::chart_axis(&report.axis);
+    let x = Axis { view: app.searching.zoomed.unwrap_or(x.view), ..x };
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let curve = Curve::new('*', "", &points).emphasis(emphasis);
@@ -212,9 +232,12 @@ fn sought(app: &App, report: &seek::Report, (area, focused): (Rect, bool), buffe
         legend: Legend::Hidden,
         focused,
         events: lines.collect(),
-        levels: vec![Level { y: report.target, tag: "goal".into() }],
+        levels: vec![Level {
+            y: report.target,
+            tag: format!("goal {}", report.measure.show(report.target, 4)).into(),
+        }],
         crosshair: selected.map(|found| found.place.at),
-        ..Chart::new(report.measure.title(), super::sweep::chart_axis(&report.axis), y, vec![curve])
+        ..Chart::new(report.measure.title(), x, y, vec![curve])
     };
     let layout = chart.render(area, buffer, app.theme).layout;
     for (x, value) in &report.scan {
@@ -250,8 +273,9 @@ fn front(app: &App, (area, focused): (Rect, bool), buffer: &mut Buffer) -> Optio
         words(app, &[(Severity::Warning, text)], area, buffer);
         return None;
     };
+    let x = Axis { view: tab.zoomed.unwrap_or(x.view), ..x };
     let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
-    let title = if app.search_is_old() { format!("old: {title}") } else { title };
+    let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
     let chart = Chart {
         legend: Legend::Hidden,
@@ -288,24 +312,6 @@ fn mark(
     let Some((column, row)) = x.cell(across).zip(y.cell(up)) else { return };
     let row = plot.height.saturating_sub(row + 1);
     put(buffer, plot, (column, row), text, app.theme.style(role));
-}
-
-/// The map of the mass efficiency, and below it what its colours mean.
-fn efficiency(app: &App, found: &Comparison, area: Rect, buffer: &mut Buffer) {
-    let Some(map) = &found.map else { return };
-    let Some(levels) = levels(map) else {
-        let text = "no point has a mass efficiency".to_owned();
-        return words(app, &[(Severity::Warning, text)], area, buffer);
-    };
-    let above = Rect { height: area.height.saturating_sub(1), ..area };
-    with_heatmap(map, &levels, |drawn| drawn.render(above, buffer, app.theme));
-    let mut column = put(buffer, area, (1, above.height), "line: 1 ", app.theme.style(Role::Text));
-    for band in 0..levels.bands() {
-        let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
-        column = put(buffer, area, (column + 1, above.height), &symbol.to_string(), style);
-        let from = format!(" {}", significant(levels.band(band).0, 3));
-        column = put(buffer, area, (column, above.height), &from, app.theme.style(Role::Text));
-    }
 }
 
 /// How often a value falls into each of some bins, as steps.

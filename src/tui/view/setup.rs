@@ -9,7 +9,8 @@ use crate::model::variables::{self, VARIABLES};
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
 use crate::tui::app::sweep::{Picture, SetupField, SetupRow};
-use crate::tui::theme::{Pane, Role};
+use crate::tui::keymap::Pane;
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Columns within a row: cursor, `*`, label, value, unit.
 const LABEL: u16 = 2;
@@ -25,17 +26,19 @@ pub(super) fn render(
     buffer: &mut Buffer,
     cursor: &mut Cursor,
 ) {
-    let focused = app.sweeping.on_setup && app.dialog.is_none();
-    let hint = if app.sweeping.on_setup { "" } else { "Tab" };
-    let inner = Pane::new("Setup").right(hint).focused(focused).render(area, buffer, app.theme);
+    let on = app.pane() == Pane::ExploreSetup;
+    let focused = app.has_focus(Pane::ExploreSetup);
+    let hint = if on { "" } else { "Tab" };
+    let inner =
+        PaneFrame::new("Setup").right(hint).focused(focused).render(area, buffer, app.theme);
     let rows = app.setup_rows(picture);
     let selected = app.setup_row(picture);
     let here = rows.iter().position(|row| *row == selected).unwrap_or(0);
     let height = usize::from(inner.height);
-    let first = if app.sweeping.on_setup { first_row(here, height, rows.len()) } else { 0 };
+    let first = if on { first_row(here, height, rows.len()) } else { 0 };
     for (at, row) in (0..inner.height).zip(rows.iter().skip(first)) {
         line(app, picture, *row, (inner, at), buffer);
-        if app.sweeping.on_setup && *row == selected {
+        if on && *row == selected {
             put(buffer, inner, (0, at), ">", app.theme.style(Role::Title));
             match app.sweeping.field.as_ref().filter(|field| field.row == *row) {
                 Some(field) => open(app, field, (inner, at), buffer, cursor),
@@ -91,7 +94,7 @@ fn open(
     let start = if field.row == SetupRow::Output { LABEL } else { VALUE };
     let room = area.width.saturating_sub(start + 1);
     let (shown, place) = window(&field.input, room);
-    let style = app.theme.style(match (field.error.is_some(), field.fresh) {
+    let style = app.theme.style(match (field.error.is_some(), field.all_selected) {
         (true, _) => Role::Error,
         (false, true) => Role::Selection,
         (false, false) => Role::Text,

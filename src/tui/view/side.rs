@@ -6,11 +6,11 @@ use ratatui::layout::Rect;
 use super::text::{Rows, paint_row, put};
 use crate::tui::app::App;
 use crate::tui::app::log::{energy_lines, event_lines};
-use crate::tui::theme::{Pane, Role};
+use crate::tui::theme::{PaneFrame, Role};
 
 /// The events; gives where they stand.
 pub(super) fn events(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
-    let inner = Pane::new("Events").right("n N").render(area, buffer, app.theme);
+    let inner = PaneFrame::new("Events").right("n N").render(area, buffer, app.theme);
     let Some(shown) = &app.shown else {
         return Rows { area: inner, first: 0, count: 0 };
     };
@@ -29,7 +29,7 @@ pub(super) fn events(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
 
 /// The energy ledger.
 pub(super) fn ledger(app: &App, area: Rect, buffer: &mut Buffer) {
-    let inner = Pane::new("Energy").render(area, buffer, app.theme);
+    let inner = PaneFrame::new("Energy").render(area, buffer, app.theme);
     let Some(shown) = &app.shown else {
         return;
     };

@@ -7,14 +7,16 @@ use super::table::{Column, Page};
 use super::text::{NEEDS_SINGLE, Rows, columns, first_row, paint_row, put};
 use crate::model::run::Outcome;
 use crate::model::units::significant;
+use crate::model::variables::find;
 use crate::study::stability::Row;
 use crate::study::stability::map::{Cell, Map};
 use crate::tui::app::App;
 use crate::tui::app::accuracy::seconds;
 use crate::tui::app::stability::brief;
 use crate::tui::app::status::clip;
+use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
-use crate::tui::theme::{Pane, Role};
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Columns left of the map, for the values of its rows.
 const GUTTER: u16 = 9;
@@ -23,7 +25,7 @@ const FOOT: u16 = 3;
 
 /// Draw the tab.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    if app.stability.battery_shown {
+    if app.pane() == Pane::Battery {
         let _ = battery(app, area, buffer);
     } else {
         let _ = map(app, area, buffer);
@@ -32,7 +34,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// What is at a cell of the screen; the drawing goes into a buffer that nobody sees.
 pub(super) fn target(app: &App, area: Rect, at: (u16, u16), unseen: &mut Buffer) -> Option<Target> {
-    if app.stability.battery_shown {
+    if app.pane() == Pane::Battery {
         return battery(app, area, unseen).at(at).map(Target::Row);
     }
     let plot = map(app, area, unseen).filter(|plot| plot.contains(at.into()))?;
@@ -58,17 +60,23 @@ fn map(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Rect> {
     let old = if app.map_is_old() { ", old" } else { "" };
     let title = match &tab.map {
         Some((_, map)) => {
-            format!("Map: {}, dt against {}{old}", map.method.name(), map.axis.symbol())
+            format!(
+                "{}: {}{} over time step{old}",
+                map.method.name(),
+                map.axis.symbol(),
+                unit(map.axis.symbol())
+            )
         }
         None => "Map".to_owned(),
     };
-    let pane = Pane::new(title).right("Tab: battery").focused(app.dialog.is_none());
+    let pane =
+        PaneFrame::new(title).right("Tab: stiff scenes").focused(app.has_focus(Pane::StabilityMap));
     let inner = pane.render(area, buffer, app.theme);
     let Some((_, map)) = &tab.map else {
         let text = match tab.mapping {
-            Some(_) => "drawing up the map",
+            Some(_) => "computing the map",
             None if app.needs_single_plate() => NEEDS_SINGLE,
-            None => "r draws up the map",
+            None => "no results yet: press r",
         };
         let column = inner.width.saturating_sub(columns(text)) / 2;
         put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
@@ -87,6 +95,12 @@ fn map(app: &App, area: Rect, buffer: &mut Buffer) -> Option<Rect> {
     values(app, map, (inner, plot), buffer);
     legend(app, inner, buffer);
     Some(plot)
+}
+
+/// The unit of a variable in brackets.
+fn unit(symbol: &str) -> String {
+    let unit = find(symbol).map_or("", |found| found.unit().trim_matches('-'));
+    if unit.is_empty() { String::new() } else { format!(" [{unit}]") }
 }
 
 /// What letters and marks mean, in as many words as there is room for.
@@ -172,18 +186,27 @@ fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), buffer: &mut Buffer
     let rows = map.values.len();
     let every = if plot.height < 24 { 3 } else { 6 };
     let value = |y: u16| map.values[rows - 1 - spread(y, plot.height, rows)];
-    // Powers of ten where there are some: they tell where the others are.
-    let is_power = |value: f64| (value.log10() - value.log10().round()).abs() < 1e-9;
-    let powers = (0..plot.height).filter(|y| is_power(value(*y))).collect::<Vec<_>>();
-    let mut free = 0;
-    let labelled = (0..plot.height).filter(|y| {
-        let due = if powers.len() > 2 { powers.contains(y) } else { y % every == 0 };
-        let wanted = due && *y >= free;
-        free = if wanted { y + every - 1 } else { free };
-        wanted
-    });
-    for y in labelled {
-        let text = significant(value(y), 2);
+    // Over many decades powers of ten, equally far apart; else the values of every few rows.
+    let exponent = |value: f64| value.log10();
+    let (low, high) = (exponent(value(plot.height - 1)), exponent(value(0)));
+    let is_wide = (high - low).is_finite() && high - low > 4.0;
+    let labels: Vec<(u16, String)> = if is_wide {
+        let most = f64::from(plot.height / every).max(2.0);
+        let apart =
+            [1, 2, 3, 4, 6].into_iter().find(|apart| (high - low) / f64::from(*apart) <= most);
+        let apart = apart.unwrap_or(6);
+        let powers = (-30..31).filter(|power| power % apart == 0);
+        let within = powers.filter(|power| (low..=high).contains(&f64::from(*power)));
+        let row = |power: i32| {
+            let away = |y: &u16| (exponent(value(*y)) - f64::from(power)).abs();
+            (0..plot.height).min_by(|a, b| away(a).total_cmp(&away(b)))
+        };
+        within.filter_map(|power| Some((row(power)?, format!("1e{power}")))).collect()
+    } else {
+        let rows = (0..plot.height).filter(|y| y % every == 0);
+        rows.map(|y| (y, significant(value(y), 2))).collect()
+    };
+    for (y, text) in labels {
         let column = GUTTER.saturating_sub(columns(&text) + 1);
         put(buffer, inner, (column, y), &text, style);
     }
@@ -235,7 +258,7 @@ const NAME: u16 = 24;
 /// Draw the battery; gives where its rows lie.
 fn battery(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.stability;
-    let page = Page::of(&BATTERY, area.width.saturating_sub(2 + NAME), tab.turned);
+    let page = Page::of(&BATTERY, area.width.saturating_sub(2 + NAME), tab.table_page);
     let rows = tab.rows();
     let height = usize::from(area.height.saturating_sub(3));
     let first = first_row(tab.selected, height, rows.len());
@@ -247,7 +270,7 @@ fn battery(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
         title.to_owned()
     };
     let hint = page.hint().map_or_else(String::new, |hint| hint + "  ");
-    let pane = Pane::new(title).right(hint + "Tab: map").focused(app.dialog.is_none());
+    let pane = PaneFrame::new(title).right(hint + "Tab: map").focused(app.dialog.is_none());
     let inner = pane.render(area, buffer, app.theme);
     let dim = app.theme.style(Role::Dim);
     put(buffer, inner, (0, 0), "scene", dim);

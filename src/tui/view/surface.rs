@@ -17,9 +17,10 @@ use crate::tui::app::status::{clip, shortened};
 use crate::tui::app::sweep::{Contour, Picture, place, quadratic};
 use crate::tui::chart::heatmap::{dot, swatch};
 use crate::tui::chart::{
-    self, Chart, Curve, Heatmap, Layout, Legend, Levels, Scale, Spot, Unit, ViewRange,
+    self, Chart, Curve, HeatCell, Heatmap, Layout, Legend, Levels, Scale, Unit, ViewRange,
 };
-use crate::tui::theme::{Pane, Role};
+use crate::tui::keymap::Pane;
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Draw map, scale and slices, and tell where the map lies.
 pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) -> Option<Layout> {
@@ -27,23 +28,23 @@ pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) -> Opti
     let Some(found) = app.sweeping.found(Picture::Surface) else {
         nothing(app, "Map", area, buffer);
         for area in panes.scale.iter().chain(&panes.slices) {
-            Pane::new("").render(rect(*area), buffer, app.theme);
+            PaneFrame::new("").render(rect(*area), buffer, app.theme);
         }
         return None;
     };
-    let sight = Sight::of(app, &found.grid);
-    let layout = sight.map(app, area, buffer);
+    let view = ChartView::of(app, &found.grid);
+    let layout = view.map(app, area, buffer);
     if let Some(area) = panes.scale {
-        sight.scale(app, rect(area), buffer);
+        view.scale(app, rect(area), buffer);
     }
     for (area, along) in panes.slices.iter().zip([true, false]) {
-        sight.slice(app, along, rect(*area), buffer);
+        view.slice(app, along, rect(*area), buffer);
     }
     layout
 }
 
 /// What is looked at: an output of a grid, with its bands.
-struct Sight<'a> {
+struct ChartView<'a> {
     grid: &'a Grid,
     output: usize,
     column: &'static ResultColumn,
@@ -54,7 +55,7 @@ struct Sight<'a> {
     range: ViewRange,
 }
 
-impl<'a> Sight<'a> {
+impl<'a> ChartView<'a> {
     fn of(app: &App, grid: &'a Grid) -> Self {
         let (output, column) = app.shown_output(grid);
         let (along, up) = grid.counts();
@@ -82,7 +83,7 @@ impl<'a> Sight<'a> {
     }
 
     /// The grid's index of a place counted from the lower left: axes may run downward.
-    fn turned(&self, x: usize, y: usize) -> (usize, usize) {
+    fn index_of(&self, x: usize, y: usize) -> (usize, usize) {
         let (along, up) = self.grid.counts();
         let axes = self.grid.plan().axes();
         let turn = |at: usize, count: usize, axis: usize| {
@@ -104,15 +105,15 @@ impl<'a> Sight<'a> {
         if !self.grid.is_full() {
             return Some(self.dots(app, title, levels, area, buffer));
         }
-        let spot = |x: usize, y: usize| {
-            let (x, y) = self.turned(x, y);
+        let cell = |x: usize, y: usize| {
+            let (x, y) = self.index_of(x, y);
             match self.grid.cell(x, y, self.output) {
                 Cell::Value(_) if scale_of(app).shows(self.value((x, y))) => {
-                    Spot::Value(self.value((x, y)))
+                    HeatCell::Value(self.value((x, y)))
                 }
-                Cell::Value(_) => Spot::Mark('0', Role::Dim),
-                Cell::Fate(fate) => Spot::Mark(fate.letter(), role(fate)),
-                Cell::Waiting => Spot::Empty,
+                Cell::Value(_) => HeatCell::Mark('0', Role::Dim),
+                Cell::Fate(fate) => HeatCell::Mark(fate.letter(), role(fate)),
+                Cell::Waiting => HeatCell::Empty,
             }
         };
         let (x, y) = app.cursor_point(self.grid);
@@ -123,11 +124,11 @@ impl<'a> Sight<'a> {
             x: across,
             y: upward,
             counts: self.grid.counts(),
-            spot: &spot,
+            cell: &cell,
             levels,
             contour: through.then_some(here),
-            cursor: Some(self.turned(x, y)),
-            focused: !app.sweeping.on_setup && app.dialog.is_none(),
+            cursor: Some(self.index_of(x, y)),
+            focused: app.has_focus(Pane::Explore),
         };
         Some(map.render(area, buffer, app.theme))
     }
@@ -165,7 +166,7 @@ impl<'a> Sight<'a> {
         let axes = self.grid.plan().axes();
         let chart = Chart {
             legend: Legend::Hidden,
-            focused: !app.sweeping.on_setup && app.dialog.is_none(),
+            focused: app.has_focus(Pane::Explore),
             ..Chart::new(title, chart_axis(&axes[0]), chart_axis(&axes[1]), Vec::new())
         };
         let layout = chart.render(area, buffer, app.theme).layout;
@@ -199,7 +200,7 @@ impl<'a> Sight<'a> {
         let unit = &self.unit.name;
         let title = if unit.is_empty() { "Scale".to_owned() } else { format!("Scale [{unit}]") };
         let hint = if app.sweeping.log_values { "Y linear" } else { "Y log" };
-        let inner = Pane::new(title).right(hint).render(area, buffer, app.theme);
+        let inner = PaneFrame::new(title).right(hint).render(area, buffer, app.theme);
         let mut row = 0;
         if let Some(levels) = &self.levels {
             let (x, y) = app.cursor_point(self.grid);

@@ -16,7 +16,8 @@ use crate::tui::app::sweep::{Found, Picture, no_value};
 use crate::tui::chart::{
     self, Chart, Curve, Emphasis, Layout, Legend, MARKERS, Scale, Unit, ViewRange,
 };
-use crate::tui::theme::{Pane, Role};
+use crate::tui::keymap::Pane;
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Draw the charts, and tell where everything lies in each.
 pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) -> Vec<Layout> {
@@ -44,11 +45,11 @@ pub(super) fn render(app: &App, panes: &SweepPanes, buffer: &mut Buffer) -> Vec<
 
 /// A pane that has nothing to show yet.
 pub(super) fn nothing(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
-    let inner = Pane::new(title.to_owned()).render(area, buffer, app.theme);
+    let inner = PaneFrame::new(title.to_owned()).render(area, buffer, app.theme);
     let text = match (&app.sweeping.computing, &app.sweeping.problem) {
         (Some(_), _) => "sweeping the first points",
         (None, Some(_)) => "see the message below",
-        (None, None) => "not swept yet: r sweeps",
+        (None, None) => "no results yet: press r",
     };
     let column = inner.width.saturating_sub(columns(text)) / 2;
     put(buffer, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
@@ -64,6 +65,12 @@ pub(super) fn chart_axis(axis: &Axis) -> chart::Axis<'static> {
     };
     let unit = axis.variable().unit().trim_matches('-');
     chart::Axis::new(axis.symbol(), view).scale(scale).unit(Unit::with_prefix(view, unit))
+}
+
+/// An axis of the sweep of which a part is in view.
+fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
+    let unit = axis.variable().unit().trim_matches('-');
+    chart::Axis { view, ..chart_axis(axis) }.unit(Unit::with_prefix(view, unit))
 }
 
 /// The scale of values on the screen.
@@ -106,7 +113,7 @@ fn curves(
     };
     let lines: Vec<Vec<(f64, f64)>> = (0..repeats).map(line).collect();
     let values = || lines.iter().flatten().map(|point| point.1);
-    let title = column.title() + if old { ", old" } else { "" };
+    let title = column.title() + if old { ", of another scene" } else { "" };
     let Some(range) = ViewRange::of(scale, values()) else {
         nothing_exists(app, &title, (grid, output), area, buffer);
         return None;
@@ -132,11 +139,15 @@ fn curves(
         let marker = MARKERS[index % MARKERS.len()];
         Curve::new(marker, name, points).colour(index).emphasis(emphasis)
     });
+    let along_axis = match app.sweeping.zoom[Picture::Line as usize] {
+        Some(view) => zoomed_axis(&axes[0], view),
+        None => chart_axis(&axes[0]),
+    };
     let chart = Chart {
         legend: if named.is_some() { Legend::Shown } else { Legend::Hidden },
         crosshair: Some(grid.coordinate((x, selected), 0)),
-        focused: is_first && !app.sweeping.on_setup && app.dialog.is_none(),
-        ..Chart::new(title, chart_axis(&axes[0]), y, curves.collect())
+        focused: is_first && app.has_focus(Pane::Explore),
+        ..Chart::new(title, along_axis, y, curves.collect())
     };
     let layout = chart.render(area, buffer, app.theme).layout;
     marks(app, grid, output, (layout.plot, layout.x), buffer);
@@ -175,7 +186,7 @@ pub(super) fn nothing_exists(
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    let inner = Pane::new(title.to_owned()).render(area, buffer, app.theme);
+    let inner = PaneFrame::new(title.to_owned()).render(area, buffer, app.theme);
     let room = usize::from(inner.width.saturating_sub(2)).max(8);
     let texts = no_value(grid, output);
     let said: Vec<(bool, String)> = texts

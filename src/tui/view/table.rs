@@ -18,7 +18,7 @@ pub(super) struct Page<'a, T> {
 
 impl<'a, T> Page<'a, T> {
     /// The page after so many turns of a table that has `room` columns of the screen.
-    pub(super) fn of(table: &'a [Column<T>], room: u16, turned: usize) -> Self {
+    pub(super) fn of(table: &'a [Column<T>], room: u16, table_page: usize) -> Self {
         let end_of = |from: usize| {
             let mut used = 0;
             let fits = table[from..].iter().take_while(|column| {
@@ -32,7 +32,7 @@ impl<'a, T> Page<'a, T> {
         while ends.last().is_none_or(|end| *end < table.len()) && !table.is_empty() {
             ends.push(end_of(ends.last().copied().unwrap_or(0)));
         }
-        let number = turned % ends.len().max(1);
+        let number = table_page % ends.len().max(1);
         let end = ends.get(number).copied().unwrap_or(0);
         // As much as there is room for, so that the last page is not a column alone.
         let from = (0..end).find(|from| end_of(*from) >= end).unwrap_or(0);
@@ -94,8 +94,8 @@ mod tests {
         ("e", 4, |_| String::new()),
     ];
 
-    fn shown(room: u16, turned: usize) -> (String, Option<String>) {
-        let page = Page::of(&TABLE, room, turned);
+    fn shown(room: u16, table_page: usize) -> (String, Option<String>) {
+        let page = Page::of(&TABLE, room, table_page);
         (page.columns.iter().map(|column| column.0).collect(), page.hint())
     }
 
@@ -106,7 +106,7 @@ mod tests {
         assert_eq!(shown(17, 0), ("abcd".to_owned(), hint(1)));
         assert_eq!(shown(17, 1), ("bcde".to_owned(), hint(2)));
         assert_eq!(shown(17, 2), ("abcd".to_owned(), hint(1)));
-        let pages: String = (0..5).map(|turned| shown(2, turned).0).collect();
+        let pages: String = (0..5).map(|table_page| shown(2, table_page).0).collect();
         assert_eq!(pages, "abcde");
     }
 }

@@ -10,8 +10,8 @@ use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
 use crate::study::thesis::Verdict;
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
-use crate::tui::app::thesis::Page;
-use crate::tui::theme::{Pane, Role};
+use crate::tui::keymap::Pane;
+use crate::tui::theme::{PaneFrame, Role};
 
 /// From this width on the detail stands beside the list.
 const BESIDE: u16 = 110;
@@ -27,10 +27,10 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// Draw the tab; gives the index of the row of its list at a cell of the screen.
 pub(super) fn row_at(app: &App, area: Rect, at: (u16, u16), buffer: &mut Buffer) -> Option<usize> {
-    match app.thesis.page {
-        Page::Claims => claims(app, area, buffer).at(at),
-        Page::Screening => screening(app, area, buffer).at(at),
-        Page::Principles => {
+    match app.pane() {
+        Pane::Claims => claims(app, area, buffer).at(at),
+        Pane::Screening => screening(app, area, buffer).at(at),
+        _ => {
             let row = principles(app, area, buffer).at(at)?;
             match listed().get(row)? {
                 Line::Family(_) => None,
@@ -65,13 +65,13 @@ fn role(verdict: Verdict) -> Role {
 fn claims(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.thesis;
     let (list, detail) = split(area, 11);
-    let shown = tab.shown();
+    let shown = app.claims();
     let title = match tab.filter {
         None => "Claims of the thesis".to_owned(),
         Some(verdict) => format!("Claims: {}", verdict.words()),
     };
     let count = format!("{} of {}", shown.len(), tab.rows().len());
-    let pane = Pane::new(title).right(count).focused(app.dialog.is_none());
+    let pane = PaneFrame::new(title).right(count).focused(app.dialog.is_none());
     let inner = pane.render(list, buffer, app.theme);
     if shown.is_empty() {
         let text = match (&tab.running, tab.rows().is_empty()) {
@@ -95,10 +95,11 @@ fn claims(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
             paint_row(buffer, inner, y, app.theme.style(Role::Selection));
         }
     }
-    let pane = Pane::new(tab.row().map_or_else(String::new, |row| row.claim.place.to_owned()))
-        .right("Tab: principles");
+    let pane =
+        PaneFrame::new(app.claim().map_or_else(String::new, |row| row.claim.place.to_owned()))
+            .right("Tab: principles");
     let inner = pane.render(detail, buffer, app.theme);
-    if let Some(row) = tab.row() {
+    if let Some(row) = app.claim() {
         let found = &row.found;
         let mut y = 0;
         let verdict = format!("{} {}", found.verdict.letter(), found.verdict.words());
@@ -178,7 +179,7 @@ fn listed() -> Vec<Line> {
 fn principles(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.thesis;
     let (list, detail) = split(area, 8);
-    let pane = Pane::new("Families and principles (Table 4.1)").focused(app.dialog.is_none());
+    let pane = PaneFrame::new("Families and principles (Table 4.1)").focused(app.dialog.is_none());
     let inner = pane.render(list, buffer, app.theme);
     let lines = listed();
     let here = |line: &Line| matches!(line, Line::Principle(index) if *index == tab.principle);
@@ -199,7 +200,7 @@ fn principles(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     }
     let principle = &PRINCIPLES[tab.principle];
     let title = format!("{}, section {}", principle.name, principle.section);
-    let inner = Pane::new(title).right("Tab: screening").render(detail, buffer, app.theme);
+    let inner = PaneFrame::new(title).right("Tab: screening").render(detail, buffer, app.theme);
     let functions: Vec<&str> = principle.functions.iter().map(|it| it.name()).collect();
     let functions = functions.join(", ");
     let mut presets: Vec<&str> = principle.preset.into_iter().collect();
@@ -224,7 +225,7 @@ fn principles(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
 /// Draw the matrix; gives where the rows of its criteria lie.
 fn screening(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     let tab = &app.thesis;
-    let pane = Pane::new("Screening matrix (Table 7.1), weights h/l")
+    let pane = PaneFrame::new("Screening matrix (Table 7.1), weights h/l")
         .right("Tab: claims")
         .focused(app.dialog.is_none());
     let inner = pane.render(area, buffer, app.theme);

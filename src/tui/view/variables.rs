@@ -13,15 +13,42 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::App;
 use crate::tui::app::editor::{Field, Row, shown_value};
 use crate::tui::app::status::clip;
-use crate::tui::theme::{Pane, Role};
+use crate::tui::theme::{PaneFrame, Role};
 
 /// Columns within a row: cursor, `*`, symbol, value, flag, unit.
 const SYMBOL: u16 = 2;
 const VALUE: u16 = 12;
 const VALUE_WIDTH: u16 = 8;
-const FLAG: u16 = VALUE + VALUE_WIDTH;
-const UNIT: u16 = FLAG + 1;
-const BAR: u16 = UNIT + 9;
+/// Columns of a unit after the flag.
+const UNIT_WIDTH: u16 = 10;
+/// From this width on the meaning stands beside the symbol.
+const WITH_MEANING: u16 = 44;
+
+/// Where the parts of a row stand in a list of this width.
+#[derive(Clone, Copy)]
+struct Columns {
+    /// Columns for the meaning, after the symbol.
+    meaning: u16,
+    value: u16,
+    flag: u16,
+    unit: u16,
+}
+
+impl Columns {
+    fn of(width: u16) -> Self {
+        let meaning =
+            if width < WITH_MEANING { 0 } else { width - VALUE - VALUE_WIDTH - UNIT_WIDTH - 1 };
+        let value = VALUE + meaning;
+        let flag = value + VALUE_WIDTH;
+        Self { meaning, value, flag, unit: flag + 1 }
+    }
+}
+
+/// The meaning in a few words: what stands before the first colon, bracket or comma.
+fn brief(meaning: &str, room: u16) -> String {
+    let end = meaning.find([':', '(', ';', ',']).unwrap_or(meaning.len());
+    clip(meaning[..end].trim_end(), usize::from(room.saturating_sub(1)))
+}
 
 /// Draw the pane.
 pub(super) fn render(
@@ -34,7 +61,8 @@ pub(super) fn render(
     let rows = app.editor.rows(&app.scene);
     let height = usize::from(area.height.saturating_sub(3));
     let first = app.editor.first_row(&app.scene, height);
-    let pane = Pane::new(title(app)).right(counter(app, &rows, first, height)).focused(focused);
+    let pane =
+        PaneFrame::new(title(app)).right(counter(app, &rows, first, height)).focused(focused);
     let inner = pane.render(area, buffer, app.theme);
     if inner.height < 2 {
         return;
@@ -57,19 +85,13 @@ pub(super) fn render(
     }
     let foot = foot(app, usize::from(inner.width));
     put(buffer, inner, (0, inner.height - 1), &foot, app.theme.style(Role::Dim));
-    if let Some(field) = &app.editor.filter_field {
-        // After the corner, a line, a blank and "Variables /".
-        let column = area.x + 3 + columns("Variables /");
-        let shown = u16::try_from(field.visual_cursor()).unwrap_or(0);
-        *cursor = Some(((column + shown).min(area.right().saturating_sub(1)), area.y));
-    }
 }
 
 fn title(app: &App) -> String {
-    match &app.editor.filter_field {
-        Some(field) => format!("Variables /{}_", field.value()),
-        None if !app.editor.filter.is_empty() => format!("Variables /{}", app.editor.filter),
-        None => "Variables".to_owned(),
+    if app.editor.filter.is_empty() {
+        "Variables".to_owned()
+    } else {
+        format!("Variables /{}", app.editor.filter)
     }
 }
 
@@ -110,31 +132,31 @@ fn variable(
     if differs {
         put(buffer, list, (1, row), "*", app.theme.style(Role::Note));
     }
+    let columns_of = Columns::of(list.width);
     put(buffer, list, (SYMBOL, row), variable.symbol, style);
+    if columns_of.meaning > 0 {
+        let text = brief(variable.meaning, columns_of.meaning);
+        put(buffer, list, (VALUE, row), &text, app.theme.style(Role::Dim));
+    }
     if let Some(field) = field {
         open_field(app, variable, field, (list, row), buffer, cursor);
     } else {
         let text = shown_value(variable, &app.scene, usize::from(VALUE_WIDTH));
-        let start = FLAG.saturating_sub(columns(&text)).max(VALUE);
+        let Columns { value, flag, unit, .. } = columns_of;
+        let start = flag.saturating_sub(columns(&text)).max(value);
         let end = put(buffer, list, (start, row), &text, style);
-        if matches!(variable.value(&app.scene), Value::Number(_)) && end <= FLAG {
+        if matches!(variable.value(&app.scene), Value::Number(_)) && end <= flag {
             put(
                 buffer,
                 list,
-                (UNIT, row),
+                (unit, row),
                 variable.unit().trim_matches('-'),
                 app.theme.style(Role::Dim),
             );
         }
-        if list.width > BAR + 6 {
-            let bar = Rect { x: list.x + BAR, width: list.width - BAR, ..list };
-            if let Some(text) = range_bar(variable, app, usize::from(bar.width.min(16))) {
-                put(buffer, bar, (0, row), &text, app.theme.style(Role::Dim));
-            }
-        }
     }
     if warned {
-        put(buffer, list, (FLAG, row), "!", app.theme.style(Role::Warning));
+        put(buffer, list, (columns_of.flag, row), "!", app.theme.style(Role::Warning));
     }
     if selected {
         put(buffer, list, (0, row), ">", app.theme.style(Role::Title));
@@ -155,16 +177,17 @@ fn open_field(
 ) {
     let text = field.input.value();
     let long = columns(text) >= VALUE_WIDTH;
-    let room = if long { list.width.saturating_sub(VALUE + 1) } else { VALUE_WIDTH };
+    let Columns { value, unit, .. } = Columns::of(list.width);
+    let room = if long { list.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
     let (shown, at) = window(&field.input, room);
-    let style = app.theme.style(match (field.error.is_some(), field.fresh) {
+    let style = app.theme.style(match (field.error.is_some(), field.all_selected) {
         (true, _) => Role::Error,
         (false, true) => Role::Selection,
         (false, false) => Role::Text,
     });
-    put(buffer, list, (VALUE - 1, row), "[", app.theme.style(Role::Focus));
-    put(buffer, list, (VALUE, row), &shown, style);
-    put(buffer, list, (VALUE + room, row), "]", app.theme.style(Role::Focus));
+    put(buffer, list, (value - 1, row), "[", app.theme.style(Role::Focus));
+    put(buffer, list, (value, row), &shown, style);
+    put(buffer, list, (value + room, row), "]", app.theme.style(Role::Focus));
     if field.error.is_some() {
         put(buffer, list, (0, row), "x", app.theme.style(Role::Error));
     }
@@ -172,12 +195,12 @@ fn open_field(
         put(
             buffer,
             list,
-            (UNIT + 1, row),
+            (unit + 1, row),
             variable.unit().trim_matches('-'),
             app.theme.style(Role::Dim),
         );
     }
-    *cursor = Some((list.x + VALUE + at, list.y + row));
+    *cursor = Some((list.x + value + at, list.y + row));
 }
 
 /// `[--|----]`: where the value stands in the range the thesis searched; `<` and `>` outside it.

@@ -13,7 +13,7 @@ fn study(id: u64) -> Study {
 /// The studies' threads, and what they report.
 fn spawned() -> (Studies, Receiver<StudyReport>) {
     let (send, reports) = mpsc::channel();
-    let studies = Studies::spawn(move |report| {
+    let studies = Studies::spawn(&Quiet::default(), move |report| {
         // The test may be over.
         let _ = send.send(report);
     });
@@ -41,7 +41,7 @@ fn a_cancelled_study_keeps_what_it_has() {
     let (studies, reports) = spawned();
     let full = StudyKind::Accuracy(Effort::FULL);
     studies.submit(Study { kind: full, ..study(7) });
-    studies.cancel();
+    studies.cancel(7);
     let found = loop {
         let report = reports.recv_timeout(PATIENCE).expect("a report in time");
         if let StudyBody::Ended(Finding::Accuracy(found)) = report.body {
@@ -140,7 +140,7 @@ fn a_limit_is_found_and_a_stopped_one_says_so() {
         scattering: Some(scattering),
     });
     studies.submit(Study { kind, ..study(2) });
-    studies.cancel();
+    studies.cancel(2);
     assert!(!found().is_complete);
 }
 
@@ -180,5 +180,5 @@ fn who_asks_for_a_limit_does_not_wait_for_the_battery() {
         }
     };
     assert_eq!(first, 2);
-    studies.cancel();
+    studies.cancel(1);
 }

@@ -11,7 +11,7 @@ use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
 use cmra::tui::app::Tab;
 use cmra::tui::chart::ViewRange;
-use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::studies::{Finding, Study, StudyBody, StudyReport};
 
@@ -121,7 +121,7 @@ pub(super) fn answer(bench: &mut Bench, methods: usize) {
 /// The tab with everything measured.
 pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
     let mut bench = Bench::open(glyphs, size);
-    bench.keys("4");
+    bench.keys("5");
     answer(&mut bench, Method::ALL.len());
     bench
 }
@@ -129,13 +129,13 @@ pub(super) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Bench {
 #[test]
 fn opening_the_tab_measures_once_a_scene() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
-    assert_eq!(bench.app.tab, Tab::Accuracy);
-    bench.keys("14");
+    assert_eq!(bench.app.tab, Tab::Numerics);
+    bench.keys("15");
     assert!(studies(&mut bench).is_empty());
     // Another scene is measured again; what belongs to the old one says so meanwhile.
-    bench.keys("1jjl4");
+    bench.keys("1jjl5");
     assert_eq!(studies(&mut bench).len(), 1);
-    assert!(bench.screen().contains("Relative error, old"));
+    assert!(bench.screen().contains("of another scene"));
     // And by r at any time.
     bench.keys("r");
     assert_eq!(studies(&mut bench)[0].scene, bench.app.scene);
@@ -144,7 +144,7 @@ fn opening_the_tab_measures_once_a_scene() {
 #[test]
 fn reports_of_replaced_studies_are_dropped() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("4");
+    bench.keys("5");
     let first = studies(&mut bench).remove(0);
     bench.keys("r");
     let body = StudyBody::Failed("no longer wanted".to_owned());
@@ -156,17 +156,17 @@ fn reports_of_replaced_studies_are_dropped() {
 #[test]
 fn escape_stops_and_what_there_is_stays() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("4");
+    bench.keys("5");
     let study = studies(&mut bench).remove(0);
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
     let found = Arc::new(measured(&study.scene, 3));
     bench.send(Message::Study(StudyReport {
         id: study.id,
         body: StudyBody::Ended(Finding::Accuracy(found)),
     }));
-    assert!(bench.message().contains("what was measured is shown"), "{}", bench.message());
-    assert!(bench.screen().contains("stopped after"));
+    assert!(bench.message().contains("Partial results are shown"), "{}", bench.message());
+    assert!(bench.screen().contains("cancelled after"));
 }
 
 #[test]
@@ -189,7 +189,9 @@ fn the_table_is_written_and_never_over_a_file_unasked() {
     bench.keys("e<Enter>");
     let sent = |bench: &mut Bench| {
         bench.effects.drain(..).rev().find_map(|effect| match effect {
-            Effect::ExportAccuracy { path, overwrite, found } => Some((path, overwrite, found)),
+            Effect::ExportTable { path, overwrite, content: Content::Accuracy(found) } => {
+                Some((path, overwrite, found))
+            }
             _ => None,
         })
     };
@@ -211,11 +213,11 @@ fn the_table_is_written_and_never_over_a_file_unasked() {
 #[test]
 fn leaving_asks_while_a_study_has_been_going_on_for_long() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("4");
+    bench.keys("5");
     let study = studies(&mut bench).remove(0);
     bench.send(Message::LongJob(study.id));
     bench.keys("q");
-    assert!(bench.message().contains("q again leaves"), "{}", bench.message());
+    assert!(bench.message().contains("q again quits"), "{}", bench.message());
 }
 
 #[test]
@@ -247,17 +249,17 @@ fn the_chart_is_zoomed_panned_and_fitted_again() {
 fn slopes_spreads_scales_and_the_floor_are_drawn_when_asked_for() {
     let mut bench = open(GlyphSet::Ascii, (120, 40));
     assert!(bench.screen().contains("reference's floor"), "{}", bench.screen());
-    bench.keys("o");
+    bench.keys(":reference slopes<Enter>");
     assert!(bench.message().contains("orders 1, 2, 4 and 8"), "{}", bench.message());
     assert!(bench.screen().contains("111"), "{}", bench.screen());
-    bench.keys("ob");
+    bench.keys(":reference slopes<Enter>:bars of<Enter>");
     assert!(bench.message().contains("bars"), "{}", bench.message());
-    bench.keys("bX");
+    bench.keys(":bars of<Enter>X");
     assert!(bench.message().contains("run time: linear"), "{}", bench.message());
     bench.keys("Y");
     assert!(bench.message().contains("error: linear"), "{}", bench.message());
     // A slope is a line in decades only.
-    bench.keys("o");
+    bench.keys(":reference slopes<Enter>");
     assert!(bench.message().contains("where both axes are logarithmic"), "{}", bench.message());
 }
 

@@ -118,6 +118,9 @@ impl Bench {
 
     /// The newest message, or what stands in its place.
     pub(crate) fn message(&self) -> String {
+        if let Some(notice) = &self.app.notice {
+            return notice.text.clone();
+        }
         let lines = self.app.message_lines(usize::from(self.app.size.0));
         lines.into_iter().map(|(_, text)| text).collect::<Vec<_>>().join(" ")
     }
@@ -168,6 +171,7 @@ pub(crate) fn presets() -> Vec<PresetEntry> {
             scene,
             comment: comment.to_owned(),
             part: None,
+            problem: None,
         }
     };
     vec![

@@ -7,18 +7,18 @@ use super::bench::Bench;
 #[test]
 fn one_key_pins_every_other_model_and_takes_them_away_again() {
     let mut bench = Bench::ascii(120, 40);
-    bench.keys("I");
+    bench.keys(":every contact<Enter>");
     bench.answer();
     let names: Vec<&str> = bench.app.pins.iter().map(|pin| pin.name.as_str()).collect();
     assert_eq!(names, ["lumped", "half-sine", "initial-velocity", "appendix"]);
     assert!(bench.app.pins.iter().all(|pin| pin.scene.contact.model != ContactModel::Hydrodynamic));
-    bench.keys("I");
+    bench.keys(":every contact<Enter>");
     assert!(bench.app.pins.is_empty());
     // Five pins of one's own leave no room for four.
     for _ in 0..5 {
         bench.keys(" l");
     }
-    bench.keys("I");
+    bench.keys(":every contact<Enter>");
     assert_eq!(bench.app.pins.len(), 5);
     assert!(bench.message().contains("3 of the eight pins are free"));
 }
@@ -28,7 +28,7 @@ fn one_key_pins_every_other_model_and_takes_them_away_again() {
 fn the_readout_of_many_runs_ends_with_a_whole_one() {
     for (columns, rows) in [(60, 20), (80, 24), (90, 24)] {
         let mut bench = Bench::ascii(columns, rows);
-        bench.keys("I");
+        bench.keys(":every contact<Enter>");
         let screen = bench.screen();
         let row = screen.lines().find(|line| line.contains("|| first arrest  ")).expect(&screen);
         let readout = row.rsplit_once("|| ").map_or(row, |(_, right)| right).trim_end_matches('|');
@@ -47,14 +47,14 @@ fn the_readout_of_many_runs_ends_with_a_whole_one() {
 fn models_that_cannot_run_a_spring_are_left_out_and_it_is_said() {
     let mut bench = Bench::ascii(120, 40);
     std::sync::Arc::make_mut(&mut bench.app.scene).mechanism.spring.kind = SpringKind::Helix;
-    bench.keys("I");
+    bench.keys(":every contact<Enter>");
     let names: Vec<&str> = bench.app.pins.iter().map(|pin| pin.name.as_str()).collect();
     assert_eq!(names, ["lumped", "half-sine", "initial-velocity"]);
     assert!(bench.message().contains("are left out"), "{}", bench.message());
-    bench.keys("I");
+    bench.keys(":every contact<Enter>");
     assert!(bench.app.pins.is_empty());
     std::sync::Arc::make_mut(&mut bench.app.scene).mechanism.spring.kind = SpringKind::Column;
-    bench.keys("I");
+    bench.keys(":every contact<Enter>");
     assert!(bench.app.pins.is_empty());
     assert!(bench.message().contains("set model = hydrodynamic"), "{}", bench.message());
 }

@@ -1,14 +1,15 @@
 //! The mouse, on whole screens: what a click hits is what is drawn there; and pasted text.
 
 use super::bench::Bench;
-use super::sweep::{answer, open};
+use super::sweep::{answer, open_map};
 use super::{accuracy, limit, search, stability};
 use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
 use cmra::study::principles::PRINCIPLES;
 use cmra::tui::app::Tab;
 use cmra::tui::app::dialog::Dialog;
-use cmra::tui::message::{Message, Place, Target};
+use cmra::tui::keymap::Pane;
+use cmra::tui::message::{Message, Target};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::pointer::target;
 
@@ -31,10 +32,9 @@ pub(super) fn click(bench: &mut Bench, at: (u16, u16)) {
 fn a_click_on_a_tab_opens_it_at_every_width() {
     for width in [60, 80, 120] {
         let mut bench = Bench::ascii(width, 24);
-        let title = if width < 74 { "3" } else { "3:Surf" };
-        let at = find(&bench, title);
+        let at = find(&bench, "2:Explore");
         click(&mut bench, at);
-        assert_eq!(bench.app.tab, Tab::Surface, "{width}");
+        assert_eq!(bench.app.tab, Tab::Explore, "{width}");
         let at = find(&bench, "1");
         click(&mut bench, at);
         assert_eq!(bench.app.tab, Tab::Run, "{width}");
@@ -66,8 +66,9 @@ fn a_click_in_a_chart_puts_the_crosshair_there_and_the_wheel_zooms_about_it() {
     let at = (column + 1, 20);
     click(&mut bench, at);
     let t_s = bench.app.charts.cursor_s.unwrap();
-    assert!((t_s - 60e-6).abs() < 2e-6, "{t_s}");
-    assert_eq!((bench.app.focus, bench.app.charts.selected), (Place::Charts, 1));
+    // A cell of the plot is some 2 us wide.
+    assert!((t_s - 60e-6).abs() < 4e-6, "{t_s}");
+    assert_eq!((bench.app.pane(), bench.app.charts.selected), (Pane::Charts, 1));
     bench.send(Message::Wheel(true, target(&bench.app, at)));
     let (from, to) = bench.app.time_range_s();
     assert!(from < t_s && t_s < to && to - from < 100e-6, "{from} {to}");
@@ -75,8 +76,8 @@ fn a_click_in_a_chart_puts_the_crosshair_there_and_the_wheel_zooms_about_it() {
 
 #[test]
 fn a_click_on_a_map_loads_the_design_that_is_drawn_there() {
-    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
-    bench.press("3");
+    let mut bench = open_map("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
+    bench.press("2");
     answer(&mut bench);
     // The cell right of the axis in the lowest row of the plot is the first point of both axes.
     // It has the label of the axis at its left.
@@ -86,22 +87,25 @@ fn a_click_on_a_map_loads_the_design_that_is_drawn_there() {
     let label = line[..line.find("||  0+").unwrap()].chars().count() + 4;
     let (axis, row) = (u16::try_from(label).unwrap() + 1, u16::try_from(row).unwrap());
     click(&mut bench, (axis + 1, row));
+    bench.keys("<Enter>");
     assert!((bench.app.scene.plate.mass_ratio - 0.8).abs() < 1e-12);
     assert_eq!(bench.app.scene.mechanism.spring.coefficient.to_bits(), 0.0_f64.to_bits());
     let hit = target(&bench.app, (axis + 1, 1 + 1)).unwrap();
     assert_eq!(hit, Target::Point((0, 10)));
     bench.send(Message::Click(hit));
+    bench.keys("<Enter>");
     assert!((bench.app.scene.mechanism.spring.coefficient - 7.5e6).abs() < 1.0);
 }
 
 #[test]
 fn a_click_on_the_setup_selects_its_row() {
-    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
-    bench.press("3");
+    let mut bench = open_map("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
+    bench.press("2");
     answer(&mut bench);
     let at = find(&bench, "  v_i ");
     click(&mut bench, (at.0 + 2, at.1));
-    assert!(bench.app.sweeping.on_setup);
+    assert_eq!(bench.app.pane(), Pane::ExploreSetup);
+    let at = find(&bench, "> v_i ");
     click(&mut bench, (at.0 + 2, at.1));
     assert!(bench.app.sweeping.field.is_some());
     bench.send(Message::Paste(" 120\n".to_owned()));
@@ -131,8 +135,8 @@ fn a_very_long_paste_is_refused_and_the_field_keeps_its_text() {
 
 #[test]
 fn held_words_are_listed_as_in_the_editor() {
-    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
-    bench.press("3<Tab>");
+    let mut bench = open_map("figure-9.7", 11, GlyphSet::Ascii, (120, 36));
+    bench.press("2<Tab>");
     answer(&mut bench);
     while !bench.message().starts_with("closure:") {
         bench.press("j");
@@ -144,9 +148,9 @@ fn held_words_are_listed_as_in_the_editor() {
 
 #[test]
 fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
-    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
+    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
     // Along: the row below the spacing chooses the points.
-    bench.press("3<Tab>jjjjjl<Tab>");
+    bench.press("2<Tab>jjjjjl<Tab>");
     answer(&mut bench);
     let grid = bench.app.sweeping.surface.as_ref().unwrap().grid.clone();
     assert!(!grid.is_full() && grid.counts() == (21, 1));
@@ -155,15 +159,15 @@ fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
     };
     let points: Vec<(f64, f64)> =
         (0..21).map(|at| (grid.coordinate((at, 0), 0), grid.coordinate((at, 0), 1))).collect();
-    bench.keys("l");
+    bench.keys("l<Enter>");
     let first = scenes(&bench);
     assert!(points.contains(&first), "{first:?}");
-    bench.keys("l");
+    bench.keys("l<Enter>");
     let next = scenes(&bench);
     assert!(points.contains(&next) && next.0 > first.0);
     let between = |point: &&(f64, f64)| first.0 < point.0 && point.0 < next.0;
     assert_eq!(points.iter().filter(between).count(), 0);
-    bench.keys("k");
+    bench.keys("k<Enter>");
     let above = scenes(&bench);
     assert!(points.contains(&above) && above.1 > next.1);
     insta::assert_snapshot!("surface_dots", bench.screen());
@@ -171,8 +175,8 @@ fn a_design_of_points_is_a_map_of_dots_and_the_cursor_jumps_between_them() {
 
 #[test]
 fn a_map_without_values_says_why_and_what_to_do() {
-    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (80, 24));
-    bench.press("/v_i<Enter><Enter>2000<Enter><Esc>3");
+    let mut bench = open_map("figure-9.7", 11, GlyphSet::Ascii, (80, 24));
+    bench.press("/v_i<Enter><Enter>2000<Enter><Esc>2");
     bench.answer();
     answer(&mut bench);
     insta::assert_snapshot!("surface_all_perforated", bench.screen());
@@ -188,14 +192,14 @@ fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
     let (_, map) = bench.app.stability.map.clone().unwrap();
     let (rows, steps) = (map.values.len(), map.dt_s.len());
     // The plot stands right of the values of its rows and above axis, steps and legend.
-    let corners = [((10, 2), (rows - 1, 0)), ((117, 2), (rows - 1, steps - 1)), ((10, 52), (0, 0))];
+    let corners = [((10, 3), (rows - 1, 0)), ((117, 3), (rows - 1, steps - 1)), ((10, 51), (0, 0))];
     for (at, cell) in corners {
         assert_eq!(target(&bench.app, at), Some(Target::Cell(cell.0, cell.1)), "{at:?}");
         click(&mut bench, at);
         assert_eq!(bench.app.stability.cursor, Some(cell));
     }
     let below = bench.app.stability.cursor;
-    bench.send(Message::Wheel(true, target(&bench.app, (10, 52))));
+    bench.send(Message::Wheel(true, target(&bench.app, (10, 51))));
     assert_eq!(bench.app.stability.cursor, below.map(|(row, step)| (row + 1, step)));
     bench.keys("<Tab>");
     stability::answer(&mut bench);
@@ -230,8 +234,9 @@ fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
     let far = bench.app.limit.shots().len() - 1;
     let screen = bench.screen();
     // The greatest residual velocity is the highest `o` of the plot, below the row of the legend.
-    let mark = |line: &str| line.chars().take(78).collect::<String>().rfind('o');
-    let found = screen.lines().enumerate().skip(4).find_map(|(row, line)| Some((mark(line)?, row)));
+    let mark = |line: &str| line.chars().take(58).collect::<String>().rfind('o');
+    let found =
+        screen.lines().enumerate().skip(14).find_map(|(row, line)| Some((mark(line)?, row)));
     let (column, row) = found.unwrap();
     click(&mut bench, (u16::try_from(column).unwrap(), u16::try_from(row).unwrap()));
     assert_eq!(bench.app.limit.cursor, Some(far));
@@ -244,7 +249,7 @@ fn a_click_on_the_curve_of_the_limit_selects_the_nearest_shot() {
 #[test]
 fn a_click_on_a_row_of_the_thesis_selects_it_and_a_second_one_opens_it() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("7<Tab>");
+    bench.keys("6<Tab>");
     let at = find(&bench, "Obliquity");
     click(&mut bench, at);
     assert_eq!(PRINCIPLES[bench.app.thesis.principle].name, "Obliquity");
@@ -265,7 +270,7 @@ fn a_click_on_a_row_of_the_thesis_selects_it_and_a_second_one_opens_it() {
 #[test]
 fn the_wheel_scrolls_the_log() {
     let mut bench = Bench::ascii(80, 24);
-    bench.press("6");
+    bench.press("7");
     bench.send(Message::Wheel(false, target(&bench.app, (10, 10))));
     assert_eq!(bench.app.log_scroll, 1);
     bench.send(Message::Wheel(true, target(&bench.app, (10, 10))));
@@ -282,7 +287,7 @@ fn a_click_in_a_dialog_selects_a_second_one_takes_it_and_one_beside_closes_it() 
     click(&mut bench, at);
     assert!(bench.app.dialog.is_none());
     assert!((bench.app.scene.plate.mass_ratio - 5.0).abs() < 1e-12);
-    bench.press("U");
+    bench.press(":list of edits<Enter>");
     let at = find(&bench, "the start");
     click(&mut bench, at);
     click(&mut bench, at);
@@ -305,7 +310,7 @@ fn a_click_in_the_export_dialog_ticks_and_never_throws_a_path_away() {
     click(&mut bench, (0, 0));
     assert!(matches!(&bench.app.dialog, Some(Dialog::Export(_))));
     // A path that is being typed stays, too.
-    bench.press("<Esc>8");
+    bench.press("<Esc>3");
     limit::answer(&mut bench);
     bench.press("e");
     click(&mut bench, (0, 0));
@@ -315,9 +320,9 @@ fn a_click_in_the_export_dialog_ticks_and_never_throws_a_path_away() {
 #[test]
 fn a_click_on_a_design_of_a_front_selects_it_and_a_second_one_opens_it() {
     let mut bench = Bench::ascii(160, 50);
-    bench.press("9");
+    bench.press("4");
     search::answer(&mut bench);
-    bench.press("v");
+    bench.press("4<Tab>");
     search::answer(&mut bench);
     let before = bench.app.scene.clone();
     // The first design has the greatest stroke of all, at the upper left end of the front.
@@ -325,13 +330,12 @@ fn a_click_on_a_design_of_a_front_selects_it_and_a_second_one_opens_it() {
     assert_ne!(bench.app.searching.selected(), 0);
     let screen = bench.screen();
     let is_mark = |line: &str| line.chars().skip(34).position(|c| c == 'o').map(|at| at + 34);
-    let mut rows = screen.lines().enumerate().skip(2);
+    let mut rows = screen.lines().enumerate().skip(3);
     let (row, column) = rows.find_map(|(y, line)| Some((y, is_mark(line)?))).unwrap();
     let at = (u16::try_from(column).unwrap(), u16::try_from(row).unwrap());
     assert_eq!(target(&bench.app, at), Some(Target::Design(0)));
     click(&mut bench, at);
     assert_eq!((bench.app.searching.selected(), bench.app.tab), (0, Tab::Search));
     click(&mut bench, at);
-    assert_eq!(bench.app.tab, Tab::Run);
     assert_ne!(bench.app.scene, before);
 }

@@ -10,9 +10,9 @@ use cmra::files::preset;
 use cmra::study::sweep::crew::Crew;
 use cmra::study::sweep::grid::Grid;
 use cmra::tui::app::dialog::Dialog;
-use cmra::tui::app::sweep::SetupRow;
+use cmra::tui::app::sweep::{Picture, SetupRow};
 use cmra::tui::app::{Base, Origin, Tab};
-use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
 use cmra::worker::sweeps::{SweepBody, SweepJob, SweepReport};
@@ -69,6 +69,13 @@ pub(super) fn open(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16
     bench
 }
 
+/// The same on a map.
+pub(super) fn open_map(figure: &str, count: usize, glyphs: GlyphSet, size: (u16, u16)) -> Bench {
+    let mut bench = open(figure, count, glyphs, size);
+    bench.app.sweeping.visits.picture = Picture::Surface;
+    bench
+}
+
 /// Press keys and answer what was asked for after each.
 fn keys(bench: &mut Bench, keys: &str) {
     let mut rest = keys;
@@ -88,7 +95,8 @@ fn the_sweep_tabs_at_every_size() {
             let mut bench = open("figure-9.7", 21, glyphs, (columns, rows));
             keys(&mut bench, "2lll");
             assert_snapshot!(format!("lines_{columns}x{rows}_{glyphs}"), bench.screen());
-            keys(&mut bench, "3llkkk");
+            bench.app.sweeping.visits.picture = Picture::Surface;
+            keys(&mut bench, "12llkkk");
             assert_snapshot!(format!("surface_{columns}x{rows}_{glyphs}"), bench.screen());
         }
     }
@@ -99,28 +107,28 @@ fn one_curve_and_a_logarithmic_surface() {
     let mut bench = open("figure-9.4", 41, GlyphSet::Ascii, (80, 24));
     keys(&mut bench, "2vlll");
     assert_snapshot!("lines_one_curve", bench.screen());
-    let mut bench = open("figure-9.9", 11, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, "3vYLKK");
+    let mut bench = open_map("figure-9.9", 11, GlyphSet::Ascii, (120, 36));
+    keys(&mut bench, "2vYL<PgUp><PgUp>");
     assert_snapshot!("surface_log", bench.screen());
 }
 
 #[test]
 fn what_has_no_value_is_a_letter_with_its_meaning() {
-    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
-    keys(&mut bench, "3<Tab>jjjjjj<Enter>v_i<Enter>");
+    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 36));
+    keys(&mut bench, "2<Tab>jjjjjj<Enter>v_i<Enter>");
     keys(&mut bench, "<Enter>150<Enter><Enter>400<Enter><Tab>");
     assert_snapshot!("surface_perforated", bench.screen());
     assert!(bench.screen().contains("P  perforated"));
-    keys(&mut bench, "KKKK");
+    keys(&mut bench, "<PgUp><PgUp><PgUp><PgUp>");
     assert!(bench.message().ends_with("perforated"), "{}", bench.message());
 }
 
 #[test]
 fn a_coloured_map_shows_two_values_in_a_cell_and_ascii_one_with_its_character() {
     let draw = |glyphs| {
-        let mut bench = open("figure-9.7", 21, glyphs, (80, 24));
+        let mut bench = open_map("figure-9.7", 21, glyphs, (80, 24));
         bench.app.theme = Theme { glyphs, depth: ColourDepth::Ansi256 };
-        keys(&mut bench, "3");
+        keys(&mut bench, "2");
         let mut terminal = Terminal::new(TestBackend::new(80, 24)).unwrap();
         terminal.draw(|frame| view(&bench.app, frame)).unwrap();
         terminal.backend().buffer().clone()
@@ -136,42 +144,63 @@ fn a_coloured_map_shows_two_values_in_a_cell_and_ascii_one_with_its_character() 
 }
 
 #[test]
-fn moving_the_cursor_loads_that_design_and_one_undo_takes_it_back() {
-    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
-    keys(&mut bench, "3");
+fn the_cursor_only_looks_and_enter_loads_that_design() {
+    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2");
     let before = Arc::clone(&bench.app.scene);
     keys(&mut bench, "llkkk");
+    assert_eq!(bench.app.scene, before, "a cursor changes nothing");
+    assert!(bench.message().contains("gamma 1.73 k 1.125e6"), "{}", bench.message());
+    keys(&mut bench, "<Enter>");
     let scene = &bench.app.scene;
     // The baseline is nearest to point 1, 0 of 21 x 21.
     assert!((scene.plate.mass_ratio - (0.8 + 3.0 * 0.31)).abs() < 1e-12);
     assert!((scene.mechanism.spring.coefficient - 3.0 * 375e3).abs() < 1e-6);
-    assert!(bench.message().contains("gamma 1.73 k 1.125e6"), "{}", bench.message());
     // The run of this design is computed, the surface is not: it is the same.
     assert_eq!(bench.app.shown.as_ref().unwrap().run.scene, bench.app.scene);
     assert!(jobs(&mut bench).is_empty());
+    assert_eq!(bench.app.tab, Tab::Explore);
     keys(&mut bench, "u");
     assert_eq!(bench.app.scene, before);
-    keys(&mut bench, "l<Enter>");
-    assert_eq!(bench.app.tab, Tab::Run);
-    assert!(bench.app.is_modified());
+    // Space pins the design under the cursor, and leaves the scene alone.
+    keys(&mut bench, "l ");
+    assert_eq!(bench.app.scene, before);
+    assert_eq!(bench.app.pins.len(), 1);
+}
+
+/// Results of another scene are not loaded: the page says to press r, and Enter refuses.
+#[test]
+fn stale_results_are_not_loaded() {
+    let mut bench = open_map("figure-9.7", 5, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2");
+    keys(&mut bench, ":switch auto<Enter><Tab>");
+    let held = |row: &SetupRow| matches!(row, SetupRow::Held(_));
+    bench.app.sweeping.row =
+        *bench.app.setup_choices(Picture::Surface).iter().find(|row| held(row)).unwrap();
+    keys(&mut bench, "l<Tab>ll");
+    let before = Arc::clone(&bench.app.scene);
+    keys(&mut bench, "<Enter>");
+    assert_eq!(bench.app.scene, before);
+    assert!(bench.message().contains("press r"), "{}", bench.message());
+    assert!(bench.screen().contains("press r"), "{}", bench.screen());
 }
 
 #[test]
 fn the_cursor_stops_at_the_ends_of_its_axes() {
-    let mut bench = open("figure-9.7", 11, GlyphSet::Ascii, (80, 24));
-    keys(&mut bench, "3LLLKKK");
+    let mut bench = open_map("figure-9.7", 11, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2LLL<PgUp><PgUp><Enter>");
     assert_eq!(bench.app.scene.plate.mass_ratio.to_bits(), 7f64.to_bits());
     assert_eq!(bench.app.scene.mechanism.spring.coefficient.to_bits(), 7.5e6f64.to_bits());
-    keys(&mut bench, "HHHJJJ");
+    keys(&mut bench, "HHH<PgDn><PgDn><Enter>");
     assert_eq!(bench.app.scene.plate.mass_ratio.to_bits(), 0.8f64.to_bits());
 }
 
 #[test]
 fn a_held_variable_redraws_at_once_coarse_first() {
-    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
-    keys(&mut bench, "3<Tab>");
+    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2<Tab>");
     let held = |row: &SetupRow| matches!(row, SetupRow::Held(_));
-    let rows = bench.app.setup_choices(bench.app.picture().unwrap());
+    let rows = bench.app.setup_choices(bench.app.picture());
     let v_i = rows.iter().copied().filter(held).nth(2).unwrap();
     bench.app.sweeping.row = v_i;
     bench.keys("l");
@@ -196,8 +225,8 @@ fn a_held_variable_redraws_at_once_coarse_first() {
 
 #[test]
 fn a_stopped_sweep_keeps_its_part_and_says_so() {
-    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
-    bench.keys("3");
+    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    bench.keys("2");
     let job = jobs(&mut bench).remove(0);
     let progress = SweepBody::Progress { done: 10, total: 441, elapsed: Duration::from_secs(5) };
     say(&mut bench, &job, progress);
@@ -206,16 +235,16 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelSweep)));
     let found = grid(&job, 100);
     say(&mut bench, &job, SweepBody::Ended { grid: found, took: Duration::from_millis(8) });
-    assert!(bench.message().contains("what was finished is shown"));
-    assert!(bench.screen().contains("stopped after 100 of 441 points: r sweeps again"));
+    assert!(bench.message().contains("Partial results are shown"));
+    assert!(bench.screen().contains("cancelled after 100 of 441 points: press r"));
     bench.keys("r");
     assert_eq!(jobs(&mut bench).len(), 1);
 }
 
 #[test]
 fn a_refused_text_stays_with_its_reason() {
-    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
-    keys(&mut bench, "3<Tab>");
+    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2<Tab>");
     for (to, text, fragments) in [
         (SetupRow::From(0), "-1", &["axis gamma", "reaches -1", "greater than 0"][..]),
         (SetupRow::To(0), "0.8", &["axis gamma", "both ends are 0.8", "differ"]),
@@ -283,55 +312,63 @@ fn axes_ranges_and_outputs_are_chosen_in_place_and_undone() {
 #[test]
 fn a_scene_without_a_sweep_gets_usual_axes() {
     let mut bench = Bench::ascii(80, 24);
-    keys(&mut bench, "3");
+    bench.app.sweeping.visits.picture = Picture::Surface;
+    keys(&mut bench, "2");
     assert!(bench.screen().contains("percent of baseline, up: k"), "{}", bench.screen());
     assert!(!bench.app.is_modified(), "looking changes nothing");
-    keys(&mut bench, "2");
+    // The setup chooses curves or a map, and one undo comes back.
+    bench.app.sweeping.row = SetupRow::Picture;
+    keys(&mut bench, "<Tab>l");
     assert!(bench.screen().contains("variable  gamma"), "{}", bench.screen());
+    assert_eq!(bench.app.picture(), Picture::Line);
+    keys(&mut bench, "u");
+    assert_eq!(bench.app.picture(), Picture::Surface);
 }
 
 #[test]
 fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
-    let mut bench = open("figure-9.7", 5, GlyphSet::Ascii, (80, 24));
-    keys(&mut bench, "3e");
+    let mut bench = open_map("figure-9.7", 5, GlyphSet::Ascii, (80, 24));
+    keys(&mut bench, "2e");
     assert_snapshot!("surface_export", bench.screen());
     bench.press("<Enter>");
     let export = bench.effects.iter().find_map(|effect| match effect {
-        Effect::ExportSweep(export) => Some(export.clone()),
+        Effect::ExportTable { path, overwrite, content: Content::Grid(name, grid) } => {
+            Some((path.clone(), *overwrite, name.clone(), Arc::clone(grid)))
+        }
         _ => None,
     });
-    let export = export.expect("an export");
-    assert!(export.path.ends_with("figure-9.7-gamma-k.csv") && !export.overwrite);
-    let text = cmra::files::sweep::grid_csv(&export.name, &export.grid).unwrap();
+    let (path, overwrite, name, grid) = export.expect("an export");
+    assert!(path.ends_with("figure-9.7-gamma-k.csv") && !overwrite);
+    let text = cmra::files::sweep::grid_csv(&name, &grid).unwrap();
     let text = String::from_utf8(text).unwrap();
     assert!(
         text.starts_with("gamma,k,outcome,percent_of_baseline,max_plate_displacement_m,error\n")
     );
     assert_eq!(text.lines().count(), 1 + 25);
     bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x.csv".into()))));
-    assert!(matches!(&bench.app.dialog, Some(Dialog::ExportSweep(save)) if save.question));
+    assert!(matches!(&bench.app.dialog, Some(Dialog::ExportTable(_, save)) if save.question));
     bench.press("y");
     let forced = bench
         .effects
         .iter()
-        .any(|effect| matches!(effect, Effect::ExportSweep(it) if it.overwrite));
+        .any(|effect| matches!(effect, Effect::ExportTable { overwrite: true, .. }));
     assert!(forced);
 }
 
 /// The thesis calls its surfaces response surfaces: F shows how far a quadratic follows one, and what it leaves over.
 #[test]
 fn a_quadratic_fit_shows_what_it_leaves_over() {
-    let mut bench = open("figure-9.7", 21, GlyphSet::Ascii, (120, 40));
-    keys(&mut bench, "3");
+    let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (120, 40));
+    keys(&mut bench, "2");
     assert!(!bench.screen().contains("quadratic fit"));
-    keys(&mut bench, "F");
+    keys(&mut bench, ":residuals of the quad<Enter>");
     let screen = bench.screen();
     assert!(
         screen.contains("off the fit: ") && screen.contains("quadratic fit: R2 0.9"),
         "{screen}"
     );
     assert_snapshot!("surface_off_the_fit", screen);
-    keys(&mut bench, "F");
+    keys(&mut bench, ":residuals of the quad<Enter>");
     assert!(!bench.screen().contains("off the fit"));
 }
 
@@ -343,12 +380,12 @@ fn other_designs_are_dots_and_the_cursor_walks_them() {
     assert!(bench.screen().contains("lhs"), "{}", bench.screen());
     assert!(bench.screen().contains("21 points in 8.0 ms"), "{}", bench.screen());
     assert_snapshot!("lines_of_a_hypercube", bench.screen());
-    keys(&mut bench, "<Tab>hHHH");
+    keys(&mut bench, "<Tab>hHHH<Enter>");
     let gamma = |bench: &Bench| bench.app.scene.plate.mass_ratio;
     let first = gamma(&bench);
     // One point in each of 21 slices of 0.8 to 7.
     assert!(first > 0.8 && first < 0.8 + 6.2 / 21.0, "{first}");
-    keys(&mut bench, "l");
+    keys(&mut bench, "l<Enter>");
     assert!(gamma(&bench) > first && gamma(&bench) < 0.8 + 2.0 * 6.2 / 21.0);
     keys(&mut bench, "<Tab>l");
     assert!(bench.screen().contains("sobol"), "{}", bench.screen());

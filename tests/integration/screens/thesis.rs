@@ -6,14 +6,14 @@ use super::bench::Bench;
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
 use cmra::tui::app::Tab;
-use cmra::tui::message::{Effect, Message, PresetEntry};
+use cmra::tui::message::{Content, Effect, Message, PresetEntry};
 use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
 use insta::assert_snapshot;
 
 /// The tab with the quick claims of the first chapters answered.
 fn bench(columns: u16, rows: u16) -> Bench {
     let mut bench = Bench::ascii(columns, rows);
-    bench.keys("7");
+    bench.keys("6");
     let id = asked(&bench).expect("the claims are asked for");
     let rows: Vec<Row> = claims().take(24).map(check).collect();
     send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(rows), true)));
@@ -51,17 +51,17 @@ fn the_pages_at_two_sizes() {
 #[test]
 fn rows_come_in_parts_and_a_stopped_report_says_so() {
     let mut bench = Bench::ascii(80, 24);
-    bench.keys("7");
+    bench.keys("6");
     assert!(bench.screen().contains("checking the first claims"));
     let id = asked(&bench).unwrap();
     let some: Vec<Row> = claims().take(2).map(check).collect();
     let part = Finding::Thesis(Arc::new(some.clone()), false);
     send(&mut bench, id, StudyBody::Part { done: 2, total: 114, part });
-    assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc stops)"));
+    assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc cancels)"));
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy)));
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
     send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(some), false)));
-    assert!(bench.screen().contains("stopped: r checks all"));
+    assert!(bench.screen().contains("cancelled: press r to check all"));
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn enter_opens_what_shows_a_claim_and_undo_comes_back() {
     assert_eq!(bench.app.tab, Tab::Run);
     assert!(bench.app.scene.mechanism.spring.coefficient.abs() < f64::EPSILON);
     assert_eq!(bench.app.base.name, "claim 2.3.1-inelastic");
-    bench.keys("u7");
+    bench.keys("u6");
     assert!((bench.app.scene.mechanism.spring.coefficient - 1e5).abs() < 1e-9);
     bench.keys("gj<Enter>");
     assert!(bench.message().contains("no scene shows this"), "{}", bench.message());
@@ -82,15 +82,22 @@ fn enter_opens_what_shows_a_claim_and_undo_comes_back() {
 #[test]
 fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
     for (preset, tab, names) in [
-        ("figure-9.2", Tab::Sweep, &["gamma"][..]),
-        ("figure-9.8", Tab::Surface, &["gamma", "n"][..]),
+        ("figure-9.2", Tab::Explore, &["gamma"][..]),
+        ("figure-9.8", Tab::Explore, &["gamma", "n"][..]),
     ] {
         let mut bench = Bench::ascii(80, 24);
         let found = cmra::files::preset::resolve(preset, None).expect("a bundled preset");
         let (name, comment) = (preset.to_owned(), String::new());
         let scene = found.scene;
-        bench.app.presets.push(PresetEntry { name, origin: "bundled", scene, comment, part: None });
-        bench.keys("7");
+        bench.app.presets.push(PresetEntry {
+            name,
+            origin: "bundled",
+            scene,
+            comment,
+            part: None,
+            problem: None,
+        });
+        bench.keys("6");
         let id = asked(&bench).expect("the claims are asked for");
         let rows = claims().find(|it| matches!(it.opens, Opens::Preset(name) if name == preset));
         let rows: Vec<Row> = rows.into_iter().map(check).collect();
@@ -104,7 +111,7 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         let plan = asked.expect("a sweep");
         let along: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         assert_eq!(along, names);
-        bench.press("u7");
+        bench.press("u6");
         assert_eq!(bench.app.base.name, "thesis-baseline");
     }
 }
@@ -119,7 +126,9 @@ fn each_page_is_exported() {
     ] {
         bench.keys("e<Enter>");
         let written = bench.effects.iter().rev().find_map(|effect| match effect {
-            Effect::ExportTable { text, path, .. } => Some((text.clone(), path.clone())),
+            Effect::ExportTable { content: Content::Text(text), path, .. } => {
+                Some((text.clone(), path.clone()))
+            }
             _ => None,
         });
         let (text, path) = written.expect("an export");
@@ -134,12 +143,12 @@ fn each_page_is_exported() {
 #[test]
 fn the_filter_goes_through_all_verdicts() {
     let mut bench = bench(80, 24);
-    let all = bench.app.thesis.shown().len();
+    let all = bench.app.claims().len();
     let mut seen = 0;
     for verdict in Verdict::ALL {
         bench.keys("v");
         assert_eq!(bench.app.thesis.filter, Some(verdict));
-        let shown = bench.app.thesis.shown();
+        let shown = bench.app.claims();
         assert!(shown.iter().all(|row| row.found.verdict == verdict));
         seen += shown.len();
     }
@@ -158,7 +167,7 @@ fn weights_change_the_ranking_and_come_back() {
     assert!(bench.app.thesis.weights[6].abs() < 1e-12);
     let screen = bench.screen();
     assert!(screen.contains("4 (2)"), "{screen}");
-    bench.keys("D");
+    bench.keys("d");
     assert!((bench.app.thesis.weights[6] - 35.0).abs() < 1e-12);
 }
 

@@ -1,16 +1,17 @@
 //! What was found, as lines of text. No drawing.
 
+use std::fmt::Write as _;
+
 use super::setup::brief;
 use super::{Answer, App, Found, Page, Request};
 use crate::model::results::ResultColumn;
-use crate::model::units::{Engineering, significant};
-use crate::study::compare::{self, summary::sentences};
+use crate::model::units::significant;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::search::{scatter, seek};
 use crate::study::sensitivity::{self, indices::Index};
 use crate::study::sweep::Fate;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::{fitted, wrap};
+use crate::tui::app::status::{clip, fitted, wrap};
 
 /// A line, and how it is meant.
 pub type Line = (Severity, String);
@@ -29,22 +30,23 @@ impl App {
         match (&found.answer, &*found.request) {
             (Answer::Seek(report), _) => wrapped(sought(report, self.searching.selected()), width),
             (Answer::Front(front), Request::Front(task)) => {
-                wrapped(candidates(front, task, width), width)
+                let mut lines = self.designs_table(task, width);
+                lines.extend(wrapped(candidates(front, task, width), width));
+                lines
             }
-            (Answer::Front(_), _) => Vec::new(),
+            (Answer::Front(_) | Answer::Compare(_), _) => Vec::new(),
             (Answer::Sensitivity(report), _) if is_empty(report) => {
                 wrapped(matters(report, width), width)
             }
             (Answer::Sensitivity(report), _) => matters(report, width),
             (Answer::Scatter(report), _) => scattered(report, self.searching.setup.output, width),
-            (Answer::Compare(found), _) => compared(&found.report, width),
         }
     }
 
     /// The measure that the scatter page draws, with its values.
     pub fn scattered(&self) -> Option<(&scatter::Report, &scatter::Summary)> {
         let Some(Found { answer: Answer::Scatter(report), .. }) =
-            self.searching.found[Page::Scatter.place()].as_ref()
+            self.searching.found[Page::MonteCarlo.index()].as_ref()
         else {
             return None;
         };
@@ -54,8 +56,45 @@ impl App {
     }
 }
 
+impl App {
+    /// The designs of the front as a table: a heading, then a row a design; `*` marks the column it is sorted by.
+    fn designs_table(&self, task: &Task, width: usize) -> Vec<Line> {
+        let tab = &self.searching;
+        let measures = task.measures();
+        let sorted = tab.sorted_by.unwrap_or_else(|| tab.across(task).0);
+        let cell = 11;
+        let shown_measures = measures.len().min(width.saturating_sub(8) / cell);
+        let room = width.saturating_sub(8 + shown_measures * cell);
+        let shown_axes = task.axes.len().min(room / cell);
+        let mut head = format!("{:7}", "  no.");
+        for (at, measure) in measures.iter().enumerate().take(shown_measures) {
+            let mark = if at == sorted { "*" } else { "" };
+            let _ = write!(head, "{:>cell$}", format!("{mark}{}", clip(&brief(measure), cell - 2)));
+        }
+        for axis in task.axes.iter().take(shown_axes) {
+            let _ = write!(head, "{:>cell$}", axis.symbol());
+        }
+        let mut lines = vec![note(head)];
+        let knee = tab.knee();
+        for (at, design) in tab.designs().into_iter().enumerate() {
+            let mark = if at == tab.selected() { ">" } else { " " };
+            let name = if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };
+            let mut row = format!("{mark} {name:<5}");
+            for (measure, value) in measures.iter().zip(&design.measures).take(shown_measures) {
+                let _ = write!(row, "{:>cell$}", shown(measure, *value));
+            }
+            for value in design.values.iter().take(shown_axes) {
+                let _ = write!(row, "{:>cell$}", significant(*value, 4));
+            }
+            lines.push(note(row));
+        }
+        lines.push(note("X cursor, o design; and for comparison:".to_owned()));
+        lines
+    }
+}
+
 /// Sentences over as many lines as they need.
-fn wrapped(lines: Vec<Line>, width: usize) -> Vec<Line> {
+pub(in crate::tui::app) fn wrapped(lines: Vec<Line>, width: usize) -> Vec<Line> {
     let split = |(severity, text): Line| {
         let lines = if text.chars().count() <= width { vec![text] } else { wrap(&text, width) };
         lines.into_iter().map(move |line| (severity, line))
@@ -121,7 +160,7 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
 fn standing(candidate: &Candidate, task: &Task) -> Line {
     match &candidate.standing {
         Standing::OnFront => note("on the front".to_owned()),
-        Standing::Beaten { .. } => note("off it: beaten throughout".to_owned()),
+        Standing::Beaten { .. } => note("off it: dominated".to_owned()),
         Standing::Breaks(at) => {
             (Severity::Warning, format!("breaks {}", task.constraints[*at].words()))
         }
@@ -235,71 +274,6 @@ fn scattered(report: &scatter::Report, output: &str, width: usize) -> Vec<Line> 
         let title = fitted(&summary.measure.title(), name);
         let values = cells([show(summary.nominal), at(0.05), at(0.5), at(0.95)]);
         lines.push(note(format!("{mark} {title:name$}{values}")));
-    }
-    lines
-}
-
-/// The verdict in sentences, then the figures of the candidates beside each other, as many as fit.
-fn compared(report: &compare::Report, width: usize) -> Vec<Line> {
-    let narrow = width < LABEL + 4 * WIDE_CELL;
-    let cell = if narrow { CELL } else { WIDE_CELL };
-    let beside = (width.saturating_sub(LABEL) / cell).max(1);
-    let sentences = sentences(report).into_iter().map(|text| {
-        let is_caution = text.starts_with("caution");
-        (if is_caution { Severity::Warning } else { Severity::Note }, text)
-    });
-    let mut lines = wrapped(sentences.collect(), width);
-    for entries in report.entries.chunks(beside) {
-        lines.push(note(String::new()));
-        lines.extend(figures(entries, cell));
-    }
-    lines
-}
-
-/// Columns of a label and of a value, narrow and wide.
-const LABEL: usize = 13;
-const CELL: usize = 9;
-const WIDE_CELL: usize = 13;
-
-/// The figures of some candidates beside each other.
-fn figures(entries: &[compare::Entry], cell: usize) -> Vec<Line> {
-    // Of `rigid mount` the first word says it.
-    let narrow = cell < WIDE_CELL;
-    let head = |word: &'static str| word.split(' ').next().filter(|_| narrow).unwrap_or(word);
-    let row = |label: &str, cells: Vec<String>| {
-        let cells =
-            cells.iter().fold(String::new(), |line, text| line + &format!(" {text:>0$}", cell - 1));
-        note(format!("{label:LABEL$}{cells}"))
-    };
-    let heads = entries.iter().map(|entry| head(entry.candidate.word()).to_owned());
-    let mut lines = vec![row("", heads.collect())];
-    let outcomes = entries.iter().map(|entry| entry.outcome.to_string()).collect();
-    lines.push(row("outcome", outcomes));
-    let figures: [(&str, &str, &str); 12] = [
-        ("mass_efficiency", "efficiency", ""),
-        ("mass_efficiency_as_built", "as built", ""),
-        ("areal_mass_kg_m2", "areal mass", "kg/m2"),
-        ("limit_velocity_m_s", "limit", "m/s"),
-        ("perforation_velocity_m_s", "perforation", "m/s"),
-        ("stroke_m", "stroke", "m"),
-        ("stroke_at_limit_m", "at limit", "m"),
-        ("stored_energy_j", "energy", "J"),
-        ("peak_mount_force_n", "mount force", "N"),
-        ("peak_mount_force_at_limit_n", "at limit", "N"),
-        ("mount_impulse_n_s", "impulse", "N s"),
-        ("penetration_m", "depth", "m"),
-    ];
-    for (name, label, unit) in figures {
-        let figure = compare::FIGURES.iter().find(|figure| figure.name == name);
-        let show = |value: Option<f64>| match (value, unit) {
-            (None, _) => "-".to_owned(),
-            (Some(value), "" | "kg/m2") => significant(value, 4),
-            // Without a prefix: velocities side by side are to be compared.
-            (Some(value), "m/s") => format!("{} m/s", significant(value, 3)),
-            (Some(value), unit) => Engineering { value, unit, digits: 3 }.to_string(),
-        };
-        let cells = entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(entry))));
-        lines.push(row(label, cells.collect()));
     }
     lines
 }

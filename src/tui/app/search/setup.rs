@@ -70,9 +70,6 @@ impl Default for Setup {
 /// One row of the setup.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Row {
-    /// Which search.
-    #[default]
-    Page,
     /// A heading.
     Heading(&'static str),
     /// Goal seek: the variable.
@@ -87,7 +84,8 @@ pub enum Row {
     Points,
     /// The result that has a goal.
     Result,
-    /// The goal.
+    /// The goal: what a person changes first.
+    #[default]
     Goal,
     /// A variable with its bounds.
     Bound(usize),
@@ -121,7 +119,7 @@ pub struct SearchField {
     /// The text.
     pub input: Input,
     /// The old text is still selected: the first character replaces it.
-    pub fresh: bool,
+    pub all_selected: bool,
     /// Why the text is no good.
     pub error: Option<String>,
 }
@@ -170,18 +168,18 @@ impl App {
     /// The rows of the setup, headings included.
     pub fn search_rows(&self) -> Vec<Row> {
         let bounds = || (0..self.search_bounds().len()).map(Row::Bound);
-        let mut rows = vec![Row::Page];
+        let mut rows = Vec::new();
         match self.searching.page {
             Page::Seek => rows.extend([
+                Row::Heading("Goal"),
+                Row::Result,
+                Row::Goal,
                 Row::Heading("Vary"),
                 Row::Name,
                 Row::From,
                 Row::To,
                 Row::Spacing,
                 Row::Points,
-                Row::Heading("Until"),
-                Row::Result,
-                Row::Goal,
             ]),
             Page::Front => {
                 rows.push(Row::Heading("Make small"));
@@ -195,25 +193,29 @@ impl App {
                 rows.extend([Row::Heading("Of"), Row::Output, Row::Heading("Vary")]);
                 rows.extend(bounds());
             }
-            Page::Scatter => rows.extend([
+            Page::MonteCarlo => rows.extend([
                 Row::Heading("Every input"),
                 Row::Percent,
                 Row::Samples,
                 Row::Heading("Show"),
                 Row::Output,
             ]),
-            Page::Compare => {}
         }
         rows
     }
 
     /// The selected row; the first one where the selection is not there any more.
     pub fn search_row(&self) -> Row {
-        if self.search_rows().contains(&self.searching.row) {
-            self.searching.row
-        } else {
-            Row::Page
+        let rows = self.search_rows();
+        if rows.contains(&self.searching.row) {
+            return self.searching.row;
         }
+        // What a person changes first: the goal, else the first row.
+        if self.searching.page == Page::Seek {
+            return Row::Goal;
+        }
+        let first = rows.iter().find(|row| !matches!(row, Row::Heading(_)));
+        first.copied().unwrap_or_default()
     }
 
     /// Move the selection, stopping at the ends.
@@ -234,7 +236,6 @@ impl App {
         let on = |on: bool| if on { "yes" } else { "no" }.to_owned();
         let number = |value: f64| significant(value, 5);
         match row {
-            Row::Page => text("search", self.searching.page.title().to_owned()),
             Row::Heading(heading) => text(heading, String::new()),
             Row::Name => text("variable", setup.seek.name.to_owned()),
             Row::From => text("from", number(setup.seek.ends.0)),
@@ -301,8 +302,7 @@ impl App {
             Row::Output => setup.output.to_owned(),
             Row::Percent => significant(setup.percent, 5),
             Row::Samples => setup.samples.to_string(),
-            Row::Page
-            | Row::Heading(_)
+            Row::Heading(_)
             | Row::Spacing
             | Row::Objective(_)
             | Row::Feasible
@@ -326,10 +326,6 @@ impl App {
             )
         };
         match self.search_row() {
-            Row::Page => {
-                "h/l or v: goal seek, best designs, what matters, scatter, mass efficiency"
-                    .to_owned()
-            }
             Row::Heading(_) => String::new(),
             Row::Name | Row::From | Row::To | Row::Spacing => of(self.searching.setup.seek.name),
             Row::Points => "points of the scan: solutions closer together may be missed".to_owned(),
@@ -382,14 +378,13 @@ impl App {
                 output: setup.output.to_owned(),
                 effort: sensitivity::Effort { rows: 1024, trajectories: 100, seed: 1, threads },
             },
-            Page::Scatter => Request::Scatter(scatter::Task {
+            Page::MonteCarlo => Request::Scatter(scatter::Task {
                 tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
                 measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
                 samples: setup.samples,
                 seed: 1,
                 threads,
             }),
-            Page::Compare => Request::Compare,
         })
     }
 

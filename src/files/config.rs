@@ -1,0 +1,81 @@
+//! The configuration of the workbench: keys, colours and characters, in `config.toml` of the configuration folder.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use crate::files::error::FileError;
+use crate::files::read;
+
+/// What may be written there; everything is optional.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {
+    /// The characters charts are drawn with: `auto`, `ascii`, `block` or `braille`.
+    pub characters: Option<String>,
+    /// The colours: `none`, `sixteen`, `256` or `full`.
+    pub colours: Option<String>,
+    /// Keys by the names of actions: `undo = "U"` or `undo = ["u", "U"]`.
+    pub keys: BTreeMap<String, Keys>,
+}
+
+/// One key or several.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq)]
+#[serde(untagged)]
+pub enum Keys {
+    /// One.
+    One(String),
+    /// Several, the one to show first.
+    Several(Vec<String>),
+}
+
+impl Config {
+    /// The keys by the names of actions.
+    pub fn wanted_keys(&self) -> BTreeMap<String, Vec<String>> {
+        let list = |keys: &Keys| match keys {
+            Keys::One(key) => vec![key.clone()],
+            Keys::Several(keys) => keys.clone(),
+        };
+        self.keys.iter().map(|(name, keys)| (name.clone(), list(keys))).collect()
+    }
+}
+
+/// Reads the configuration; one that is not there is empty.
+///
+/// # Errors
+/// In words: what cannot be read, where, and what is allowed.
+pub fn load(path: &Path) -> Result<Config, String> {
+    let text = match read::ordinary_text_file(path, read::BYTES_MAX) {
+        Ok(text) => text,
+        Err(FileError::Read { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {
+            return Ok(Config::default());
+        }
+        Err(error) => return Err(error.to_string()),
+    };
+    toml::from_str(&text).map_err(|error| {
+        let first = error.message().lines().next().unwrap_or_default().to_owned();
+        let line = error.span().map_or(0, |span| text[..span.start].matches('\n').count() + 1);
+        format!("{}, line {line}: {first}; the rest of the file is left alone", path.display())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_configuration_is_read_and_what_is_not_there_is_empty() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("config.toml");
+        assert_eq!(load(&path), Ok(Config::default()));
+        let text = "characters = \"ascii\"\n[keys]\nundo = \"U\"\nrun = [\"r\", \"F5\"]\n";
+        std::fs::write(&path, text).unwrap();
+        let config = load(&path).unwrap();
+        assert_eq!(config.characters.as_deref(), Some("ascii"));
+        assert_eq!(config.wanted_keys()["run"], ["r", "F5"]);
+        std::fs::write(&path, "colour = \"none\"\n").unwrap();
+        let refused = load(&path).unwrap_err();
+        assert!(refused.contains("line 1") && refused.contains("colours"), "{refused}");
+    }
+}

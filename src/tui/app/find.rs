@@ -1,0 +1,69 @@
+//! Finding by text: how well a text matches, and the field of `/`.
+
+use tui_input::Input;
+
+/// The field of `/` while it is open, and the texts that lists are filtered by.
+#[derive(Clone, Debug, Default)]
+pub struct Find {
+    /// The text being typed.
+    pub field: Option<Input>,
+    /// Claims shown: those that match.
+    pub claims: String,
+    /// Lines of the log shown: those that contain it.
+    pub log: String,
+}
+
+/// How well what was typed matches something with these names, described by this text: smaller is better, `None` not at all.
+///
+/// A whole name comes first, then the beginning of a name, then the beginnings of words, then any part.
+pub fn rank(typed: &str, names: &[&str], text: &str) -> Option<usize> {
+    let typed = plain(typed);
+    if typed.is_empty() {
+        return Some(0);
+    }
+    let names: Vec<String> = names.iter().map(|name| plain(name)).collect();
+    let all = format!("{} {}", names.join(" "), plain(text));
+    let begins_a_word = |word: &str| all.split(' ').any(|other| other.starts_with(word));
+    if names.contains(&typed) {
+        Some(1)
+    } else if names.iter().any(|name| name.starts_with(&typed)) {
+        Some(2)
+    } else if typed.split(' ').all(begins_a_word) {
+        Some(3)
+    } else {
+        all.contains(&typed).then_some(4)
+    }
+}
+
+/// The ones that match, best first; those that match alike stay in their order.
+pub fn ranked<T>(items: impl Iterator<Item = T>, rank: impl Fn(&T) -> Option<usize>) -> Vec<T> {
+    let mut found: Vec<(usize, T)> = items.filter_map(|item| Some((rank(&item)?, item))).collect();
+    found.sort_by_key(|(rank, _)| *rank);
+    found.into_iter().map(|(_, item)| item).collect()
+}
+
+/// Lower case, words apart by one blank: `figure 9.8` and `figure-9.8` are the same.
+fn plain(text: &str) -> String {
+    let text = text.to_lowercase().replace(['-', '_', ':', ','], " ");
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_whole_name_comes_before_a_beginning_a_word_and_a_part() {
+        let names = ["kind of spring", "kappa", "k", "bulk", "a k value"];
+        let found = ranked(names.iter(), |name| rank("k", &[name], ""));
+        assert_eq!(found, [&"k", &"kind of spring", &"kappa", &"a k value", &"bulk"]);
+    }
+
+    #[test]
+    fn letters_scattered_over_a_text_do_not_match() {
+        assert_eq!(rank("pareto", &["peak-force"], "projectile and rear face, to rest"), None);
+        assert_eq!(rank("figure 9.8", &["figure-9.8"], ""), Some(1));
+        assert_eq!(rank("pareto", &["Pareto front"], ""), Some(2));
+        assert_eq!(rank("worth", &["Comparison"], "mass efficiency worth"), Some(3));
+    }
+}

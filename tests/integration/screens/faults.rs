@@ -1,0 +1,289 @@
+//! What was found wrong while trying the workbench: each with the keys that showed it.
+
+use super::accuracy;
+use super::bench::Bench;
+use super::{search, sweep};
+use cmra::tui::app::Tab;
+use cmra::tui::keymap::Pane;
+use cmra::tui::message::{Effect, Message, PresetEntry};
+use cmra::tui::theme::GlyphSet;
+use std::sync::Arc;
+
+/// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
+#[test]
+fn the_palette_never_loads_a_scene_by_scattered_letters() {
+    let mut bench = Bench::ascii(80, 24);
+    let before = Arc::clone(&bench.app.scene);
+    bench.press(":pareto<Enter>");
+    assert_eq!(bench.app.tab, Tab::Search);
+    assert!(bench.screen().contains("[Pareto front]"), "{}", bench.screen());
+    assert_eq!(bench.app.scene, before);
+}
+
+#[test]
+fn a_broken_preset_is_listed_with_its_error_and_cannot_be_loaded() {
+    let mut bench = Bench::ascii(80, 24);
+    let problem = "mine.toml, line 3: unknown key `gama`".to_owned();
+    bench.app.presets.push(PresetEntry::broken("mine-too".to_owned(), problem));
+    let before = Arc::clone(&bench.app.scene);
+    bench.press("p/mine-too");
+    let screen = bench.screen();
+    assert!(screen.contains("!mine-too") && screen.contains("unknown key"), "{screen}");
+    bench.press("<Enter>");
+    assert_eq!(bench.app.scene, before);
+    assert!(bench.message().contains("cannot be loaded"), "{}", bench.message());
+    // A text that no preset has loads none.
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("p/zqx<Enter>");
+    assert!(bench.app.history.edits.is_empty());
+}
+
+#[test]
+fn a_cancelled_study_draws_no_conclusion() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("5");
+    accuracy::answer(&mut bench, 1);
+    let screen = bench.screen();
+    assert!(screen.contains("not computed yet ("), "{screen}");
+    assert!(!screen.contains("no method"), "{screen}");
+}
+
+#[test]
+fn a_changed_goal_is_searched_for_before_enter_loads_anything() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("4");
+    search::answer(&mut bench);
+    let before = Arc::clone(&bench.app.scene);
+    bench.press("<Enter>50 %<Enter><Tab><Enter>");
+    assert_eq!(bench.app.scene, before, "the results of 60 % are stale");
+    assert!(bench.message().contains("press r"), "{}", bench.message());
+    search::answer(&mut bench);
+    bench.press("<Enter>");
+    assert_ne!(bench.app.scene, before);
+}
+
+#[test]
+fn the_focus_belongs_to_the_tab() {
+    let mut bench = sweep::open("figure-9.2", 5, GlyphSet::Ascii, (80, 24));
+    bench.keys("2<Tab>");
+    assert_eq!(bench.app.pane(), Pane::ExploreSetup);
+    let before = Arc::clone(&bench.app.scene);
+    bench.keys("30ll");
+    assert_eq!(bench.app.pane(), Pane::Residual);
+    assert_eq!(bench.app.scene, before);
+    bench.keys("2");
+    assert_eq!(bench.app.pane(), Pane::ExploreSetup, "each tab keeps its own");
+}
+
+#[test]
+fn letters_of_events_stay_beside_pinned_runs() {
+    let mut bench = Bench::ascii(100, 40);
+    bench.keys(" jjl");
+    let marked = |screen: &str| {
+        screen
+            .lines()
+            .any(|line| line.contains(" a ") || line.contains("a|") || line.contains("*a"))
+    };
+    assert!(marked(&bench.screen()), "{}", bench.screen());
+}
+
+#[test]
+fn messages_never_move_the_panes() {
+    for size in [(60, 16), (80, 24), (120, 40)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        let before = bench.app.layout().body;
+        let long = "a message that is far too long for one row of any screen ".repeat(6);
+        bench.app.say(cmra::tui::app::notice::Severity::Warning, long);
+        assert_eq!(bench.app.layout().body, before);
+    }
+}
+
+#[test]
+fn the_exact_symbol_comes_first() {
+    for (typed, symbol) in [("k", "k"), ("d", "d"), ("h", "h"), ("gam", "gamma"), ("cock", "d")] {
+        let mut bench = Bench::ascii(80, 24);
+        bench.keys(&format!("/{typed}"));
+        assert_eq!(bench.app.editor.variable().symbol, symbol, "{typed}");
+        bench.keys("<Enter><Enter>");
+        assert!(bench.app.editor.field.is_some(), "{typed}");
+    }
+}
+
+/// A preset that only sweeps says where it shows, and loading it opens Explore.
+#[test]
+fn a_preset_of_a_figure_opens_its_sweep() {
+    let mut bench = Bench::ascii(80, 24);
+    let scene = cmra::files::preset::resolve("figure-9.8", None).unwrap().scene;
+    let (comment, part, problem) = (String::new(), None, None);
+    let name = "figure-9.8".to_owned();
+    bench.app.presets.push(PresetEntry { name, origin: "bundled", scene, comment, part, problem });
+    bench.press("p/figure 9.8");
+    assert!(bench.screen().contains("shows on 2:Explore"), "{}", bench.screen());
+    bench.press("<Enter>");
+    assert_eq!(bench.app.tab, Tab::Explore);
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::Sweep(_))));
+}
+
+#[test]
+fn no_two_charts_show_the_same_quantity() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("<Tab>z");
+    for _ in 0..9 {
+        bench.keys("v");
+        let mut shown: Vec<&str> =
+            bench.app.charts.quantities.iter().map(|it| it.title()).collect();
+        shown.sort_unstable();
+        shown.dedup();
+        assert_eq!(shown.len(), 3);
+    }
+}
+
+#[test]
+fn values_on_the_screen_have_six_digits_at_the_most() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/gamma<Enter><Enter>1/3<Enter>");
+    let label = &bench.app.history.edits[0].label;
+    assert_eq!(label, "gamma 1 -> 0.333333");
+}
+
+#[test]
+fn redo_takes_away_the_run_that_was_unpinned_whatever_letter_it_has_now() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys(" ");
+    let first = Arc::clone(&bench.app.pins[0].scene);
+    bench.keys("<Tab><Tab>j <S-Tab><S-Tab>jjl ");
+    let second = Arc::clone(&bench.app.pins[0].scene);
+    assert_ne!(first, second);
+    bench.keys("uu");
+    bench.keys("<C-r><C-r>");
+    assert_eq!(bench.app.pins.len(), 1);
+    assert_eq!(bench.app.pins[0].scene, second, "the other run stays");
+}
+
+/// Esc stops the job of the tab that is shown and no other; the others are named while they run.
+#[test]
+fn escape_leaves_the_jobs_of_other_tabs_alone() {
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("44");
+    bench.press("7");
+    assert!(bench.screen().contains("4:Search is computing"), "{}", bench.screen());
+    bench.effects.clear();
+    bench.press("<Esc>");
+    assert!(bench.effects.is_empty(), "{:?}", bench.effects);
+    assert!(bench.message().contains("4:Search"), "{}", bench.message());
+    bench.press("4<Esc>");
+    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
+}
+
+/// On a logarithmic time axis zoom and pan go by ratios: the middle of the view stays the middle in decades.
+#[test]
+fn zoom_on_a_logarithmic_axis_goes_by_decades() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("<Tab>X");
+    let (from, to) = bench.app.time_range_s();
+    bench.keys("l+");
+    let cursor = bench.app.charts.cursor_s.unwrap();
+    let (near, far) = bench.app.time_range_s();
+    let decades = |a: f64, b: f64| (b / a).log10();
+    assert!((decades(near, far) / decades(from, to) - 0.5).abs() < 1e-9);
+    let before = decades(from, cursor) / decades(from, to);
+    assert!((decades(near, cursor) / decades(near, far) - before).abs() < 1e-9);
+}
+
+/// `z` and Space in the Log leave the Run tab as it is.
+#[test]
+fn keys_do_not_change_what_another_tab_shows() {
+    let mut bench = Bench::ascii(120, 40);
+    let before = bench.screen();
+    bench.keys("7z v<Esc>1");
+    assert_eq!(bench.screen(), before);
+    assert!(bench.app.pins.is_empty());
+}
+
+#[test]
+fn ctrl_c_at_rest_asks_first() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.effects.clear();
+    bench.press("<C-c>");
+    assert!(bench.effects.is_empty());
+    bench.press("j<C-c>");
+    assert!(bench.effects.is_empty(), "another key takes the question back");
+    bench.press("<C-c>");
+    assert!(matches!(bench.effects.last(), Some(Effect::Quit { .. })));
+}
+
+#[test]
+fn a_horizon_set_by_hand_is_named_when_a_sweep_begins() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("/horizon<Enter><Enter>0.5<Enter>");
+    bench.press("2");
+    assert!(bench.message().contains("horizon is set by hand"), "{}", bench.message());
+}
+
+#[test]
+fn the_smallest_screens_cut_no_word() {
+    for size in [(20, 5), (25, 4), (12, 3), (40, 12)] {
+        let bench = Bench::ascii(size.0, size.1);
+        let screen = bench.screen();
+        assert!(screen.contains("60x16"), "{screen}");
+        assert!(!screen.contains("terminal la") || screen.contains("terminal larger"), "{screen}");
+    }
+}
+
+#[test]
+fn the_first_start_says_how_to_begin_until_the_first_edit() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.app.first_run = true;
+    let screen = bench.screen();
+    assert!(screen.contains("Baseline: a 29.5 g projectile at 100 m/s"), "{screen}");
+    assert!(screen.contains("press 2 to explore, 3 for the limit, ? for help."), "{screen}");
+    bench.keys("jjl");
+    assert!(!bench.screen().contains("Baseline:"), "{}", bench.screen());
+}
+
+/// Force over displacement is reached by `v`; it has the displacement across.
+#[test]
+fn v_in_a_chart_reaches_the_force_over_displacement() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("<Tab>");
+    for _ in 0..6 {
+        bench.keys("v");
+        if bench.screen().contains("Mount force over displacement F(x)") {
+            return;
+        }
+    }
+    panic!("{}", bench.screen());
+}
+
+/// The drawing of the mechanism moves with the crosshair.
+#[test]
+fn the_mechanism_is_drawn_from_100_columns_and_moves_with_the_crosshair() {
+    let drawing = |bench: &Bench| {
+        let screen = bench.screen();
+        let rows: Vec<String> =
+            screen.lines().filter(|line| line.contains("|###|")).map(str::to_owned).collect();
+        rows.join("\n")
+    };
+    let mut bench = Bench::ascii(100, 24);
+    bench.keys("<Tab>HHHHHHHHHH");
+    let start = drawing(&bench);
+    assert!(start.contains("===)|###|") && start.contains("|###|/\\/\\"), "{start}");
+    bench.keys("LLLLLLLLLL");
+    assert_ne!(drawing(&bench), start);
+    assert!(drawing(&Bench::ascii(80, 24)).is_empty());
+}
+
+#[test]
+fn options_are_a_menu_of_named_lines() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("o");
+    let screen = bench.screen();
+    for name in ["characters", "colours", "mouse", "auto-run", "interface law", "contact model"] {
+        assert!(screen.contains(name), "{name}: {screen}");
+    }
+    bench.press("jjjl");
+    assert!(!bench.app.auto_run);
+    bench.send(Message::Resize(80, 24));
+    bench.press("<Esc>");
+    assert!(bench.app.dialog.is_none());
+}

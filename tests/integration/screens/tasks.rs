@@ -1,0 +1,149 @@
+//! The seven tasks of somebody who has never seen the workbench, with the keys pressed from the start counted: a text that is
+//! typed counts as one.
+
+use super::accuracy;
+use super::bench::Bench;
+use super::{limit, search, sweep};
+use cmra::study::accuracy::method::Method;
+use cmra::tui::app::Tab;
+use cmra::tui::app::search::Page;
+use cmra::tui::keymap::Pane;
+use cmra::tui::message::{Effect, PresetEntry};
+
+/// A bench that counts.
+struct Counted {
+    bench: Bench,
+    presses: usize,
+}
+
+impl Counted {
+    fn start() -> Self {
+        Self { bench: Bench::ascii(80, 24), presses: 0 }
+    }
+
+    /// Press one key and answer what it asks for.
+    fn key(&mut self, key: &str) -> &mut Self {
+        self.presses += 1;
+        self.bench.press(key);
+        self.bench.answer();
+        sweep::answer(&mut self.bench);
+        self
+    }
+
+    /// Type a text, which counts as one.
+    fn text(&mut self, text: &str) -> &mut Self {
+        self.key(text)
+    }
+}
+
+#[test]
+fn comparing_two_designs_and_exporting_both_takes_13() {
+    let mut task = Counted::start();
+    task.key(":").text("gamma").key("<Enter>").text("2").key("<Enter>").key(" ");
+    task.key(":").text("k").key("<Enter>").text("2e5").key("<Enter>");
+    task.key("e").key("<Enter>");
+    let request = task.bench.effects.iter().find_map(|effect| match effect {
+        Effect::Export(request) => Some(request.clone()),
+        _ => None,
+    });
+    let runs: Vec<String> = request.unwrap().runs.iter().map(|(name, _)| name.clone()).collect();
+    assert_eq!(runs, ["now", "A"]);
+    let pin = &task.bench.app.pins[0].scene;
+    assert_eq!((pin.plate.mass_ratio.to_bits(), task.presses), (2.0_f64.to_bits(), 13));
+    let now = task.bench.app.scene.mechanism.spring.coefficient;
+    assert_eq!(now.to_bits(), 2e5_f64.to_bits());
+}
+
+#[test]
+fn the_cocking_distance_for_60_percent_takes_1_and_for_50_percent_3_more() {
+    let mut task = Counted::start();
+    task.key("4");
+    search::answer(&mut task.bench);
+    assert!(task.bench.screen().contains("> d = 0.0256"), "{}", task.bench.screen());
+    assert_eq!(task.presses, 1);
+    task.key("<Enter>").text("50").key("<Enter>");
+    search::answer(&mut task.bench);
+    assert_eq!(task.presses - 1, 3);
+    assert!(task.bench.screen().contains("goal 50 %"), "{}", task.bench.screen());
+    assert!(!task.bench.app.search_is_old());
+}
+
+#[test]
+fn opening_figure_9_8_and_loading_a_design_takes_4_and_the_moves() {
+    let mut task = Counted::start();
+    let found = cmra::files::preset::resolve("figure-9.8", None).unwrap();
+    let (name, comment) = (found.name, String::new());
+    let mut scene = found.scene;
+    for axis in &mut scene.sweep.as_mut().unwrap().axes {
+        axis.count = 5;
+    }
+    let (part, problem) = (None, None);
+    task.bench.app.presets.push(PresetEntry {
+        name,
+        origin: "bundled",
+        scene,
+        comment,
+        part,
+        problem,
+    });
+    task.key(":").text("figure 9.8").key("<Enter>");
+    assert_eq!((task.bench.app.tab, task.bench.app.pane()), (Tab::Explore, Pane::Explore));
+    let before = task.bench.app.scene.plate.mass_ratio;
+    let moves = 2;
+    task.key("l").key("l").key("<Enter>");
+    assert!(task.bench.app.scene.plate.mass_ratio > before, "{}", task.bench.message());
+    assert_eq!(task.presses - moves, 4);
+}
+
+#[test]
+fn what_1e_6_costs_here_and_using_that_method_takes_2() {
+    let mut task = Counted::start();
+    task.key("5");
+    accuracy::answer(&mut task.bench, Method::ALL.len());
+    assert!(task.bench.screen().contains("error 1e-6: "), "{}", task.bench.screen());
+    let before = task.bench.app.scene.run.tolerance;
+    task.key("<Enter>");
+    let after = task.bench.app.scene.run.tolerance;
+    assert!(after > before, "{}", task.bench.message());
+    assert_eq!(task.presses, 2);
+}
+
+#[test]
+fn the_ballistic_limit_and_v50_take_2() {
+    let mut task = Counted::start();
+    task.key("3");
+    limit::answer(&mut task.bench);
+    assert!(task.bench.screen().contains("v_bl 232.300 m/s"), "{}", task.bench.screen());
+    task.key("v");
+    limit::answer(&mut task.bench);
+    assert!(task.bench.screen().contains("V50 "), "{}", task.bench.screen());
+    assert_eq!(task.presses, 2);
+}
+
+#[test]
+fn the_knee_of_the_front_takes_4() {
+    let mut task = Counted::start();
+    task.key("4").key("4");
+    search::answer(&mut task.bench);
+    assert_eq!(task.bench.app.searching.page, Page::Front);
+    let before = task.bench.app.scene.clone();
+    task.key("<Tab>").key("<Enter>");
+    assert_ne!(task.bench.app.scene, before, "{}", task.bench.message());
+    assert!(task.bench.message().contains("loaded design"), "{}", task.bench.message());
+    assert_eq!(task.presses, 4);
+}
+
+#[test]
+fn whether_it_pays_over_velocity_takes_1() {
+    let mut task = Counted::start();
+    task.key("3");
+    let asked = task.bench.effects.clone();
+    limit::answer(&mut task.bench);
+    task.bench.effects = asked;
+    search::answer(&mut task.bench);
+    let screen = task.bench.screen();
+    assert!(screen.contains("mass efficiency 0.15"), "{screen}");
+    assert!(screen.contains("mass efficiency, up: gamma"), "{screen}");
+    assert!(screen.contains("O line of 1"), "{screen}");
+    assert_eq!(task.presses, 1);
+}
