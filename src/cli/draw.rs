@@ -7,7 +7,7 @@ use crate::report::chart::{self, Chart, Line};
 use crate::report::map::{Cell, Map};
 use crate::report::svg::Picture;
 use crate::tui::chart::{
-    self as drawn, Axis, Curve, EventLine, Heatmap, Legend, Level, Levels, Scale, Spot, Unit,
+    self as drawn, Axis, Curve, EventLine, HeatCell, Heatmap, Legend, Level, Levels, Scale, Unit,
     ViewRange,
 };
 use crate::tui::theme::{Role, Theme};
@@ -54,17 +54,17 @@ pub(super) fn map(map: &Map, (width, height): Size, theme: Theme) -> String {
     let Some(levels) = Levels::of(Scale::Linear, map.values()) else {
         return format!("{}: no value\n", map.title);
     };
-    let spot = |column: usize, row: usize| match map.cell(column, row) {
-        Cell::Value(value) => Spot::Value(value),
-        Cell::Mark(letter) => Spot::Mark(letter, Role::Dim),
-        Cell::Empty => Spot::Empty,
+    let cell = |column: usize, row: usize| match map.cell(column, row) {
+        Cell::Value(value) => HeatCell::Value(value),
+        Cell::Mark(letter) => HeatCell::Mark(letter, Role::Dim),
+        Cell::Empty => HeatCell::Empty,
     };
     let heatmap = Heatmap {
         title: format!("{}, up: {}", map.title, map.y.label).into(),
         x: axis(&map.x, &map.x.label),
         y: axis(&map.y, &map.y.label),
         counts: map.counts,
-        spot: &spot,
+        cell: &cell,
         levels: &levels,
         contour: map.contour.as_ref().map(|(value, _)| *value),
         cursor: None,

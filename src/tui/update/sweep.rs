@@ -145,7 +145,7 @@ fn zoom(app: &mut App, change: impl FnOnce(ViewRange, Scale, f64) -> ViewRange) 
     let (from, to) = axis.ends();
     let whole = ViewRange::new(from, to);
     let scale = match axis.spacing() {
-        Spacing::Linear => Scale::Linear,
+        Spacing::Linear | Spacing::Listed => Scale::Linear,
         Spacing::Log => Scale::Log10,
     };
     let about = grid.coordinate(app.cursor_point(grid), 0);
