@@ -19,9 +19,10 @@ use crate::files::atomic::Existing;
 use crate::files::csv::{NamedRun, Rows};
 use crate::files::export::{self, ExportRequest};
 use crate::files::preset::Preset;
+use crate::model::impact::window::Window;
 use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
-use crate::model::units::Engineering;
+use crate::model::units::{self, Bare, Engineering, Quantity};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::selected;
 use crate::report::svg::Picture;
@@ -40,6 +41,9 @@ pub(super) struct RunArguments {
     /// Compare on this scene instead: the interaction models, or the quirks of Appendix A
     #[arg(long, value_enum, value_name = "WHAT", conflicts_with_all = ["plain", "svg"])]
     compare: Option<Compare>,
+    /// Rows of --csv at equal time steps (1us), located by the solver's dense output, instead of at its own steps
+    #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare")]
+    dt: Option<String>,
     /// Print charts as plain text below the summary
     #[arg(long, conflicts_with = "json")]
     plain: bool,
@@ -87,12 +91,48 @@ pub(super) enum Charts {
     With(Glyphs),
 }
 
+/// Most rows of --dt.
+const DT_ROWS_MAX: usize = 5_000_000;
 /// Steps after which it is shown again how far a run is: a look at the clock costs a part of a step.
 const LOOK: u64 = 64;
 
 /// Compute a scene, and measure the time of the computation alone. The series is always kept: it costs little, and every
 /// output of one scene then shows the digits and events of one and the same computation.
 pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
+    compute_openly(preset, &Window::default())
+}
+
+/// The same with the series at equal time steps.
+fn at_equal_steps(preset: Preset, dt_s: f64) -> Result<Computed, CliError> {
+    variables::require_hydrodynamic(&preset.scene)?;
+    variables::require_single(&preset.scene)?;
+    let window = Window::with_steps(dt_s, DT_ROWS_MAX);
+    let mut computed = compute_openly(preset, &window)?;
+    let mut run = Run::clone(&computed.run);
+    let end_s = run.series.last().map_or(0.0, |row| row.t_s);
+    run.series = window.rows();
+    if run.series.len() >= DT_ROWS_MAX {
+        let least = Engineering { value: end_s / (DT_ROWS_MAX as f64), unit: "s", digits: 2 };
+        return Err(CliError::Option(format!(
+            "--dt: more than {DT_ROWS_MAX} rows; write {least} or more"
+        )));
+    }
+    computed.run = Arc::new(run);
+    Ok(computed)
+}
+
+/// A time step, s.
+fn time_step(text: &str) -> Result<f64, CliError> {
+    let refuse = |why: String| CliError::Option(format!("--dt {text}: {why}"));
+    let dt_s =
+        units::parse(text, Quantity::Time, Bare::Si).map_err(|why| refuse(why.to_string()))?;
+    if dt_s > 0.0 && dt_s.is_finite() {
+        return Ok(dt_s);
+    }
+    Err(refuse("must be greater than 0, for example 1us".to_owned()))
+}
+
+fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableError> {
     let scene = Arc::new(preset.scene.clone());
     let settings = Settings { series: true, estimate: true };
     let mut pace = Pace::begin();
@@ -108,7 +148,7 @@ pub(super) fn compute(preset: Preset) -> Result<Computed, VariableError> {
         })
     };
     let start = Instant::now();
-    let run = impact::simulate(&scene, &settings, &mut observer)?;
+    let run = impact::simulate_openly(&scene, &settings, &mut observer, window)?;
     let took = start.elapsed();
     pace.clear();
     Ok(Computed { preset, run: Arc::new(run), took })
@@ -125,7 +165,11 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         let table = arguments.table.of(&arguments.scene, &preset.scene);
         return table.deliver(&page, &rows).map(|()| ExitCode::SUCCESS);
     }
-    let computed = compute(arguments.scene.load()?)?;
+    let dt_s = arguments.dt.as_deref().map(time_step).transpose()?;
+    let computed = match dt_s {
+        None => compute(arguments.scene.load()?)?,
+        Some(dt_s) => at_equal_steps(arguments.scene.load()?, dt_s)?,
+    };
     match arguments.table.target() {
         Target::None => {}
         Target::Stdout => {

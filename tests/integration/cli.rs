@@ -244,6 +244,49 @@ fn a_scene_comes_from_standard_input() {
     assert_eq!(json["variables"]["plate.mass_ratio"], 3.0);
 }
 
+/// Rows at equal time steps are those of a run that ends there: the horizon puts a step's end at the time.
+#[test]
+fn rows_at_equal_time_steps_are_located_and_not_interpolated() {
+    let place = Place::new();
+    for (scene, horizons) in [
+        // Tens of microseconds.
+        ("thesis-baseline", &[2, 9, 70][..]),
+        ("cocked-plastic", &[3, 8]),
+        ("overdamped", &[3, 25]),
+    ] {
+        let done = place.cmra(&format!("run {scene} --csv even.csv --dt 10us --force"));
+        assert_eq!(done.code, 0, "{}", done.err);
+        let mut reader = csv::Reader::from_path(place.path("even.csv")).unwrap();
+        let rows: Vec<Vec<f64>> = reader
+            .records()
+            .map(|row| row.unwrap().iter().map(|field| field.parse().unwrap_or(f64::NAN)).collect())
+            .collect();
+        for (number, row) in rows.iter().enumerate() {
+            assert!((row[0] - 1e-5 * number as f64).abs() < 1e-12, "{scene} {number}: {}", row[0]);
+        }
+        for number in horizons {
+            let horizon = format!("{number}e-5");
+            let done = place
+                .cmra(&format!("run {scene} --csv own.csv --force --set run.horizon_s={horizon}"));
+            assert!(done.code < 2, "{}", done.err);
+            let mut reader = csv::Reader::from_path(place.path("own.csv")).unwrap();
+            let last = reader.records().last().unwrap().unwrap();
+            let row = &rows[*number];
+            for column in [2, 3, 4, 5, 6] {
+                let (found, exact) = (row[column], last[column].parse::<f64>().unwrap());
+                let scale = exact.abs().max(1e-9);
+                assert!(
+                    (found - exact).abs() <= 1e-7 * scale,
+                    "{scene} {horizon} {column}: {found} {exact}"
+                );
+            }
+        }
+    }
+    for bad in ["--dt 0", "--dt 5kg", "--dt -1us"] {
+        assert_eq!(place.cmra(&format!("run --csv even.csv --force {bad}")).code, 2, "{bad}");
+    }
+}
+
 #[test]
 fn csv_reads_back_the_same_floats() {
     let place = Place::new();

@@ -122,7 +122,11 @@ impl Record<'_> {
         if !self.keep_series {
             return;
         }
-        self.series.push(setting.sample(t_s, state, is_step));
+        let row = setting.sample(t_s, state, is_step);
+        if let Some(window) = self.window {
+            window.reach(&row);
+        }
+        self.series.push(row);
         if self.series.len() >= ROWS_MAX {
             self.series = thinned(&self.series, Kept { first: POINTS_MAX, intervals: INTERVALS });
             self.is_thinned = true;
@@ -172,6 +176,11 @@ impl Record<'_> {
                 Force::Pull => arc.greatest(&e.mechanism.map(|c| -c)),
             }
         });
+        if let Some(window) = self.window.filter(|_| self.keep_series) {
+            let at =
+                |moment_s: f64| setting.sample(moment_s, &e.state((moment_s - t_s) / h), false);
+            window.fill(t_s + span * h, at);
+        }
         if self.keep_series && self.series.len() < POINTS_MAX {
             for point in 1..POINTS_PER_STEP {
                 let s = span * point as f64 / POINTS_PER_STEP as f64;

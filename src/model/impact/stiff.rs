@@ -295,6 +295,14 @@ impl Track<'_> {
             let value = |state: &State| motion.force(force, state);
             maximum::greatest_of(0.0, 1.0, known, |s| value(&rough(s)), |s| value(&along(s)))
         });
+        if let Some(window) = record.window.filter(|_| record.keep_series) {
+            let at = |moment_s: f64| {
+                let s = (moment_s - self.t_s) / h;
+                let state = if self.mode == Mode::Penetrating { along(s) } else { rough(s) };
+                setting.sample(moment_s, &state, false)
+            };
+            window.fill(self.t_s + h, at);
+        }
         if record.keep_series {
             for point in 1..=POINTS_PER_STEP {
                 let s = point as f64 / (POINTS_PER_STEP + 1) as f64;

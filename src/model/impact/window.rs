@@ -2,13 +2,32 @@
 
 use std::cell::{Cell, RefCell};
 
-use crate::model::run::Run;
+use crate::model::run::{Run, Sample};
 
 /// Asked for by the observer, filled by the run at its next step.
 #[derive(Debug, Default)]
 pub struct Window {
     wanted: Cell<bool>,
     run: RefCell<Option<Run>>,
+    even: RefCell<Option<Even>>,
+}
+
+/// Rows at equal time steps.
+#[derive(Debug)]
+struct Even {
+    dt_s: f64,
+    rows: Vec<Sample>,
+    rows_max: usize,
+    /// The last row of the solver.
+    last: Option<Sample>,
+}
+
+impl Even {
+    /// The times that are due up to a moment.
+    fn due(&self, to_s: f64) -> impl Iterator<Item = f64> + use<> {
+        let (dt_s, from, most) = (self.dt_s, self.rows.len(), self.rows_max);
+        (from..most).map(move |row| row as f64 * dt_s).take_while(move |t_s| *t_s <= to_s)
+    }
 }
 
 impl Window {
@@ -22,11 +41,70 @@ impl Window {
         self.run.take()
     }
 
+    /// A window that takes rows at equal time steps, so many at the most.
+    pub fn with_steps(dt_s: f64, rows_max: usize) -> Self {
+        let even = Even { dt_s, rows: Vec::new(), rows_max, last: None };
+        Self { even: RefCell::new(Some(even)), ..Self::default() }
+    }
+
+    /// The rows at equal time steps.
+    pub fn rows(&self) -> Vec<Sample> {
+        self.even.take().map_or_else(Vec::new, |even| even.rows)
+    }
+
+    /// Take the rows that are due up to a moment from a step's dense output.
+    pub(super) fn fill(&self, to_s: f64, sample: impl Fn(f64) -> Sample) {
+        if let Some(even) = &mut *self.even.borrow_mut() {
+            let due: Vec<f64> = even.due(to_s).collect();
+            even.rows.extend(due.into_iter().map(sample));
+        }
+    }
+
+    /// Take a row of the solver: what is due before it and has no dense output lies on the cubics through both ends.
+    pub(super) fn reach(&self, row: &Sample) {
+        if let Some(even) = &mut *self.even.borrow_mut() {
+            let last = even.last.replace(*row).unwrap_or(*row);
+            let due: Vec<f64> = even.due(row.t_s).collect();
+            even.rows.extend(due.into_iter().map(|t_s| between(&last, row, t_s)));
+        }
+    }
+
     /// Put in the run so far, if somebody has asked.
     pub(super) fn show(&self, so_far: impl FnOnce() -> Run) {
         if self.wanted.replace(false) {
             self.run.replace(Some(so_far()));
         }
+    }
+}
+
+/// The row at a time between two: paths as cubics by their velocities, everything else in proportion.
+fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
+    let span_s = high.t_s - low.t_s;
+    let share = if span_s > 0.0 { (t_s - low.t_s) / span_s } else { 1.0 };
+    let mix = |get: fn(&Sample) -> f64| get(low) + share * (get(high) - get(low));
+    let path = |at: fn(&Sample) -> f64, speed: fn(&Sample) -> f64| {
+        let rest = 1.0 - share;
+        let ends = rest * at(low) + share * at(high);
+        let chord = at(high) - at(low);
+        let (start, end) = (speed(low) * span_s - chord, chord - speed(high) * span_s);
+        ends + share * rest * (rest * start + share * end)
+    };
+    Sample {
+        t_s,
+        mode: low.mode,
+        penetration_m: mix(|row| row.penetration_m),
+        projectile_displacement_m: path(
+            |row| row.projectile_displacement_m,
+            |row| row.projectile_velocity_m_s,
+        ),
+        projectile_velocity_m_s: mix(|row| row.projectile_velocity_m_s),
+        plate_displacement_m: path(|row| row.plate_displacement_m, |row| row.plate_velocity_m_s),
+        plate_velocity_m_s: mix(|row| row.plate_velocity_m_s),
+        contact_force_n: mix(|row| row.contact_force_n),
+        spring_force_n: mix(|row| row.spring_force_n),
+        damper_force_n: mix(|row| row.damper_force_n),
+        stop_force_n: mix(|row| row.stop_force_n),
+        is_step: false,
     }
 }
 
