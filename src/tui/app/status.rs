@@ -72,7 +72,8 @@ impl App {
         if let Some(notice) = &self.notice {
             return Some((notice.severity, notice.text.clone()));
         }
-        (self.first_run && self.dialog.is_none()).then(|| (Severity::Note, self.first_line()))
+        let shows = self.first_run && self.tab == Tab::Run && self.dialog.is_none();
+        shows.then(|| (Severity::Note, self.first_line()))
     }
 
     /// How to begin, at the first start.

@@ -92,14 +92,15 @@ fn a_battery_is_stopped_within_a_scene() {
 fn the_claims_are_stopped_within_a_claim() {
     let stop = Arc::new(AtomicBool::new(false));
     let mut asked = 0;
-    // The claim after the third is begun, and stopped while it runs.
+    // Several are checked side by side: those that run when it is stopped are left out, and none is begun after them.
     let tell = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| {
         asked += 1;
         stop.store(asked > 3, Ordering::Relaxed);
         ControlFlow::Continue(())
     };
     let Finding::Thesis(rows, false) = claims(tell, &stop) else { panic!("all the claims") };
-    assert_eq!(rows.len(), 3);
+    let all = thesis::claims().count();
+    assert!(rows.len() < all / 2, "{} of {all}", rows.len());
 }
 
 #[test]
