@@ -24,6 +24,8 @@ const SETTLED: f64 = 2e-16;
 const ROUNDING: f64 = 1e-15;
 /// By what part a value between the points may be greater than that at the points.
 const EXCESS: f64 = 5e-2;
+/// The same of the polynomials between the points.
+const LOCATED: f64 = 1e-6;
 
 /// A rule on (0, 1) and the integrals of the polynomials through its points.
 struct Rule<const N: usize> {
@@ -125,7 +127,7 @@ impl<const D: usize> Graded<D> {
         let between = at(s);
         let (best, most) =
             if between >= values[top] { (s, between) } else { (node[top], values[top]) };
-        Some((self.way.at(best).0, most))
+        (most + LOCATED * most.abs() > known).then(|| (self.way.at(best).0, most))
     }
 
     /// (z, y) at a part s of the way, by the polynomials through the points: second barycentric form with the weights of Gauss

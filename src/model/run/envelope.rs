@@ -4,6 +4,8 @@
 //! [`of_scene`]; what only a run tells (stop, spring, interface) by [`of_run`]. Nothing here is part of a simulation: sweeps and
 //! searches pay nothing.
 
+pub mod numerical;
+
 use std::fmt;
 
 use crate::model::mechanism::Mechanism;
