@@ -21,6 +21,7 @@ pub mod plan;
 pub mod results;
 pub mod run;
 pub mod scene;
+pub mod simulate;
 pub mod stack;
 pub mod units;
 pub mod variables;

@@ -22,9 +22,9 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use crate::model::impact::window::Window;
-use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
 use crate::model::scene::Scene;
+use crate::model::simulate::{self, Settings};
 
 /// Work for the background thread.
 #[derive(Clone, Debug)]
@@ -98,7 +98,7 @@ impl ReportBody {
 }
 
 /// Computes one scene, asking the observer after every step and showing it what there is so far.
-type Compute = dyn Fn(&Arc<Scene>, Settings, impact::Observer<'_>, &Window) -> Result<Run, String>
+type Compute = dyn Fn(&Arc<Scene>, Settings, simulate::Observer<'_>, &Window) -> Result<Run, String>
     + Send
     + Sync;
 
@@ -132,7 +132,7 @@ impl Worker {
     /// When the system has no thread to give.
     pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
         Self::spawn_with(sink, |scene, settings, observer, window| {
-            impact::simulate_openly(scene, &settings, observer, window)
+            simulate::simulate_openly(scene, &settings, observer, window)
                 .map_err(|error| error.to_string())
         })
     }
@@ -143,7 +143,7 @@ impl Worker {
     /// When the system has no thread to give.
     pub fn spawn_with(
         sink: impl Fn(Report) + Send + Sync + 'static,
-        compute: impl Fn(&Arc<Scene>, Settings, impact::Observer<'_>, &Window) -> Result<Run, String>
+        compute: impl Fn(&Arc<Scene>, Settings, simulate::Observer<'_>, &Window) -> Result<Run, String>
         + Send
         + Sync
         + 'static,

@@ -14,8 +14,8 @@ use std::time::Instant;
 
 use cmra::files::preset;
 use cmra::model::first_contact::first_contact;
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
 use cmra::study::sweep::crew::Crew;
 use cmra::study::sweep::evaluate::{Evaluator, Rows};
 use cmra::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS, output};

@@ -5,10 +5,10 @@ use serde_json::{Map, Value, json};
 
 use crate::cli::run::Computed;
 use crate::model::results::{ResultColumn, of_run};
+use crate::model::run::StackRun;
 use crate::model::run::envelope::warnings;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run};
 use crate::model::scene::Scene;
-use crate::model::stack::StackRun;
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::study::quantities;
 

@@ -20,8 +20,8 @@ use crate::files::csv::{NamedRun, Rows};
 use crate::files::export::{self, ExportRequest};
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
-use crate::model::impact::{self, Settings};
 use crate::model::run::Run;
+use crate::model::simulate::{self, Settings};
 use crate::model::units::{self, Bare, Engineering, Quantity};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::selected;
@@ -148,7 +148,7 @@ fn compute_openly(preset: Preset, window: &Window) -> Result<Computed, VariableE
         })
     };
     let start = Instant::now();
-    let run = impact::simulate_openly(&scene, &settings, &mut observer, window)?;
+    let run = simulate::simulate_openly(&scene, &settings, &mut observer, window)?;
     let took = start.elapsed();
     pace.clear();
     Ok(Computed { preset, run: Arc::new(run), took })

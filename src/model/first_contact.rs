@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 use crate::model::contact_phase::{Ending, Refusal};
 use crate::model::impact::lean::contact_end;
-use crate::model::impact::{Settings, simulate};
 use crate::model::scene::Scene;
+use crate::model::simulate::{Settings, simulate};
 
 /// How the first contact ends.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,18 +1,14 @@
-//! One impact from first contact to its end.
+//! One impact from first contact to its end, by the hydrodynamic model.
 //!
-//! [`simulate`] validates the scene, takes the contact in closed form where the scene allows it (`contact.rs`), tracks modes
+//! [`run`] takes the contact in closed form where the scene allows it (`contact.rs`), tracks modes
 //! and events through the rest (`track.rs`, `events.rs`, `verdict.rs`) and gathers the [`Run`] (`report.rs`). It is a pure
 //! function: no clock, no file, no thread.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
-use crate::model::interaction;
-use crate::model::run::{EndReason, EstimateBasis, Run};
+use crate::model::run::{EndReason, EstimateBasis, Observer, Run, Settings};
 use crate::model::scene::Scene;
-use crate::model::stack;
-use crate::model::variables::{self, VariableError};
 use crate::numerics::larger;
 use problem::Problem;
 use record::Record;
@@ -50,53 +46,13 @@ const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
+/// How many times the usual horizon, and how many times as many swings, an undecided shot is followed.
+const FOLLOWED: f64 = 50.0;
+const PATIENCE: usize = 4;
 
-/// What a run should deliver besides its results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Settings {
-    /// Keep the series to draw from.
-    pub series: bool,
-    /// Compute the error estimate (a second, tighter computation).
-    pub estimate: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { series: true, estimate: true }
-    }
-}
-
-/// Asked before every step with the time reached, s; `Break` ends the run as cancelled.
-pub type Observer<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
-
-/// Simulate one impact.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense. Anything that goes wrong later is told in
-/// [`Run::end`], with the part that was computed.
-pub fn simulate(
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    observer: Observer<'_>,
-) -> Result<Run, VariableError> {
-    simulate_openly(scene, settings, observer, &Window::default())
-}
-
-/// As [`simulate`], with a window through which the observer can look at the run so far. Other interaction models than the engine's
-/// own, and the plates of a stack behind the first, show nothing.
-///
-/// # Errors
-/// As [`simulate`].
-pub fn simulate_openly(
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    observer: Observer<'_>,
-    window: &Window,
-) -> Result<Run, VariableError> {
-    variables::validate(scene)?;
-    if let Some(run) = interaction::simulate(scene, *settings, observer) {
-        return Ok(run);
-    }
+/// Simulate one impact on a valid scene with the hydrodynamic contact force, whatever model the scene names. The observer can look at
+/// the run so far through the window.
+pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;
     let mut track = Track::new(&problem, tolerance, settings.series);
@@ -120,34 +76,18 @@ pub fn simulate_openly(
             estimate::set(&mut run, &second, basis, floor);
         }
     }
-    run.stack = stack::follow(scene, &mut run, *settings, observer)?.map(Arc::new);
-    Ok(run)
+    run
 }
 
-/// How many times the usual horizon, and how many times as many swings, an undecided shot is followed.
-const FOLLOWED: f64 = 50.0;
-const PATIENCE: usize = 4;
-
-/// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run of the engine that swings on
-/// undecided is followed for many times as long. For the outcome of a shot that an ordinary run leaves undecided.
-///
-/// # Errors
-/// As [`simulate`].
-pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Result<Run, VariableError> {
-    variables::validate(scene)?;
-    let mut own = Scene::clone(scene);
-    own.run.horizon_s = None;
-    let own = Arc::new(own);
-    let settings = Settings { series: false, estimate: false };
-    if let Some(run) = interaction::simulate(&own, settings, observer) {
-        return Ok(run);
-    }
-    let mut problem = Problem::of(&own);
+/// As [`run`] without a series or an estimate, but for longer: a run that swings on undecided is followed for many times as long. The
+/// scene has no horizon.
+pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
+    let mut problem = Problem::of(scene);
     problem.horizon_s *= FOLLOWED;
     problem.patience = PATIENCE;
-    let mut track = Track::new(&problem, own.run.tolerance, false);
+    let mut track = Track::new(&problem, scene.run.tolerance, false);
     let end = compute::<TERMS>(&mut track, observer);
-    Ok(report::gather(&problem, track, end))
+    report::gather(&problem, track, end)
 }
 
 fn compute<const N: usize>(track: &mut Track<'_>, observer: Observer<'_>) -> EndReason {

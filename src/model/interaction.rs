@@ -9,8 +9,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::contact::Geometry;
-use crate::model::impact::{self, Observer, Settings};
-use crate::model::run::{AtLeast, Cost, EnergyLedger, Run};
+use crate::model::impact::{self, window::Window};
+use crate::model::run::{AtLeast, Cost, EnergyLedger, Observer, Run, Settings};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 
 mod coast;
@@ -24,10 +24,12 @@ mod pair;
 /// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
 const UNLOAD_PER_LOAD: f64 = 100.0;
 
-/// Simulate a valid scene by the model it asks for; `None` for the hydrodynamic model, which is the engine's.
-pub fn simulate(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Option<Run> {
+/// Simulate a valid scene by the model it names.
+pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let mut run = match scene.contact.model {
-        ContactModel::Hydrodynamic => return None,
+        ContactModel::Hydrodynamic => {
+            return impact::run(scene, settings, observer, &Window::default());
+        }
         ContactModel::HalfSine => half_sine::run(scene, settings, observer),
         ContactModel::InitialVelocity => initial_velocity::run(scene, settings, observer),
         ContactModel::Lumped => lumped::run(scene, settings, observer),
@@ -37,10 +39,10 @@ pub fn simulate(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) 
     if scene.plate.mount == Mount::Rigid {
         run.baseline_penetration_m = run.final_penetration_m;
     } else if run.end.is_complete() {
-        let rigid = simulate(&Arc::new(on_rigid_mount(scene)), quiet, observer);
-        run.baseline_penetration_m = rigid.and_then(|rigid| rigid.final_penetration_m);
+        let rigid = self::run(&Arc::new(on_rigid_mount(scene)), quiet, observer);
+        run.baseline_penetration_m = rigid.final_penetration_m;
     }
-    Some(run)
+    run
 }
 
 /// The same shot into the same plate on a rigid mount, by the same model with the same parameters.
@@ -97,12 +99,11 @@ fn hydrodynamic_on_rigid_mount(scene: &Scene) -> (f64, f64) {
     let quiet = Settings { series: false, estimate: false };
     let (m_p, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
     let geometry = Geometry::of(scene);
-    let found = impact::simulate(&Arc::new(rigid), &quiet, &mut |_| ControlFlow::Continue(()));
-    let arrest = found.as_ref().ok().and_then(|run| run.first_arrest);
-    let exit_s = found.as_ref().ok().and_then(|run| run.exit_time_s);
-    let (duration_s, travel_m) = match arrest {
+    let go_on = &mut |_| ControlFlow::Continue(());
+    let run = impact::run(&Arc::new(rigid), quiet, go_on, &Window::default());
+    let (duration_s, travel_m) = match run.first_arrest {
         Some(arrest) => (arrest.t_s, geometry.travel_m(arrest.penetration_m)),
-        None => (exit_s.unwrap_or(geometry.exit_m / v), geometry.exit_m),
+        None => (run.exit_time_s.unwrap_or(geometry.exit_m / v), geometry.exit_m),
     };
     (duration_s, m_p * v * v / (travel_m * travel_m))
 }

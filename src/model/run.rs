@@ -8,13 +8,16 @@ use std::sync::Arc;
 
 use crate::model::estimate::QuantityError;
 use crate::model::scene::Scene;
-use crate::model::stack::StackRun;
 
 mod at_least;
 pub mod envelope;
+mod settings;
+mod stack;
 mod warning;
 
 pub use at_least::AtLeast;
+pub use settings::{Observer, Settings};
+pub use stack::StackRun;
 pub use warning::Warning;
 
 /// One computed impact.

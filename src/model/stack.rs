@@ -6,71 +6,19 @@
 
 use std::sync::Arc;
 
-use crate::model::impact::{self, Observer, Settings};
-use crate::model::run::{Outcome, Run, Warning};
+use crate::model::run::{Outcome, Run, StackRun, Warning};
 use crate::model::scene::{Closure, Layer, Mount, Scene, Stack};
 use crate::model::variables::VariableError;
 
-/// What became of a shot into a stack.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StackRun {
-    /// The elements after the first that were struck, in order; the base plate, where it was, at the end.
-    pub behind: Vec<Arc<Run>>,
-    /// How many elements there are, the base plate not counted.
-    pub elements: usize,
-    /// What became of the shot in the last that was struck.
-    pub outcome: Outcome,
-    /// Thickness perforated along the shot's line, and the depth in what stopped it, m; `None` where nothing did.
-    pub penetration_m: Option<f64>,
-    /// Velocity behind a perforated base plate, m/s.
-    pub residual_velocity_m_s: Option<f64>,
-}
-
-impl StackRun {
-    /// How many plates were perforated, the base plate included.
-    pub fn passed(&self) -> usize {
-        // The first was passed exactly when another was struck.
-        let struck = self.behind.len() + 1;
-        if self.outcome == Outcome::Perforated { struck } else { struck - 1 }
-    }
-
-    /// The name of the plate with this number, 0 for the first.
-    pub fn name(&self, plate: usize) -> String {
-        if plate < self.elements {
-            format!("element {}", plate + 1)
-        } else {
-            "base plate".to_owned()
-        }
-    }
-
-    /// The sentence: `stopped in element 2 of 3, 31.20 mm in all`.
-    pub fn sentence(&self) -> String {
-        let last = self.name(self.behind.len());
-        match (self.outcome, self.penetration_m) {
-            (Outcome::Arrested, Some(depth)) => {
-                format!("stack: stopped in the {last}, {:.4} mm in all", depth * 1e3)
-            }
-            (Outcome::Separated, Some(depth)) => {
-                format!("stack: thrown back by the {last}, {:.4} mm in all", depth * 1e3)
-            }
-            (Outcome::Perforated, _) => "stack: perforated, base plate and all".to_owned(),
-            (Outcome::Arrested | Outcome::Separated | Outcome::Moving, _) => {
-                format!("stack: undecided in the {last}")
-            }
-        }
-    }
-}
-
-/// Follow the shot behind the scene's own plate, whose run is `first`; `None` where the scene is no stack. Warnings about the
-/// stack are added to `first`.
+/// Follow the shot behind the scene's own plate, whose run is `first`, plate by plate; `None` where the scene is no stack.
+/// Warnings about the stack are added to `first`.
 ///
 /// # Errors
 /// A [`VariableError`] when an element makes no physical sense by itself.
 pub fn follow(
     scene: &Scene,
     first: &mut Run,
-    settings: Settings,
-    observer: Observer<'_>,
+    simulate: &mut dyn FnMut(Scene) -> Result<Run, VariableError>,
 ) -> Result<Option<StackRun>, VariableError> {
     if scene.stack.base_thickness_m.is_none() {
         return Ok(None);
@@ -87,7 +35,7 @@ pub fn follow(
         passed_m += last.scene.effective_thickness_m();
         let mut own = plate;
         own.projectile.velocity_m_s = velocity;
-        behind.push(Arc::new(impact::simulate(&Arc::new(own), &settings, observer)?));
+        behind.push(Arc::new(simulate(own)?));
     }
     warn_of_gaps(scene, first, &behind, elements);
     let last = behind.last().map_or(&*first, |run| run);

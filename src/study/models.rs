@@ -7,10 +7,10 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::{self, Settings};
 use crate::model::interaction::Values;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Jumps, Listing, Reading, Scene};
+use crate::model::simulate::{self, Settings};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, VariableError};
 
@@ -142,7 +142,7 @@ pub fn compare(
 }
 
 fn simulate(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError> {
-    impact::simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
+    simulate::simulate(scene, &settings, &mut |_| ControlFlow::Continue(()))
 }
 
 /// The same scene by every model.

@@ -6,10 +6,10 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::contact_phase::{Ending, Scheme};
-use crate::model::impact::{Observer, Settings, simulate};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EndReason, Mode, Omission, Outcome, Run, Sample};
 use crate::model::scene::Scene;
+use crate::model::simulate::{Observer, Settings, simulate};
 use crate::numerics::larger;
 use cases::Case;
 use others::{Contact, Other, Verdict};

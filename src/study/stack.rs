@@ -1,7 +1,7 @@
 //! A stack as a table for people: the same lines on the command line and in the workbench.
 
+use crate::model::run::StackRun;
 use crate::model::run::{Outcome, Run};
-use crate::model::stack::StackRun;
 use crate::model::units;
 
 /// The sentence, and a line for every plate that was struck, at most 76 columns wide.

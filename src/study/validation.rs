@@ -7,9 +7,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::{Settings, simulate};
 use crate::model::run::envelope::{self, Check};
 use crate::model::scene::{Closure, Scene};
+use crate::model::simulate::{Settings, simulate};
 use crate::model::units::Bare;
 use crate::model::variables;
 use crate::study::limit;

@@ -3,10 +3,10 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::{Settings, simulate};
 use crate::model::run::envelope::{self, Check};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
+use crate::model::simulate::{Settings, simulate};
 use crate::model::units::{shortest, significant};
 use crate::model::variables;
 use crate::study::sweep::Axis;

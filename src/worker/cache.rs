@@ -49,7 +49,7 @@ mod tests {
     use std::ops::ControlFlow;
 
     use super::*;
-    use crate::model::impact::{Settings, simulate};
+    use crate::model::simulate::{Settings, simulate};
 
     /// A run with so many rows.
     fn run(rows: usize) -> Arc<Run> {

@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 
 use super::{Job, Report, ReportBody, Slot, Worker};
 use crate::model::impact::window::Window;
-use crate::model::impact::{self, Settings};
 use crate::model::run::{EndReason, Run};
 use crate::model::scene::Scene;
+use crate::model::simulate::{self, Settings};
 
 const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -18,11 +18,12 @@ const PATIENCE: Duration = Duration::from_secs(20);
 fn slow(
     scene: &Arc<Scene>,
     _settings: Settings,
-    observer: impact::Observer<'_>,
+    observer: simulate::Observer<'_>,
     _window: &Window,
 ) -> Result<Run, String> {
-    let mut run = impact::simulate(scene, &Settings::default(), &mut |_| ControlFlow::Continue(()))
-        .map_err(|error| error.to_string())?;
+    let mut run =
+        simulate::simulate(scene, &Settings::default(), &mut |_| ControlFlow::Continue(()))
+            .map_err(|error| error.to_string())?;
     assert!(scene.title != "panics", "deliberate");
     let mut t_s = 0.0;
     if scene.title == "endless" {

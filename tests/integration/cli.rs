@@ -299,9 +299,9 @@ fn csv_reads_back_the_same_floats() {
 
     // The same run inside this process, for floats to compare with.
     let preset = cmra::files::preset::resolve("free-plate", None).unwrap();
-    let run = cmra::model::impact::simulate(
+    let run = cmra::model::simulate::simulate(
         &std::sync::Arc::new(preset.scene),
-        &cmra::model::impact::Settings::default(),
+        &cmra::model::simulate::Settings::default(),
         &mut |_| std::ops::ControlFlow::Continue(()),
     )
     .unwrap();

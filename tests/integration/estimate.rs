@@ -10,10 +10,10 @@ use std::sync::Arc;
 
 use cmra::model::contact_phase::{Ending, Phase, Scheme, exact, fine};
 use cmra::model::estimate::QuantityError;
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::results;
 use cmra::model::run::{EstimateBasis, Outcome, Run};
 use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
 
 use crate::random::{Random, scene, typed};
 

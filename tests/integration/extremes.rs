@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::model::impact::lean::{Contact, run_abreast};
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::{EndReason, Mode, Run, Sample, Warning};
 use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
 
 use crate::random::{Random, scene as random_scene, typed};
 use crate::support::{assert_near, run, scene};

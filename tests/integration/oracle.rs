@@ -4,9 +4,9 @@
 //! program has to be where they are at its own times, within a few times their difference, and what it says of all time to come, run
 //! without a horizon, must not be contradicted up to there.
 
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::{EndReason, EventKind, Outcome, Run, Sample};
 use cmra::model::scene::{ContactModel, Scene};
+use cmra::model::simulate::{Settings, simulate};
 use law::Shot;
 
 use crate::random::Random;

@@ -6,9 +6,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cmra::files;
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::{EndReason, EventKind, Mode, Outcome, Run, Warning};
 use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
 use cmra::model::units::Bare;
 use cmra::model::variables;
 use proptest::prelude::*;

@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use cmra::model::impact::forced::{Forced, simulate_by};
 use cmra::model::impact::lean::Contact;
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
 
 use crate::random::{Random, scene, typed};
 

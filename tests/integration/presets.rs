@@ -8,9 +8,9 @@ use std::sync::Arc;
 use cmra::files::bundled::{BASELINE, BUNDLED};
 use cmra::files::preset::{self, Preset};
 use cmra::files::{read, write};
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::results;
 use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
 use cmra::model::variables::{VARIABLES, validate};
 
 use serde::Deserialize;

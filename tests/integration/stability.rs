@@ -8,10 +8,10 @@ use std::panic::catch_unwind;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::envelope::numerical;
 use cmra::model::run::{EndReason, Outcome, Run};
 use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
 use cmra::study::stability::map::{self, Axis, Method};
 
 use crate::support::says;

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use assert_cmd::Command;
-use cmra::model::impact::{Settings, simulate};
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
+use cmra::model::simulate::{Settings, simulate};
 use cmra::model::units::Bare;
 use cmra::model::variables;
 

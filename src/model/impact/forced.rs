@@ -3,10 +3,11 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::impact::TERMS;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::report;
 use crate::model::impact::track::Track;
-use crate::model::impact::{Observer, TERMS};
+use crate::model::run::Observer;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};

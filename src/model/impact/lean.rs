@@ -318,7 +318,7 @@ impl Contact {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::{Settings, simulate};
+    use crate::model::simulate::{Settings, simulate};
     use crate::model::units::Bare;
     use crate::model::variables::set_by_name;
     use std::ops::ControlFlow;

@@ -9,7 +9,6 @@ use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
-use crate::model::impact::Observer;
 use crate::model::impact::demand::Swing;
 use crate::model::impact::guard::Trigger;
 use crate::model::impact::problem::Problem;
@@ -19,6 +18,7 @@ use crate::model::impact::stride::Taken;
 use crate::model::impact::verdict::{Asked, Farthest};
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
+use crate::model::run::Observer;
 use crate::model::run::{EndReason, Mode, Outcome};
 use crate::numerics::larger;
 

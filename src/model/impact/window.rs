@@ -114,9 +114,9 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::impact::{Settings, simulate_openly};
     use crate::model::run::{EndReason, Sample, Warning};
     use crate::model::scene::Scene;
+    use crate::model::simulate::{Settings, simulate_openly};
 
     /// Looks after so many steps of a run that swings on, and the run itself, ended after so many.
     fn looks(after: &[usize], end: usize) -> (Vec<Run>, Run) {

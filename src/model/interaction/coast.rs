@@ -1,8 +1,8 @@
 //! What follows the contact: the plate on its mechanism, alone or with the projectile, to its greatest displacement.
 
-use crate::model::impact::Observer;
 use crate::model::interaction::course::{Course, Fired, Tag};
 use crate::model::interaction::pair::{W, X};
+use crate::model::run::Observer;
 use crate::model::run::{EndReason, EventKind};
 use crate::numerics::{larger, smaller};
 

@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::contact::Geometry;
-use crate::model::impact::Observer;
 use crate::model::interaction::pair::{CONTACT, DAMPER, N, Pair, Push, Q, STOP, Units, V, W, X};
 use crate::model::interaction::{ModelNote, blank};
+use crate::model::run::Observer;
 use crate::model::run::{
     Arrest, Cost, EndReason, EnergyLedger, Event, EventKind, Mode, Outcome, Run, Sample, Warning,
 };

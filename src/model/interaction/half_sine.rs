@@ -9,11 +9,11 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::model::estimate::{self, ROUNDING};
-use crate::model::impact::{Observer, Settings};
 use crate::model::interaction::course::{Course, Fired, Tag, say};
 use crate::model::interaction::pair::{N, Push, V, W};
 use crate::model::interaction::{ModelNote, Values, notes_of};
 use crate::model::run::{EndReason, EstimateBasis, EventKind, Mode, Outcome, Run};
+use crate::model::run::{Observer, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::explicit::Boundary;
 

@@ -4,10 +4,10 @@
 
 use std::sync::Arc;
 
-use crate::model::impact::{Observer, Settings};
 use crate::model::interaction::course::{Course, say};
 use crate::model::interaction::notes_of;
 use crate::model::run::{EventKind, Outcome, Run};
+use crate::model::run::{Observer, Settings};
 use crate::model::scene::Scene;
 
 /// Run it.

@@ -10,13 +10,13 @@ use std::sync::Arc;
 use crate::model::appendix::{Scheme, State};
 use crate::model::contact_phase::{Ending, Refusal};
 use crate::model::estimate::{self, ROUNDING};
-use crate::model::impact::{Observer, Settings};
 use crate::model::interaction::course::say;
 use crate::model::interaction::{ModelNote, blank, notes_of};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::{
     Arrest, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, Outcome, Run, Sample, Warning,
 };
+use crate::model::run::{Observer, Settings};
 use crate::model::scene::{Listing, Mount, Reading, Scene};
 use crate::numerics::larger;
 

@@ -7,11 +7,11 @@
 use std::sync::Arc;
 
 use crate::model::estimate;
-use crate::model::impact::{Observer, Settings};
 use crate::model::interaction::course::{Course, Fired, Tag, say};
 use crate::model::interaction::pair::{N, Push, Q, V, W, X};
 use crate::model::interaction::{Values, notes_of};
 use crate::model::run::{EndReason, EstimateBasis, EventKind, Mode, Outcome, Run};
+use crate::model::run::{Observer, Settings};
 use crate::model::scene::Scene;
 use crate::numerics::explicit::{Boundary, System as _};
 

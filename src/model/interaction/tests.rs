@@ -3,14 +3,14 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::{self, Settings};
 use crate::model::run::{EndReason, EventKind, Outcome, Run, Warning};
 use crate::model::scene::{ContactModel, Jumps, Listing, Mount, Reading, Scene, StopKind};
+use crate::model::simulate::{self, Settings};
 
 use super::{ModelNote, Values};
 
 fn run(scene: &Scene) -> Run {
-    impact::simulate(&Arc::new(scene.clone()), &Settings::default(), &mut |_| {
+    simulate::simulate(&Arc::new(scene.clone()), &Settings::default(), &mut |_| {
         ControlFlow::Continue(())
     })
     .unwrap()

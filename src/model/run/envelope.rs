@@ -351,7 +351,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::impact::{Settings, simulate};
+    use crate::model::simulate::{Settings, simulate};
 
     fn run(scene: &Scene) -> Run {
         let settings = Settings { series: false, estimate: false };

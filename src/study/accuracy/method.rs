@@ -8,9 +8,9 @@ use crate::model::appendix::{self, Coupling};
 use crate::model::contact_phase::{Answer, Ending, Phase, Refusal, Scheme, exact};
 use crate::model::impact::forced::{Forced, simulate_by};
 use crate::model::impact::lean::Contact;
-use crate::model::impact::{Settings, simulate};
 use crate::model::run::Run;
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::model::simulate::{Settings, simulate};
 use crate::numerics::explicit::rk4::Crossing;
 
 /// The run of a scene with a damper ends this much after its contact, relative: rebound is not part of the comparison.

@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::{Settings, simulate};
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
+use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::study::compare::hardware::Built;
 use crate::study::compare::sized::{self, sized};

@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::impact::lean::contact_end;
-use crate::model::impact::{Settings, simulate};
 use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
+use crate::model::simulate::{Settings, simulate};
 use crate::study::compare::hardware::Built;
 use crate::study::compare::hardware::{self, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};

@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::{Settings, simulate};
 use crate::model::run::Outcome;
 use crate::model::scene::{Closure, Scene};
+use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::VariableError;
 use crate::study::fit::{Logistic, Shot};
 use crate::study::limit;

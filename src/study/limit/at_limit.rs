@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::{Settings, simulate};
 use crate::model::run::EndReason;
 use crate::model::scene::{Closure, Scene};
+use crate::model::simulate::{Settings, simulate};
 use crate::study::compare::Load;
 use crate::study::limit::search::aimed;
 use crate::study::limit::{Watch, alone};

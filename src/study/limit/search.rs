@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use crate::model::contact_phase::Ending;
 use crate::model::first_contact::first_contact;
-use crate::model::impact::{Settings, follow, simulate};
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
+use crate::model::simulate::{Settings, follow, simulate};
 use crate::numerics::smaller;
 use crate::study::compare::{Load, outcome, residual_m_s};
 use crate::study::limit::{

@@ -3,8 +3,8 @@
 use super::scatter::ModelError;
 use super::search::{Verdict, WIDTH};
 use super::*;
-use crate::model::impact::{Settings, simulate};
 use crate::model::scene::InterfaceLaw;
+use crate::model::simulate::{Settings, simulate};
 use crate::model::units::Bare;
 
 const PLAIN: Effort = Effort { criterion: Criterion::Passage, scattering: None };

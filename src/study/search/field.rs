@@ -182,9 +182,9 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::model::impact::{Settings, simulate};
     use crate::model::mechanism::Mechanism;
     use crate::model::run::EndReason;
+    use crate::model::simulate::{Settings, simulate};
     use crate::study::sweep::Spacing;
 
     fn axes(list: &[(&str, f64, f64)]) -> Vec<Axis> {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::model::impact::{Settings, simulate};
+use crate::model::simulate::{Settings, simulate};
 
 const EFFORT: Effort = Effort { rows: 256, trajectories: 20, seed: 1, threads: 2 };
 

@@ -9,10 +9,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::model::impact::{self, Settings};
 use crate::model::results::ResultColumn;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
+use crate::model::simulate::{self, Settings};
 use crate::study::quantities::{self, need_course};
 use crate::study::sweep::Plan;
 use crate::study::sweep::quick::Quick;
@@ -254,7 +254,7 @@ impl<'p> Evaluator<'p> {
         let series = need_course(self.plan.outputs(), &self.scene);
         let (scene, settings) = (&self.scene, &Settings { series, ..self.settings });
         // Each point begins anew, so a panic at one leaves nothing behind for the next.
-        let work = AssertUnwindSafe(|| impact::simulate(scene, settings, &mut observer));
+        let work = AssertUnwindSafe(|| simulate::simulate(scene, settings, &mut observer));
         match catch_unwind(work) {
             Ok(Ok(run)) => Ok(run),
             Ok(Err(_)) => Err(Failure::Refused),

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::crew::Crew;
 use super::grid::{Cell, Grid};
 use super::*;
-use crate::model::impact::{Settings, simulate};
+use crate::model::simulate::{Settings, simulate};
 use crate::model::units::Bare;
 use crate::model::variables::set_by_name;
 

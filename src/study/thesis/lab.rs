@@ -7,9 +7,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
-use crate::model::impact::{self, Settings};
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Contact, ContactModel, Mount, Projectile, Scene, Target};
+use crate::model::simulate::{self, Settings};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, VARIABLES, Value};
 use crate::study::thesis::{Basis, Found, Verdict};
@@ -144,7 +144,7 @@ impl Lab {
         let watch = &mut |_t_s: f64| {
             if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        impact::simulate(&own, &settings, watch)
+        simulate::simulate(&own, &settings, watch)
             .expect("the scenes of this study make physical sense")
     }
 

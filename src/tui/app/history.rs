@@ -129,7 +129,7 @@ impl History {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::{Settings, simulate};
+    use crate::model::simulate::{Settings, simulate};
     use crate::tui::app::Origin;
 
     #[test]

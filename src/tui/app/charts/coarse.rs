@@ -102,8 +102,8 @@ fn keep(run: &Run, quantity: Quantity, stretch: Range<usize>, kept: &mut Vec<usi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::{Settings, simulate};
     use crate::model::scene::Scene;
+    use crate::model::simulate::{Settings, simulate};
     use crate::tui::app::runs::Shown;
     use crate::tui::app::{App, Base, Origin};
     use crate::tui::theme::{ColourDepth, GlyphSet, Theme};

@@ -1,0 +1,55 @@
+//! What became of a shot into a stack of elements.
+
+use std::sync::Arc;
+
+use crate::model::run::{Outcome, Run};
+
+/// What became of a shot into a stack.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackRun {
+    /// The elements after the first that were struck, in order; the base plate, where it was, at the end.
+    pub behind: Vec<Arc<Run>>,
+    /// How many elements there are, the base plate not counted.
+    pub elements: usize,
+    /// What became of the shot in the last that was struck.
+    pub outcome: Outcome,
+    /// Thickness perforated along the shot's line, and the depth in what stopped it, m; `None` where nothing did.
+    pub penetration_m: Option<f64>,
+    /// Velocity behind a perforated base plate, m/s.
+    pub residual_velocity_m_s: Option<f64>,
+}
+
+impl StackRun {
+    /// How many plates were perforated, the base plate included.
+    pub fn passed(&self) -> usize {
+        // The first was passed exactly when another was struck.
+        let struck = self.behind.len() + 1;
+        if self.outcome == Outcome::Perforated { struck } else { struck - 1 }
+    }
+
+    /// The name of the plate with this number, 0 for the first.
+    pub fn name(&self, plate: usize) -> String {
+        if plate < self.elements {
+            format!("element {}", plate + 1)
+        } else {
+            "base plate".to_owned()
+        }
+    }
+
+    /// The sentence: `stopped in element 2 of 3, 31.20 mm in all`.
+    pub fn sentence(&self) -> String {
+        let last = self.name(self.behind.len());
+        match (self.outcome, self.penetration_m) {
+            (Outcome::Arrested, Some(depth)) => {
+                format!("stack: stopped in the {last}, {:.4} mm in all", depth * 1e3)
+            }
+            (Outcome::Separated, Some(depth)) => {
+                format!("stack: thrown back by the {last}, {:.4} mm in all", depth * 1e3)
+            }
+            (Outcome::Perforated, _) => "stack: perforated, base plate and all".to_owned(),
+            (Outcome::Arrested | Outcome::Separated | Outcome::Moving, _) => {
+                format!("stack: undecided in the {last}")
+            }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! From a scene to its run: validate, simulate by the model that the scene names, follow the shot through the rest of a stack.
+//!
+//! Pure functions: no clock, no file, no thread.
+
+use std::sync::Arc;
+
+use crate::model::impact::{self, window::Window};
+use crate::model::interaction;
+use crate::model::run::Run;
+pub use crate::model::run::{Observer, Settings};
+use crate::model::scene::{ContactModel, Scene};
+use crate::model::stack;
+use crate::model::variables::{self, VariableError};
+
+/// Simulate one impact.
+///
+/// # Errors
+/// A [`VariableError`] when the scene makes no physical sense. Anything that goes wrong later is told in
+/// [`Run::end`], with the part that was computed.
+pub fn simulate(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    observer: Observer<'_>,
+) -> Result<Run, VariableError> {
+    simulate_openly(scene, settings, observer, &Window::default())
+}
+
+/// As [`simulate`], with a window through which the observer can look at the run so far. Other models than the hydrodynamic one, and
+/// the plates of a stack behind the first, show nothing.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn simulate_openly(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    observer: Observer<'_>,
+    window: &Window,
+) -> Result<Run, VariableError> {
+    variables::validate(scene)?;
+    if scene.contact.model != ContactModel::Hydrodynamic {
+        return Ok(interaction::run(scene, *settings, observer));
+    }
+    let mut run = impact::run(scene, *settings, observer, window);
+    let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, observer);
+    run.stack = stack::follow(scene, &mut run, behind)?.map(Arc::new);
+    Ok(run)
+}
+
+/// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run of the hydrodynamic model that
+/// swings on undecided is followed for many times as long. For the outcome of a shot that an ordinary run leaves undecided.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Result<Run, VariableError> {
+    variables::validate(scene)?;
+    let mut own = Scene::clone(scene);
+    own.run.horizon_s = None;
+    let own = Arc::new(own);
+    Ok(if own.contact.model == ContactModel::Hydrodynamic {
+        impact::follow(&own, observer)
+    } else {
+        interaction::run(&own, Settings { series: false, estimate: false }, observer)
+    })
+}
