@@ -1,13 +1,42 @@
 //! The physics: a projectile, a plate on a spring and damper, and the force between them.
 //!
-//! Equations and signs are those of C. S. Andersen's thesis (BYU 2007), chapter 8 and Appendix A, with its errors corrected;
-//! the assumptions beyond it are named where they are made. SI units throughout; every physical field's name ends in
-//! its unit. **Invariants:** no file, no screen, no clock and no thread is known here; `simulate` is a pure
-//! function of its arguments; nothing but `Err` for a scene that cannot start is refused.
+//! Equations and signs are those of C. S. Andersen's thesis (BYU 2007), chapter 8 and Appendix A, with its errors corrected; the
+//! assumptions beyond it are named where they are made. SI units throughout; every physical field's name ends in its unit.
+//! **Invariants:** no file, no screen, no clock and no thread is known here; `simulate` is a pure function of its arguments; nothing
+//! but `Err` for a scene that cannot start is refused.
+//!
+//! # How one run goes from a scene to its result
+//!
+//! 1. A [`scene::Scene`] holds the values; [`variables::VARIABLES`] describes each of them. [`simulate::simulate`] begins with
+//!    [`variables::validate`] and takes the model that the scene names: [`impact::run`] for the hydrodynamic one,
+//!    [`interaction::run`] for the others of the thesis's section 8.2.
+//! 2. `impact::problem::Problem::of` derives the constants of the impact once: masses, [`contact::Geometry::of`] (engaged area by
+//!    travel, in pieces), [`mechanism::Mechanism::of`] (spring, damper, stop), the horizon.
+//! 3. `Track::begin` (`impact/contact.rs`) takes the contact in closed form ([`closed_form::Passage`]) where nothing but inertia
+//!    answers the projectile; else `Track::start` steps over a singular start.
+//! 4. `Track::run` (`impact/track.rs`) is the loop. Each pass:
+//!    - `finished` (`impact/termination.rs`) decides by energy bounds whether the outcome can still change; `budget_used_up` whether
+//!      the run has done its work;
+//!    - `missed_event` finds an event that rounding has put behind the state;
+//!    - one step is taken: `stride` (`impact/singular_crossing.rs`) through the zero of a power law, `taylor_step`
+//!      (`impact/taylor.rs`) where the motion is smooth, or `stiff_step` (`impact/stiff.rs`). All step the equations of
+//!      [`motion::Motion`], which are one form for every mode;
+//!    - `active_events` lists what may end the step in the present mode; the first of them to change its sign is located, and
+//!      `project_onto_event` puts the state exactly on it;
+//!    - `Record` (`impact/record.rs`) keeps the rows, the work done and the greatest forces (`note_extremes`);
+//!    - `apply_transition` lets `handle` (`impact/events.rs`) decide by the interface law which mode follows.
+//! 5. `report::gather` makes the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings.
+//! 6. A second, tighter computation gives [`estimate::set`] the error of each result.
+//! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
+//!
+//! Sweeps and searches that need the first contact only call [`first_contact::first_contact`]: the [`contact_kernel`] where it takes
+//! the scene, else the simulation. [`results`] is the table of everything a run can be asked for; [`contact_phase`] and [`appendix`]
+//! are references that share nothing with the simulation but the laws.
 
 pub mod appendix;
 pub mod closed_form;
 pub mod contact;
+pub mod contact_kernel;
 pub mod contact_phase;
 pub mod design;
 pub mod estimate;

@@ -1,14 +1,14 @@
 //! The first contact by the quickest way this program has: the one door for sweeps, searches and benches that ask for
 //! nothing but depth and time.
 //!
-//! Which kernel stands behind the door is decided here and nowhere else: the lean contact where it takes the scene, else the
+//! Which kernel stands behind the door is decided here and nowhere else: the contact kernel where it takes the scene, else the
 //! full track. Knows no clock and no screen.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::contact_kernel::contact_end;
 use crate::model::contact_phase::{Ending, Refusal};
-use crate::model::impact::lean::contact_end;
 use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, simulate};
 

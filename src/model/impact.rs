@@ -1,7 +1,7 @@
 //! One impact from first contact to its end, by the hydrodynamic model.
 //!
 //! [`run`] takes the contact in closed form where the scene allows it (`contact.rs`), tracks modes
-//! and events through the rest (`track.rs`, `events.rs`, `verdict.rs`) and gathers the [`Run`] (`report.rs`). It is a pure
+//! and events through the rest (`track.rs`, `events.rs`, `termination.rs`) and gathers the [`Run`] (`report.rs`). It is a pure
 //! function: no clock, no file, no thread.
 
 use std::sync::Arc;
@@ -15,28 +15,27 @@ use record::Record;
 use track::Track;
 use window::Window;
 
-mod bounds;
+mod active_events;
 mod budget;
 mod contact;
 mod crush;
 mod demand;
+mod energy_bounds;
+mod event_function;
 mod events;
 pub mod forced;
-mod guard;
-pub mod lean;
-mod overdue;
+mod missed_event;
 mod problem;
 mod record;
 mod report;
 mod rest;
+mod singular_crossing;
 mod start;
 mod stiff;
-mod stride;
 mod taylor;
+mod termination;
 mod thinning;
 mod track;
-mod verdict;
-mod watch;
 pub mod window;
 
 /// Order of the ordinary computation, plus one.

@@ -1,5 +1,5 @@
-//! What a contact can do without, decided from bounds before anything is integrated. Shared by the full track and the lean
-//! contact, so that both leave out the same.
+//! What a contact can do without, decided from bounds before anything is integrated. Shared by the simulation and the
+//! contact kernel, so that both omit the same.
 
 use std::f64::consts::PI;
 

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cmra::model::impact::lean::{Contact, run_abreast};
+use cmra::model::contact_kernel::{Contact, run_abreast};
 use cmra::model::run::{EndReason, Mode, Run, Sample, Warning};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};

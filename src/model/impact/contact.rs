@@ -57,7 +57,7 @@ impl Track<'_> {
         };
         if !done {
             self.first_point();
-            let pace = self.problem.pace();
+            let pace = self.problem.time_scales();
             self.unit_s = 0.1 * pace.contact_s;
             self.stiff = pace.is_stiff() && !self.is_still();
             if !self.stiff {
@@ -108,7 +108,7 @@ impl Track<'_> {
                 let force = self.interface_n() * problem.cos;
                 self.state.plate_m = smaller(problem.mechanism.spring.at_force(force), IMMOBILE);
             }
-            self.handle(crate::model::impact::guard::Trigger::SlipZero);
+            self.handle(crate::model::impact::event_function::EventId::SlipZero);
         }
         true
     }
@@ -148,7 +148,7 @@ impl Track<'_> {
                 .into_iter()
                 .min_by(|a, b| (a - moment.travel_m).abs().total_cmp(&(b - moment.travel_m).abs()));
             self.state.travel_m = nearest.unwrap_or(moment.travel_m);
-            self.handle(crate::model::impact::guard::Trigger::PieceEnd);
+            self.handle(crate::model::impact::event_function::EventId::PieceEnd);
         }
     }
 }

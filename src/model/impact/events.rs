@@ -4,7 +4,7 @@
 //! the gap closes against friction g A S. u < 0: the projectile is pulled out against g A S. u = 0: together, as long as
 //! the force the interface must carry stays within its limits.
 
-use crate::model::impact::guard::Trigger;
+use crate::model::impact::event_function::EventId;
 use crate::model::impact::track::{Track, side};
 use crate::model::mechanism::sign;
 use crate::model::motion::State;
@@ -22,36 +22,36 @@ const UNFELT_STEP: f64 = 1e-3;
 
 impl Track<'_> {
     /// Put the state exactly on the event that ended the step.
-    pub(super) fn snap(&mut self, trigger: Trigger, before: &State) {
+    pub(super) fn project_onto_event(&mut self, event: EventId, before: &State) {
         let geometry = &self.problem.geometry;
-        match trigger {
+        match event {
             // Past the exit there is no end to come to.
-            Trigger::PieceEnd => {
+            EventId::PieceEnd => {
                 let end = geometry.piece(before.travel_m).to_m;
                 self.state.travel_m = if end.is_finite() { end } else { before.travel_m };
             }
-            Trigger::PieceStart => {
+            EventId::PieceStart => {
                 let behind = geometry.pieces().iter().rev();
                 let piece = behind.into_iter().find(|piece| piece.from_m < before.travel_m);
                 self.state.travel_m = piece.map_or(0.0, |piece| piece.from_m);
             }
-            Trigger::HoleBottom => self.state.travel_m = self.deepest_m,
-            Trigger::SlipZero | Trigger::SlipHeld => self.state.slip_m_s = 0.0,
-            Trigger::Recontact => self.state.travel_m = 0.0,
-            Trigger::PlateZero if self.spring_is_whole() => self.state.plate_m = 0.0,
-            Trigger::KnotAhead => self.state.plate_m = self.spring_ends().1,
-            Trigger::KnotBehind => self.state.plate_m = self.spring_ends().0,
-            Trigger::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
-            Trigger::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
-            Trigger::PlateZero
-            | Trigger::PlateSpeedZero
-            | Trigger::PlateClear
-            | Trigger::PlateSpeedClear
-            | Trigger::StopCleared
-            | Trigger::StopPressed
-            | Trigger::StopRelease
-            | Trigger::PushLimit
-            | Trigger::PullLimit => {}
+            EventId::HoleBottom => self.state.travel_m = self.deepest_m,
+            EventId::SlipZero | EventId::SlipHeld => self.state.slip_m_s = 0.0,
+            EventId::Recontact => self.state.travel_m = 0.0,
+            EventId::PlateZero if self.spring_is_whole() => self.state.plate_m = 0.0,
+            EventId::KnotAhead => self.state.plate_m = self.spring_ends().1,
+            EventId::KnotBehind => self.state.plate_m = self.spring_ends().0,
+            EventId::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
+            EventId::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
+            EventId::PlateZero
+            | EventId::PlateSpeedZero
+            | EventId::PlateClear
+            | EventId::PlateSpeedClear
+            | EventId::StopCleared
+            | EventId::StopPressed
+            | EventId::StopRelease
+            | EventId::PushLimit
+            | EventId::PullLimit => {}
         }
     }
 
@@ -66,41 +66,41 @@ impl Track<'_> {
     }
 
     /// Decide what follows an event.
-    pub(super) fn handle(&mut self, trigger: Trigger) {
-        match trigger {
-            Trigger::PieceEnd => self.piece_end(),
-            Trigger::PieceStart => self.piece_start(),
-            Trigger::HoleBottom => self.deepen(),
-            Trigger::SlipZero => self.common_velocity(),
-            Trigger::SlipHeld => {
+    pub(super) fn handle(&mut self, event: EventId) {
+        match event {
+            EventId::PieceEnd => self.piece_end(),
+            EventId::PieceStart => self.piece_start(),
+            EventId::HoleBottom => self.deepen(),
+            EventId::SlipZero => self.common_velocity(),
+            EventId::SlipHeld => {
                 self.record.event(self.t_s, EventKind::Arrest);
                 self.mode = Mode::Fused;
             }
-            Trigger::Recontact => {
+            EventId::Recontact => {
                 self.record.event(self.t_s, EventKind::Recontact);
                 self.mode = if self.deepest_m > 0.0 { Mode::Closing } else { Mode::Penetrating };
             }
-            Trigger::PlateZero => self.plate_zero(),
-            Trigger::KnotAhead => self.region += 1,
-            Trigger::KnotBehind => self.region -= 1,
-            Trigger::PlateSpeedZero => self.plate_speed_zero(),
-            Trigger::PlateClear => {
+            EventId::PlateZero => self.plate_zero(),
+            EventId::KnotAhead => self.region += 1,
+            EventId::KnotBehind => self.region -= 1,
+            EventId::PlateSpeedZero => self.plate_speed_zero(),
+            EventId::PlateClear => {
                 self.spring_omitted = false;
                 self.side_x = side(self.state.plate_m, self.side_x);
             }
-            Trigger::PlateSpeedClear => {
+            EventId::PlateSpeedClear => {
                 self.damper_omitted = false;
                 self.side_w = side(self.state.plate_m_s, self.side_w);
             }
-            Trigger::StopReached => self.hit_stop(),
-            Trigger::StopCleared => self.stop_touches = false,
+            EventId::StopReached => self.hit_stop(),
+            EventId::StopCleared => self.stop_touches = false,
             // Behind its place there is nothing to press on.
-            Trigger::StopPressed => {
+            EventId::StopPressed => {
                 self.stop_touches = self.state.plate_m > self.problem.mechanism.stop_at_m;
             }
-            Trigger::StopRelease => self.release(),
-            Trigger::PushLimit => self.push_limit(),
-            Trigger::PullLimit => self.pull_limit(),
+            EventId::StopRelease => self.release(),
+            EventId::PushLimit => self.push_limit(),
+            EventId::PullLimit => self.pull_limit(),
         }
         if self.held && self.net_push_on_stop() < 0.0 {
             self.release();

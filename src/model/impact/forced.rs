@@ -1,4 +1,4 @@
-//! The engine held to one of its methods, for comparison: [`simulate`](super::simulate) chooses by itself.
+//! The engine held to one of its methods, for comparison: [`run`](super::run) chooses by itself.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, Va
     variables::validate(scene)?;
     let problem = Problem::of(scene);
     let mut track = Track::new(&problem, scene.run.tolerance, false);
-    track.unit_s = 0.1 * problem.pace().contact_s;
+    track.unit_s = 0.1 * problem.time_scales().contact_s;
     track.start();
     if track.stiff && forced == Forced::Taylor {
         return Ok(None);

@@ -117,7 +117,7 @@ impl Problem {
             Ending::Exit { .. } => None,
         };
         problem.answer = problem.find_answer();
-        problem.yields_part = problem.pace().yields_part;
+        problem.yields_part = problem.time_scales().yields_part;
         problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
         problem
     }

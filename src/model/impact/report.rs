@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::model::impact::contact::Answer;
 use crate::model::impact::problem::Problem;
+use crate::model::impact::termination::MaximumDisplacement;
 use crate::model::impact::track::Track;
-use crate::model::impact::verdict::Farthest;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
     AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, Omission, Outcome, Run,
@@ -36,13 +36,14 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
     let final_penetration_m = final_penetration_m.or_else(|| is_final.then_some(depth_m));
     let so_far_m = track.record.farthest_m;
     let farthest = match track.farthest {
-        Farthest::Known(x) => Some(larger(x, so_far_m)),
-        Farthest::Pending if track.has_been_farthest() => Some(so_far_m),
-        Farthest::Unbounded | Farthest::Pending => None,
+        MaximumDisplacement::Known(x) => Some(larger(x, so_far_m)),
+        MaximumDisplacement::Pending if track.has_been_farthest() => Some(so_far_m),
+        MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => None,
     };
     let at_least = AtLeast {
         penetration_m: final_penetration_m.is_none().then_some(depth_m),
-        plate_displacement_m: (farthest.is_none() && track.farthest == Farthest::Pending)
+        plate_displacement_m: (farthest.is_none()
+            && track.farthest == MaximumDisplacement::Pending)
             .then_some(so_far_m),
     };
     if outcome == Outcome::Moving || !at_least.is_empty() {
@@ -159,8 +160,8 @@ fn warnings(
     list.extend(Warning::of_ledger(ledger));
     if !problem.rigid {
         let far = match track.farthest {
-            Farthest::Known(x) => larger(x, record.farthest_m),
-            Farthest::Unbounded | Farthest::Pending => record.farthest_m,
+            MaximumDisplacement::Known(x) => larger(x, record.farthest_m),
+            MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => record.farthest_m,
         };
         let at = if far.abs() < problem.start_m.abs() { problem.start_m } else { far };
         list.extend(load::exceeded(&problem.scene, at).into_iter().map(Warning::Limit));
@@ -196,7 +197,8 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
     let answer = problem.answer;
     let reached = track.record.farthest_m;
-    let onward = matches!(track.farthest, Farthest::Known(far) if far > reached * (1.0 + AS_FAR));
+    let onward =
+        matches!(track.farthest, MaximumDisplacement::Known(far) if far > reached * (1.0 + AS_FAR));
     let rows = [
         (problem.rigid, Omission::PlateMotion),
         (spring.is_absent(), Omission::Spring),

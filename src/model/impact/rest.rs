@@ -1,7 +1,7 @@
 //! When a plate that swings without contact is taken to be at rest.
 
+use crate::model::impact::termination::{DEAD, FAINT};
 use crate::model::impact::track::Track;
-use crate::model::impact::verdict::{DEAD, FAINT};
 use crate::model::run::Mode;
 
 impl Track<'_> {

@@ -5,7 +5,7 @@
 //! the start is placed so early that the momentum in question is below the tolerance.
 
 use crate::model::impact::problem::Problem;
-use crate::model::impact::stride::Taken;
+use crate::model::impact::singular_crossing::Taken;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::motion::{Expansion, Motion};
@@ -30,7 +30,7 @@ const LEFT_OUT: f64 = 1e-4;
 
 /// How fast things happen.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pace {
+pub(super) struct TimeScales {
     /// Duration of the contact, s.
     pub(super) contact_s: f64,
     /// How far the mechanism yields to the contact force, relative to the travel.
@@ -41,7 +41,7 @@ pub(super) struct Pace {
     pub(super) decay_per_s: f64,
 }
 
-impl Pace {
+impl TimeScales {
     /// Whether the implicit method should have the contact from the start. NaN counts as stiff.
     pub(super) fn is_stiff(&self) -> bool {
         let swings = self.swing_per_s * self.contact_s;
@@ -52,7 +52,7 @@ impl Pace {
 
 impl Problem {
     /// How long the contact lasts, and how fast the mechanism answers within it, by order of magnitude.
-    pub(super) fn pace(&self) -> Pace {
+    pub(super) fn time_scales(&self) -> TimeScales {
         let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
         let (v, m_2) = (self.velocity_m_s, self.plate_kg);
         let travel =
@@ -70,7 +70,7 @@ impl Problem {
         let yields = smaller(spring.at_force(contact_n), 0.5 * thrown * contact_s);
         let x = larger(yields, self.start_m.abs());
         let w = smaller(damper.at_force(drive), thrown);
-        Pace {
+        TimeScales {
             contact_s,
             yields_part: smaller(yields / travel, 1.0),
             swing_per_s: (spring.tangent(x).abs() / m_2).sqrt(),
@@ -90,8 +90,8 @@ impl Track<'_> {
             return;
         }
         if !spring_singular && let Some(Taken(fired)) = self.stride() {
-            if let Some(trigger) = fired {
-                self.take(trigger);
+            if let Some(event) = fired {
+                self.apply_transition(event);
             }
             return;
         }
@@ -113,7 +113,7 @@ impl Track<'_> {
             let inside = state.slip_m_s > 0.0 && state.travel_m < first_m;
             inside && left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
         };
-        let scale_s = self.tolerance.powf(START_POWER) * problem.pace().contact_s;
+        let scale_s = self.tolerance.powf(START_POWER) * problem.time_scales().contact_s;
         let mut t_s = EARLIEST * scale_s;
         while !is_early(t_s) && t_s > EARLIEST_OF_ALL {
             t_s *= 0.25;

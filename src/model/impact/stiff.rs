@@ -6,7 +6,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::model::impact::guard::{Form, Trigger};
+use crate::model::impact::event_function::{EventFunction, EventId};
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::motion::State;
 use crate::model::run::{EndReason, Mode};
@@ -57,10 +57,10 @@ const SLIP_ROUNDED: f64 = 1e-2;
 
 impl Track<'_> {
     /// One implicit step, shortened to the first event.
-    pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<Trigger>> {
+    pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = self.motion();
         let system = Unknowns::of(&motion, self.state.plate_m, self.stiff_scale());
-        let y = system.fold(&self.state, self.left_out_m);
+        let y = system.fold(&self.state, self.compensation_m);
         let mut h = self.unit_s;
         let left = self.until_s() - self.t_s;
         let mut halvings = 0;
@@ -213,21 +213,21 @@ impl Track<'_> {
         y: &[f64; 4],
         (mut h, factor): (f64, f64),
         mut solved: Step<4>,
-    ) -> ControlFlow<EndReason, Option<Trigger>> {
+    ) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = system.motion;
         self.unit_s = h * factor;
-        let guards = self.guards();
+        let guards = self.active_events();
         let mut fired = None;
         // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has come
         // back within it.
         for _ in guards.iter() {
             let end = system.state(&solved.stages[2]);
-            let has_fallen = |(trigger, form): &&(Trigger, Form)| {
-                fired != Some(*trigger)
+            let has_changed_sign = |(event, form): &&(EventId, EventFunction)| {
+                fired != Some(*event)
                     && form.watched(motion, &self.state) > 0.0
                     && form.watched(motion, &end) <= 0.0
             };
-            let Some((trigger, form)) = guards.iter().find(has_fallen) else {
+            let Some((event, form)) = guards.iter().find(has_changed_sign) else {
                 break;
             };
             // Solve the step anew for each trial length: the end of a step is far more accurate than its inside.
@@ -246,10 +246,10 @@ impl Track<'_> {
                 form.at(motion, &at).abs() <= LANDED * variation + form.rounding(motion, &at)
             });
             if let Some(landed) = landed {
-                (h, solved, fired) = (part * h, landed, Some(*trigger));
+                (h, solved, fired) = (part * h, landed, Some(*event));
             } else if h <= CLOSEST * self.t_s {
                 // No coming closer: the clock has no finer ticks.
-                fired = Some(*trigger);
+                fired = Some(*event);
                 break;
             } else {
                 // Newton's method went astray on the way to the event: come closer first.
@@ -271,7 +271,7 @@ impl Track<'_> {
         self.arrive(self.t_s + h, state, motion, fired);
         let is_moved = self.state.plate_m.to_bits() != state.plate_m.to_bits();
         if !is_moved {
-            self.left_out_m = system.left_out_m(&solved.stages[2]);
+            self.compensation_m = system.compensation_m(&solved.stages[2]);
         }
         ControlFlow::Continue(fired)
     }
@@ -317,8 +317,8 @@ impl Track<'_> {
 /// The root of a function that falls from `value(1e-12)` > 0 to `value(1)` <= 0, found from a first guess: each value costs a step.
 fn near_root(guess: f64, mut value: impl FnMut(f64) -> f64) -> f64 {
     let (below, above) = ((1.0 - NEAR) * guess, smaller((1.0 + NEAR) * guess, 1.0));
-    let (falls_after, has_fallen) = (value(below) > 0.0, value(above) <= 0.0);
+    let (falls_after, has_changed_sign) = (value(below) > 0.0, value(above) <= 0.0);
     let from = if falls_after { below } else { 1e-12 };
-    let to = if has_fallen { above } else { 1.0 };
+    let to = if has_changed_sign { above } else { 1.0 };
     in_bracket(from, to, value)
 }

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::model::impact::guard::Trigger;
+use crate::model::impact::event_function::EventId;
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::motion::{Expansion, Motion};
 use crate::model::run::{EndReason, Mode};
@@ -46,7 +46,7 @@ impl Track<'_> {
     /// One Taylor step, shortened to the first event.
     pub(super) fn taylor_step<const N: usize>(
         &mut self,
-    ) -> ControlFlow<EndReason, Option<Trigger>> {
+    ) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = self.motion();
         let h = self.unit_s;
         let e: Expansion<N> = motion.expand(&self.state, h);
@@ -65,7 +65,7 @@ impl Track<'_> {
             return ControlFlow::Continue(None);
         }
         if self.is_held(&e) {
-            return ControlFlow::Continue(Some(Trigger::SlipHeld));
+            return ControlFlow::Continue(Some(EventId::SlipHeld));
         }
         let left = (self.until_s() - self.t_s) / h;
         let mut reach = self.checked(&motion, &e, smaller(left, trusted));
@@ -118,11 +118,11 @@ impl Track<'_> {
         motion: &Motion<'_>,
         e: &Expansion<N>,
         reach: f64,
-    ) -> (f64, Option<Trigger>) {
+    ) -> (f64, Option<EventId>) {
         let (mut span, mut fired) = (reach, None);
-        for (trigger, form) in self.guards().iter() {
+        for (event, form) in self.active_events().iter() {
             if let Some(s) = first_fall(&form.along(motion, e), span) {
-                (span, fired) = (s, Some(*trigger));
+                (span, fired) = (s, Some(*event));
             }
         }
         (span, fired)

@@ -1,21 +1,21 @@
 //! The run itself: stretches of smooth motion between located events.
 //!
 //! A [`Track`] owns the state and knows in which mode the bodies are. Each stretch is advanced by Taylor steps
-//! (`taylor.rs`) or, where those become too many, by the implicit method (`stiff.rs`); when a guard (`watch.rs`) falls, the
+//! (`taylor.rs`) or, where those become too many, by the implicit method (`stiff.rs`); when an event function (`active_events.rs`) changes its sign, the
 //! state is put exactly on the event and `events.rs` decides what follows. What rounding has put behind the state already is found
-//! by `overdue.rs`.
+//! by `missed_event.rs`.
 
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use crate::model::contact::AreaLaw;
 use crate::model::impact::demand::Swing;
-use crate::model::impact::guard::Trigger;
+use crate::model::impact::event_function::EventId;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
 use crate::model::impact::report;
-use crate::model::impact::stride::Taken;
-use crate::model::impact::verdict::{Asked, Farthest};
+use crate::model::impact::singular_crossing::Taken;
+use crate::model::impact::termination::{Asked, MaximumDisplacement};
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
 use crate::model::run::Observer;
@@ -67,7 +67,7 @@ pub(super) struct Track<'a> {
     /// What strides that the depth depends on may be off by, relative.
     pub(super) stride_error: f64,
     /// What rounding has left out of the displacement, m, as far as the last step knew.
-    pub(super) left_out_m: f64,
+    pub(super) compensation_m: f64,
     /// The stretch of the spring's curve in which the plate is; without meaning for a power law.
     pub(super) region: usize,
     /// Greatest |x| and |w| seen, m and m/s.
@@ -101,7 +101,7 @@ pub(super) struct Track<'a> {
     /// Depth of the hole when it last did, as travel, m.
     pub(super) noticed_m: f64,
     /// The greatest displacement, as far as it is known.
-    pub(super) farthest: Farthest,
+    pub(super) farthest: MaximumDisplacement,
     /// When the outcome was last asked for, on a curve.
     pub(super) asked: Option<Asked>,
     /// How far the first swing of the joined body has come.
@@ -140,7 +140,7 @@ impl<'a> Track<'a> {
             damper_omitted: false,
             clear_m: 0.0,
             clear_m_s: 0.0,
-            left_out_m: 0.0,
+            compensation_m: 0.0,
             stride_refused: [f64::INFINITY; 2],
             strode_to: [0.0; 2],
             stride_error: 0.0,
@@ -166,7 +166,7 @@ impl<'a> Track<'a> {
             decided: None,
             slips_since_deeper: 0,
             noticed_m: 0.0,
-            farthest: Farthest::Pending,
+            farthest: MaximumDisplacement::Pending,
             asked: None,
             swing: Swing::Back,
             is_second: false,
@@ -188,18 +188,18 @@ impl<'a> Track<'a> {
             if let Some(reason) = self.budget_used_up() {
                 return self.end_early(reason);
             }
-            if let Some(trigger) = self.overdue() {
+            if let Some(event) = self.missed_event() {
                 let before = self.state;
-                self.snap(trigger, &before);
-                self.take(trigger);
+                self.project_onto_event(event, &before);
+                self.apply_transition(event);
                 continue;
             }
-            self.take_back();
+            self.compensate_displacement();
             self.come_to_rest();
             self.unload_absorbers();
             if let Some(Taken(fired)) = self.stride() {
-                if let Some(trigger) = fired {
-                    self.take(trigger);
+                if let Some(event) = fired {
+                    self.apply_transition(event);
                 }
                 continue;
             }
@@ -212,7 +212,7 @@ impl<'a> Track<'a> {
             match advanced {
                 ControlFlow::Break(reason) => return self.end_early(reason),
                 ControlFlow::Continue(None) => {}
-                ControlFlow::Continue(Some(trigger)) => self.take(trigger),
+                ControlFlow::Continue(Some(event)) => self.apply_transition(event),
             }
         }
     }
@@ -227,11 +227,11 @@ impl<'a> Track<'a> {
     }
 
     /// What follows an event, and which method goes on.
-    pub(super) fn take(&mut self, trigger: Trigger) {
-        self.event_count += usize::from(trigger.changes_course());
+    pub(super) fn apply_transition(&mut self, event: EventId) {
+        self.event_count += usize::from(event.changes_course());
         self.worked(1);
         let before = self.mode;
-        self.handle(trigger);
+        self.handle(event);
         if self.mode != before {
             self.stiff = false;
             self.creeps = false;
@@ -411,15 +411,15 @@ impl<'a> Track<'a> {
         t_s: f64,
         state: State,
         motion: &Motion<'_>,
-        fired: Option<Trigger>,
+        fired: Option<EventId>,
     ) {
         let before = self.state;
         self.t_s = t_s;
         self.state = state;
-        self.left_out_m = 0.0;
+        self.compensation_m = 0.0;
         self.released = false;
-        if let Some(trigger) = fired {
-            self.snap(trigger, &before);
+        if let Some(event) = fired {
+            self.project_onto_event(event, &before);
         }
         if self.mode == Mode::Penetrating {
             self.deepest_m = larger(self.state.travel_m, self.deepest_m);

@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::appendix::{self, Coupling};
+use crate::model::contact_kernel::Contact;
 use crate::model::contact_phase::{Answer, Ending, Phase, Refusal, Scheme, exact};
 use crate::model::impact::forced::{Forced, simulate_by};
-use crate::model::impact::lean::Contact;
 use crate::model::run::Run;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Settings, simulate};

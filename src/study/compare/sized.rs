@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::impact::lean::contact_end;
+use crate::model::contact_kernel::contact_end;
 use crate::model::run::Outcome;
 use crate::model::scene::{Mount, Scene};
 use crate::model::simulate::{Settings, simulate};

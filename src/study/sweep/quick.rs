@@ -8,7 +8,7 @@
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
-use crate::model::impact::lean::{Contact, ContactEnd, run_abreast};
+use crate::model::contact_kernel::{Contact, ContactEnd, run_abreast};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::results::{ResultColumn, Source, Studied};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};

@@ -89,17 +89,17 @@ impl<'a> Unknowns<'a> {
     }
 
     /// The unknowns of a state whose displacement rounding has left so much out of, m.
-    pub(super) fn fold(&self, state: &State, left_out_m: f64) -> [f64; 4] {
+    pub(super) fn fold(&self, state: &State, compensation_m: f64) -> [f64; 4] {
         [
             state.travel_m,
             state.slip_m_s,
-            self.spring.unknown(state.plate_m, left_out_m),
+            self.spring.unknown(state.plate_m, compensation_m),
             self.damper.unknown(state.plate_m_s, 0.0),
         ]
     }
 
     /// What rounding leaves out of the displacement of the state with these unknowns, m.
-    pub(super) fn left_out_m(&self, y: &[f64; 4]) -> f64 {
+    pub(super) fn compensation_m(&self, y: &[f64; 4]) -> f64 {
         let z = self.spring.unfold(y[2]).0;
         z - ((self.datum_m + z) - self.datum_m)
     }

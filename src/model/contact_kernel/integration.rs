@@ -1,13 +1,13 @@
-//! The way of a lean contact from step to step: how far each expansion is trusted, where the slip ends, a piece of travel, or a
+//! The integration of a contact from step to step: how far each expansion is trusted, where the slip ends, a piece of travel, or a
 //! way of expanding.
 
 use std::borrow::Borrow;
 
 use crate::model::contact::AreaLaw;
-use crate::model::impact::lean::expansion::{Clock, Series, trusted};
-use crate::model::impact::lean::ride::Ride;
-use crate::model::impact::lean::riding::eased;
-use crate::model::impact::lean::{Contact, ContactEnd};
+use crate::model::contact_kernel::expansion::{Clock, Series, trusted};
+use crate::model::contact_kernel::slow_manifold::Ride;
+use crate::model::contact_kernel::slow_manifold_series::eased;
+use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::numerics::crossing::{dips, fall, rise};
 use crate::numerics::larger;
 use crate::numerics::series::evaluate;

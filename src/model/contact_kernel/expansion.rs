@@ -1,4 +1,4 @@
-//! The lean contact's Taylor expansion, unrolled at compile time for each spring and damper, and how far it is trusted.
+//! The contact kernel's Taylor expansion, unrolled at compile time for each spring and damper, and how far it is trusted.
 //!
 //! Orders that an expansion has not, like all that J or N rule out, stand behind `const { .. }`: the compiler then leaves them alone,
 //! instead of inlining them first and finding out after.
@@ -6,7 +6,7 @@
 //! Same recurrence as `motion.rs`. The clock may be graded: with t = s³ a force that starts like t^(3n) is far smoother in s,
 //! so that the steps grow from the singular start several times as fast.
 
-use crate::model::impact::lean::law::{Damping, Law, product_before, square_at, square_before};
+use crate::model::contact_kernel::law::{Damping, Law, product_before, square_at, square_before};
 use crate::model::mechanism::moving_plate_kg;
 use crate::model::scene::Scene;
 use crate::numerics::larger;

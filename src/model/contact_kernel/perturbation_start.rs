@@ -6,11 +6,11 @@
 //! by their powers of time there. A damper with m = 1/2 needs no such thing: the root of a velocity that starts like t² is as
 //! smooth as the rest, and belongs into the expansion (`law.rs`).
 
-use crate::model::impact::lean::expansion::{Clock, Constants, Series, trusted};
-use crate::model::impact::lean::law::{Damping, Linear, RootFromRest};
-use crate::model::impact::lean::start;
-use crate::model::impact::lean::way::{Outset, Seen, Track, Walk, minded_m};
-use crate::model::impact::lean::{
+use crate::model::contact_kernel::expansion::{Clock, Constants, Series, trusted};
+use crate::model::contact_kernel::integration::{Outset, Seen, Track, Walk, minded_m};
+use crate::model::contact_kernel::law::{Damping, Linear, RootFromRest};
+use crate::model::contact_kernel::similarity_start;
+use crate::model::contact_kernel::{
     Contact, GRADED_UNIT, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_linear,
 };
 use crate::model::mechanism::PowerLaw;
@@ -24,7 +24,7 @@ const ROOT: f64 = 0.5;
 const LEFT: f64 = 0.2;
 /// How wrong that is per unit by which the plate's way is no pure power of time.
 const BENT: f64 = 0.2;
-/// How much later than the start by balance (`start.rs`) it must come to be worth its expansion.
+/// How much later than the start by balance (`similarity_start.rs`) it must come to be worth its expansion.
 const WORTH: f64 = 4.0;
 /// Rounds for the length of the step.
 const ROUNDS: usize = 4;
@@ -140,7 +140,7 @@ impl Contact {
             let by = left_out.taken((z, left_out.argument), scale_s, (1.0 / plate_mobility, w_m_s));
             part = smaller(part, (left_m_s / by.doubt_m_s).powf(0.5 / power));
         }
-        let by_balance = start::part(tolerance, 2.0);
+        let by_balance = similarity_start::part(tolerance, 2.0);
         (part > WORTH * by_balance).then_some(2.0 * part)
     }
 
@@ -191,7 +191,7 @@ impl Contact {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::impact::lean::tests::scene;
+    use crate::model::contact_kernel::tests::scene;
 
     fn contact(pairs: &str) -> Contact {
         Contact::of(&scene(pairs))
@@ -213,7 +213,10 @@ mod tests {
             for tolerance in [1e-6, 1e-8, 1e-10] {
                 let early = track(contact.early(tolerance, TERMS).as_ref());
                 let other = contact.first_step(singular, 1e-12, TERMS_TIGHT).unwrap();
-                assert!(early.t_s > 3.0 * start::part(tolerance, 2.0) * contact.scale_s.unwrap());
+                assert!(
+                    early.t_s
+                        > 3.0 * similarity_start::part(tolerance, 2.0) * contact.scale_s.unwrap()
+                );
                 let walk = Walk { track: early, tolerance, reach_m: None, terms: TERMS };
                 let ends = (contact.walk(&walk).unwrap(), contact.walk(&other).unwrap());
                 let errors = [

@@ -1,4 +1,4 @@
-//! The force laws of the lean contact, one Taylor coefficient at a time, each compiled for itself. They know no step and no event.
+//! The force laws of the contact kernel, one Taylor coefficient at a time, each compiled for itself. They know no step and no event.
 
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::power::power;

@@ -7,11 +7,11 @@
 //! agree, the contact goes on by plain steps from there.
 
 use crate::model::closed_form::Passage;
-use crate::model::impact::lean::expansion::{Clock, Constants, Series};
-use crate::model::impact::lean::law::{Law as _, Power, product_before, square_before};
-use crate::model::impact::lean::ride::Ride;
-use crate::model::impact::lean::way::{Track, Walk};
-use crate::model::impact::lean::{Contact, free, is_linear};
+use crate::model::contact_kernel::expansion::{Clock, Constants, Series};
+use crate::model::contact_kernel::integration::{Track, Walk};
+use crate::model::contact_kernel::law::{Law as _, Power, product_before, square_before};
+use crate::model::contact_kernel::slow_manifold::Ride;
+use crate::model::contact_kernel::{Contact, free, is_linear};
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::wide::Real;
 use crate::numerics::{larger, smaller};

@@ -5,8 +5,8 @@
 //! Ordinary Differential Equations II*, section VI.3: the slow manifold of a singular perturbation). The transient at first
 //! contact, over within some 1/lambda, leaves the plate where `delay` says.
 
-use crate::model::impact::lean::expansion::{Constants, Series};
-use crate::model::impact::lean::law::{product_at, square_at};
+use crate::model::contact_kernel::expansion::{Constants, Series};
+use crate::model::contact_kernel::law::{product_at, square_at};
 
 /// Passes: each gains three digits and more where this expansion is used.
 const PASSES: usize = 4;

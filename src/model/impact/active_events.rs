@@ -1,6 +1,6 @@
 //! Which guards are watched in which mode.
 
-use crate::model::impact::guard::{Form, Guards, Trigger};
+use crate::model::impact::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw, sign};
 use crate::model::run::Mode;
@@ -28,8 +28,8 @@ const CLOCK: f64 = 1e-13;
 
 impl Track<'_> {
     /// Everything that may end the present stretch.
-    pub(super) fn guards(&self) -> Guards {
-        let mut guards = Guards::none();
+    pub(super) fn active_events(&self) -> ActiveEvents {
+        let mut guards = ActiveEvents::none();
         self.watch_slip(&mut guards);
         if !self.problem.rigid && !self.immobile {
             self.watch_plate(&mut guards);
@@ -37,60 +37,75 @@ impl Track<'_> {
         guards
     }
 
-    fn watch_slip(&self, guards: &mut Guards) {
+    fn watch_slip(&self, guards: &mut ActiveEvents) {
         let (geometry, q) = (&self.problem.geometry, self.state.travel_m);
         match self.mode {
             Mode::Penetrating | Mode::Closing => {
                 let end = geometry.piece(q).to_m;
                 guards.watch(
-                    Trigger::PieceEnd,
-                    Form { offset: end, travel: -1.0, ..Form::default() },
+                    EventId::PieceEnd,
+                    EventFunction { offset: end, travel: -1.0, ..EventFunction::default() },
                 );
-                guards.watch(Trigger::SlipZero, Form { slip: 1.0, ..Form::default() });
+                guards.watch(
+                    EventId::SlipZero,
+                    EventFunction { slip: 1.0, ..EventFunction::default() },
+                );
                 if self.mode == Mode::Closing {
-                    let bottom = Form { offset: self.deepest_m, travel: -1.0, ..Form::default() };
-                    guards.watch(Trigger::HoleBottom, bottom);
+                    let bottom = EventFunction {
+                        offset: self.deepest_m,
+                        travel: -1.0,
+                        ..EventFunction::default()
+                    };
+                    guards.watch(EventId::HoleBottom, bottom);
                 }
             }
             Mode::Withdrawing => {
                 let behind = geometry.pieces().iter().rev().find(|piece| piece.from_m < q);
                 let start = behind.map_or(0.0, |piece| piece.from_m);
                 guards.watch(
-                    Trigger::PieceStart,
-                    Form { offset: -start, travel: 1.0, ..Form::default() },
+                    EventId::PieceStart,
+                    EventFunction { offset: -start, travel: 1.0, ..EventFunction::default() },
                 );
-                guards.watch(Trigger::SlipZero, Form { slip: -1.0, ..Form::default() });
+                guards.watch(
+                    EventId::SlipZero,
+                    EventFunction { slip: -1.0, ..EventFunction::default() },
+                );
             }
             Mode::FreeFlight => {
-                guards.watch(Trigger::Recontact, Form { travel: -1.0, ..Form::default() });
+                guards.watch(
+                    EventId::Recontact,
+                    EventFunction { travel: -1.0, ..EventFunction::default() },
+                );
             }
             Mode::Fused if !self.is_still() => self.watch_interface(guards),
             Mode::Fused | Mode::Perforated => {}
         }
     }
 
-    fn watch_interface(&self, guards: &mut Guards) {
+    fn watch_interface(&self, guards: &mut ActiveEvents) {
         let (strength, share) = (self.interface_n(), self.problem.share);
         let pull = self.problem.grip * strength;
         let at_bottom = self.state.travel_m >= self.deepest_m;
         let push = if at_bottom { strength } else { pull };
         let record = &self.record;
         if self.problem.plastic || (strength > 0.0 && record.push_exceeded_s.is_none()) {
-            let form = Form { offset: push, mechanism: -share, ..Form::default() };
-            guards.watch(Trigger::PushLimit, form);
+            let form =
+                EventFunction { offset: push, mechanism: -share, ..EventFunction::default() };
+            guards.watch(EventId::PushLimit, form);
         }
         if self.problem.plastic || (strength > 0.0 && record.pull_exceeded_s.is_none()) {
-            let form = Form { offset: pull, mechanism: share, ..Form::default() };
-            guards.watch(Trigger::PullLimit, form);
+            let form = EventFunction { offset: pull, mechanism: share, ..EventFunction::default() };
+            guards.watch(EventId::PullLimit, form);
         }
     }
 
-    fn watch_plate(&self, guards: &mut Guards) {
+    fn watch_plate(&self, guards: &mut ActiveEvents) {
         let mechanism = &self.problem.mechanism;
         if self.held {
             let offset = -mechanism.spring.force(self.state.plate_m);
-            let form = Form { offset, contact: self.problem.cos, ..Form::default() };
-            guards.watch(Trigger::StopRelease, form);
+            let form =
+                EventFunction { offset, contact: self.problem.cos, ..EventFunction::default() };
+            guards.watch(EventId::StopRelease, form);
             return;
         }
         let singular = |law: PowerLaw| law.kind() == PowerKind::General && !self.stiff;
@@ -105,25 +120,28 @@ impl Track<'_> {
         }
         let at = mechanism.stop_at_m;
         if self.stop_touches {
-            guards.watch(Trigger::StopCleared, self.stop_force(1.0));
+            guards.watch(EventId::StopCleared, self.stop_force(1.0));
         } else if at.is_finite() {
-            guards.watch(Trigger::StopReached, Form { offset: at, plate: -1.0, ..Form::default() });
+            guards.watch(
+                EventId::StopReached,
+                EventFunction { offset: at, plate: -1.0, ..EventFunction::default() },
+            );
             if self.is_beyond_stop() {
-                guards.watch(Trigger::StopPressed, self.stop_force(-1.0));
+                guards.watch(EventId::StopPressed, self.stop_force(-1.0));
             }
         }
     }
 
     /// What an elastic stop pushes back with while it touches (or, times -1, what it lacks to push again), N, and what nothing feels
     /// besides.
-    pub(super) fn stop_force(&self, sign: f64) -> Form {
+    pub(super) fn stop_force(&self, sign: f64) -> EventFunction {
         let mechanism = &self.problem.mechanism;
         let stop = mechanism.elastic_stop().unwrap_or_default();
-        Form {
+        EventFunction {
             offset: self.unfelt_n() - sign * stop.stiffness_n_m * mechanism.stop_at_m,
             plate: sign * stop.stiffness_n_m,
             plate_speed: sign * stop.damping_n_s_m,
-            ..Form::default()
+            ..EventFunction::default()
         }
     }
 
@@ -138,44 +156,47 @@ impl Track<'_> {
     }
 
     /// The ends of the stretch of the spring's law.
-    fn watch_knots(&self, guards: &mut Guards) {
+    fn watch_knots(&self, guards: &mut ActiveEvents) {
         let (behind, ahead) = self.spring_ends();
         if ahead.is_finite() {
-            let form = Form { offset: ahead, plate: -1.0, ..Form::default() };
-            guards.watch(Trigger::KnotAhead, form);
+            let form = EventFunction { offset: ahead, plate: -1.0, ..EventFunction::default() };
+            guards.watch(EventId::KnotAhead, form);
         }
         if behind.is_finite() {
-            let form = Form { offset: -behind, plate: 1.0, ..Form::default() };
-            guards.watch(Trigger::KnotBehind, form);
+            let form = EventFunction { offset: -behind, plate: 1.0, ..EventFunction::default() };
+            guards.watch(EventId::KnotBehind, form);
         }
     }
 
-    fn watch_zero_of_x(&self, guards: &mut Guards, singular: bool) {
+    fn watch_zero_of_x(&self, guards: &mut ActiveEvents, singular: bool) {
         let near = if self.spring_omitted { self.clear_m } else { self.near_zero_m() };
         if self.spring_omitted {
             for side in [1.0, -1.0] {
-                let form = Form { offset: near, plate: -side, ..Form::default() };
-                guards.watch(Trigger::PlateClear, form);
+                let form = EventFunction { offset: near, plate: -side, ..EventFunction::default() };
+                guards.watch(EventId::PlateClear, form);
             }
         } else if !self.spring().is_smooth_at_zero() && !self.stiff {
             let offset = if singular { -near } else { 0.0 };
-            guards
-                .watch(Trigger::PlateZero, Form { offset, plate: self.side_x, ..Form::default() });
+            guards.watch(
+                EventId::PlateZero,
+                EventFunction { offset, plate: self.side_x, ..EventFunction::default() },
+            );
         }
     }
 
-    fn watch_zero_of_w(&self, guards: &mut Guards, singular: bool) {
+    fn watch_zero_of_w(&self, guards: &mut ActiveEvents, singular: bool) {
         let near = if self.damper_omitted { self.clear_m_s } else { self.near_zero_m_s() };
         if self.damper_omitted {
             for side in [1.0, -1.0] {
-                let form = Form { offset: near, plate_speed: -side, ..Form::default() };
-                guards.watch(Trigger::PlateSpeedClear, form);
+                let form =
+                    EventFunction { offset: near, plate_speed: -side, ..EventFunction::default() };
+                guards.watch(EventId::PlateSpeedClear, form);
             }
             return;
         }
         let offset = if singular { -near } else { 0.0 };
-        let form = Form { offset, plate_speed: self.side_w, ..Form::default() };
-        guards.watch(Trigger::PlateSpeedZero, form);
+        let form = EventFunction { offset, plate_speed: self.side_w, ..EventFunction::default() };
+        guards.watch(EventId::PlateSpeedZero, form);
     }
 
     /// Leave the singular spring out until the plate is clear of zero. The distance is fixed now: one that shrank on the way
@@ -215,7 +236,7 @@ impl Track<'_> {
 
     /// A law that was left out comes back as soon as its argument has left the neighbourhood of zero. A plate that only touched
     /// zero is on the side on which it is, so that its next passage is not taken for a return.
-    pub(super) fn take_back(&mut self) {
+    pub(super) fn compensate_displacement(&mut self) {
         let (x, w) = (self.state.plate_m, self.state.plate_m_s);
         if x.abs() > FINEST * self.plate_scale_m {
             self.side_x = sign(x);

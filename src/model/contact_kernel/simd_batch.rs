@@ -7,12 +7,12 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX, has_lanes};
-use crate::model::impact::lean::expansion::{Clock, trusted};
-use crate::model::impact::lean::law::{Law, Linear, Power};
-use crate::model::impact::lean::ride::{Rider, ride_abreast};
-use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
-use crate::model::impact::lean::{
+use crate::model::contact_kernel::expansion::{Clock, trusted};
+use crate::model::contact_kernel::integration::{Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
+use crate::model::contact_kernel::lane_buffer::{Bench, CONSTANTS, LANES_MAX, has_lanes};
+use crate::model::contact_kernel::law::{Law, Linear, Power};
+use crate::model::contact_kernel::slow_manifold::{Rider, ride_abreast};
+use crate::model::contact_kernel::{
     Contact, ContactEnd, SPRING_POWERS, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_linear, is_singular,
 };
 use crate::model::mechanism::PowerKind;

@@ -36,7 +36,7 @@ const FADED: f64 = 1e-2;
 
 /// The greatest displacement, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Farthest {
+pub(super) enum MaximumDisplacement {
     /// It is this, m.
     Known(f64),
     /// Nothing ever stops the plate.
@@ -62,7 +62,7 @@ impl Track<'_> {
             let outcome = self.outcome();
             if outcome != Outcome::Moving {
                 self.farthest = self.farthest();
-                if self.farthest != Farthest::Pending {
+                if self.farthest != MaximumDisplacement::Pending {
                     self.decided = Some((outcome, self.steps));
                 }
             }
@@ -124,13 +124,13 @@ impl Track<'_> {
             return true;
         }
         // Coasting to a greatest displacement that is already known in closed form.
-        matches!(self.farthest, Farthest::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
+        matches!(self.farthest, MaximumDisplacement::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
             && self.state.plate_m_s > FADED * self.speed_scale_m_s
     }
 
     /// Whether the spring has not yet been loaded most: what the interface carries then is a result, too.
     fn is_swinging(&self) -> bool {
-        matches!(self.farthest, Farthest::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
+        matches!(self.farthest, MaximumDisplacement::Known(known) if self.record.farthest_m < known * (1.0 - 1e-9))
             && !self.problem.mechanism.spring.is_absent()
     }
 
@@ -226,18 +226,22 @@ impl Track<'_> {
     }
 
     /// The greatest displacement, as far as it is known. Only once the outcome is decided.
-    pub(super) fn farthest(&self) -> Farthest {
+    pub(super) fn farthest(&self) -> MaximumDisplacement {
         let so_far = self.record.farthest_m;
         let mechanism = &self.problem.mechanism;
         let w = self.state.plate_m_s;
         if self.problem.rigid || self.is_at_rest() || self.has_died_down() {
-            return Farthest::Known(so_far);
+            return MaximumDisplacement::Known(so_far);
         }
         if mechanism.stop.is_none()
             && let Some(way) = mechanism.spring.drives_away(self.state.plate_m)
             && way * w >= 0.0
         {
-            return if way > 0.0 { Farthest::Unbounded } else { Farthest::Known(so_far) };
+            return if way > 0.0 {
+                MaximumDisplacement::Unbounded
+            } else {
+                MaximumDisplacement::Known(so_far)
+            };
         }
         let reach = self.reach_m();
         let stroke = so_far - self.problem.start_m;
@@ -245,7 +249,7 @@ impl Track<'_> {
             || (reach - so_far).abs() < 1e-15 * so_far.abs()
             || reach - so_far <= NEGLIGIBLE * self.tolerance * stroke
         {
-            return Farthest::Known(so_far);
+            return MaximumDisplacement::Known(so_far);
         }
         let springless = mechanism.spring.is_absent();
         let damped = mechanism.damper.coefficient > 0.0 || self.stop_touches;
@@ -253,15 +257,15 @@ impl Track<'_> {
             // The swing ends where all energy is in the spring, if it holds the plate at all.
             let back = mechanism.spring.backward(self.state.plate_m, self.energy_j());
             return if w < 0.0 && back.is_infinite() {
-                Farthest::Known(so_far)
+                MaximumDisplacement::Known(so_far)
             } else if reach.is_finite() {
-                Farthest::Known(larger(reach, so_far))
+                MaximumDisplacement::Known(larger(reach, so_far))
             } else {
-                Farthest::Unbounded
+                MaximumDisplacement::Unbounded
             };
         }
         if springless && w <= 0.0 && !self.stop_touches {
-            return Farthest::Known(so_far);
+            return MaximumDisplacement::Known(so_far);
         }
         if springless && mechanism.stop.is_none() {
             return self.coasting(so_far);
@@ -269,23 +273,23 @@ impl Track<'_> {
         // The damper alone would stop the plate before it gets noticeably farther.
         if w >= 0.0
             && self.state.plate_m >= 0.0
-            && let Farthest::Known(at_most) = self.coasting(so_far)
+            && let MaximumDisplacement::Known(at_most) = self.coasting(so_far)
             && at_most <= so_far * (1.0 + 1e-12)
         {
-            return Farthest::Known(so_far);
+            return MaximumDisplacement::Known(so_far);
         }
-        Farthest::Pending
+        MaximumDisplacement::Pending
     }
 
     /// Without a spring: the damper's travel in closed form, x + M w^(2-m)/(b (2-m)), finite for m < 2.
-    fn coasting(&self, so_far: f64) -> Farthest {
+    fn coasting(&self, so_far: f64) -> MaximumDisplacement {
         let damper = self.problem.mechanism.damper;
         let (m, w) = (damper.exponent, self.state.plate_m_s);
         if damper.coefficient == 0.0 || m >= 2.0 {
-            return Farthest::Unbounded;
+            return MaximumDisplacement::Unbounded;
         }
         let travel = self.moving_kg() * w.powf(2.0 - m) / (damper.coefficient * (2.0 - m));
-        Farthest::Known(larger(self.state.plate_m + travel, so_far))
+        MaximumDisplacement::Known(larger(self.state.plate_m + travel, so_far))
     }
 
     /// Plastic and together: whether the interface will hold whatever comes.

@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use crate::model::impact::lean::expansion::Constants;
+use crate::model::contact_kernel::expansion::Constants;
 use crate::numerics::wide::Wide;
 
 /// Lanes of the widest vectors that are used.

@@ -5,11 +5,11 @@
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
-use crate::model::impact::lean::bench::{Bench, CONSTANTS, LANES_MAX, has_lanes};
-use crate::model::impact::lean::expansion::{Constants, Series, trusted};
-use crate::model::impact::lean::riding::{Balance, Lag, Riding, Spring, eased};
-use crate::model::impact::lean::way::{Outset, STEPS_MAX, Seen, Track, Way, minded_m};
-use crate::model::impact::lean::{Contact, TERMS, TERMS_LOOSE, TERMS_TIGHT};
+use crate::model::contact_kernel::expansion::{Constants, Series, trusted};
+use crate::model::contact_kernel::integration::{Outset, STEPS_MAX, Seen, Track, Way, minded_m};
+use crate::model::contact_kernel::lane_buffer::{Bench, CONSTANTS, LANES_MAX, has_lanes};
+use crate::model::contact_kernel::slow_manifold_series::{Balance, Lag, Riding, Spring, eased};
+use crate::model::contact_kernel::{Contact, TERMS, TERMS_LOOSE, TERMS_TIGHT};
 use crate::numerics::larger;
 use crate::numerics::wide::Wide;
 

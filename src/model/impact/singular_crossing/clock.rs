@@ -1,6 +1,6 @@
 //! The motion with displacement, or velocity, of the plate for a clock.
 
-use crate::model::impact::guard::Trigger;
+use crate::model::impact::event_function::EventId;
 use crate::model::mechanism::{Elastic, PowerKind, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
@@ -51,10 +51,10 @@ impl<'a> Clock<'a> {
     }
 
     /// The guard that watches for the zero of this law.
-    pub(super) fn own_trigger(&self) -> Trigger {
+    pub(super) fn own_trigger(&self) -> EventId {
         match self.law {
-            Law::Spring => Trigger::PlateZero,
-            Law::Damper => Trigger::PlateSpeedZero,
+            Law::Spring => EventId::PlateZero,
+            Law::Damper => EventId::PlateSpeedZero,
         }
     }
 

@@ -1,14 +1,14 @@
-//! The contact alone, as lean as it can be: from first contact to first arrest or exit, without series, ledger, events or
-//! verdict. For sweeps and searches that ask for nothing else.
+//! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps and
+//! searches that request nothing else.
 //!
-//! A contact is planned before it is run ([`Contact::of`]). Without spring and damper it is done in closed form (`free.rs`). Else
-//! the Taylor recurrence of `motion.rs` is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`)
-//! and followed step by step (`way.rs`). Where one of them is singular at the start, it either hardly matters in the first step
-//! (`early.rs`) or the start is placed by a balance of powers (`start.rs`) and a graded clock follows. The plate may be slaved to
-//! its damper where that is very strong (`slaved.rs`), or ride on its spring where that is very stiff near its zero (`riding.rs`,
-//! pass by pass in `ride.rs`). What a scene has not is not computed. Many contacts go side by side in the lanes of a vector
-//! (`abreast.rs`, `bench.rs`). Scenes it is not made for (a stop, an oblique section across the cylinder, a plate that comes back
-//! through a singular point) are left to the full track: [`Contact::run`] returns `None`.
+//! A contact is planned before it is run ([`Contact::of`]). Without spring and damper it is done in closed form (`free.rs`). Else the
+//! Taylor recurrence of `motion.rs` is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`) and
+//! integrated step by step (`integration.rs`). A law that is singular at the start either hardly matters in the first step
+//! (`perturbation_start.rs`), or the start is placed by a balance of powers (`similarity_start.rs`). The plate may follow the slow
+//! manifold of a strong damper (`damper_manifold.rs`) or of a stiff spring (`slow_manifold.rs`, `slow_manifold_series.rs`). Many
+//! contacts run side by side in the lanes of a vector (`simd_batch.rs`, `lane_buffer.rs`). Scenes it is not made for (a stop, an
+//! oblique section across the cylinder, a plate that comes back through a singular point) are left to the simulation:
+//! [`Contact::run`] returns `None`.
 
 use crate::model::closed_form::Passage;
 use crate::model::contact::{AreaLaw, Geometry, Piece};
@@ -16,25 +16,25 @@ use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
 use crate::model::plan::holds_still;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
-pub use abreast::run_abreast;
+use damper_manifold::Slaved;
 use expansion::{Clock, Constants};
-use riding::RIDES_BELOW;
-use slaved::Slaved;
-use start::Start;
-use way::{Outset, Track, Walk};
+use integration::{Outset, Track, Walk};
+pub use simd_batch::run_abreast;
+use similarity_start::Start;
+use slow_manifold_series::RIDES_BELOW;
 
-mod abreast;
-mod bench;
-mod early;
+mod damper_manifold;
 mod expansion;
 mod free;
+mod integration;
+mod lane_buffer;
 mod law;
+mod perturbation_start;
 mod plain;
-mod ride;
-mod riding;
-mod slaved;
-mod start;
-mod way;
+mod simd_batch;
+mod similarity_start;
+mod slow_manifold;
+mod slow_manifold_series;
 
 /// Terms of the expansion, for tolerances from [`LOOSE`] up, down to [`TIGHT`], and below.
 const TERMS_LOOSE: usize = 11;

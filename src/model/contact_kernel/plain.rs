@@ -2,10 +2,10 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::model::impact::lean::expansion::{Clock, trusted};
-use crate::model::impact::lean::law::{Law, Linear, Power, Whole};
-use crate::model::impact::lean::way::{STEPS_MAX, Seen, Walk, minded_m};
-use crate::model::impact::lean::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
+use crate::model::contact_kernel::expansion::{Clock, trusted};
+use crate::model::contact_kernel::integration::{STEPS_MAX, Seen, Walk, minded_m};
+use crate::model::contact_kernel::law::{Law, Linear, Power, Whole};
+use crate::model::contact_kernel::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
 use crate::model::mechanism::PowerKind;
 
 impl Contact {

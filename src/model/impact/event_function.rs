@@ -1,11 +1,11 @@
-//! Guards: what may end a stretch of smooth motion. Each is a linear form in the state and the forces that falls
+//! Event functions: what may end a stretch of smooth motion. Each is a linear form in the state and the forces that falls
 //! through zero when its event happens, so that the Taylor and the implicit method watch the same guards.
 
 use crate::model::motion::{Expansion, Motion, State};
 
 /// What ends a stretch of smooth motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Trigger {
+pub(super) enum EventId {
     /// The area law changes, going deeper.
     PieceEnd,
     /// The area law changes, coming out.
@@ -44,7 +44,7 @@ pub(super) enum Trigger {
     PullLimit,
 }
 
-impl Trigger {
+impl EventId {
     /// Whether the event changes what the bodies do, rather than only the form of a law.
     pub(super) fn changes_course(self) -> bool {
         match self {
@@ -72,7 +72,7 @@ impl Trigger {
 
 /// offset + travel·q + slip·u + plate·x + `plate_speed·w` + contact·F + mechanism·G.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub(super) struct Form {
+pub(super) struct EventFunction {
     pub(super) offset: f64,
     pub(super) travel: f64,
     pub(super) slip: f64,
@@ -87,28 +87,28 @@ const GUARDS_MAX: usize = 12;
 
 /// The guards of one stretch.
 #[derive(Clone, Debug)]
-pub(super) struct Guards {
-    list: [(Trigger, Form); GUARDS_MAX],
+pub(super) struct ActiveEvents {
+    list: [(EventId, EventFunction); GUARDS_MAX],
     len: usize,
 }
 
-impl Guards {
+impl ActiveEvents {
     pub(super) fn none() -> Self {
-        Self { list: [(Trigger::SlipZero, Form::default()); GUARDS_MAX], len: 0 }
+        Self { list: [(EventId::SlipZero, EventFunction::default()); GUARDS_MAX], len: 0 }
     }
 
-    pub(super) fn watch(&mut self, trigger: Trigger, form: Form) {
+    pub(super) fn watch(&mut self, event: EventId, form: EventFunction) {
         debug_assert!(self.len < GUARDS_MAX, "raise GUARDS_MAX");
-        self.list[self.len] = (trigger, form);
+        self.list[self.len] = (event, form);
         self.len += 1;
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = &(Trigger, Form)> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = &(EventId, EventFunction)> {
         self.list[..self.len].iter()
     }
 }
 
-impl Form {
+impl EventFunction {
     /// The form along an expansion, as it is watched.
     pub(super) fn along<const N: usize>(&self, motion: &Motion<'_>, e: &Expansion<N>) -> [f64; N] {
         let mut sum = [0.0; N];

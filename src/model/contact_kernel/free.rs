@@ -9,8 +9,8 @@ use std::f64::consts::E;
 
 use crate::model::closed_form::{Ending, Passage, Rule};
 use crate::model::contact::Geometry;
-use crate::model::impact::lean::expansion::Constants;
-use crate::model::impact::lean::{Contact, ContactEnd};
+use crate::model::contact_kernel::expansion::Constants;
+use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::exponential::{NEAR, bernoulli, bernoulli_near};
 use crate::numerics::larger;

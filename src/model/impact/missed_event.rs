@@ -1,7 +1,7 @@
 //! Events that are there already, without a guard that falls: put behind the state by rounding, or on the very place where another
 //! one has put it.
 
-use crate::model::impact::guard::Trigger;
+use crate::model::impact::event_function::EventId;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::sign;
 use crate::model::motion::State;
@@ -13,7 +13,7 @@ const NEARBY: f64 = 1e-9;
 
 impl Track<'_> {
     /// An event that rounding has put behind the state already, when another one fell on nearly the same moment.
-    pub(super) fn overdue(&self) -> Option<Trigger> {
+    pub(super) fn missed_event(&self) -> Option<EventId> {
         let State { travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w } = self.state;
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
@@ -21,30 +21,30 @@ impl Track<'_> {
         let presses =
             || w == 0.0 && !self.released && self.motion().accelerations(&self.state).1 > 0.0;
         if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
-            return Some(Trigger::StopReached);
+            return Some(EventId::StopReached);
         }
         if self.is_beyond_stop() && self.stop_presses() {
-            return Some(Trigger::StopPressed);
+            return Some(EventId::StopPressed);
         }
-        if let Some(trigger) = self.overdue_on_place() {
-            return Some(trigger);
+        if let Some(event) = self.overdue_on_place() {
+            return Some(event);
         }
         let (behind, ahead) = self.spring_ends();
         if !self.is_still() && (x > ahead || (x >= ahead && w > 0.0)) {
-            return Some(Trigger::KnotAhead);
+            return Some(EventId::KnotAhead);
         }
         if !self.is_still() && (x < behind || (x <= behind && w < 0.0)) {
-            return Some(Trigger::KnotBehind);
+            return Some(EventId::KnotBehind);
         }
         match self.mode {
-            Mode::Penetrating | Mode::Closing if u < 0.0 => Some(Trigger::SlipZero),
+            Mode::Penetrating | Mode::Closing if u < 0.0 => Some(EventId::SlipZero),
             Mode::Penetrating | Mode::Closing if q >= problem.geometry.exit_m && u > 0.0 => {
-                Some(Trigger::PieceEnd)
+                Some(EventId::PieceEnd)
             }
-            Mode::Closing if q >= self.deepest_m && u > 0.0 => Some(Trigger::HoleBottom),
-            Mode::Withdrawing if u > 0.0 => Some(Trigger::SlipZero),
-            Mode::Withdrawing if q <= 0.0 => Some(Trigger::PieceStart),
-            Mode::FreeFlight if q > 0.0 && u > 0.0 => Some(Trigger::Recontact),
+            Mode::Closing if q >= self.deepest_m && u > 0.0 => Some(EventId::HoleBottom),
+            Mode::Withdrawing if u > 0.0 => Some(EventId::SlipZero),
+            Mode::Withdrawing if q <= 0.0 => Some(EventId::PieceStart),
+            Mode::FreeFlight if q > 0.0 && u > 0.0 => Some(EventId::Recontact),
             Mode::Penetrating
             | Mode::Closing
             | Mode::Withdrawing
@@ -69,28 +69,28 @@ impl Track<'_> {
     }
 
     /// An event at the very place on which another one has put the plate: its guard is zero there and falls no more.
-    fn overdue_on_place(&self) -> Option<Trigger> {
+    fn overdue_on_place(&self) -> Option<EventId> {
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
         if self.is_still() {
             return None;
         }
         let mechanism = &self.problem.mechanism;
         if self.stop_touches && self.stop_lets_go() {
-            return Some(Trigger::StopCleared);
+            return Some(EventId::StopCleared);
         }
         let untouched = mechanism.elastic_stop().is_some() && !self.stop_touches;
         let reaches = x >= mechanism.stop_at_m && (w > 0.0 || self.turns_unseen());
         if untouched && reaches && !self.stop_lets_go() {
-            return Some(Trigger::StopReached);
+            return Some(EventId::StopReached);
         }
         // Without any strength the interface gives way where the spring's force changes its sign.
         let carries = self.mode == Mode::Fused && self.problem.plastic;
         let ahead = if carries { self.spring_turns(w) } else { 0.0 };
         let (push, pull) = if ahead == 0.0 { (0.0, 0.0) } else { self.interface_limits_n() };
         if ahead < 0.0 && pull == 0.0 {
-            Some(Trigger::PullLimit)
+            Some(EventId::PullLimit)
         } else {
-            (ahead > 0.0 && push == 0.0).then_some(Trigger::PushLimit)
+            (ahead > 0.0 && push == 0.0).then_some(EventId::PushLimit)
         }
     }
 

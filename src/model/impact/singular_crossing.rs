@@ -9,7 +9,7 @@
 //! A stride goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
 use crate::model::contact::AreaLaw;
-use crate::model::impact::guard::{Form, Guards, Trigger};
+use crate::model::impact::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
@@ -55,20 +55,20 @@ const SOLVING: usize = 20;
 const DRAWN: usize = 4;
 
 /// A stride has been taken, and this event ended it.
-pub(super) struct Taken(pub(super) Option<Trigger>);
+pub(super) struct Taken(pub(super) Option<EventId>);
 
 /// A way that is accurate: its points, the state at its end, and the event that ends it, if one does.
 struct Stretch {
     graded: Graded<4>,
     states: [State; POINTS],
     end: State,
-    fired: Option<Trigger>,
+    fired: Option<EventId>,
 }
 
 /// Where a guard falls on a stretch.
 struct Fall {
-    trigger: Trigger,
-    form: Form,
+    event: EventId,
+    form: EventFunction,
     /// The part of the way, by the polynomial through the points, and the parts of the points on either side.
     part: f64,
     between: (f64, f64),
@@ -156,7 +156,7 @@ impl Track<'_> {
     /// The way to `to`, or to the first event on it, if it is accurate.
     fn stretch(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
         let stretch = self.unbroken(clock, to)?;
-        let guards = self.guards();
+        let guards = self.active_events();
         if self.falls_at_once(clock, &guards, &stretch) {
             return None;
         }
@@ -164,7 +164,7 @@ impl Track<'_> {
             return Some(stretch);
         };
         let landed = self.landed(clock, &stretch, &fall)?;
-        Some(Stretch { fired: Some(fall.trigger), ..landed })
+        Some(Stretch { fired: Some(fall.event), ..landed })
     }
 
     /// The way to where a guard falls, between two parts of a stretch. The polynomial through the points of the whole is not exact
@@ -238,10 +238,10 @@ impl Track<'_> {
 
     /// Whether a guard that is zero at the start is below zero as soon as it is anything but rounding: it may have risen and fallen
     /// in between, or have fallen from the start.
-    fn falls_at_once(&self, clock: &Clock<'_>, guards: &Guards, stretch: &Stretch) -> bool {
-        guards.iter().any(|(trigger, form)| {
+    fn falls_at_once(&self, clock: &Clock<'_>, guards: &ActiveEvents, stretch: &Stretch) -> bool {
+        guards.iter().any(|(event, form)| {
             let value = |state: &State| form.watched(clock.motion, state);
-            if *trigger == clock.own_trigger() || value(&self.state) != 0.0 {
+            if *event == clock.own_trigger() || value(&self.state) != 0.0 {
                 return false;
             }
             let values = stretch.states.each_ref().map(value);
@@ -251,11 +251,16 @@ impl Track<'_> {
     }
 
     /// The first fall of a guard on a stretch.
-    fn first_fall(&self, clock: &Clock<'_>, guards: &Guards, stretch: &Stretch) -> Option<Fall> {
+    fn first_fall(
+        &self,
+        clock: &Clock<'_>,
+        guards: &ActiveEvents,
+        stretch: &Stretch,
+    ) -> Option<Fall> {
         let Stretch { graded, states, end, .. } = stretch;
         let mut first: Option<Fall> = None;
-        for (trigger, form) in guards.iter() {
-            if *trigger == clock.own_trigger() {
+        for (event, form) in guards.iter() {
+            if *event == clock.own_trigger() {
                 continue;
             }
             let value = |state: &State| form.watched(clock.motion, state);
@@ -279,8 +284,8 @@ impl Track<'_> {
                     let between_parts = (before.0, part);
                     let part = in_bracket(before.0, part, between);
                     if first.as_ref().is_none_or(|first| part < first.part) {
-                        let (trigger, form) = (*trigger, *form);
-                        first = Some(Fall { trigger, form, part, between: between_parts });
+                        let (event, form) = (*event, *form);
+                        first = Some(Fall { event, form, part, between: between_parts });
                     }
                     break;
                 }
