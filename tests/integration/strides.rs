@@ -1,4 +1,4 @@
-//! Plates that swing through the zero of a broken power law, which the run strides over (`src/model/impact/stride.rs`), against
+//! Plates that swing through the zero of a broken power law, which the run strides over (`src/model/impact/singular_crossing.rs`), against
 //! closed forms.
 
 use cmra::model::run::{EndReason, Mode, Outcome, Run};
