@@ -50,7 +50,7 @@ const LANDINGS: usize = 6;
 /// Ticks of the clock that a fall keeps from the zero.
 const TICKS: f64 = 500.0;
 /// Work of one collocation, in Taylor expansions.
-const SOLVING: usize = 20;
+const SOLVING: usize = 10;
 /// Every so many of a stride's points are drawn.
 const DRAWN: usize = 4;
 
