@@ -94,7 +94,7 @@ mod tests {
             labels(&axis(0.0, 0.007, Scale::Linear)),
             ["0", "1", "2", "3", "4", "5", "6", "7"]
         );
-        assert_eq!(labels(&axis(-0.5, 1.2, Scale::Linear)), ["-500", "0", "500", "1000"]);
+        assert_eq!(labels(&axis(-0.5, 1.2, Scale::Linear)), ["-0.5", "0", "0.5", "1"]);
         assert_eq!(labels(&axis(1e-3, 1e3, Scale::Log10)).len(), 7);
         assert_eq!(labels(&axis(2.0, 60.0, Scale::Log10)), ["2", "5", "10", "20", "50"]);
         assert_eq!(
