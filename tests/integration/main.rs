@@ -88,3 +88,5 @@ mod trouble;
 mod units;
 #[cfg(test)]
 mod validation;
+#[cfg(test)]
+mod words;

@@ -2,9 +2,9 @@
 //! how long it may be.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use crate::support::in_repository;
+use crate::support::{files_below, in_repository};
 
 /// The layers from the lowest to the highest: a file may name its own and those before it.
 const LAYERS: [&str; 8] = ["numerics", "model", "study", "report", "files", "worker", "tui", "cli"];
@@ -55,24 +55,11 @@ impl Source {
 
 fn sources() -> Vec<Source> {
     let root = in_repository("src");
-    let mut folders = vec![root.clone()];
-    let mut found: Vec<PathBuf> = Vec::new();
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|end| end == "rs") {
-                found.push(path);
-            }
-        }
-    }
-    found.sort();
     let name = |path: &Path| {
         let parts = path.strip_prefix(&root).unwrap().iter();
         parts.map(|part| part.to_str().unwrap()).collect::<Vec<_>>().join("/")
     };
-    found
+    files_below(&root, "rs")
         .iter()
         .map(|path| Source { name: name(path), text: fs::read_to_string(path).unwrap() })
         .collect()
