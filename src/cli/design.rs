@@ -61,7 +61,7 @@ struct PrinciplesArguments {
     table: TableArguments,
 }
 
-/// Print what was asked for.
+/// Print the requested part.
 pub(super) fn run(arguments: &DesignArguments) -> Result<ExitCode, CliError> {
     let done = match &arguments.what {
         What::Shot(arguments) => shot(arguments),

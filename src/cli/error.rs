@@ -69,7 +69,7 @@ pub enum CliError {
     Weight {
         /// What was written.
         argument: String,
-        /// What there is.
+        /// The names that exist.
         criteria: String,
     },
     /// The scene as a whole makes no sense.
@@ -80,7 +80,7 @@ pub enum CliError {
     Subcommand {
         /// What was written.
         name: String,
-        /// What there is.
+        /// The names that exist.
         known: String,
     },
     /// Standard output cannot be written.
@@ -98,7 +98,7 @@ impl From<VariableError> for CliError {
 }
 
 impl CliError {
-    /// 1 where the computation or the system fell short, 2 where the command line or an input file is wrong.
+    /// 1 where the computation or the system failed, 2 where the command line or an input file is wrong.
     pub fn code(&self) -> ExitCode {
         match self {
             // Whoever reads our output has had enough: not a failure.
@@ -128,7 +128,7 @@ impl CliError {
         matches!(self, Self::File(FileError::Scene(_) | FileError::Unmendable { .. }))
     }
 
-    /// Whether nobody is left to tell.
+    /// Whether standard output is closed: there is no reader left.
     pub(super) fn is_quiet(&self) -> bool {
         matches!(self, Self::Stdout(source) if source.kind() == io::ErrorKind::BrokenPipe)
     }

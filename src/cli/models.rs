@@ -121,7 +121,7 @@ fn page(name: &str, found: &Comparison) -> String {
         for row in &found.rows {
             let _ = writeln!(page, "{:<18}{}; {}", row.name, row.judged.0, row.judged.1);
         }
-        page.push_str("finite elements    not made here: the fifth model of Table 8.1 needs a solver of its own\n");
+        page.push_str("finite elements    not included: the fifth model of Table 8.1 needs a finite element solver\n");
     }
     page
 }

@@ -30,7 +30,7 @@ pub(super) enum Laws {
     Both,
     /// What is joined stays joined
     Fused,
-    /// The interface gives way where it would have to carry too much
+    /// The interface yields where it would have to carry too much
     Plastic,
 }
 

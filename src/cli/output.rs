@@ -25,7 +25,7 @@ pub(super) fn progress(text: &str) {
     let _ = write!(error, "\r\x1b[K{text}").and_then(|()| error.flush());
 }
 
-/// Say something beside the result, on standard error. If nobody can hear it, it is lost: there is nowhere else to say it.
+/// Writes a note beside the result, on standard error. A closed standard error loses it.
 pub(super) fn note(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", clean::page(text));
 }

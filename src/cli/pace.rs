@@ -99,12 +99,12 @@ pub(super) fn survive_large_files() {
     let _ = flag::register(SIGXFSZ, Arc::default());
 }
 
-/// Whether a computation was interrupted: what there is of its result is not complete.
+/// Whether a computation was interrupted: its result is not complete.
 pub(super) fn was_interrupted() -> bool {
     STOP.get().is_some_and(|stop| stop.load(Ordering::Relaxed))
 }
 
-/// Whether whoever started this wants it to outlive a signal, as `nohup` does. Where the system does not tell, it is taken to be so.
+/// Whether the program was started so that it outlives a signal, as `nohup` does. Assumed where the system does not tell.
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));

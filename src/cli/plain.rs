@@ -12,7 +12,7 @@ use crate::tui::theme::{ColourDepth, GlyphSet, Theme};
 const SIZE: draw::Size = (78, 15);
 
 impl Glyphs {
-    /// The set to print with; where nothing is said, the one that works everywhere.
+    /// The characters to print with; without the option, those that work everywhere.
     fn for_print(self) -> GlyphSet {
         match self {
             Self::Auto | Self::Ascii => GlyphSet::Ascii,

@@ -99,7 +99,7 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
         .of(&arguments.scene, &preset.scene)
         .deliver_warned(&warnings, page, object, &rows)?;
     if report.census[4] > 0 {
-        output::note(&format!("{} samples failed and are left out", report.census[4]));
+        output::note(&format!("{} samples failed and are not counted", report.census[4]));
     }
     let good = report.census[4] == 0;
     Ok(pace.exit_code(good))

@@ -12,7 +12,7 @@ use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Axis, COUNTS};
 
 /// Let a search look on the plastic law, unless `--set interface=...` says otherwise: fused, a search ends where the interface is
-/// asked for more than it can carry. Gives what is to be said of it.
+/// loaded beyond what it can carry. Gives the note to print.
 pub(super) fn be_cautious(arguments: &SceneArguments, scene: &mut Scene) -> Option<String> {
     let chosen = arguments.set_of(|key| key == "interface.law").is_some();
     let is_fused = scene.interface.law == InterfaceLaw::Fused
@@ -23,13 +23,13 @@ pub(super) fn be_cautious(arguments: &SceneArguments, scene: &mut Scene) -> Opti
     }
     scene.interface.law = InterfaceLaw::Plastic;
     Some(
-        "searched with interface=plastic: a fused interface may be asked for more than it carries; --set interface=fused searches \
+        "searched with interface=plastic: a fused interface may have to carry more than it can; --set interface=fused searches \
          with it"
             .to_owned(),
     )
 }
 
-/// The threads asked for, or one for each core.
+/// The number of threads given, or one for each core.
 pub(super) fn threads(asked: Option<u16>) -> usize {
     asked.map_or_else(|| Crew::of_machine().threads, usize::from)
 }

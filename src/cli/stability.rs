@@ -22,7 +22,7 @@ const MAP_CELLS_QUICK: (usize, usize) = (10, 31);
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Exit status 1 if auto falls short on any scene of the battery. SCENE and --set are for --map."
+    after_help = "Exit status 1 if auto fails on any scene of the battery. SCENE and --set are for --map."
 )]
 pub(super) struct StabilityArguments {
     #[command(flatten)]
@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     }
     if arguments.scene.is_given() {
         return Err(CliError::Option(
-            "SCENE and --set belong to --map: the battery has scenes of its own; add --map k (or n, b), or leave SCENE and --set out"
+            "SCENE and --set belong to --map: the battery has its own scenes; add --map k (or n, b), or omit SCENE and --set"
                 .to_owned(),
         ));
     }

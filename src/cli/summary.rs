@@ -81,11 +81,11 @@ pub(super) fn sentence(run: &Run) -> String {
         }
         Outcome::Perforated => match run.residual_velocity_m_s {
             Some(speed) if speed < 0.0 => format!(
-                "perforated: the plate swings back over the projectile, which is left moving backwards at {}",
+                "perforated: the plate moves back over the projectile, whose residual velocity is backwards, {}",
                 short(speed.abs(), "m/s")
             ),
             Some(speed) => format!(
-                "perforated: the projectile passes through the plate and goes on at {}",
+                "perforated: the projectile passes through the plate; its residual velocity is {}",
                 short(speed, "m/s")
             ),
             None => "perforated: the projectile passes through the plate".to_owned(),
@@ -316,6 +316,6 @@ fn cost(page: &mut String, computed: &Computed) {
     }
     if !run.omitted.is_empty() {
         let words: Vec<&str> = run.omitted.iter().map(|omitted| omitted.words()).collect();
-        let _ = writeln!(page, "left out, since not needed: {}", words.join(", "));
+        let _ = writeln!(page, "omitted terms (not needed here): {}", words.join(", "));
     }
 }

@@ -29,7 +29,7 @@ pub(super) struct TableArguments {
     /// Replace what exists
     #[arg(long, requires = "files")]
     force: bool,
-    /// How the table is spelt
+    /// CSV dialect
     #[arg(long, value_enum, default_value = "plain", value_name = "STYLE", requires = "csv")]
     csv_style: StyleWord,
     /// Where the scene and the command go that make the table again: into NAME.toml beside it, or into # lines at its head
@@ -69,7 +69,7 @@ impl MetaWord {
 
 /// Where a table is to go.
 pub(super) enum Target<'a> {
-    /// Nowhere: it was not asked for.
+    /// Nowhere: no table was requested.
     None,
     /// To standard output, instead of the page.
     Stdout,
@@ -92,7 +92,7 @@ impl TableArguments {
         if self.force { Existing::Replace } else { Existing::Keep }
     }
 
-    /// How the table is to be spelt.
+    /// The CSV dialect.
     pub(super) fn style(&self) -> Style {
         match self.csv_style {
             StyleWord::Plain => Style::Plain,
@@ -101,7 +101,7 @@ impl TableArguments {
         }
     }
 
-    /// Where the table goes that was asked for in this file, and what may happen to a file that is there. What an interrupt has
+    /// Where the table goes that was requested in this file, and what may happen to a file that is there. What an interrupt has
     /// left of one gets a name of its own: it takes the place of no table that is complete.
     pub(super) fn place(&self, path: &Path) -> (PathBuf, Existing) {
         if was_interrupted() && atomic::ordinary(path).is_ok() {
@@ -172,7 +172,7 @@ impl TableArguments {
     }
 }
 
-/// A table on its way to where it was asked for.
+/// A table on its way to its file.
 pub(super) struct Delivery<'a> {
     table: &'a TableArguments,
     source: Option<Source<'a>>,

@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &WorkbenchArguments) -> Result<ExitCode, CliError> 
     Ok(ExitCode::from(status))
 }
 
-/// The scene meant; a misspelt subcommand arrives here, too.
+/// The scene; a mistyped subcommand arrives here, too.
 fn scene_or_command(name: &OsStr) -> Result<Preset, CliError> {
     scene::named(name).map_err(|error| {
         let command = Arguments::command();

@@ -273,7 +273,7 @@ fn drop_outdated(waiting: &mut VecDeque<Task>) {
 /// What to say of the session that was found in the place of ours.
 pub(super) fn of_another(aside: &Path) -> String {
     format!(
-        "another workbench has kept its session meanwhile: it was put aside as {}",
+        "another workbench has kept its session meanwhile: it was backed up as {}",
         aside.display()
     )
 }

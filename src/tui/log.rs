@@ -28,7 +28,7 @@ pub(super) fn install(file: Option<PathBuf>, level: Option<&str>, inbox: Sender<
     }
     if chosen.is_err() {
         log::warn!(
-            "CMRA_LOG = `{}` is no level: it may be off, error, warn, info, debug or trace",
+            "CMRA_LOG = `{}` is not a level: use off, error, warn, info, debug or trace",
             level.unwrap_or_default()
         );
     }

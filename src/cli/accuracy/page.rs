@@ -126,8 +126,7 @@ fn table(report: &Report) -> String {
 
 /// What some accuracies cost here, and what they would cost with nothing left out.
 fn answers(page: &mut String, report: &Report) {
-    let _ =
-        writeln!(page, "\n{:<55}{:>23}", "what an accuracy costs here", "with nothing left out");
+    let _ = writeln!(page, "\n{:<55}{:>23}", "what an accuracy costs here", "with no term omitted");
     for target in ANSWERS {
         let found = report.cheapest(target).map_or_else(
             || "no method gets there".to_owned(),

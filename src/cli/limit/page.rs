@@ -15,7 +15,7 @@ const HEIGHT: u16 = 18;
 /// Columns of a label, and of the text behind it.
 const LABEL: usize = 16;
 const TEXT: usize = 64;
-/// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
+/// Part of the impact velocity that the projectile keeps just above the limit, from which on the page explains the plate's motion.
 const CARRIED: f64 = 0.2;
 
 /// The page.
@@ -94,7 +94,7 @@ fn laws(page: &mut String, report: &Report) {
     if let Some(law) = report.recht_ipson {
         let _ = writeln!(
             page,
-            "Recht-Ipson    v_r = a (v^2 - v_bl^2)^(1/2)  a {:.4}; misses by {} m/s (rms)",
+            "Recht-Ipson    v_r = a (v^2 - v_bl^2)^(1/2)  a {:.4}; RMS error {} m/s",
             law.a,
             significant(law.misfit_m_s, 2)
         );
@@ -102,7 +102,7 @@ fn laws(page: &mut String, report: &Report) {
     if let Some(law) = report.lambert_jonas {
         let _ = writeln!(
             page,
-            "Lambert-Jonas  v_r = a (v^p - v_bl^p)^(1/p)  a {:.4}, p {:.3}, v_bl {}; misses by {} m/s (rms)",
+            "Lambert-Jonas  v_r = a (v^p - v_bl^p)^(1/p)  a {:.4}, p {:.3}, v_bl {}; RMS error {} m/s",
             law.a,
             law.p,
             velocity(law.limit_m_s),

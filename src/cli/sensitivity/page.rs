@@ -158,7 +158,7 @@ fn sobol(page: &mut String, report: &Report, shown: &Shown) {
     if found.used < found.rows {
         let _ = writeln!(
             page,
-            "  {} of {} samples have a point without a value (perforated, moving or failed) and are left out: the indices are \
+            "  {} of {} samples have a point without a value (perforated, moving or failed) and are not counted: the indices are \
              those of the rest",
             found.rows - found.used,
             found.rows

@@ -71,7 +71,7 @@ fn outputs(scene: &Scene, asked: &[String]) -> Outputs {
     }
 }
 
-/// What is shown to a person who asked for nothing in particular.
+/// The outputs shown where none are given.
 pub(super) fn usual(scene: &Scene) -> Vec<String> {
     match &scene.sweep {
         Some(sweep) if !sweep.outputs.is_empty() => sweep.outputs.clone(),
@@ -103,7 +103,7 @@ fn design(asked: &Asked<'_>, axes: &[Axis]) -> Result<Design, CliError> {
 const FORM: &str =
     "write NAME=LO..HI:COUNT[:log] or NAME=A,B,C, for example gamma=0.8..7:101 or k=1e4,1e5";
 
-/// Read `NAME=LO..HI:COUNT[:log]` or a list of values, `NAME=A,B,C`; COUNT may be left out where there is a usual one.
+/// Read `NAME=LO..HI:COUNT[:log]` or a list of values, `NAME=A,B,C`; COUNT is optional where there is a usual one.
 pub(in crate::cli) fn over(
     argument: &str,
     usual: Option<u64>,

@@ -50,7 +50,7 @@ impl Kept {
         self.0.as_deref().filter(|rows| rows.len() as u64 == plan.points())
     }
 
-    /// The pictures of a sweep that has been made to its end: of what was asked for, or of the usual outputs where all are there.
+    /// The pictures of a sweep that has been made to its end: of the outputs given, or of the usual ones where all were computed.
     pub(super) fn pictures(&self, plan: &Plan, columns: Columns) -> Vec<Picture> {
         let Some(rows) = self.whole(plan) else { return Vec::new() };
         let wanted = |output: &usize| {

@@ -200,7 +200,7 @@ fn target(scene: &Scene) -> Vec<Breach> {
     }
     if let Some(face) = face_ratio(scene).filter(|face| *face < FACE_LEAST) {
         let text = format!(
-            "the plate's face is {} mm square, {} D: below {FACE_LEAST} D its edges give way and the hole has no room; raise \
+            "the plate's face is {} mm square, {} D: below {FACE_LEAST} D its edges yield and the hole has no room; raise \
              gamma or set face",
             significant(1e3 * scene.plate_face_m(), 3),
             significant(face, 3)

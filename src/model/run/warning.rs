@@ -126,7 +126,7 @@ impl fmt::Display for Warning {
         match self {
             Self::InterfacePush { ratio, t_s } => write!(
                 f,
-                "the fused interface is asked for {ratio:.3} times the A S_y it can push, first at t = {:.4} ms: penetration would \
+                "the fused interface must push {ratio:.3} times the A S_y it can, first at t = {:.4} ms: penetration would \
                  resume; try interface = plastic",
                 t_s * 1e3
             ),
@@ -138,7 +138,7 @@ impl fmt::Display for Warning {
             ),
             Self::InterfacePull { ratio, t_s } => write!(
                 f,
-                "the fused interface is asked for {ratio:.3} times the g A S_y it can pull (grip g is an assumption), first at \
+                "the fused interface must pull {ratio:.3} times the g A S_y it can (grip g is an assumption), first at \
                  t = {:.4} ms: the projectile would be pulled out; try interface = plastic",
                 t_s * 1e3
             ),

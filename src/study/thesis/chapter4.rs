@@ -308,7 +308,7 @@ pub(super) static CLAIMS: &[Claim] = &[
                 told(Law::Sound),
                 told(Law::Printed),
                 number_verdict(false, longer && shallower),
-                "longer to a full stop, as is said; the contact itself, in which the hole is made, becomes shorter, since \
+                "longer to a full stop, as the text says; the contact itself, in which the hole is made, becomes shorter, since \
                  less velocity has to be taken off",
             )
         },

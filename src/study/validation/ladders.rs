@@ -13,7 +13,7 @@ const HARD: &str = "the steel's strength is not given (1.5 GPa is taken), so onl
                     would not stay rigid in so hard a steel";
 const LARGER: &str = "shot with CAL50 APM2, computed with the core of CAL30: the ratio hardly depends on the projectile. Strength as \
                       for the plate of 9.8 mm";
-const MILD: &str = "computed as the bare core, Y = 250 MPa, cavity expansion. Beyond h/D of 3 it falls short: hardening and strain rate \
+const MILD: &str = "computed as the bare core, Y = 250 MPa, cavity expansion. Beyond h/D of 3 it is too low: hardening and strain rate \
                     are not in the law";
 const RHA: &str = "UNCONSERVATIVE for thin hard plate: must not be used below h/D of about 2.5. The plate fails by a plug long before \
                    the hole is opened by cavity expansion (Y = 900 MPa, bare core)";

@@ -160,12 +160,7 @@ impl App {
             None => (Severity::Note, format!("{}: {}", row.case.name, row.case.why)),
             Some(shortfall) => (
                 Severity::Error,
-                format!(
-                    "{}: falls short: {}; {}",
-                    row.case.name,
-                    shortfall.words(),
-                    row.run.end.words()
-                ),
+                format!("{}: fails: {}; {}", row.case.name, shortfall.words(), row.run.end.words()),
             ),
         })
     }

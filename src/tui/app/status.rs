@@ -405,8 +405,8 @@ pub fn fitted(title: &str, width: usize) -> String {
 /// What a run could do without, in full and as a number.
 fn left_out(run: &Run) -> Option<(Severity, String, String)> {
     let words: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();
-    let full = format!("left out: {}", words.join(", "));
-    (!words.is_empty()).then(|| (Severity::Note, full, format!("{} left out", words.len())))
+    let full = format!("omitted terms: {}", words.join(", "));
+    (!words.is_empty()).then(|| (Severity::Note, full, format!("{} terms omitted", words.len())))
 }
 
 /// Lines of at most `width` characters, broken at blanks; a longer word is broken where it must be.

@@ -50,8 +50,8 @@ pub fn results(run: &Run) -> Vec<String> {
         let time = run.exit_time_s.map(|t_s| engineering(t_s, "s"));
         add("perforation", format!("at {}", time.unwrap_or_else(|| "-".to_owned())));
         if let Some(speed) = run.residual_velocity_m_s {
-            let way = if speed < 0.0 { " backwards: the plate swung over it" } else { "" };
-            add("goes on at", format!("{}{way}", engineering(speed.abs(), "m/s")));
+            let way = if speed < 0.0 { " backwards: the plate moved over it" } else { "" };
+            add("residual", format!("{}{way}", engineering(speed.abs(), "m/s")));
         }
     } else {
         match run.at_least.penetration_m {

@@ -73,8 +73,8 @@ impl Chart<'_> {
         }
         match left_out {
             0 => text,
-            1 => text + " (1 point <= 0 left out)",
-            count => text + &format!(" ({count} points <= 0 left out)"),
+            1 => text + " (1 point <= 0 not drawn)",
+            count => text + &format!(" ({count} points <= 0 not drawn)"),
         }
     }
 

@@ -35,7 +35,7 @@ pub static COMMANDS: &[Command] = &[
     named(A::TabLog, "Log tab", "messages warnings events energy paths"),
     named(A::PageGoalSeek, "Goal seek", "seek target solve inverse root"),
     named(A::PageFront, "Pareto front", "optimise optimize best designs knee trade-off"),
-    named(A::PageSensitivity, "Sensitivity", "sobol morris what matters importance"),
+    named(A::PageSensitivity, "Sensitivity", "sobol morris importance ranking"),
     named(A::PageMonteCarlo, "Monte Carlo", "uncertainty scatter spread distribution histogram"),
     named(A::PageResidual, "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
     named(A::PageComparison, "Comparison at equal areal mass", "does it pay mass efficiency compare worth absorber"),

@@ -231,7 +231,7 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
         )
     } else if is_quit && app.session_lost && app.is_modified() {
         Some(
-            "the session cannot be kept (see 7:Log): q again quits without it, s or e save what matters",
+            "the session cannot be kept (see 7:Log): q again quits without it, s or e save the scene or the table",
         )
     } else if action == Action::Cancel {
         Some("no job is running: Ctrl-c again quits")

@@ -85,7 +85,7 @@ fn second_axis(app: &mut App) {
 fn word(scale: Scale) -> &'static str {
     match scale {
         Scale::Linear => "linear",
-        Scale::Log10 => "logarithmic (values of zero or less are left out)",
+        Scale::Log10 => "logarithmic (values of zero or less are not drawn)",
     }
 }
 

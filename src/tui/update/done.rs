@@ -45,7 +45,7 @@ pub(in crate::tui) fn session(app: &mut App, kept: &Result<(), String>) {
     match kept {
         Ok(()) => app.say(Severity::Note, "the session is kept again"),
         Err(why) => {
-            let text = format!("the session cannot be kept: {why}; e exports what matters");
+            let text = format!("the session cannot be kept: {why}; e exports the table");
             app.say(Severity::Warning, text);
         }
     }

@@ -90,7 +90,7 @@ pub(super) fn models(app: &mut App) -> Vec<Effect> {
         effects.extend(pin(app, name.to_owned(), scene));
     }
     let rest =
-        if refused.is_some() { "; those that know power laws only are left out" } else { "" };
+        if refused.is_some() { "; those that know power laws only are not drawn" } else { "" };
     app.say(
         Severity::Note,
         format!(

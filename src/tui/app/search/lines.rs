@@ -229,7 +229,7 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
     if let Some(sobol) = &report.sobol {
         let left = sobol.rows - sobol.used;
         if left > 0 {
-            let text = format!("{left} of {} rows without a value are left out", sobol.rows);
+            let text = format!("{left} of {} rows without a value are not drawn", sobol.rows);
             lines.push((Severity::Warning, text));
         }
     }
