@@ -13,7 +13,7 @@ use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;
 const HEIGHT: u16 = 20;
-/// The accuracies asked for in the table.
+/// The accuracies that the table has.
 const TARGETS: [f64; 2] = [1e-6, 1e-9];
 /// The accuracies answered below it.
 const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
@@ -124,7 +124,7 @@ fn table(report: &Report) -> String {
     text
 }
 
-/// What some accuracies cost here, and what they would cost with nothing left out.
+/// What some accuracies cost here, and what they would cost with no term omitted.
 fn answers(page: &mut String, report: &Report) {
     let _ = writeln!(page, "\n{:<55}{:>23}", "what an accuracy costs here", "with no term omitted");
     for target in ANSWERS {
@@ -157,7 +157,7 @@ fn thesis_step(report: &Report) -> Option<f64> {
 }
 
 fn references(page: &mut String, report: &Report) {
-    page.push_str("\njudged by (depth, time, relative uncertainty: methods)\n");
+    page.push_str("\nreferences (depth, time, relative uncertainty: methods)\n");
     for reference in &report.references {
         let letters: String = report
             .methods

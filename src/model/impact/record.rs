@@ -153,9 +153,7 @@ impl Record<'_> {
         e: &Expansion<N>,
         (t_s, h, span): (f64, f64, f64),
     ) {
-        if matches!(setting.mode, Mode::Penetrating | Mode::Withdrawing) {
-            self.work.penetration_j += integral(&e.contact, &e.slip, span) * h;
-        }
+        self.work.penetration_j += integral(&e.contact, &e.slip, span) * h;
         if setting.motion.damper.coefficient > 0.0 {
             self.work.damper_j += integral(&e.damper, &e.plate_speed, span) * h;
         }

@@ -163,7 +163,7 @@ fn a_logarithmic_axis_has_decades_and_counts_what_it_cannot_show() {
     assert_eq!(
         chart.to_lines(41, 11, Theme::PLAIN),
         [
-            "+- e (2 points <= 0 not drawn) ------- n +",
+            "+- e (2 points <= 0 not drawn) ------ n +",
             "| 1000+                            ***  |",
             "|     |                       *****     |",
             "|  100+                  *****          |",

@@ -106,7 +106,7 @@ fn unit(symbol: &str) -> String {
 /// What letters and marks mean, in as many words as there is room for.
 fn legend(app: &App, area: Rect, buffer: &mut Buffer) {
     let cells = [Cell::Accurate, Cell::Inaccurate, Cell::Oscillating, Cell::BlownUp];
-    let short = ["1 %", "worse", "oscillates", "blows up"];
+    let short = ["1 %", "worse", "rings", "blows up"];
     let marks = ["| analytic limit  + this scene at the thesis's 1e-6 s", "| limit  + 1e-6 s"];
     let width = |words: [&str; 4], marks| {
         // A letter and a space before each, and two spaces behind.

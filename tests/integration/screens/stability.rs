@@ -118,7 +118,7 @@ fn an_edited_scene_is_mapped_when_the_tab_opens() {
 }
 
 #[test]
-fn the_battery_runs_once_can_be_stopped_and_says_what_falls_short() {
+fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>");
     let study = studies(&mut bench).remove(0);
@@ -133,7 +133,7 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_falls_short() {
     bench.send(Message::Study(StudyReport { id: study.id, body }));
     assert!(bench.screen().contains("cancelled: press r to run all | 4 of 5 scenes pass"));
     bench.keys("jj");
-    assert!(bench.message().contains("falls short: energy"), "{}", bench.message());
+    assert!(bench.message().contains("fails: energy"), "{}", bench.message());
     // Whoever comes back to a part of it gets all of it.
     bench.keys("<Tab><Tab>");
     answer(&mut bench);
