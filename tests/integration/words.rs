@@ -111,7 +111,9 @@ fn texts_that_a_user_sees_are_plain() {
             || path.file_name().is_some_and(|name| name == "tests.rs");
         let lines = source.lines().take_while(|line| !line.contains("mod tests {"));
         for (at, line) in lines.enumerate().filter(|_| !is_test) {
-            texts(line, is_help).iter().for_each(|text| check(&path, at, text));
+            for text in texts(line, is_help) {
+                check(&path, at, &text);
+            }
         }
     }
     let help = files_below(&in_repository("src/cli/help"), "txt");
@@ -119,7 +121,9 @@ fn texts_that_a_user_sees_are_plain() {
     let pages = ["README.md", "CHANGELOG.md"].map(in_repository);
     for path in help.into_iter().chain(presets).chain(pages) {
         let text = fs::read_to_string(&path).unwrap();
-        text.lines().enumerate().for_each(|(at, line)| check(&path, at, line));
+        for (at, line) in text.lines().enumerate() {
+            check(&path, at, line);
+        }
     }
     assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
 }
