@@ -146,7 +146,7 @@ const USUAL_KEYS: [&str; 14] = [
 ];
 const STOP: &str = "mechanism.stop.position_m";
 
-/// The inputs that scatter where none are named, lognormal by a relative deviation: all of [`USUAL_KEYS`], the springs' own
+/// The inputs that scatter where none are named, lognormal by a relative deviation: all of `USUAL_KEYS`, the springs' own
 /// parameters and the stop, where the scene uses them and they are not zero. Shapes (exponents) and numbers of springs are taken as
 /// they are, unless the spring has no other parameter.
 pub fn usual_tolerances(scene: &Scene, deviation: f64) -> Vec<Tolerance> {
