@@ -6,7 +6,6 @@
 
 pub mod app;
 pub mod chart;
-pub mod efficiency_map;
 pub mod keymap;
 pub mod message;
 pub mod pages;

@@ -13,6 +13,7 @@ use crate::tui::theme::{GlyphSet, Role, ascii_pass};
 mod accuracy;
 mod charts;
 mod comparison;
+mod efficiency_map;
 mod export;
 mod help;
 mod history;

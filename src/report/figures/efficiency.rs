@@ -2,7 +2,6 @@
 
 use crate::report::figures::{axis_of, places};
 use crate::report::map::{Cell, Map};
-use crate::study::compare::Absence;
 use crate::study::compare::map::Map as Efficiency;
 
 /// What the line means.
@@ -13,13 +12,13 @@ pub fn map(found: &Efficiency) -> Option<Map> {
     let (across, up) = (places(found.x()), places(found.y()));
     let cell = |x: usize, y: usize| match found.cell(x as u64, y as u64) {
         Some(Ok(value)) => Cell::Value(value),
-        Some(Err(absence)) => Cell::Mark(letter(absence)),
+        Some(Err(absence)) => Cell::Mark(absence.letter()),
         None => Cell::Empty,
     };
     let cells = up.iter().flat_map(|y| across.iter().map(move |x| (*x, *y)));
     let absences = found.cells.iter().filter_map(|cell| cell.err());
     let mut marks: Vec<(char, String)> =
-        absences.map(|absence| (letter(absence), absence.words())).collect();
+        absences.map(|absence| (absence.letter(), absence.words())).collect();
     marks.sort();
     marks.dedup_by_key(|mark| mark.0);
     Some(Map {
@@ -32,14 +31,4 @@ pub fn map(found: &Efficiency) -> Option<Map> {
         contour: Some((1.0, LINE.to_owned())),
         marks,
     })
-}
-
-/// The letter of a point without a mass efficiency.
-fn letter(absence: Absence) -> char {
-    match absence {
-        Absence::NoSolid => 'N',
-        Absence::NoThickness => 'T',
-        Absence::NoSpringMass => 'M',
-        Absence::Fails(_) => 'F',
-    }
 }

@@ -32,6 +32,16 @@ pub enum Absence {
 }
 
 impl Absence {
+    /// The letter that stands for it in maps.
+    pub fn letter(self) -> char {
+        match self {
+            Self::NoSolid => 'N',
+            Self::NoThickness => 'T',
+            Self::NoSpringMass => 'M',
+            Self::Fails(_) => 'F',
+        }
+    }
+
     /// In words.
     pub fn words(self) -> String {
         match self {

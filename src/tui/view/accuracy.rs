@@ -5,13 +5,12 @@ use ratatui::layout::Rect;
 
 use super::rect;
 use super::table::{Column, Page};
-use super::text::{NEEDS_SINGLE, Rows, columns, first_row, paint_row, put};
+use super::text::{NEEDS_SINGLE, Rows, columns, first_row, paint_row, put, text_role};
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
 use crate::tui::app::accuracy::{TARGETS, order, percent, seconds};
 use crate::tui::app::layout::AccuracyPanes;
-use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, Layout, Legend, Level, Scale, Unit, ViewRange,
@@ -185,12 +184,7 @@ fn methods(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
 fn details(app: &App, inner: Rect, buffer: &mut Buffer) {
     let mut lines = Vec::new();
     for (index, (severity, text)) in app.accuracy_details().into_iter().enumerate() {
-        let role = match severity {
-            _ if index == 0 => Role::Title,
-            Severity::Note => Role::Text,
-            Severity::Warning => Role::Warning,
-            Severity::Error => Role::Error,
-        };
+        let role = if index == 0 { Role::Title } else { text_role(severity) };
         lines.extend(wrap(&text, usize::from(inner.width)).into_iter().map(|line| (role, line)));
     }
     let from = 1 + Method::ALL.len();

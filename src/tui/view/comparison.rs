@@ -3,13 +3,12 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{columns, put};
+use super::efficiency_map::{levels, with_heatmap};
+use super::text::{columns, put, text_role};
 use crate::model::units::significant;
 use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
 use crate::tui::chart::{Heatmap, Layout, heatmap};
-use crate::tui::efficiency_map::{levels, with_heatmap};
 use crate::tui::keymap::Pane;
 use crate::tui::theme::{PaneFrame, Role};
 
@@ -30,11 +29,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
     let first = app.limit.scrolled.min(lines.len().saturating_sub(height));
     for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
-        let role = match severity {
-            Severity::Note => Role::Text,
-            Severity::Warning => Role::Warning,
-            Severity::Error => Role::Error,
-        };
+        let role = text_role(*severity);
         let text = clip(text, usize::from(inner.width));
         put(buffer, inner, (0, row), &text, app.theme.style(role));
     }

@@ -3,12 +3,11 @@
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use super::text::{columns, put};
+use super::text::{columns, put, text_role};
 use crate::model::run::Outcome;
 use crate::study::limit::{Limit, Report, Shot};
 use crate::tui::app::App;
 use crate::tui::app::limit::{BESIDE, FACTS, Fact, LABEL};
-use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, EventLine, Layout, Legend, Mapping, Scale, Unit, ViewRange,
@@ -61,11 +60,7 @@ fn write(app: &App, lines: &[Fact], hint: &'static str, area: Rect, buffer: &mut
     let column =
         if lines.iter().any(|line| !line.0.is_empty() && !line.2.is_empty()) { LABEL } else { 0 };
     for (row, (label, severity, text)) in (0..inner.height).zip(lines) {
-        let role = match severity {
-            Severity::Note => Role::Text,
-            Severity::Warning => Role::Warning,
-            Severity::Error => Role::Error,
-        };
+        let role = text_role(*severity);
         put(buffer, inner, (0, row), label, app.theme.style(Role::Title));
         put(buffer, inner, (column, row), text, app.theme.style(role));
     }

@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::Cursor;
-use super::text::{columns, first_row, paint_row, put, window};
+use super::text::{columns, first_row, paint_row, put, text_role, window};
 use crate::model::results::ResultColumn;
 use crate::study::search::front::{Candidate, Design};
 use crate::study::search::seek;
@@ -180,11 +180,7 @@ fn words(app: &App, lines: &[(Severity, String)], area: Rect, buffer: &mut Buffe
     let top = u16::try_from(head.len()).unwrap_or(0);
     let inner = Rect { y: inner.y + top, height: inner.height.saturating_sub(top), ..inner };
     for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
-        let role = match severity {
-            Severity::Note => Role::Text,
-            Severity::Warning => Role::Warning,
-            Severity::Error => Role::Error,
-        };
+        let role = text_role(*severity);
         let text = clip(text, usize::from(inner.width));
         put(buffer, inner, (0, row), &text, app.theme.style(role));
         if has_choices && first + usize::from(row) == selected {

@@ -6,10 +6,20 @@ use ratatui::style::Style;
 use ratatui::text::Line;
 use tui_input::Input;
 
-use crate::tui::theme;
+use crate::tui::app::notice::Severity;
+use crate::tui::theme::{self, Role};
 
 /// What stands in a tab that studies one plate while the scene is a stack.
 pub(super) const NEEDS_SINGLE: &str = "this tab needs a single plate";
+
+/// The role of a line of text of this severity.
+pub(super) fn text_role(severity: Severity) -> Role {
+    match severity {
+        Severity::Note => Role::Text,
+        Severity::Warning => Role::Warning,
+        Severity::Error => Role::Error,
+    }
+}
 
 /// The rows of a list as they are drawn.
 #[derive(Clone, Copy)]
