@@ -85,11 +85,7 @@ pub(super) fn map(map: &Map, (width, height): Size, theme: Theme) -> String {
 
 fn axis<'a>(axis: &'a chart::Axis, label: &'a str) -> Axis<'a> {
     let unit = Unit::with_prefix(ViewRange::new(0.0, axis.size), &axis.unit);
-    let scale = match axis.scale {
-        chart::Scale::Linear => Scale::Linear,
-        chart::Scale::Log10 => Scale::Log10,
-    };
-    Axis::new(label, ViewRange::new(axis.low, axis.high)).scale(scale).unit(unit)
+    Axis::new(label, ViewRange::new(axis.low, axis.high)).scale(axis.scale).unit(unit)
 }
 
 /// The bands of a map with their bounds.

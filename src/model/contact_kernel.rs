@@ -16,7 +16,7 @@ use crate::model::mechanism::{Mechanism, PowerKind, PowerLaw, Spring};
 use crate::model::plan::holds_still;
 use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
-use damper_manifold::Slaved;
+use damper_manifold::DamperManifold;
 use expansion::{Clock, Constants};
 use integration::{Outset, Track, Walk};
 pub use simd_batch::run_abreast;
@@ -269,7 +269,7 @@ impl Contact {
     }
 
     /// A damper so strong that the plate follows at once.
-    fn slaved<const N: usize>(&self, slaved: Slaved, tolerance: f64) -> Option<ContactEnd> {
+    fn slaved<const N: usize>(&self, slaved: DamperManifold, tolerance: f64) -> Option<ContactEnd> {
         let constants = self.constants;
         let ahead_m = slaved.delay_m(&constants, self.growth_n_s()?);
         let state = [-constants.cos * ahead_m, constants.velocity_m_s, ahead_m, 0.0];
@@ -281,7 +281,7 @@ impl Contact {
     }
 
     /// The damper and spring of a plate that follows the forces at once, if they are such.
-    fn as_slaved(&self, tolerance: f64) -> Option<Slaved> {
+    fn as_slaved(&self, tolerance: f64) -> Option<DamperManifold> {
         let (spring, damper) = (self.spring, self.damper);
         if !(is_linear(spring)
             && is_linear(damper)
@@ -290,7 +290,8 @@ impl Contact {
         {
             return None;
         }
-        let slaved = Slaved { damper_n_s_m: damper.coefficient, spring_n_m: spring.coefficient };
+        let slaved =
+            DamperManifold { damper_n_s_m: damper.coefficient, spring_n_m: spring.coefficient };
         let contact_s = self.scale_s?;
         let size = (contact_s, contact_s * self.constants.velocity_m_s);
         slaved.follows(&self.constants, size, (self.growth_n_s()?, tolerance)).then_some(slaved)

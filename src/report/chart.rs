@@ -1,7 +1,7 @@
 //! Charts as plain data: axes with units, curves, lines to read them by.
 
 /// How values are spread over an axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Scale {
     /// Evenly.
     #[default]
@@ -21,6 +21,23 @@ impl Scale {
         match self {
             Self::Linear => value,
             Self::Log10 => value.log10(),
+        }
+    }
+
+    /// The value at a place: the inverse of [`Scale::place`].
+    pub fn back(self, place: f64) -> f64 {
+        match self {
+            Self::Linear => place,
+            Self::Log10 => 10_f64.powf(place),
+        }
+    }
+
+    /// The other scale.
+    #[must_use]
+    pub fn toggled(self) -> Self {
+        match self {
+            Self::Linear => Self::Log10,
+            Self::Log10 => Self::Linear,
         }
     }
 }

@@ -60,7 +60,7 @@ pub fn element(pictures: &[Picture]) -> String {
     out + "</svg>\n"
 }
 
-/// Text as it stands in XML; characters that XML does not have are left out.
+/// Text as it stands in XML; characters that XML does not allow are removed.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

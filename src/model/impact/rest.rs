@@ -1,12 +1,13 @@
-//! When a plate that swings without contact is taken to be at rest.
+//! When a plate that oscillates without contact is taken to be at rest.
 
 use crate::model::impact::termination::{DEAD, FAINT};
 use crate::model::impact::track::Track;
 use crate::model::run::Mode;
 
 impl Track<'_> {
-    /// A plate that swings about zero without contact, with no energy worth the name, rests there until it is struck again; one
-    /// that nothing will strike any more, on a spring whose swings grow ever faster, a little earlier: they never end.
+    /// Puts a plate at rest that oscillates about zero without contact, with less energy than rounding leaves, until it is struck
+    /// again. A plate that nothing can strike any more, on a spring whose oscillations grow ever faster, rests a little earlier:
+    /// they never end.
     pub(super) fn come_to_rest(&mut self) {
         let Some(law) = self.problem.mechanism.spring.power().filter(|law| law.coefficient > 0.0)
         else {

@@ -169,7 +169,7 @@ impl Track<'_> {
         mechanism.spring.energy(x) + stop
     }
 
-    /// Whether what still moves has no energy worth the name: less than rounding leaves of that at the start, squared.
+    /// Whether what still moves has less energy than rounding leaves of that at the start, squared.
     pub(super) fn has_died_down(&self) -> bool {
         self.has_less_than(DEAD)
     }

@@ -61,8 +61,8 @@ fn decades(low: f64, high: f64, most: usize) -> Vec<f64> {
     };
     let whole: Vec<f64> = powers().map(|power| 10_f64.powf(power)).filter(within).collect();
     if whole.len() > most {
-        let stride = whole.len().div_ceil(most);
-        return whole.into_iter().step_by(stride).collect();
+        let every = whole.len().div_ceil(most);
+        return whole.into_iter().step_by(every).collect();
     }
     let finer = |parts: &[f64]| -> Vec<f64> {
         let values = powers().flat_map(|power| parts.iter().map(move |it| it * 10_f64.powf(power)));

@@ -5,12 +5,13 @@
 //! set: a tick, a curve and the crosshair at the same value are always in the same column.
 
 use super::steps::{Step, decade, power};
+pub use crate::report::chart::Scale;
 
 /// Positions are kept within this many cells of the view: far enough that the direction of a line is right, near enough that
-/// Places in a cell that are told apart.
-const GRAINS: f64 = 1e4;
 /// clipping it loses nothing.
 const FAR_CELLS: f64 = 1e9;
+/// Positions within a cell that are distinguished.
+const GRAINS: f64 = 1e4;
 /// The narrowest range, as a fraction of its greatest bound: twelve digits are what a label can still tell apart.
 const NARROWEST: f64 = 1e-12;
 /// Bounds stay within this, so that a difference of two never overflows.
@@ -19,49 +20,6 @@ const GREATEST: f64 = 1e300;
 const NARROWEST_ABSOLUTE: f64 = 1e-280;
 /// A logarithmic axis whose lower bound is not positive starts this fraction below its upper bound.
 const LOG_FLOOR: f64 = 1e-6;
-
-/// How values are spread over an axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Scale {
-    /// Evenly.
-    #[default]
-    Linear,
-    /// By decades; values that are not positive have no place.
-    Log10,
-}
-
-impl Scale {
-    /// Whether a value has a place on this scale.
-    pub fn shows(self, value: f64) -> bool {
-        match self {
-            Self::Linear => value.is_finite(),
-            Self::Log10 => value.is_finite() && value > 0.0,
-        }
-    }
-
-    /// The other scale.
-    #[must_use]
-    pub fn toggled(self) -> Self {
-        match self {
-            Self::Linear => Self::Log10,
-            Self::Log10 => Self::Linear,
-        }
-    }
-
-    fn forward(self, value: f64) -> f64 {
-        match self {
-            Self::Linear => value,
-            Self::Log10 => value.log10(),
-        }
-    }
-
-    fn back(self, place: f64) -> f64 {
-        match self {
-            Self::Linear => place,
-            Self::Log10 => 10_f64.powf(place),
-        }
-    }
-}
 
 /// The range of values an axis shows. Always finite, never empty, never reversed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -187,7 +145,7 @@ impl ViewRange {
             return self;
         }
         let view = self.on(scale);
-        let about = scale.forward(about.clamp(view.lo, view.hi));
+        let about = scale.place(about.clamp(view.lo, view.hi));
         self.mapped(scale, |lo, hi| (about - (about - lo) / factor, about + (hi - about) / factor))
     }
 
@@ -208,7 +166,7 @@ impl ViewRange {
     pub fn within(self, scale: Scale, bounds: Self) -> Self {
         let (bounds, view) = (bounds.on(scale), self.on(scale));
         let [lo, hi, least, most] =
-            [view.lo, view.hi, bounds.lo, bounds.hi].map(|value| scale.forward(value));
+            [view.lo, view.hi, bounds.lo, bounds.hi].map(|value| scale.place(value));
         if hi - lo >= most - least {
             bounds
         } else if lo < least {
@@ -223,7 +181,7 @@ impl ViewRange {
     /// Changes the bounds in the space of the scale. A result too narrow to show leaves the range as it is.
     fn mapped(self, scale: Scale, change: impl Fn(f64, f64) -> (f64, f64)) -> Self {
         let view = self.on(scale);
-        let (lo, hi) = change(scale.forward(view.lo), scale.forward(view.hi));
+        let (lo, hi) = change(scale.place(view.lo), scale.place(view.hi));
         let (lo, hi) = (scale.back(lo), scale.back(hi));
         let greatest = lo.abs().max(hi.abs());
         let sane = lo.is_finite() && hi.is_finite() && greatest <= GREATEST;
@@ -251,8 +209,8 @@ impl Mapping {
     /// A range spread over so many cells.
     pub fn new(scale: Scale, view: ViewRange, cells: u16) -> Self {
         let view = view.on(scale);
-        let from = scale.forward(view.lo);
-        Self { scale, view, cells, from, span: scale.forward(view.hi) - from }
+        let from = scale.place(view.lo);
+        Self { scale, view, cells, from, span: scale.place(view.hi) - from }
     }
 
     /// The range as shown.
@@ -276,7 +234,7 @@ impl Mapping {
         if !self.scale.shows(value) {
             return None;
         }
-        let fraction = (self.scale.forward(value) - self.from) / self.span;
+        let fraction = (self.scale.place(value) - self.from) / self.span;
         let last = f64::from(self.cells.saturating_sub(1));
         // What lies on the edge of two cells by construction (a padded top does) must not flip with the last digit.
         let grained = (fraction * last * GRAINS).round() / GRAINS;
