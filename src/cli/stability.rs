@@ -111,7 +111,7 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     };
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
     let mut pace = Pace::begin();
-    let watch = &mut |done, total| pace.count(done, total, "rows");
+    let watch: map::Watch<'_> = &mut |done, total, _| pace.count(done, total, "rows");
     let map = map::map(&preset.scene, (method, axis), cells, watch);
     pace.clear();
     let name = preset.name.as_str();

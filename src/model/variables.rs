@@ -30,6 +30,8 @@ pub struct Variable {
     pub key: &'static str,
     /// The thesis's symbol, or a short name: `gamma`.
     pub symbol: &'static str,
+    /// The noun for it, of at most eighteen letters: `mass ratio`.
+    pub label: &'static str,
     /// Other short words `--set` accepts.
     pub aliases: &'static [&'static str],
     /// The group of the editor it stands in.

@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use crate::files::clean;
 use crate::model::scene::Scene;
+use crate::study::sweep::crew::Crew;
 use crate::tui::keymap::{Keymap, Pane};
 use crate::tui::message::PresetEntry;
 use crate::tui::pages;
@@ -225,6 +226,8 @@ pub struct App {
     pub presets: Vec<PresetEntry>,
     /// The session could not be saved the last time.
     pub session_lost: bool,
+    /// Threads of sweeps and studies; `None`: one for each core.
+    pub threads: Option<usize>,
     /// Where relative paths start.
     pub directory: PathBuf,
 }
@@ -266,8 +269,14 @@ impl App {
             mouse: false,
             presets: Vec::new(),
             session_lost: false,
+            threads: None,
             directory,
         }
+    }
+
+    /// Threads of sweeps and studies.
+    pub fn crew(&self) -> usize {
+        self.threads.unwrap_or_else(|| Crew::of_machine().threads)
     }
 
     /// Where everything stands at the present size.

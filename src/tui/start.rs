@@ -23,6 +23,7 @@ const GLYPHS: &str = "glyphs";
 const COLOURS: &str = "colours";
 const WINDOW: &str = "window";
 const AUTO_RUN: &str = "auto_run";
+const THREADS: &str = "threads";
 
 /// The state to start with, the files opened or saved lately, and the session's file as it was found.
 pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>, Known) {
@@ -150,6 +151,9 @@ pub(super) fn session(app: &App, recent: &[PathBuf]) -> Session {
     if !app.auto_run {
         keep(AUTO_RUN, "off");
     }
+    if let Some(count) = app.threads {
+        keep(THREADS, &count.to_string());
+    }
     Session {
         scene: (*app.scene).clone(),
         preset: Some(kept_name(app)),
@@ -247,6 +251,7 @@ fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
         app.charts.window = Window::Whole;
     }
     app.auto_run = word(AUTO_RUN) != Some("off");
+    app.threads = word(THREADS).and_then(|count| count.parse().ok()).filter(|count| *count > 0);
     app.say(Severity::Note, greeting(app));
 }
 
@@ -289,13 +294,14 @@ mod tests {
             job: None,
         });
         app.auto_run = false;
+        app.threads = Some(1);
         app.charts.window = Window::Whole;
         app.theme.glyphs = app.theme.glyphs.next();
         let kept = session(&app, &[PathBuf::from("a.toml")]);
         let mut again = state();
         restore(&mut again, kept.clone(), GlyphChoice::Auto);
         assert_eq!(again.scene, app.scene);
-        assert_eq!(again.theme, app.theme);
+        assert_eq!((again.theme, again.threads), (app.theme, Some(1)));
         assert_eq!(session(&again, &[PathBuf::from("a.toml")]), kept);
         let said = again.notice.expect("it says so").text;
         assert!(said.contains("modified, 1 pinned run"), "{said}");

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use super::studies::Study;
 use crate::model::scene::Scene;
 use crate::study::search::front::{self, Front, Task};
 use crate::study::search::scatter;
@@ -68,12 +69,8 @@ pub(super) type Tell<'a> =
     &'a mut dyn FnMut(usize, usize, &dyn Fn() -> Option<Answer>) -> ControlFlow<()>;
 
 /// Look; what there is when it is stopped is kept.
-pub(super) fn make(
-    scene: &Arc<Scene>,
-    request: &Request,
-    tell: Tell<'_>,
-) -> Result<Answer, String> {
-    let nothing = || None;
+pub(super) fn make(study: &Study, request: &Request, tell: Tell<'_>) -> Result<Answer, String> {
+    let (scene, nothing) = (&study.scene, || None);
     match request {
         Request::Seek(goal) => {
             seek::seek(scene, goal, &mut |done, total| tell(done, total, &nothing))
@@ -100,12 +97,13 @@ pub(super) fn make(
                 .map(|report| Answer::Scatter(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
-        Request::Compare => compared(scene, tell),
+        Request::Compare => compared(study, tell),
     }
 }
 
 /// The comparison with its map around the scene; a scene without such a map, a stack for one, has none.
-fn compared(scene: &Arc<Scene>, tell: Tell<'_>) -> Result<Answer, String> {
+fn compared(study: &Study, tell: Tell<'_>) -> Result<Answer, String> {
+    let scene = &study.scene;
     let axes = [("v_i", MAP_POINTS), ("gamma", MAP_POINTS)]
         .map(|(name, count)| map::usual_axis(scene, name, count).ok());
     let points = usize::try_from(MAP_POINTS * MAP_POINTS).unwrap_or(usize::MAX);
@@ -125,7 +123,7 @@ fn compared(scene: &Arc<Scene>, tell: Tell<'_>) -> Result<Answer, String> {
     };
     let done = whole - points;
     let watch: map::Watch<'_> = &mut |cells| tell(done + cells, whole, &part);
-    let crew = Crew { piece: MAP_PIECE, ..Crew::of_machine() };
+    let crew = Crew { piece: MAP_PIECE, threads: study.threads };
     let map = Map::compute(scene, &[x, y], Hardware::default(), crew, watch).ok();
     Ok(Answer::Compare(Arc::new(Comparison { report, map })))
 }

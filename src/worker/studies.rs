@@ -33,6 +33,8 @@ pub struct Study {
     pub scene: Arc<Scene>,
     /// What is compared.
     pub kind: StudyKind,
+    /// On how many threads, where it has several.
+    pub threads: usize,
 }
 
 /// What a study is of.
@@ -236,17 +238,12 @@ fn make(
         }
         StudyKind::Map(method, axis) => {
             map::accepts(&study.scene).map_err(|error| error.to_string())?;
-            let watch = &mut |_, _| {
-                let stopped = stop.load(Ordering::Relaxed);
-                if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            };
+            let watch: map::Watch<'_> =
+                &mut |done, total, map| tell(done, total, &|| Finding::Map(Arc::new(map.clone())));
             let map = map::map(&study.scene, (*method, *axis), map::CELLS, watch);
-            if stop.load(Ordering::Relaxed) {
-                return Err("the map was stopped: r draws it again".to_owned());
-            }
             Ok(Finding::Map(Arc::new(map)))
         }
-        StudyKind::Battery => battery(&now_s, stop, &mut tell),
+        StudyKind::Battery => battery(study.threads.min(2), (&now_s, stop), &mut tell),
         StudyKind::Thesis => Ok(claims(&mut tell, stop)),
         StudyKind::Limit(effort) => ballistic(study, *effort, &mut tell),
         StudyKind::Search(request) => search(study, request, &mut tell),
@@ -260,10 +257,10 @@ fn make(
 /// Given the cases done and to do and what there is so far; `Break` stops.
 type Tell<'a> = &'a mut dyn FnMut(usize, usize, &dyn Fn() -> Finding) -> ControlFlow<()>;
 
-/// The battery on two threads: this one, and one more.
+/// The battery on so many threads, this one among them.
 fn battery(
-    now_s: &(dyn Fn() -> f64 + Sync),
-    asked_to_stop: &AtomicBool,
+    threads: usize,
+    (now_s, asked_to_stop): (&(dyn Fn() -> f64 + Sync), &AtomicBool),
     tell: Tell<'_>,
 ) -> Result<Finding, String> {
     let told = &mut |done: usize, total: usize, rows: &dyn Fn() -> Vec<Row>| {
@@ -271,7 +268,7 @@ fn battery(
     };
     let cases = stability::battery(false);
     let total = cases.len();
-    let rows = battery::run(cases, 2, (now_s, asked_to_stop), told);
+    let rows = battery::run(cases, threads, (now_s, asked_to_stop), told);
     let rows = rows.map_err(|error| error.to_string())?;
     let all = rows.len() == total;
     Ok(Finding::Battery(Arc::new(rows), all))
@@ -299,7 +296,7 @@ fn ballistic(study: &Study, effort: limit::Effort, tell: Tell<'_>) -> Result<Fin
 fn search(study: &Study, request: &Request, tell: Tell<'_>) -> Result<Finding, String> {
     let tell: searches::Tell<'_> =
         &mut |done, total, part| tell(done, total, &|| Finding::Search(part()));
-    searches::make(&study.scene, request, tell).map(|answer| Finding::Search(Some(answer)))
+    searches::make(study, request, tell).map(|answer| Finding::Search(Some(answer)))
 }
 
 #[cfg(test)]

@@ -28,6 +28,8 @@ pub struct SweepJob {
     pub id: u64,
     /// What is swept.
     pub plan: Arc<Plan>,
+    /// On how many threads.
+    pub threads: usize,
 }
 
 /// What the thread says of a sweep.
@@ -157,7 +159,8 @@ fn make(job: &SweepJob, stop: &AtomicBool, tell: &impl Fn(SweepBody)) -> SweepBo
             ControlFlow::Continue(())
         }
     };
-    let (ended, took) = contained(|| Ok(Arc::new(grid.fill(Crew::of_machine(), stop, &mut watch))));
+    let crew = Crew { threads: job.threads, ..Crew::of_machine() };
+    let (ended, took) = contained(|| Ok(Arc::new(grid.fill(crew, stop, &mut watch))));
     match ended {
         Ok(grid) => SweepBody::Ended { grid, took },
         Err(text) => SweepBody::Failed(text),
@@ -180,7 +183,7 @@ mod tests {
         let axis = |name, from, to| Axis::new(name, (from, to), count, Spacing::Linear).unwrap();
         let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
         let plan = Plan::new(&scene, axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
-        SweepJob { id, plan: Arc::new(plan) }
+        SweepJob { id, plan: Arc::new(plan), threads: 2 }
     }
 
     fn start() -> (Sweeps, Receiver<SweepReport>) {

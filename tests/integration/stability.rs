@@ -457,7 +457,7 @@ fn a_map_is_read_back_from_its_table() {
     let heads: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
     assert_eq!(heads, ["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s"]);
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let go_on = &mut |_, _| ControlFlow::Continue(());
+    let go_on = &mut |_: usize, _: usize, _: &map::Map| ControlFlow::Continue(());
     let map = map::map(&Scene::default(), (Method::Rk4, Axis::B), (10, 31), go_on);
     let columns = map.dt_s.len();
     assert_eq!(read.len(), map.values.len() * columns);

@@ -74,6 +74,16 @@ fn pipes_in_the_place_of_its_own_files_do_not_hold_it_up() {
 }
 
 #[test]
+fn a_level_of_the_log_makes_its_file() {
+    let environment = &[("CMRA_LOG", "debug")];
+    let mut terminal = started(Start { environment, ..Start::default() });
+    terminal.send("q");
+    assert_eq!(terminal.wait_exit(PROMPT).exit_code(), 0);
+    let log = fs::read_to_string(terminal.file("state/cmra/cmra.log")).expect("a log");
+    assert!(log.contains("INFO") && log.contains("started"), "{log}");
+}
+
+#[test]
 fn two_workbenches_at_once_lose_nothing_of_each_other() {
     let shared = tempfile::tempdir().unwrap();
     let state = shared.path().to_str().unwrap();

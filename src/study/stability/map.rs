@@ -131,6 +131,8 @@ pub enum Cell {
     TooManySteps,
     /// There is nothing to compare with.
     Unknown,
+    /// It has not been computed yet.
+    Waiting,
 }
 
 impl Cell {
@@ -143,6 +145,7 @@ impl Cell {
             Self::BlownUp => "blown up",
             Self::TooManySteps => "too many steps",
             Self::Unknown => "unknown",
+            Self::Waiting => "not computed",
         }
     }
 
@@ -151,9 +154,11 @@ impl Cell {
         match self {
             Self::Accurate => "accurate (1 %)",
             Self::Unknown => "nothing to compare with",
-            Self::Inaccurate | Self::Oscillating | Self::BlownUp | Self::TooManySteps => {
-                self.word()
-            }
+            Self::Inaccurate
+            | Self::Oscillating
+            | Self::BlownUp
+            | Self::TooManySteps
+            | Self::Waiting => self.word(),
         }
     }
 
@@ -166,6 +171,7 @@ impl Cell {
             Self::BlownUp => 'X',
             Self::TooManySteps => '.',
             Self::Unknown => '?',
+            Self::Waiting => ' ',
         }
     }
 }
@@ -195,6 +201,11 @@ impl Map {
     /// The cell of a row and a column.
     pub fn cell(&self, row: usize, column: usize) -> Cell {
         self.cells[row * self.dt_s.len() + column]
+    }
+
+    /// Whether every cell has been computed.
+    pub fn is_complete(&self) -> bool {
+        !self.cells.contains(&Cell::Waiting)
     }
 
     /// Row and column of the present point; `None` each where it lies outside.
@@ -229,8 +240,8 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
     variables::require_single(scene)
 }
 
-/// Asked before each row of a map with the rows done and all; `Break` leaves the cells of the rest unknown.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
+/// Asked before each row of a map with the rows done, all of them, and the map so far; `Break` leaves the rest waiting.
+pub type Watch<'a> = &'a mut dyn FnMut(usize, usize, &Map) -> ControlFlow<()>;
 
 /// Compute the map of a valid scene with `(rows, columns)` cells, both at least 2, as far as it is let.
 pub fn map(
@@ -247,30 +258,28 @@ pub fn map(
     );
     let dt_s = ratios((1e-5 * contact_s, contact_s), columns);
     let values = ratios(axis.range(), rows);
-    let (mut cells, mut limit_s) = (Vec::new(), Vec::new());
-    for (done, value) in values.iter().enumerate() {
-        if watch(done, values.len()).is_break() {
+    let mut map = Map {
+        method,
+        axis,
+        cells: vec![Cell::Waiting; rows * columns],
+        limit_s: vec![None; rows],
+        dt_s,
+        values,
+        present: (axis.get(scene), THESIS_DT_S),
+        largest_stable_dt_s: present.and_then(|target| limit(scene, method, &target.peaks)),
+    };
+    for row in 0..rows {
+        if watch(row, rows, &map).is_break() {
             break;
         }
         let mut own = scene.clone();
-        axis.set(&mut own, *value);
+        axis.set(&mut own, map.values[row]);
         let target = Target::of(&own);
-        limit_s.push(target.and_then(|target| limit(&own, method, &target.peaks)));
-        cells.extend(dt_s.iter().map(|dt_s| cell(&own, method, *dt_s, target.as_ref())));
+        map.limit_s[row] = target.and_then(|target| limit(&own, method, &target.peaks));
+        let cells = map.cells.iter_mut().skip(row * columns).zip(&map.dt_s);
+        cells.for_each(|(seen, dt_s)| *seen = cell(&own, method, *dt_s, target.as_ref()));
     }
-    cells.resize(values.len() * columns, Cell::Unknown);
-    limit_s.resize(values.len(), None);
-    let present_limit = present.and_then(|target| limit(scene, method, &target.peaks));
-    Map {
-        method,
-        axis,
-        dt_s,
-        values,
-        cells,
-        limit_s,
-        present: (axis.get(scene), THESIS_DT_S),
-        largest_stable_dt_s: present_limit,
-    }
+    map
 }
 
 fn ratios((low, high): (f64, f64), count: usize) -> Vec<f64> {

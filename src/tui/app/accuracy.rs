@@ -9,7 +9,7 @@ use crate::model::scene::Scene;
 use crate::model::units::Engineering;
 use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Report};
-use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
 
 /// The accuracies asked for in the table and in the answers.
 pub const TARGETS: [f64; 2] = [1e-6, 1e-9];
@@ -177,22 +177,14 @@ impl Accuracy {
         }
     }
 
-    /// Move the crosshair by a share of the span in view.
-    pub fn move_cursor(&mut self, share: f64) {
+    /// Move the crosshair by columns of a plot so wide; it starts in the middle.
+    pub fn move_cursor(&mut self, columns: i32, width: u16) {
         let (Some((least, most)), Some(view)) = (self.times_s(), self.times()) else {
             return;
         };
-        let moved = match self.view.time_scale {
-            Scale::Log10 => {
-                let here = self.cursor_s.unwrap_or_else(|| (view.lo() * view.hi()).sqrt());
-                here * (view.hi() / view.lo()).powf(share)
-            }
-            Scale::Linear => {
-                let here = self.cursor_s.unwrap_or_else(|| 0.5 * (view.lo() + view.hi()));
-                here + share * view.span()
-            }
-        };
-        self.cursor_s = Some(moved.clamp(least, most));
+        let view = Mapping::new(self.view.time_scale, view, width);
+        let here = self.cursor_s.unwrap_or_else(|| view.value(width / 2));
+        self.cursor_s = Some(view.stepped(here, columns).clamp(least, most));
     }
 
     /// The spread of the timings as strokes with gaps between, method by method: from the least time to the median and its
@@ -260,7 +252,7 @@ impl App {
             let (done, total) = measuring.points.unwrap_or_default();
             let text = match total {
                 0 => "measuring (Esc cancels)".to_owned(),
-                _ => format!("measuring: {done} of {total} points (Esc cancels)"),
+                _ => format!("measuring: {} of {total} points (Esc cancels)", done.min(total)),
             };
             parts.push(same(Severity::Note, text));
         } else if self.accuracy_is_old() {
@@ -312,8 +304,18 @@ impl App {
         parts
     }
 
-    /// What some accuracies cost here, one line each.
+    /// Which method `auto` uses for this scene, and why.
+    pub fn auto_sentence(&self) -> Option<String> {
+        let cost = &self.shown.as_ref().filter(|_| !self.is_stale())?.run.cost;
+        Some(format!("auto uses {} for this scene: {}", cost.method, cost.reason))
+    }
+
+    /// What `auto` uses, and what some accuracies cost here, one line each.
     pub fn accuracy_answers(&self) -> Vec<String> {
+        self.auto_sentence().into_iter().chain(self.costs()).collect()
+    }
+
+    fn costs(&self) -> Vec<String> {
         let Some(report) = &self.accuracy.report else {
             return Vec::new();
         };

@@ -7,7 +7,7 @@ use super::App;
 use super::quantity::Quantity;
 use super::runs::RunView;
 use crate::model::run::Run;
-use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
 use coarse::Coarse;
 
 pub mod coarse;
@@ -224,18 +224,13 @@ impl App {
         }
     }
 
-    /// Move the crosshair by columns of the chart; it starts in the middle and stays in the range.
-    ///
-    /// `width` is the number of columns of the plot.
-    pub fn move_cursor(&mut self, columns: f64, width: u16) {
+    /// Move the crosshair by columns of a plot so wide; it starts in the middle and stays in the range.
+    pub fn move_cursor(&mut self, columns: i32, width: u16) {
         let (from, to) = self.time_range_s();
-        let width = f64::from(width.max(1));
-        let step = (to - from) / width;
-        let here = self.charts.cursor_s.unwrap_or(0.5 * (from + to) - columns * step);
-        self.charts.cursor_s = Some(match self.charts.time_scale {
-            Scale::Linear => (here + columns * step).clamp(from, to),
-            Scale::Log10 => (here.max(from) * (to / from).powf(columns / width)).clamp(from, to),
-        });
+        let view = Mapping::new(self.charts.time_scale, ViewRange::new(from, to), width);
+        let middle = || view.value(width / 2);
+        let moved = self.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
+        self.charts.cursor_s = Some(moved);
     }
 
     /// Move the crosshair to the next or previous event of the current run and bring it into view; gives its name.

@@ -2,6 +2,9 @@
 
 use tui_input::Input;
 
+use crate::model::results::{RESULTS, ResultColumn};
+use crate::study::sweep;
+
 /// The field of `/` while it is open, and the texts that lists are filtered by.
 #[derive(Clone, Debug, Default)]
 pub struct Find {
@@ -41,6 +44,29 @@ pub fn ranked<T>(items: impl Iterator<Item = T>, rank: impl Fn(&T) -> Option<usi
     found.sort_by_key(|(rank, _)| *rank);
     found.into_iter().map(|(_, item)| item).collect()
 }
+
+/// The quantity that is called so on the screen, or by its key.
+///
+/// # Errors
+/// That there is none, with the titles of the nearest.
+pub fn quantity_called(text: &str) -> Result<&'static ResultColumn, String> {
+    let text = text.trim();
+    let titled = RESULTS.iter().find(|column| column.title().eq_ignore_ascii_case(text));
+    if let Some(found) = titled.or_else(|| sweep::output(text).ok()) {
+        return Ok(found);
+    }
+    let matching = ranked(RESULTS.iter(), |column| rank(text, &[&column.title()], column.meaning));
+    let near: Vec<String> = matching.iter().take(NEAR).map(|column| column.title()).collect();
+    let hint = if near.is_empty() {
+        "l steps through all of them".to_owned()
+    } else {
+        format!("there are {}", near.join(", "))
+    };
+    Err(format!("no quantity is called `{text}`: {hint}"))
+}
+
+/// Quantities that are named where none is called so.
+const NEAR: usize = 4;
 
 /// Lower case, words apart by one blank: `figure 9.8` and `figure-9.8` are the same.
 fn plain(text: &str) -> String {

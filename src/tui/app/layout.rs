@@ -15,6 +15,8 @@ const NARROW: u16 = 72;
 const SEARCH_SETUP: u16 = 30;
 /// From this width on: three stacked charts.
 const WIDE: u16 = 100;
+/// Columns of the list of variables there: symbol, label, value and unit.
+const VARIABLES: u16 = 52;
 /// From this width on: names of runs in full beside their results.
 const ROOMY: u16 = 120;
 /// From this width on: events and energy beside the charts.
@@ -282,7 +284,8 @@ fn parts(wanted: &Wanted, body: Area) -> Body {
 
 /// The comparison above the residual velocity and the map; the pane that has the keys alone where there is no room for three.
 fn limit(body: Area, focus: Pane, full_pane: bool) -> LimitPanes {
-    let alone = full_pane || body.height < COMPARISON_ROWS + 8;
+    let rows = if body.height < ROOM_FOR_FIGURES { VERDICT_ROWS } else { COMPARISON_ROWS };
+    let alone = full_pane || body.height < rows + 8;
     if alone {
         let of = |pane| (focus == pane).then_some(body);
         return LimitPanes {
@@ -292,7 +295,7 @@ fn limit(body: Area, focus: Pane, full_pane: bool) -> LimitPanes {
         };
     }
     let (below, comparison) = {
-        let (top, rest) = body.split_bottom(body.height - COMPARISON_ROWS);
+        let (top, rest) = body.split_bottom(body.height - rows);
         (rest, top)
     };
     if body.width < NARROW {
@@ -307,8 +310,10 @@ fn limit(body: Area, focus: Pane, full_pane: bool) -> LimitPanes {
     LimitPanes { comparison: Some(comparison), residual: Some(left), map: Some(right) }
 }
 
-/// Rows of the comparison, frame included.
+/// Rows of the comparison, frame included; of the verdict alone where the body is lower than this, so that charts can be read.
 const COMPARISON_ROWS: u16 = 10;
+const VERDICT_ROWS: u16 = 6;
+const ROOM_FOR_FIGURES: u16 = 26;
 
 fn full(body: Area, focus: Pane) -> Panes {
     match focus {
@@ -334,7 +339,7 @@ fn narrow(body: Area, height: u16, focus: Pane, pins: usize) -> Panes {
 }
 
 fn wide(body: Area, height: u16, focus: Pane, pins: usize) -> Panes {
-    let (left, mut right) = body.split_left(if body.width >= ROOMY { 52 } else { 48 });
+    let (left, mut right) = body.split_left(VARIABLES);
     let mut panes = Panes::default();
     if height >= TALL || focus == Pane::Runs {
         let wanted = runs_height(pins).min(body.height / 2);
@@ -425,9 +430,12 @@ fn surface(body: Area, focus: Pane, full_pane: bool) -> SweepPanes {
     SweepPanes { setup, plots: vec![map], scale: Some(scale), slices }
 }
 
+/// Rows of what `auto` uses and what two accuracies cost.
+const ANSWER_ROWS: u16 = 3;
+
 /// The chart beside the methods, or alone, and a row for each answer below.
 fn accuracy(body: Area, alone: bool) -> AccuracyPanes {
-    let (top, answers) = body.split_bottom(2);
+    let (top, answers) = body.split_bottom(ANSWER_ROWS);
     let wanted = match body.width {
         _ if alone => 0,
         0..72 => 29,

@@ -352,7 +352,7 @@ impl App {
         let mut parts = vec![match (&tab.finding, &tab.report) {
             (Some(finding), _) => {
                 let of = finding.points.map_or_else(String::new, |(done, total)| {
-                    format!(": {done} of about {total} shots")
+                    format!(": {} of about {total} shots", done.min(total))
                 });
                 same(Severity::Note, format!("finding the limit{of} (Esc cancels)"))
             }

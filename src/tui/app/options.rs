@@ -14,6 +14,8 @@ pub enum OptionRow {
     Mouse,
     /// Whether every edit runs.
     AutoRun,
+    /// On how many threads sweeps and studies run.
+    Threads,
     /// The law of the interface.
     Interface,
     /// The contact model.
@@ -22,11 +24,12 @@ pub enum OptionRow {
 
 impl OptionRow {
     /// All lines, in order.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Characters,
         Self::Colours,
         Self::Mouse,
         Self::AutoRun,
+        Self::Threads,
         Self::Interface,
         Self::Contact,
     ];
@@ -42,6 +45,10 @@ impl OptionRow {
             Self::Colours => ("colours", app.theme.depth.word().to_owned()),
             Self::Mouse => ("mouse", on(app.mouse)),
             Self::AutoRun => ("auto-run", on(app.auto_run)),
+            Self::Threads => (
+                "threads",
+                app.threads.map_or_else(|| "one a core".to_owned(), |count| count.to_string()),
+            ),
             Self::Interface => ("interface law", of("interface.law")),
             Self::Contact => ("contact model", of("contact.model")),
         }
@@ -56,6 +63,7 @@ impl OptionRow {
                 "on: a click selects, a second one opens, the wheel moves; off: the terminal selects text"
             }
             Self::AutoRun => "on: every edit runs at once; off: r runs",
+            Self::Threads => "how many threads sweeps and studies use",
             Self::Interface => "whether projectile and plate stay together after the first arrest",
             Self::Contact => "the force between projectile and plate",
         }

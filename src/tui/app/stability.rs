@@ -94,6 +94,14 @@ impl Stability {
         }
     }
 
+    /// Show a map; one of another variable has its cursor elsewhere.
+    pub fn show_map(&mut self, scene: Arc<Scene>, map: Arc<Map>) {
+        if self.map.as_ref().is_some_and(|(_, old)| old.axis != map.axis) {
+            self.cursor = None;
+        }
+        self.map = Some((scene, map));
+    }
+
     /// Sort the table in the next order.
     pub fn sort_next(&mut self) {
         self.order = match self.order {
@@ -177,6 +185,7 @@ impl App {
             match (&tab.running, &tab.battery) {
                 (Some(running), _) => {
                     let (done, total) = running.points.unwrap_or_default();
+                    let done = done.min(total);
                     let of = if total > 0 { format!(": {done} of {total}") } else { String::new() };
                     parts.push(same(
                         Severity::Note,
@@ -197,10 +206,17 @@ impl App {
             }
             return parts;
         }
-        if tab.mapping.is_some() {
-            parts.push(same(Severity::Note, "computing the map (Esc cancels)".to_owned()));
+        let complete = tab.map.as_ref().is_none_or(|(_, map)| map.is_complete());
+        if let Some(mapping) = &tab.mapping {
+            let of = mapping.points.map_or_else(String::new, |(done, total)| {
+                format!(": {} of {total} rows", done.min(total))
+            });
+            let text = format!("computing the map{of} (Esc cancels)");
+            parts.push(same(Severity::Note, text));
         } else if self.map_is_old() {
             parts.push(same(Severity::Warning, "another scene's map: press r".to_owned()));
+        } else if !complete {
+            parts.push(same(Severity::Warning, "cancelled: press r".to_owned()));
         }
         if let Some((_, map)) = &tab.map {
             parts.push(same(

@@ -158,9 +158,9 @@ impl App {
         let mut parts = Vec::new();
         match (&tab.running, &tab.report) {
             (Some(running), _) => {
-                let of = running
-                    .points
-                    .map_or_else(String::new, |(done, total)| format!(": {done} of {total}"));
+                let of = running.points.map_or_else(String::new, |(done, total)| {
+                    format!(": {} of {total}", done.min(total))
+                });
                 parts.push(note(format!("checking the claims{of} (Esc cancels)")));
             }
             (None, None) => parts.push(note("no results yet: press r".to_owned())),

@@ -6,7 +6,7 @@ use ratatui::text::Span;
 
 use super::canvas::Canvas;
 use super::layout::Layout;
-use super::scale::Mapping;
+use super::scale::{Mapping, Scale};
 use super::ticks::{Tick, label_start};
 use super::trace::trace;
 use super::{Chart, Curve, Emphasis, EventLine, Labels, Side};
@@ -131,17 +131,34 @@ impl Painter<'_> {
                 continue;
             };
             let y = self.row(cell);
-            // A label of the axis in this row has another value: the line would seem to stand at it.
+            // A label of the axis in this row may have another value: the level's own takes its place.
             let labelled = self.layout.y_ticks.labelled.iter().any(|tick| tick.cell == cell);
             if let (true, Some(axis)) = (labelled, self.layout.axis_left) {
-                for x in self.layout.inner.left()..axis {
-                    self.put(x, y, ' ', style);
-                }
+                let room = usize::from(axis - self.layout.inner.left());
+                let own = self.level_label(level.y, room);
+                let text = self.theme.style(Role::Text);
+                self.buffer.set_string(self.layout.inner.left(), y, format!("{own:>room$}"), text);
             }
             for x in (plot.left()..plot.right()).step_by(step) {
                 self.put(x, y, dotted, style);
             }
         }
+    }
+
+    /// The value of a level as the axis has it, with fewer digits where there is less room; empty where none fit.
+    fn level_label(&self, value: f64, room: usize) -> String {
+        let exponent = self.layout.y_ticks.exponent;
+        let shown = value * self.chart.y.unit.factor / 10f64.powi(exponent);
+        let digits = |count: usize| {
+            let rounded = format!("{shown:.*e}", count - 1);
+            let value: f64 = rounded.parse().unwrap_or(shown);
+            if self.chart.y.scale == Scale::Log10 {
+                format!("{value:e}")
+            } else {
+                value.to_string()
+            }
+        };
+        (1..=4).rev().map(digits).find(|text| text.len() < room).unwrap_or_default()
     }
 
     /// The tags of levels, each as far right as no curve runs through it; without such a place it is left out.

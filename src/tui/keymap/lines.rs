@@ -57,7 +57,7 @@ const CHARTS: &[Pane] =
 /// The forms and lists whose rows have a value.
 const FORMS: &[Pane] = &[Pane::Variables, Pane::ExploreSetup, Pane::SearchSetup, Pane::Screening];
 /// The tables.
-const TABLES: &[Pane] = &[Pane::Search, Pane::Battery, Pane::Claims, Pane::Runs];
+const TABLES: &[Pane] = &[Pane::Search, Pane::Battery, Pane::Claims];
 
 use KeyCode as C;
 
@@ -104,7 +104,7 @@ pub static LINES: &[Line] = &[
     everywhere(&[(A::Run, "run", &[plain('r')])], "run again what this page computes"),
     everywhere(&[(A::Export, "export", &[plain('e')]), (A::Copy, "copy", &[plain('y')])], "export, copy what this page shows"),
     everywhere(&[(A::Presets, "presets", &[plain('p')]), (A::Save, "save", &[plain('s')])], "presets, threats, materials and absorbers; save the scene"),
-    everywhere(&[(A::Options, "options", &[plain('o')])], "options: characters, colours, mouse, auto-run, models"),
+    everywhere(&[(A::Options, "options", &[plain('o')])], "options: characters, colours, mouse, auto-run, threads, models"),
     everywhere(&[(A::FullPane, "full-pane", &[plain('z')])], "show this pane alone"),
     everywhere(&[(A::Quit, "quit", &[plain('q')]), (A::QuitWithSummary, "quit-with-summary", &[plain('Q')])], "quit (the session is kept), quit and print a summary"),
     everywhere(&[(A::Cancel, "cancel", &[ctrl('c')])], "cancel the job; pressed twice: quit"),

@@ -14,8 +14,11 @@ use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::Scale;
 use crate::tui::keymap::Action;
 use crate::tui::message::{Effect, Message};
+use crate::tui::view::pointer::plot_columns;
 use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
 
+/// Columns of a plot that is not drawn.
+const FEW_COLUMNS: u16 = 40;
 /// One zoom step.
 const ZOOM: f64 = 2.0;
 /// One pan step, as a share of the span.
@@ -31,16 +34,16 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
 
 /// What an action does here; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    let column = 1.0 / f64::from(app.layout().chart_columns().max(1));
+    let columns = plot_columns(app).unwrap_or(FEW_COLUMNS);
     match action {
         Action::Run => return Some(measure(app)),
         Action::Enter => return Some(use_method(app)),
         Action::Export => table::open(app, Table::Accuracy),
         Action::Copy => return Some(table::copy(app, Table::Accuracy)),
-        Action::Left => app.accuracy.move_cursor(-column),
-        Action::Right => app.accuracy.move_cursor(column),
-        Action::FarLeft => app.accuracy.move_cursor(-10.0 * column),
-        Action::FarRight => app.accuracy.move_cursor(10.0 * column),
+        Action::Left => app.accuracy.move_cursor(-1, columns),
+        Action::Right => app.accuracy.move_cursor(1, columns),
+        Action::FarLeft => app.accuracy.move_cursor(-10, columns),
+        Action::FarRight => app.accuracy.move_cursor(10, columns),
         Action::ZoomIn => app.accuracy.zoom(ZOOM),
         Action::ZoomOut => app.accuracy.zoom(1.0 / ZOOM),
         Action::ZoomFit => app.accuracy.view.times = None,
@@ -138,14 +141,10 @@ fn look(app: &mut App, action: Action) {
 }
 
 fn measure(app: &mut App) -> Vec<Effect> {
-    let id = app.jobs.next_id();
     let scene = Arc::clone(&app.scene);
-    let measuring = Measuring { id, scene: Arc::clone(&scene), points: None, long: false };
+    let (measuring, effects) = jobs::study(app, StudyKind::Accuracy(Effort::FULL), scene);
     app.accuracy.measuring = Some(measuring);
-    vec![
-        Effect::Study(Study { id, scene, kind: StudyKind::Accuracy(Effort::FULL) }),
-        Effect::After(jobs::LONG, Message::LongJob(id)),
-    ]
+    effects
 }
 
 fn show_or_hide(app: &mut App) {

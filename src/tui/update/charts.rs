@@ -27,10 +27,10 @@ pub(super) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     }
     match action {
         A::Mark => return Some(runs::pin_scene(app)),
-        A::Left => app.move_cursor(-1.0, width),
-        A::Right => app.move_cursor(1.0, width),
-        A::FarLeft => app.move_cursor(-10.0, width),
-        A::FarRight => app.move_cursor(10.0, width),
+        A::Left => app.move_cursor(-1, width),
+        A::Right => app.move_cursor(1, width),
+        A::FarLeft => app.move_cursor(-10, width),
+        A::FarRight => app.move_cursor(10, width),
         A::EventNext => event(app, true),
         A::EventPrevious => event(app, false),
         A::ZoomIn => app.zoom(ZOOM),

@@ -4,11 +4,14 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::model::run::{Run, Warning};
+use crate::model::scene::Scene;
 use crate::tui::app::App;
+use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::runs::{InFlight, Shown};
 use crate::tui::app::status::warning_text;
 use crate::tui::message::{Effect, Message};
+use crate::worker::studies::{Study, StudyKind};
 use crate::worker::{Job, Report, ReportBody, Slot};
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
@@ -70,6 +73,14 @@ pub(super) fn submit_pins(app: &mut App) -> Vec<Effect> {
         }
     }
     effects
+}
+
+/// Ask for a study of a scene; what is to be kept of it while it runs, and the effects.
+pub(super) fn study(app: &mut App, kind: StudyKind, scene: Arc<Scene>) -> (Measuring, Vec<Effect>) {
+    let (id, threads) = (app.jobs.next_id(), app.crew());
+    let measuring = Measuring { id, scene: Arc::clone(&scene), points: None, long: false };
+    let study = Study { id, scene, kind, threads };
+    (measuring, vec![Effect::Study(study), Effect::After(LONG, Message::LongJob(id))])
 }
 
 /// The quiet time after an edit is over.

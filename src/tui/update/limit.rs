@@ -5,13 +5,12 @@ use std::sync::Arc;
 use super::act::{cursor_moved, rows_moved};
 use super::{edit, jobs, runs, table};
 use crate::tui::app::App;
-use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Table, wrap};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Pane};
-use crate::tui::message::{Effect, Message};
+use crate::tui::message::Effect;
 use crate::worker::searches::{Answer, Request};
-use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
+use crate::worker::studies::{Finding, StudyBody, StudyKind};
 
 /// Far along the curve, in shots, and over the map, in cells.
 const FAR: isize = 5;
@@ -172,11 +171,10 @@ fn compare(app: &mut App) -> Vec<Effect> {
             return Vec::new();
         }
     };
-    let id = app.jobs.next_id();
-    app.limit.comparing =
-        Some(Measuring { id, scene: Arc::clone(&scene), points: None, long: false });
     let kind = StudyKind::Search(Arc::new(Request::Compare));
-    vec![Effect::Study(Study { id, scene, kind }), Effect::After(jobs::LONG, Message::LongJob(id))]
+    let (comparing, effects) = jobs::study(app, kind, scene);
+    app.limit.comparing = Some(comparing);
+    effects
 }
 
 /// A report of the comparison under way.
@@ -212,12 +210,10 @@ fn turn(app: &mut App, by: isize) {
 }
 
 fn find(app: &mut App) -> Vec<Effect> {
-    let id = app.jobs.next_id();
-    let scene = Arc::clone(&app.scene);
-    let finding = Measuring { id, scene: Arc::clone(&scene), points: None, long: false };
+    let (kind, scene) = (StudyKind::Limit(app.limit.effort()), Arc::clone(&app.scene));
+    let (finding, effects) = jobs::study(app, kind, scene);
     app.limit.finding = Some(finding);
-    let kind = StudyKind::Limit(app.limit.effort());
-    vec![Effect::Study(Study { id, scene, kind }), Effect::After(jobs::LONG, Message::LongJob(id))]
+    effects
 }
 
 /// A report of the study under way.

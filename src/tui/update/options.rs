@@ -1,10 +1,11 @@
-//! The options: characters, colours, mouse, auto-run, interface law and contact model, each switched by name.
+//! The options: characters, colours, mouse, auto-run, threads, interface law and contact model, each switched by name.
 
 use crossterm::event::{KeyCode, KeyEvent};
 
 use crate::model::variables::{Kind, VARIABLES, Value};
+use crate::study::sweep::crew::Crew;
 use crate::tui::app::App;
-use crate::tui::app::dialog::{Dialog, Picker};
+use crate::tui::app::dialog::{Dialog, Picker, wrap};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::options::OptionRow;
 use crate::tui::keymap::Action;
@@ -66,6 +67,14 @@ fn change(app: &mut App, row: OptionRow, forward: bool) -> Vec<Effect> {
             let mut effects = if run { jobs::run_now(app) } else { Vec::new() };
             effects.push(Effect::SaveSession);
             effects
+        }
+        OptionRow::Threads => {
+            // In a circle: one a core, then 1, 2, up to as many as there are cores.
+            let most = Crew::of_machine().threads;
+            let now = app.threads.map_or(0, |count| count.min(most));
+            let next = wrap(now, if forward { 1 } else { -1 }, most + 1);
+            app.threads = (next > 0).then_some(next);
+            vec![Effect::SaveSession]
         }
         OptionRow::Interface => next_word(app, "interface.law", forward),
         OptionRow::Contact => next_word(app, "contact.model", forward),

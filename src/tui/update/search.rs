@@ -14,8 +14,8 @@ use crate::model::results::RESULTS;
 use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::seek::SCAN;
 use crate::tui::app::App;
-use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::{Table, wrap};
+use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::layout::Body;
 use crate::tui::app::notice::Severity;
@@ -24,8 +24,8 @@ use crate::tui::app::search::setup::Setup;
 use crate::tui::app::search::{Found, Page, Row, SearchField};
 use crate::tui::app::sweep::numeric;
 use crate::tui::keymap::{Action, Pane};
-use crate::tui::message::{Effect, Message};
-use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
+use crate::tui::message::Effect;
+use crate::worker::studies::{Finding, StudyBody, StudyKind};
 
 /// Far along a front, in designs.
 const FAR: isize = 10;
@@ -156,13 +156,11 @@ fn look(app: &mut App) -> Vec<Effect> {
         }
     };
     app.searching.problem = None;
-    let id = app.jobs.next_id();
-    let scene = Arc::clone(&app.scene);
-    app.searching.running =
-        Some(Measuring { id, scene: Arc::clone(&scene), points: None, long: false });
     app.searching.asked = Some((page, Arc::clone(&request)));
-    let kind = StudyKind::Search(request);
-    vec![Effect::Study(Study { id, scene, kind }), Effect::After(jobs::LONG, Message::LongJob(id))]
+    let scene = Arc::clone(&app.scene);
+    let (running, effects) = jobs::study(app, StudyKind::Search(request), scene);
+    app.searching.running = Some(running);
+    effects
 }
 
 /// Load the design under the cursor into the scene.
@@ -406,8 +404,7 @@ fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
     let scene = Arc::clone(&app.scene);
     let bounds = app.search_bounds();
     let setup = &mut app.searching.setup;
-    let name =
-        |text: &str| quantity(text).map(|column| column.name).map_err(|error| error.to_string());
+    let name = |text: &str| quantity_called(text).map(|column| column.name);
     match row {
         Row::Name => setup.seek = bound(&scene, text)?,
         Row::From | Row::To => setup.seek = read_end(&setup.seek, row == Row::From, text)?,

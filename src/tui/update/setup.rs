@@ -15,10 +15,11 @@ use crate::model::results::RESULTS;
 use crate::model::scene::{Scene, Sweep};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, Number, VARIABLES, Variable};
+use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
-use crate::study::sweep::{self, Axis};
 use crate::tui::app::App;
 use crate::tui::app::dialog::wrap;
+use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::Setting;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::steps::{self, Size};
@@ -163,9 +164,7 @@ fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Ve
             return tried(app, picture, |sweeping| sweeping.visits.curves = curves);
         }
         SetupRow::Output => {
-            let titled = RESULTS.iter().find(|one| one.title().eq_ignore_ascii_case(text));
-            let output = sweep::output(titled.map_or(text, |one| one.name))
-                .map_err(|error| error.to_string())?;
+            let output = quantity_called(text)?;
             let at = app.sweeping.output.min(sweep.outputs.len() - 1);
             return Ok(choose_output(app, sweep, at, output.name));
         }

@@ -8,12 +8,11 @@ use crate::model::units::significant;
 use crate::model::variables::{VARIABLES, Value};
 use crate::study::stability::map::{Axis, Method};
 use crate::tui::app::App;
-use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::Table;
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Pane};
-use crate::tui::message::{Effect, Message};
-use crate::worker::studies::{Finding, Study, StudyBody, StudyKind, StudyReport};
+use crate::tui::message::Effect;
+use crate::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
 
 /// Far along the map.
 const FAR: isize = 10;
@@ -26,7 +25,8 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
         return if there { Vec::new() } else { battery(app) };
     }
     let there = tab.map.as_ref().is_some_and(|(scene, map)| {
-        *scene == app.scene && map.method == tab.method && map.axis == tab.axis
+        let is_wanted = map.method == tab.method && map.axis == tab.axis;
+        *scene == app.scene && is_wanted && map.is_complete()
     });
     let coming = tab.mapping.as_ref().is_some_and(|study| study.scene == app.scene);
     if there || coming { Vec::new() } else { map(app) }
@@ -109,27 +109,18 @@ fn load(app: &mut App) -> Vec<Effect> {
     }
 }
 
-fn study(app: &mut App, kind: StudyKind) -> (Measuring, Vec<Effect>) {
-    let id = app.jobs.next_id();
-    let scene = Arc::clone(&app.scene);
-    let measuring = Measuring { id, scene: Arc::clone(&scene), points: None, long: false };
-    let effects = vec![
-        Effect::Study(Study { id, scene, kind }),
-        Effect::After(jobs::LONG, Message::LongJob(id)),
-    ];
-    (measuring, effects)
-}
-
 fn map(app: &mut App) -> Vec<Effect> {
     let kind = StudyKind::Map(app.stability.method, app.stability.axis);
-    let (measuring, effects) = study(app, kind);
-    app.stability.mapping = Some(measuring);
+    let scene = Arc::clone(&app.scene);
+    let (mapping, effects) = jobs::study(app, kind, scene);
+    app.stability.mapping = Some(mapping);
     effects
 }
 
 fn battery(app: &mut App) -> Vec<Effect> {
-    let (measuring, effects) = study(app, StudyKind::Battery);
-    app.stability.running = Some(measuring);
+    let scene = Arc::clone(&app.scene);
+    let (running, effects) = jobs::study(app, StudyKind::Battery, scene);
+    app.stability.running = Some(running);
     effects
 }
 
@@ -147,11 +138,17 @@ pub(super) fn report(app: &mut App, report: StudyReport) {
             tab.running = None;
             tab.battery = Some((rows, all));
         }
-        StudyBody::Ended(Finding::Map(map)) => {
-            if tab.map.as_ref().is_some_and(|(_, old)| old.axis != map.axis) {
-                tab.cursor = None;
+        StudyBody::Part { done, total, part: Finding::Map(map) } => {
+            if let Some(mapping) = &mut tab.mapping {
+                mapping.points = Some((done, total));
+                let scene = Arc::clone(&mapping.scene);
+                tab.show_map(scene, map);
             }
-            tab.map = tab.mapping.take().map(|mapping| (mapping.scene, map));
+        }
+        StudyBody::Ended(Finding::Map(map)) => {
+            if let Some(mapping) = tab.mapping.take() {
+                tab.show_map(mapping.scene, map);
+            }
         }
         StudyBody::Failed(text) => {
             if tab.mapping.as_ref().is_some_and(|it| it.id == report.id) {

@@ -85,7 +85,7 @@ pub(super) fn compute(app: &mut App) -> Vec<Effect> {
                 warned: false,
             });
             vec![
-                Effect::Sweep(SweepJob { id, plan }),
+                Effect::Sweep(SweepJob { id, plan, threads: app.crew() }),
                 Effect::After(jobs::LONG, Message::LongJob(id)),
             ]
         }

@@ -9,7 +9,6 @@ use crate::model::units::significant;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 use crate::study::thesis::Opens;
-use crate::tui::app::accuracy::Measuring;
 use crate::tui::app::dialog::Table;
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::notice::Severity;
@@ -17,8 +16,8 @@ use crate::tui::app::steps::Size;
 use crate::tui::app::sweep::{Picture, Spread};
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::keymap::{Action, Pane};
-use crate::tui::message::{Effect, Message};
-use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
+use crate::tui::message::Effect;
+use crate::worker::studies::{Finding, StudyBody, StudyKind};
 
 /// A step of a weight, percent.
 const STEP: f64 = 1.0;
@@ -95,14 +94,10 @@ fn weigh(app: &mut App, weights: [f64; 7], stepped: Option<usize>) {
 }
 
 fn check(app: &mut App) -> Vec<Effect> {
-    let id = app.jobs.next_id();
     let scene = Arc::clone(&app.scene);
-    app.thesis.running =
-        Some(Measuring { id, scene: Arc::clone(&scene), points: None, long: false });
-    vec![
-        Effect::Study(Study { id, scene, kind: StudyKind::Thesis }),
-        Effect::After(jobs::LONG, Message::LongJob(id)),
-    ]
+    let (running, effects) = jobs::study(app, StudyKind::Thesis, scene);
+    app.thesis.running = Some(running);
+    effects
 }
 
 /// Open what the selected row shows, as one edit: a sweep in its tab, another scene in the Run tab.

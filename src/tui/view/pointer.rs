@@ -52,13 +52,18 @@ pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
     }
 }
 
-/// The columns of the plot of the charts of the Run tab, as they are drawn; `None` where none is.
+/// The columns of the plot over time or run time, as it is drawn; `None` where none is.
 pub fn plot_columns(app: &App) -> Option<u16> {
-    let Body::Run(panes) = app.layout().body else { return None };
-    let areas: Vec<Rect> = panes.charts.iter().copied().map(rect).collect();
     let mut unseen = Buffer::empty(Rect::new(0, 0, app.size.0, app.size.1));
-    let layouts = charts::render(app, &areas, false, &mut unseen);
-    layouts.first().map(|layout| layout.plot.width).filter(|width| *width > 1)
+    let layout = match app.layout().body {
+        Body::Run(panes) => {
+            let areas: Vec<Rect> = panes.charts.iter().copied().map(rect).collect();
+            charts::render(app, &areas, false, &mut unseen).into_iter().next()
+        }
+        Body::Accuracy(panes) => accuracy::render(app, &panes, &mut unseen).0,
+        _ => None,
+    };
+    layout.map(|layout| layout.plot.width).filter(|width| *width > 1)
 }
 
 /// A row of the list in the dialog on top, or beside the dialog.

@@ -50,7 +50,7 @@ fn role(cell: Cell) -> Role {
         Cell::Inaccurate => Role::Warning,
         Cell::Oscillating => Role::Curve(1),
         Cell::BlownUp => Role::Error,
-        Cell::TooManySteps | Cell::Unknown => Role::Dim,
+        Cell::TooManySteps | Cell::Unknown | Cell::Waiting => Role::Dim,
     }
 }
 

@@ -44,12 +44,6 @@ impl Columns {
     }
 }
 
-/// The meaning in a few words: what stands before the first colon, bracket or comma.
-fn brief(meaning: &str, room: u16) -> String {
-    let end = meaning.find([':', '(', ';', ',']).unwrap_or(meaning.len());
-    clip(meaning[..end].trim_end(), usize::from(room.saturating_sub(1)))
-}
-
 /// Draw the pane.
 pub(super) fn render(
     app: &App,
@@ -135,7 +129,7 @@ fn variable(
     let columns_of = Columns::of(list.width);
     put(buffer, list, (SYMBOL, row), variable.symbol, style);
     if columns_of.meaning > 0 {
-        let text = brief(variable.meaning, columns_of.meaning);
+        let text = clip(variable.label, usize::from(columns_of.meaning - 1));
         put(buffer, list, (VALUE, row), &text, app.theme.style(Role::Dim));
     }
     if let Some(field) = field {

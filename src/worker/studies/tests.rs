@@ -55,7 +55,8 @@ fn a_cancelled_study_keeps_what_it_has() {
 fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
     let go_on = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| ControlFlow::Continue(());
     // The other methods are left out: their time is past.
-    let found = battery(&|| 2.0 * battery::OTHERS_UNTIL_S, &AtomicBool::new(false), go_on).unwrap();
+    let found =
+        battery(2, (&|| 2.0 * battery::OTHERS_UNTIL_S, &AtomicBool::new(false)), go_on).unwrap();
     let Finding::Battery(rows, true) = found else { panic!("not the whole battery") };
     let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
     let cases: Vec<&str> = stability::battery(false).iter().map(|case| case.name).collect();
@@ -69,7 +70,8 @@ fn a_stopped_battery_keeps_what_it_has() {
         asked += 1;
         if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let found = battery(&|| 2.0 * battery::OTHERS_UNTIL_S, &AtomicBool::new(false), stop).unwrap();
+    let found =
+        battery(2, (&|| 2.0 * battery::OTHERS_UNTIL_S, &AtomicBool::new(false)), stop).unwrap();
     let Finding::Battery(rows, false) = found else { panic!("the whole battery") };
     assert!(rows.len() >= 3 && rows.len() < stability::battery(false).len());
 }

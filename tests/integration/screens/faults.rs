@@ -1,12 +1,15 @@
 //! What was found wrong while trying the workbench: each with the keys that showed it.
 
-use super::accuracy;
+use super::accuracy::{self, studies};
 use super::bench::Bench;
-use super::{search, sweep};
+use super::{limit, search, stability, sweep};
+use cmra::study::stability::map::{Axis, Cell, Method};
 use cmra::tui::app::Tab;
 use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Effect, Message, PresetEntry};
 use cmra::tui::theme::GlyphSet;
+use cmra::tui::view::pointer::plot_columns;
+use cmra::worker::studies::{Finding, StudyBody, StudyReport};
 use std::sync::Arc;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
@@ -278,7 +281,9 @@ fn options_are_a_menu_of_named_lines() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("o");
     let screen = bench.screen();
-    for name in ["characters", "colours", "mouse", "auto-run", "interface law", "contact model"] {
+    for name in
+        ["characters", "colours", "mouse", "auto-run", "threads", "interface law", "contact model"]
+    {
         assert!(screen.contains(name), "{name}: {screen}");
     }
     bench.press("jjjl");
@@ -286,4 +291,189 @@ fn options_are_a_menu_of_named_lines() {
     bench.send(Message::Resize(80, 24));
     bench.press("<Esc>");
     assert!(bench.app.dialog.is_none());
+}
+
+/// The line of a goal stands at its own value, not at that of the nearest label.
+#[test]
+fn a_goal_line_stands_at_its_value() {
+    for size in [(60, 16), (80, 24), (120, 36)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        bench.press("4");
+        search::answer(&mut bench);
+        bench.press("<Tab>");
+        let screen = bench.screen();
+        let line = screen.lines().find(|line| line.contains("goal 60 %")).expect("a goal line");
+        let axis = line.find(['+', '|']).map_or("", |_| line);
+        let other = ["50+", "70+", "40+", "80+"].iter().any(|label| axis.contains(label));
+        assert!(!other && (axis.contains(" 60+") || !axis.contains('+')), "{size:?}: {screen}");
+    }
+}
+
+/// The map grows row by row; its labels are equally far apart and have a unit.
+#[test]
+fn the_map_of_stability_grows_and_its_labels_are_regular() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys("55");
+    let study = studies(&mut bench).remove(0);
+    let mut map = stability::map(Method::Thesis, Axis::K);
+    let columns = map.dt_s.len();
+    map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
+    let body = StudyBody::Part { done: 10, total: 19, part: Finding::Map(Arc::new(map)) };
+    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    let screen = bench.screen();
+    assert!(screen.contains("computing the map: 10 of 19 rows"), "{screen}");
+    assert!(screen.contains("SSSS") && screen.contains("k [N/m^n]"), "{screen}");
+    stability::answer(&mut bench);
+    for size in [(60, 16), (80, 24), (120, 40)] {
+        let mut bench = stability::open(GlyphSet::Ascii, size);
+        bench.send(Message::Resize(size.0, size.1));
+        let screen = bench.screen();
+        let labels: Vec<(usize, i32)> = screen
+            .lines()
+            .enumerate()
+            .filter_map(|(row, line)| {
+                let first = line.trim_start_matches('|').split_whitespace().next()?;
+                Some((row, first.strip_prefix("1e")?.parse().ok()?))
+            })
+            .collect();
+        assert!(labels.len() >= 3, "{screen}");
+        let apart: Vec<i32> = labels.windows(2).map(|pair| pair[0].1 - pair[1].1).collect();
+        assert!(apart.iter().all(|step| *step == apart[0]), "{screen}");
+    }
+}
+
+/// A name that no quantity has is answered with titles as they stand on the screen, never with keys of files.
+#[test]
+fn quantities_are_named_as_the_screen_names_them() {
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("2<Tab>g<Enter>depth of snow<Enter>");
+    assert!(bench.message().contains("no quantity is called"), "{}", bench.message());
+    assert!(!bench.message().contains('_'), "{}", bench.message());
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("4k<Enter>");
+    let typed = bench.app.searching.field.as_ref().expect("a field").input.value().to_owned();
+    assert_eq!(typed, "percent of baseline");
+    bench.press("penetration<Enter>");
+    assert!(bench.message().contains("final penetration"), "{}", bench.message());
+    assert!(!bench.message().contains('_'), "{}", bench.message());
+}
+
+/// One press moves the crosshair by one column of the plot as it is drawn.
+#[test]
+fn the_crosshair_goes_column_by_column() {
+    for size in [(60, 16), (80, 24), (120, 40), (200, 60)] {
+        let mut bench = Bench::ascii(size.0, size.1);
+        bench.keys("<Tab>l");
+        for _ in 0..30 {
+            bench.press("H");
+        }
+        let columns = plot_columns(&bench.app).expect("a plot");
+        let (from, to) = bench.app.time_range_s();
+        assert_eq!(bench.app.charts.cursor_s, Some(from));
+        for _ in 1..columns {
+            assert!(bench.app.charts.cursor_s < Some(to));
+            bench.press("l");
+        }
+        assert_eq!(bench.app.charts.cursor_s, Some(to), "{size:?}");
+        let mut bench = accuracy::open(GlyphSet::Ascii, size);
+        bench.press("l");
+        let before = bench.app.accuracy.cursor_s.expect("a crosshair");
+        bench.press("l");
+        let after = bench.app.accuracy.cursor_s.expect("a crosshair");
+        let view = bench.app.accuracy.times().expect("a view");
+        let columns = f64::from(plot_columns(&bench.app).expect("a plot") - 1);
+        let step = (view.hi() / view.lo()).ln() / columns;
+        assert!(((after / before).ln() / step - 1.0).abs() < 1e-9, "{size:?}");
+    }
+}
+
+/// What is done is never more than what there is to do.
+#[test]
+fn counters_do_not_pass_their_totals() {
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("3");
+    let study = studies(&mut bench).remove(0);
+    let body = StudyBody::Part { done: 90, total: 80, part: Finding::Limit(None) };
+    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    assert!(bench.screen().contains("80 of about 80 shots"), "{}", bench.screen());
+    let mut bench = Bench::ascii(120, 36);
+    bench.press("44");
+    let study = studies(&mut bench).pop().expect("a search");
+    let body = StudyBody::Part { done: 2500, total: 2400, part: Finding::Search(None) };
+    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    assert!(bench.screen().contains("2400 of 2400 runs"), "{}", bench.screen());
+}
+
+/// The quantity at the right is named with its unit, whichever it is.
+#[test]
+fn the_second_axis_is_named_with_its_unit() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("<Tab>");
+    for _ in 0..8 {
+        bench.keys("w");
+        let Some(quantity) = bench.app.charts.second[0] else { continue };
+        let screen = bench.screen();
+        let title = screen.lines().find(|line| line.contains("right: ")).expect("it is named");
+        let unit = quantity.unit();
+        let (_, right) = title.split_once("right: ").expect("as found");
+        let shown = right.split([']', '[']).nth(1).unwrap_or_default();
+        assert!(right.starts_with(quantity.symbol()) && shown.ends_with(unit), "{title}");
+    }
+}
+
+#[test]
+fn numerics_says_what_auto_uses_and_why() {
+    for size in [(60, 16), (80, 24), (120, 40)] {
+        let bench = accuracy::open(GlyphSet::Ascii, size);
+        let screen = bench.screen();
+        let sentence = "auto uses Taylor 16 for this scene: smooth and not stiff";
+        assert!(screen.contains(sentence), "{screen}");
+    }
+}
+
+#[test]
+fn threads_are_chosen_in_the_options_and_used() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.press("ojjjjl<Esc>");
+    assert_eq!(bench.app.threads, Some(1));
+    bench.press("2");
+    let threads = bench.effects.iter().find_map(|effect| match effect {
+        Effect::Sweep(job) => Some(job.threads),
+        _ => None,
+    });
+    assert_eq!(threads, Some(1));
+    bench.press("ojjjjh<Esc>");
+    assert_eq!(bench.app.threads, None);
+}
+
+#[test]
+fn a_key_that_sorts_nothing_says_so() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys(" <S-Tab>S");
+    assert_eq!(bench.app.pane(), Pane::Runs);
+    assert!(bench.message().contains("`S` does nothing here"), "{}", bench.message());
+}
+
+/// From 100 columns a noun stands beside each symbol, whole.
+#[test]
+fn labels_of_variables_are_whole_nouns() {
+    for size in [(100, 60), (120, 60), (200, 80)] {
+        let bench = Bench::ascii(size.0, size.1);
+        let screen = bench.screen();
+        let list = screen.lines().filter_map(|line| line.get(..52)).collect::<Vec<_>>();
+        assert!(list.iter().all(|line| !line.contains("..")), "{screen}");
+        for row in ["h         plate thickness", "mount     mount  ", "gamma     mass ratio"] {
+            assert!(list.iter().any(|line| line.contains(row)), "{row}: {screen}");
+        }
+    }
+}
+
+/// The curve and the map of the Limit tab are high enough to be read at 80 by 24.
+#[test]
+fn the_charts_of_the_limit_tab_can_be_read() {
+    let bench = limit::open(GlyphSet::Ascii, (80, 24));
+    let screen = bench.screen();
+    let rows = screen.lines().skip_while(|line| !line.contains("Residual velocity"));
+    let rows = rows.take_while(|line| !line.starts_with("+--")).count();
+    assert!(rows >= 10, "{screen}");
 }

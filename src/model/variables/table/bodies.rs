@@ -10,6 +10,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "projectile.mass_kg",
         symbol: "m_p",
+        label: "projectile mass",
         aliases: &[],
         group: Group::Projectile,
         meaning: "projectile mass",
@@ -19,6 +20,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "projectile.tip_radius_m",
         symbol: "R",
+        label: "tip radius",
         aliases: &[],
         group: Group::Projectile,
         meaning: "radius of the hemispherical tip and of the body behind it",
@@ -28,6 +30,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "projectile.velocity_m_s",
         symbol: "v_i",
+        label: "impact velocity",
         aliases: &["vi"],
         group: Group::Projectile,
         meaning: "impact velocity",
@@ -37,6 +40,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "projectile.obliquity_deg",
         symbol: "theta",
+        label: "obliquity",
         aliases: &[],
         group: Group::Projectile,
         meaning: "obliquity, between the projectile's axis and the plate's normal",
@@ -46,6 +50,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "projectile.density_kg_m3",
         symbol: "rho_p",
+        label: "density",
         aliases: &[],
         group: Group::Projectile,
         meaning: "projectile density, for the warning of ricochet alone",
@@ -55,6 +60,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "projectile.strength_pa",
         symbol: "Y_p",
+        label: "yield strength",
         aliases: &[],
         group: Group::Projectile,
         meaning: "projectile strength, for the warning of ricochet alone",
@@ -64,6 +70,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "projectile.nose",
         symbol: "nose",
+        label: "nose shape",
         aliases: &[],
         group: Group::Projectile,
         meaning: "shape of the nose; the law is for a hemisphere, the others only earn a warning",
@@ -80,6 +87,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "target.thickness_m",
         symbol: "h",
+        label: "plate thickness",
         aliases: &[],
         group: Group::Target,
         meaning: "plate thickness",
@@ -89,6 +97,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "target.density_kg_m3",
         symbol: "rho",
+        label: "plate density",
         aliases: &[],
         group: Group::Target,
         meaning: "plate density",
@@ -98,6 +107,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "target.flow_strength_pa",
         symbol: "S_y",
+        label: "flow strength",
         aliases: &["Sy"],
         group: Group::Target,
         meaning: "dynamic flow strength of the plate",
@@ -107,6 +117,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "target.closure",
         symbol: "closure",
+        label: "source of S_y",
         aliases: &[],
         group: Group::Target,
         meaning: "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
@@ -127,6 +138,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "target.yield_pa",
         symbol: "Y",
+        label: "yield strength",
         aliases: &[],
         group: Group::Target,
         meaning: "static yield strength, for a closure",
@@ -136,6 +148,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "target.modulus_pa",
         symbol: "E",
+        label: "elastic modulus",
         aliases: &[],
         group: Group::Target,
         meaning: "modulus of elasticity, for the closure by cavity expansion",
@@ -145,6 +158,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "target.drag_coefficient",
         symbol: "C_d",
+        label: "drag coefficient",
         aliases: &["Cd"],
         group: Group::Target,
         meaning: "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
@@ -154,6 +168,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "target.dishing",
         symbol: "dishing",
+        label: "dishing",
         aliases: &[],
         group: Group::Target,
         meaning: "the plate's local bulge takes up about one projectile diameter of travel",
@@ -166,6 +181,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "plate.mount",
         symbol: "mount",
+        label: "mount",
         aliases: &[],
         group: Group::Plate,
         meaning: "sprung: carried by spring and damper; rigid: it cannot move",
@@ -181,6 +197,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "plate.mass_ratio",
         symbol: "gamma",
+        label: "mass ratio",
         aliases: &[],
         group: Group::Plate,
         meaning: "mass ratio, plate mass over projectile mass",
@@ -201,6 +218,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "plate.mass_kg",
         symbol: "m_2",
+        label: "plate mass",
         aliases: &["m2"],
         group: Group::Plate,
         meaning: "plate mass; gamma = m_2/m_p follows from it",
@@ -225,6 +243,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "plate.face_m",
         symbol: "face",
+        label: "side of the plate",
         aliases: &[],
         group: Group::Plate,
         meaning: "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
@@ -249,6 +268,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "plate.cocking_m",
         symbol: "d",
+        label: "cocking distance",
         aliases: &[],
         group: Group::Plate,
         meaning: "cocking distance: the plate starts at x = -d, at rest",

@@ -6,10 +6,11 @@ use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variab
 
 /// A quirk of the listing: printed or corrected.
 macro_rules! quirk {
-    ($field:ident, $symbol:literal, $meaning:literal, $where:literal) => {
+    ($field:ident, $symbol:literal, $label:literal, $meaning:literal, $where:literal) => {
         Variable {
             key: concat!("contact.appendix.", stringify!($field)),
             symbol: $symbol,
+            label: $label,
             aliases: &[],
             group: Group::Interface,
             meaning: $meaning,
@@ -40,6 +41,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.model",
         symbol: "model",
+        label: "contact model",
         aliases: &[],
         group: Group::Interface,
         meaning: "how the force between projectile and plate is modelled",
@@ -55,6 +57,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.duration_s",
         symbol: "t_d",
+        label: "pulse duration",
         aliases: &[],
         group: Group::Interface,
         meaning: "duration of the half-sine force history",
@@ -64,6 +67,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.load_stiffness_n_m",
         symbol: "k_load",
+        label: "loading stiffness",
         aliases: &[],
         group: Group::Interface,
         meaning: "stiffness of the lumped interface while it is pressed in",
@@ -73,6 +77,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.unload_stiffness_n_m",
         symbol: "k_unload",
+        label: "unloading stiff.",
         aliases: &[],
         group: Group::Interface,
         meaning: "stiffness of the lumped interface while it springs back, k_load or more",
@@ -82,6 +87,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.damping_n_s_m",
         symbol: "b_2",
+        label: "interface damper",
         aliases: &[],
         group: Group::Interface,
         meaning: "damper of the lumped interface",
@@ -91,6 +97,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.appendix.step_s",
         symbol: "dt",
+        label: "time step",
         aliases: &[],
         group: Group::Interface,
         meaning: "time step of the listing",
@@ -100,42 +107,49 @@ pub(super) const ROWS: &[Variable] = &[
     quirk!(
         coupling,
         "coupling",
+        "depth of the nose",
         "depth subtracts the plate's last increment only, or (corrected) its whole motion",
         "A.2"
     ),
     quirk!(
         damper,
         "dampsign",
+        "damper sign",
         "the damper's force has no sign, or (corrected) it resists",
         "A.7 and A.9"
     ),
     quirk!(
         stopping,
         "stopping",
+        "end of contact",
         "contact ends below 0.01 m/s after a step, or (corrected) where both velocities are equal",
         "A.2"
     ),
     quirk!(
         afterwards,
         "after",
+        "after the contact",
         "both bodies are one afterwards, or (corrected) not after a perforation",
         "A.5 and A.7"
     ),
     quirk!(
         scheme,
         "scheme",
+        "integration scheme",
         "the force is held over the step, or (corrected) Runge-Kutta for both bodies",
         "A.4 and A.8"
     ),
     quirk!(
         obliquity,
         "oblique",
+        "oblique force",
         "the whole force acts on both bodies, or (corrected) it is resolved on the normal",
         "A.2 to A.4"
     ),
     Variable {
         key: "contact.appendix.jumps",
         symbol: "jumps",
+        label: "jumps in the code",
         aliases: &[],
         group: Group::Interface,
         meaning: "whether the listing's jumps work as meant, or (ignored) the area is overwritten once the nose is buried",
@@ -152,6 +166,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "interface.law",
         symbol: "interface",
+        label: "interface law",
         aliases: &["law"],
         group: Group::Interface,
         meaning: "fused: together for good once at common speed; plastic: it carries what its strength allows",
@@ -168,6 +183,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "interface.grip",
         symbol: "g",
+        label: "grip",
         aliases: &["grip"],
         group: Group::Interface,
         meaning: "grip: the greatest pull of the interface is g A S_y",
@@ -177,6 +193,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "run.tolerance",
         symbol: "tol",
+        label: "tolerance",
         aliases: &["tolerance"],
         group: Group::Run,
         meaning: "relative accuracy asked of depth and time",
@@ -186,6 +203,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "run.horizon_s",
         symbol: "horizon",
+        label: "end of the run",
         aliases: &[],
         group: Group::Run,
         meaning: "the time the run goes on to",

@@ -10,6 +10,7 @@ pub(super) const DAMPER: &[Variable] = &[
     Variable {
         key: "mechanism.damper.coefficient",
         symbol: "b",
+        label: "damper coefficient",
         aliases: &[],
         group: Group::Mechanism,
         meaning: "damper coefficient: the damper's force is b |w|^m sgn(w)",
@@ -25,6 +26,7 @@ pub(super) const DAMPER: &[Variable] = &[
     Variable {
         key: "mechanism.damper.exponent",
         symbol: "m",
+        label: "damper exponent",
         aliases: &[],
         group: Group::Mechanism,
         meaning: "damper exponent",
@@ -38,6 +40,7 @@ pub(super) const COMBINATION: &[Variable] = &[
     Variable {
         key: "mechanism.combination",
         symbol: "combine",
+        label: "second spring",
         aliases: &[],
         group: Group::Mechanism,
         meaning: "whether a second spring acts with the first: none, side by side, or one behind the other",
@@ -58,6 +61,7 @@ pub(super) const COMBINATION: &[Variable] = &[
     Variable {
         key: "mechanism.energy_j_kg",
         symbol: "e_spring",
+        label: "specific energy",
         aliases: &[],
         group: Group::Mechanism,
         meaning: "energy per mass of the spring or absorber, which gives its least mass",
@@ -71,6 +75,7 @@ pub(super) const STOP: &[Variable] = &[
     Variable {
         key: "mechanism.stop.position_m",
         symbol: "x_stop",
+        label: "stop position",
         aliases: &["stop"],
         group: Group::Stop,
         meaning: "where the plate meets a mechanical stop",
@@ -80,6 +85,7 @@ pub(super) const STOP: &[Variable] = &[
     Variable {
         key: "mechanism.stop.kind",
         symbol: "stop_kind",
+        label: "kind of stop",
         aliases: &[],
         group: Group::Stop,
         meaning: "rigid: an impact with restitution; elastic: a one-sided spring and damper",
@@ -96,6 +102,7 @@ pub(super) const STOP: &[Variable] = &[
     Variable {
         key: "mechanism.stop.restitution",
         symbol: "e",
+        label: "restitution",
         aliases: &[],
         group: Group::Stop,
         meaning: "restitution of a rigid stop: w becomes -e w",
@@ -105,6 +112,7 @@ pub(super) const STOP: &[Variable] = &[
     Variable {
         key: "mechanism.stop.stiffness_n_m",
         symbol: "k_stop",
+        label: "stop stiffness",
         aliases: &[],
         group: Group::Stop,
         meaning: "stiffness of an elastic stop",
@@ -114,6 +122,7 @@ pub(super) const STOP: &[Variable] = &[
     Variable {
         key: "mechanism.stop.damping_n_s_m",
         symbol: "b_stop",
+        label: "stop damping",
         aliases: &[],
         group: Group::Stop,
         meaning: "damping of an elastic stop (it only pushes)",
@@ -127,6 +136,7 @@ pub(super) const STACK: &[Variable] = &[
     Variable {
         key: "stack.base_thickness_m",
         symbol: "h_base",
+        label: "base thickness",
         aliases: &["base"],
         group: Group::Stack,
         meaning: "thickness of a base plate behind the elements, on a rigid mount",
@@ -136,6 +146,7 @@ pub(super) const STACK: &[Variable] = &[
     Variable {
         key: "stack.base_strength_pa",
         symbol: "S_base",
+        label: "base strength",
         aliases: &[],
         group: Group::Stack,
         meaning: "flow strength of the base plate",
@@ -145,6 +156,7 @@ pub(super) const STACK: &[Variable] = &[
     Variable {
         key: "stack.elements",
         symbol: "elements",
+        label: "elements",
         aliases: &[],
         group: Group::Stack,
         meaning: "how many equal elements, each a plate on its mechanism, stand one behind the other",
@@ -154,6 +166,7 @@ pub(super) const STACK: &[Variable] = &[
     Variable {
         key: "stack.gap_m",
         symbol: "gap",
+        label: "gap",
         aliases: &[],
         group: Group::Stack,
         meaning: "clear distance behind each plate: a warning where a plate travels farther",

@@ -11,6 +11,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".kind"),
                 symbol: concat!("spring", $suffix),
+                label: "force law",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "the spring's force law",
@@ -30,6 +31,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".coefficient"),
                 symbol: concat!("k", $suffix),
+                label: "spring coefficient",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "spring coefficient: the spring's force is k |x|^n sgn(x)",
@@ -39,6 +41,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".exponent"),
                 symbol: concat!("n", $suffix),
+                label: "spring exponent",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "spring exponent",
@@ -48,6 +51,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".count"),
                 symbol: concat!("N_spring", $suffix),
+                label: "number of springs",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "how many equal springs act side by side",
@@ -57,6 +61,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".own_mass"),
                 symbol: concat!("own_mass", $suffix),
+                label: "spring inertia",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "whether the part of the spring that moves with the plate adds to its mass",
@@ -75,6 +80,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".mass_kg"),
                 symbol: concat!("m_spring", $suffix),
+                label: "spring mass",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "the spring's whole mass",
@@ -84,6 +90,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".normalised.force_n"),
                 symbol: concat!("F_ref", $suffix),
+                label: "reference force",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "force of the normalised power law at x_ref: F_ref |x/x_ref|^n sgn(x)",
@@ -93,6 +100,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".normalised.displacement_m"),
                 symbol: concat!("x_ref", $suffix),
+                label: "reference travel",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "displacement at which the normalised power law has the force F_ref",
@@ -102,6 +110,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".beam.length_m"),
                 symbol: concat!("l_beam", $suffix),
+                label: "beam length",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "length of a beam",
@@ -111,6 +120,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".beam.width_m"),
                 symbol: concat!("w_beam", $suffix),
+                label: "beam width",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "width of a beam, across the bending",
@@ -120,6 +130,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".beam.height_m"),
                 symbol: concat!("h_beam", $suffix),
+                label: "beam height",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "height of a beam, in the direction of bending",
@@ -129,6 +140,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".beam.modulus_pa"),
                 symbol: concat!("E_beam", $suffix),
+                label: "beam modulus",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "modulus of elasticity of a beam",
@@ -138,6 +150,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".beam.yield_pa"),
                 symbol: concat!("Y_beam", $suffix),
+                label: "beam strength",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "yield strength of a beam",
@@ -147,6 +160,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".beam.density_kg_m3"),
                 symbol: concat!("rho_beam", $suffix),
+                label: "beam density",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "density of a beam",
@@ -156,6 +170,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".bistable.second_m"),
                 symbol: concat!("x_2", $suffix),
+                label: "second position",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "second stable position; the first is x = 0",
@@ -165,6 +180,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".bistable.unstable_m"),
                 symbol: concat!("x_u", $suffix),
+                label: "unstable position",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "unstable position between the stable ones: near 0 means much energy stored in the first",
@@ -174,6 +190,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".bistable.barrier_n"),
                 symbol: concat!("F_bar", $suffix),
+                label: "barrier force",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "greatest force on the way out of the first stable position",
@@ -183,6 +200,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".constant.force_n"),
                 symbol: concat!("F_c", $suffix),
+                label: "constant force",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "the constant force",
@@ -192,6 +210,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".constant.rise_m"),
                 symbol: concat!("x_c", $suffix),
+                label: "ramp length",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "displacement over which the constant force is reached",
@@ -201,6 +220,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".column.stiffness_n_m"),
                 symbol: concat!("k_col", $suffix),
+                label: "column stiffness",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "stiffness of the column before it buckles",
@@ -210,6 +230,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".column.critical_n"),
                 symbol: concat!("F_crit", $suffix),
+                label: "buckling force",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "force at which the column buckles",
@@ -219,6 +240,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".column.plateau_n"),
                 symbol: concat!("F_plat", $suffix),
+                label: "plateau force",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "force of the buckled column",
@@ -228,6 +250,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".column.fall_m"),
                 symbol: concat!("x_fall", $suffix),
+                label: "fall length",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "displacement over which the force goes from F_crit to F_plat",
@@ -237,6 +260,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".helix.stiffness_n_m"),
                 symbol: concat!("k_helix", $suffix),
+                label: "helix stiffness",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "axial stiffness of the helical rotating spring",
@@ -246,6 +270,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".helix.twist_rad_m"),
                 symbol: concat!("twist", $suffix),
+                label: "twist",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "turn of the plate per displacement, rad/m",
@@ -255,6 +280,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".helix.inertia_kg_m2"),
                 symbol: concat!("I_z", $suffix),
+                label: "moment of inertia",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "moment of inertia of what turns, kg m2: the plate gains I_z twist^2",
@@ -264,6 +290,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".crush.force_n"),
                 symbol: concat!("F_crush", $suffix),
+                label: "crush force",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "force at which the absorber is crushed",
@@ -273,6 +300,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".crush.stroke_m"),
                 symbol: concat!("x_crush", $suffix),
+                label: "crush length",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "displacement at which the absorber is flat and solid",
@@ -282,6 +310,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".crush.stiffness_n_m"),
                 symbol: concat!("k_crush", $suffix),
+                label: "elastic stiffness",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "stiffness before the absorber is crushed and when it unloads",
@@ -291,6 +320,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".wire.density_kg_m3"),
                 symbol: concat!("rho_wire", $suffix),
+                label: "wire density",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "density of the wire",
@@ -300,6 +330,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".wire.shear_modulus_pa"),
                 symbol: concat!("G_wire", $suffix),
+                label: "wire shear modulus",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "shear modulus of the wire",
@@ -309,6 +340,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".wire.shear_strength_pa"),
                 symbol: concat!("tau_wire", $suffix),
+                label: "wire strength",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "shear stress the wire may have",

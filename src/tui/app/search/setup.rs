@@ -15,7 +15,6 @@ use crate::study::search::scatter::{self, usual_tolerances};
 use crate::study::search::seek::{Goal, SCAN_USUAL};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
-use crate::study::sweep::crew::Crew;
 use crate::tui::app::App;
 use crate::worker::searches::Request;
 
@@ -133,6 +132,11 @@ pub fn brief(column: &ResultColumn) -> String {
     at.map_or_else(|| column.title(), |at| OBJECTIVES[at].to_owned())
 }
 
+/// What a quantity is called on the screen.
+fn title(name: &str) -> String {
+    quantity(name).map_or_else(|_| name.to_owned(), ResultColumn::title)
+}
+
 /// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, the shot's and the target's off.
 fn usual_bounds(scene: &Scene) -> Vec<Bound> {
     let thesis = sensitivity::thesis_axes(scene).unwrap_or_default();
@@ -230,8 +234,6 @@ impl App {
     /// What a row shows: its label and its value.
     pub fn search_shown(&self, row: Row) -> (String, String) {
         let setup = &self.searching.setup;
-        let title =
-            |name: &str| quantity(name).map_or_else(|_| name.to_owned(), ResultColumn::title);
         let text = |label: &str, value: String| (label.to_owned(), value);
         let on = |on: bool| if on { "yes" } else { "no" }.to_owned();
         let number = |value: f64| significant(value, 5);
@@ -287,7 +289,7 @@ impl App {
             Row::From => units::shortest(setup.seek.ends.0),
             Row::To => units::shortest(setup.seek.ends.1),
             Row::Points => setup.points.to_string(),
-            Row::Result => setup.goal.0.to_owned(),
+            Row::Result => title(setup.goal.0),
             Row::Goal => quantity(setup.goal.0)
                 .map_or_else(|_| String::new(), |column| column.show(setup.goal.1, 6)),
             Row::Bound(at) => self.search_bounds().get(at).map_or_else(String::new, range),
@@ -299,7 +301,7 @@ impl App {
             },
             Row::Population => setup.effort.0.to_string(),
             Row::Generations => setup.effort.1.to_string(),
-            Row::Output => setup.output.to_owned(),
+            Row::Output => title(setup.output),
             Row::Percent => significant(setup.percent, 5),
             Row::Samples => setup.samples.to_string(),
             Row::Heading(_)
@@ -356,7 +358,7 @@ impl App {
     /// Why it cannot be looked for.
     pub fn search_request(&self, page: Page) -> Result<Request, String> {
         let setup = &self.searching.setup;
-        let threads = Crew::of_machine().threads;
+        let threads = self.crew();
         let axes = || {
             let bounds = self.search_bounds();
             bounds
