@@ -30,7 +30,7 @@ pub struct Variable {
     pub key: &'static str,
     /// The thesis's symbol, or a short name: `gamma`.
     pub symbol: &'static str,
-    /// The noun for it, of at most eighteen letters: `mass ratio`.
+    /// The noun for it, of at most sixteen letters: `mass ratio`.
     pub label: &'static str,
     /// Other short words `--set` accepts.
     pub aliases: &'static [&'static str],

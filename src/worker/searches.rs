@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::studies::Study;
-use crate::model::scene::Scene;
 use crate::study::search::front::{self, Front, Task};
 use crate::study::search::scatter;
 use crate::study::search::seek::{self, Goal};
@@ -131,9 +130,15 @@ fn compared(study: &Study, tell: Tell<'_>) -> Result<Answer, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::worker::studies::StudyKind;
     use crate::model::scene::InterfaceLaw;
     use crate::study::search::nsga::Effort;
     use crate::study::sweep::Spacing;
+
+    fn study() -> Study {
+        let kind = StudyKind::Search(Arc::new(Request::Compare));
+        Study { id: 1, scene: Arc::default(), kind, threads: 1 }
+    }
 
     fn axis(name: &str, ends: (f64, f64), count: u64) -> Axis {
         Axis::new(name, ends, count, Spacing::Linear).unwrap()
@@ -158,7 +163,7 @@ mod tests {
             parts += usize::from(matches!(part(), Some(Answer::Front(_))));
             if done > 200 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let answer = make(&Arc::default(), &front_request(), &mut tell).unwrap();
+        let answer = make(&study(), &front_request(), &mut tell).unwrap();
         let Answer::Front(front) = answer else { panic!("not a front") };
         assert!(parts >= 8 && !front.is_complete && !front.designs.is_empty(), "{parts}");
         assert!(front.runs > 200 && front.runs < 420);
@@ -173,15 +178,15 @@ mod tests {
             threads: 1,
         };
         let go_on: Tell<'_> = &mut |_, _, _| ControlFlow::Continue(());
-        let refused = make(&Arc::default(), &Request::Seek(goal("depth")), go_on).unwrap_err();
+        let refused = make(&study(), &Request::Seek(goal("depth")), go_on).unwrap_err();
         assert!(refused.contains("output depth"), "{refused}");
-        let found = make(&Arc::default(), &Request::Seek(goal("percent_of_baseline")), go_on);
+        let found = make(&study(), &Request::Seek(goal("percent_of_baseline")), go_on);
         assert!(matches!(found, Ok(Answer::Seek(report)) if report.solutions.is_empty()));
         let none = Request::Sensitivity {
             axes: Vec::new(),
             output: "stroke_m".to_owned(),
             effort: sensitivity::Effort { rows: 16, trajectories: 2, seed: 1, threads: 1 },
         };
-        assert!(make(&Arc::default(), &none, go_on).is_err());
+        assert!(make(&study(), &none, go_on).is_err());
     }
 }

@@ -15,8 +15,6 @@ const NARROW: u16 = 72;
 const SEARCH_SETUP: u16 = 30;
 /// From this width on: three stacked charts.
 const WIDE: u16 = 100;
-/// Columns of the list of variables there: symbol, label, value and unit.
-const VARIABLES: u16 = 52;
 /// From this width on: names of runs in full beside their results.
 const ROOMY: u16 = 120;
 /// From this width on: events and energy beside the charts.
@@ -339,7 +337,7 @@ fn narrow(body: Area, height: u16, focus: Pane, pins: usize) -> Panes {
 }
 
 fn wide(body: Area, height: u16, focus: Pane, pins: usize) -> Panes {
-    let (left, mut right) = body.split_left(VARIABLES);
+    let (left, mut right) = body.split_left(if body.width >= ROOMY { 52 } else { 48 });
     let mut panes = Panes::default();
     if height >= TALL || focus == Pane::Runs {
         let wanted = runs_height(pins).min(body.height / 2);

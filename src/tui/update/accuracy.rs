@@ -8,14 +8,14 @@ use crate::model::scene::ContactModel;
 use crate::study::accuracy::Effort;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
-use crate::tui::app::accuracy::{Measuring, TARGETS};
+use crate::tui::app::accuracy::TARGETS;
 use crate::tui::app::dialog::Table;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::Scale;
 use crate::tui::keymap::Action;
-use crate::tui::message::{Effect, Message};
+use crate::tui::message::Effect;
 use crate::tui::view::pointer::plot_columns;
-use crate::worker::studies::{Finding, Study, StudyBody, StudyKind};
+use crate::worker::studies::{Finding, StudyBody, StudyKind};
 
 /// Columns of a plot that is not drawn.
 const FEW_COLUMNS: u16 = 40;

@@ -20,7 +20,7 @@ const SYMBOL: u16 = 2;
 const VALUE: u16 = 12;
 const VALUE_WIDTH: u16 = 8;
 /// Columns of a unit after the flag.
-const UNIT_WIDTH: u16 = 10;
+const UNIT_WIDTH: u16 = 8;
 /// From this width on the meaning stands beside the symbol.
 const WITH_MEANING: u16 = 44;
 

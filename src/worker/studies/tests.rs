@@ -7,7 +7,7 @@ use super::*;
 const PATIENCE: Duration = Duration::from_secs(60);
 
 fn study(id: u64) -> Study {
-    Study { id, scene: Arc::default(), kind: StudyKind::Accuracy(Effort::QUICK) }
+    Study { id, scene: Arc::default(), kind: StudyKind::Accuracy(Effort::QUICK), threads: 2 }
 }
 
 /// The studies' threads, and what they report.

@@ -314,7 +314,7 @@ fn a_goal_line_stands_at_its_value() {
 fn the_map_of_stability_grows_and_its_labels_are_regular() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("55");
-    let study = studies(&mut bench).remove(0);
+    let study = studies(&mut bench).pop().expect("a map");
     let mut map = stability::map(Method::Thesis, Axis::K);
     let columns = map.dt_s.len();
     map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);

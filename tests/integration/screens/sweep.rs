@@ -256,7 +256,7 @@ fn a_refused_text_stays_with_its_reason() {
         (SetupRow::Name(0), "k", &["axis k", "swept twice"]),
         (SetupRow::Name(0), "gama", &["`gama`", "did you mean `gamma`"]),
         (SetupRow::Name(1), "interface", &["no numbers", "fused or plastic"]),
-        (SetupRow::Output, "depth", &["output depth", "the usual ones are", "percent_of_baseline"]),
+        (SetupRow::Output, "depth", &["no quantity is called `depth`", "final penetration"]),
     ] {
         bench.app.sweeping.row = to;
         let before = Arc::clone(&bench.app.scene);

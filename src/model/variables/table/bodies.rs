@@ -243,7 +243,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "plate.face_m",
         symbol: "face",
-        label: "side of the plate",
+        label: "plate side",
         aliases: &[],
         group: Group::Plate,
         meaning: "side of the plate's square face; gamma = rho h face^2/m_p follows from it",

@@ -67,7 +67,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.load_stiffness_n_m",
         symbol: "k_load",
-        label: "loading stiffness",
+        label: "loading",
         aliases: &[],
         group: Group::Interface,
         meaning: "stiffness of the lumped interface while it is pressed in",
@@ -77,7 +77,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.unload_stiffness_n_m",
         symbol: "k_unload",
-        label: "unloading stiff.",
+        label: "unloading",
         aliases: &[],
         group: Group::Interface,
         meaning: "stiffness of the lumped interface while it springs back, k_load or more",
@@ -107,7 +107,7 @@ pub(super) const ROWS: &[Variable] = &[
     quirk!(
         coupling,
         "coupling",
-        "depth of the nose",
+        "nose depth",
         "depth subtracts the plate's last increment only, or (corrected) its whole motion",
         "A.2"
     ),
@@ -128,14 +128,14 @@ pub(super) const ROWS: &[Variable] = &[
     quirk!(
         afterwards,
         "after",
-        "after the contact",
+        "after contact",
         "both bodies are one afterwards, or (corrected) not after a perforation",
         "A.5 and A.7"
     ),
     quirk!(
         scheme,
         "scheme",
-        "integration scheme",
+        "time stepping",
         "the force is held over the step, or (corrected) Runge-Kutta for both bodies",
         "A.4 and A.8"
     ),
@@ -149,7 +149,7 @@ pub(super) const ROWS: &[Variable] = &[
     Variable {
         key: "contact.appendix.jumps",
         symbol: "jumps",
-        label: "jumps in the code",
+        label: "code jumps",
         aliases: &[],
         group: Group::Interface,
         meaning: "whether the listing's jumps work as meant, or (ignored) the area is overwritten once the nose is buried",

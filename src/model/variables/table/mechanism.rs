@@ -10,7 +10,7 @@ pub(super) const DAMPER: &[Variable] = &[
     Variable {
         key: "mechanism.damper.coefficient",
         symbol: "b",
-        label: "damper coefficient",
+        label: "damping",
         aliases: &[],
         group: Group::Mechanism,
         meaning: "damper coefficient: the damper's force is b |w|^m sgn(w)",

@@ -31,7 +31,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".coefficient"),
                 symbol: concat!("k", $suffix),
-                label: "spring coefficient",
+                label: "stiffness",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "spring coefficient: the spring's force is k |x|^n sgn(x)",
@@ -41,7 +41,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".exponent"),
                 symbol: concat!("n", $suffix),
-                label: "spring exponent",
+                label: "exponent",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "spring exponent",
@@ -51,7 +51,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".count"),
                 symbol: concat!("N_spring", $suffix),
-                label: "number of springs",
+                label: "springs",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "how many equal springs act side by side",
@@ -180,7 +180,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".bistable.unstable_m"),
                 symbol: concat!("x_u", $suffix),
-                label: "unstable position",
+                label: "unstable point",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "unstable position between the stable ones: near 0 means much energy stored in the first",
@@ -280,7 +280,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".helix.inertia_kg_m2"),
                 symbol: concat!("I_z", $suffix),
-                label: "moment of inertia",
+                label: "inertia",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "moment of inertia of what turns, kg m2: the plate gains I_z twist^2",
@@ -310,7 +310,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".crush.stiffness_n_m"),
                 symbol: concat!("k_crush", $suffix),
-                label: "elastic stiffness",
+                label: "crush stiffness",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "stiffness before the absorber is crushed and when it unloads",
@@ -330,7 +330,7 @@ macro_rules! spring_rows {
             Variable {
                 key: concat!("mechanism.", stringify!($field), ".wire.shear_modulus_pa"),
                 symbol: concat!("G_wire", $suffix),
-                label: "wire shear modulus",
+                label: "shear modulus",
                 aliases: &[],
                 group: Group::Mechanism,
                 meaning: "shear modulus of the wire",
