@@ -130,10 +130,10 @@ fn compared(study: &Study, tell: Tell<'_>) -> Result<Answer, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::worker::studies::StudyKind;
     use crate::model::scene::InterfaceLaw;
     use crate::study::search::nsga::Effort;
     use crate::study::sweep::Spacing;
+    use crate::worker::studies::StudyKind;
 
     fn study() -> Study {
         let kind = StudyKind::Search(Arc::new(Request::Compare));
