@@ -434,7 +434,7 @@ mod tests {
 
     #[test]
     fn a_map_has_a_cell_for_every_row_and_column() {
-        let go_on = &mut |_, _| ControlFlow::Continue(());
+        let go_on = &mut |_: usize, _: usize, _: &Map| ControlFlow::Continue(());
         let map = map(&Scene::default(), (Method::Rk4, Axis::B), (4, 5), go_on);
         assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
         assert_eq!(map.cell(0, 0), Cell::Accurate);
@@ -456,15 +456,15 @@ mod tests {
     #[test]
     fn a_map_that_is_stopped_keeps_its_rows() {
         let mut rows = 0;
-        let stop = &mut |done, all| {
+        let stop = &mut |done: usize, all: usize, _: &Map| {
             assert_eq!((done, all), (rows, 40));
             rows += 1;
             if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let map = map(&Scene::default(), (Method::Rk4, Axis::B), (40, 5), stop);
         assert_eq!(map.cells.len(), 200);
-        assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Unknown));
-        assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Unknown));
+        assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Waiting));
+        assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Waiting));
         assert_eq!(rows, 3);
     }
 }
