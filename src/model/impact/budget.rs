@@ -8,12 +8,10 @@ const WORK_MAX: usize = 400_000;
 /// Events after which a run ends early.
 const EVENTS_MAX: usize = 400_000;
 
-/// Turns and events, five hundred swings, and steps after which a run that was given no horizon ends while still moving. A plate on
-/// an undamped spring goes on for ever.
+/// Turns and events (five hundred oscillations) and steps after which a run that was given no horizon ends while still moving. A
+/// plate on an undamped spring oscillates for ever. The first contact, which always ends, has only the limit of work.
 const TURNS_MAX: usize = 1_000;
 const UNDECIDED_STEPS: usize = 15_000;
-/// The steps, tried ones too, that the first contact may take instead: it ends.
-const FIRST_CONTACT_STEPS: usize = 80_000;
 
 impl Track<'_> {
     /// Why the run ends before anything is decided, if it has done all it may. The work is counted, never timed: the same scene
@@ -21,12 +19,11 @@ impl Track<'_> {
     pub(super) fn budget_used_up(&self) -> Option<EndReason> {
         let in_first_contact = self.mode == Mode::Penetrating && self.record.first_arrest.is_none();
         let patience = self.problem.patience;
-        let most = if in_first_contact { FIRST_CONTACT_STEPS } else { UNDECIDED_STEPS };
-        let steps = self.steps + if in_first_contact { self.rejected } else { 0 };
-        let swings_on =
-            !self.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX * patience;
+        let oscillates = !self.problem.horizon_is_asked
+            && !in_first_contact
+            && self.turns + self.event_count > TURNS_MAX * patience;
         let is_worked_off = self.work.get() > WORK_MAX;
-        if swings_on && (steps > most * patience || is_worked_off) {
+        if oscillates && (self.steps > UNDECIDED_STEPS * patience || is_worked_off) {
             Some(EndReason::Swings)
         } else if self.event_count > EVENTS_MAX {
             Some(EndReason::EventBudget)
