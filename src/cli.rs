@@ -141,10 +141,10 @@ struct CompletionsArguments {
     shell: Shell,
 }
 
-/// The characters charts are drawn with.
+/// Choose the characters of the charts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Glyphs {
-    /// What the locale allows; plain text stays ASCII
+    /// Whatever the locale allows; plain text stays ASCII
     Auto,
     /// Letters and punctuation only: works everywhere, and screen readers can follow
     Ascii,

@@ -38,10 +38,10 @@ const PIECE: u64 = 16;
 pub(super) struct CompareArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Velocity that everything is sized for and judged at, m/s or with a unit [default: that of the scene]
+    /// Velocity at which the candidates are sized and compared, m/s or with a unit [default: the scene's]
     #[arg(long, value_name = "VELOCITY", allow_hyphen_values = true)]
     design_velocity: Option<String>,
-    /// Energy that a kilogram of the spring or absorber takes up, J/kg or with a unit (10kJ/kg) [default: that of the scene, or of its wire]
+    /// Energy per mass of the spring or absorber, J/kg or with a unit (10kJ/kg) [default: the scene's, or its wire's]
     #[arg(long, value_name = "ENERGY", allow_hyphen_values = true)]
     spring_energy: Option<String>,
     /// Mass of the spring, kg or with a unit [default: the least for the energy that it stores]
@@ -50,7 +50,7 @@ pub(super) struct CompareArguments {
     /// Mass of damper, stop and mount together, kg or with a unit
     #[arg(long, value_name = "MASS", default_value = "0", allow_hyphen_values = true)]
     mount_mass: String,
-    /// Stroke that there is room for, m or with a unit [default: enough]
+    /// Available stroke, m or with a unit [default: unlimited]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     stroke: Option<String>,
     /// Draw a map of the mass efficiency over two variables, each `NAME` or `NAME=LO..HI:COUNT[:log]`

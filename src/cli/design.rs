@@ -32,7 +32,7 @@ pub(super) struct DesignArguments {
 enum What {
     /// A shot by formulas: ricochet, effective thickness, collisions, the mass of a spring
     Shot(ShotArguments),
-    /// The screening matrix of Table 7.1, with weights of one's own
+    /// The screening matrix of Table 7.1, with your own weights
     Screening(ScreeningArguments),
     /// Families, principles and functions of Tables 4.1 and 5.1, and the presets that show them
     Principles(PrinciplesArguments),

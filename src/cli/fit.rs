@@ -20,7 +20,7 @@ use crate::study::fit::fit;
 #[command(
     after_help = "SHOTS is a CSV file whose first line names its columns: velocity_m_s, perforated (1 through, 0 stopped), and where \
     measured residual_m_s and penetration_m (of stopped shots). Other columns are ignored.\n\
-    With a SCENE or --set the strength (S_y, or Y where a closure makes it) is found that gives the scene this V50."
+    With a SCENE or --set the strength (S_y, or Y where a closure makes it) that gives the scene this V50 is found."
 )]
 pub(super) struct FitArguments {
     /// The CSV file of shots

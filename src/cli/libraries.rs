@@ -25,11 +25,11 @@ pub(super) struct LibrariesArguments {
 /// The libraries to choose from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum LibraryWord {
-    /// What strikes
+    /// Projectiles and their velocities
     Threats,
-    /// What the plate is made of
+    /// Densities, strengths and moduli of plates
     Materials,
-    /// What takes up the plate's energy
+    /// Springs and crushable absorbers, with their energy per mass
     Absorbers,
 }
 

@@ -26,19 +26,19 @@ const SAMPLES_MAX: usize = 1_000_000;
 pub(super) struct LimitArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 leaves that out
+    /// Relative standard deviation of the inputs (0.02 or 2%), for V50 and its spread; 0 skips this
     #[arg(long, alias = "scatter", value_name = "PART", allow_negative_numbers = true, default_value = "0.02", value_parser = part)]
     monte_carlo: f64,
-    /// Model over measurement less 1, by `cmra validate` (-0.04 or -4%): limits are corrected by it
+    /// Mean of model over measurement, less 1, from `cmra validate` (-0.04 or -4%); corrects V50
     #[arg(long, value_name = "PART", allow_negative_numbers = true, allow_hyphen_values = true, default_value = "0", value_parser = part)]
     model_bias: f64,
     /// Standard deviation of model over measurement (0.08 or 8%): widens the band of V50
     #[arg(long, value_name = "PART", allow_negative_numbers = true, default_value = "0", value_parser = part)]
     model_spread: f64,
-    /// Samples of scattered inputs
+    /// Number of Monte Carlo samples
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 200)]
     samples: usize,
-    /// Seed of the scatter: the same seed gives the same digits
+    /// Random seed: the same seed gives the same digits
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
     /// What counts as a perforation: `passage` (the nose is clear of the rear face, navy criterion) or `protrusion` (the nose stands

@@ -18,9 +18,9 @@ use crate::study::models::{Comparison, Row, What, compare};
 /// What to compare.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Compare {
-    /// The interaction models of thesis section 8.2: Table 8.1 with numbers
+    /// The contact models of thesis section 8.2: Table 8.1 with numbers
     Models,
-    /// Appendix A as printed, and with each of its quirks put right
+    /// Appendix A as printed, and with each of its errors corrected
     Quirks,
 }
 

@@ -23,22 +23,22 @@ use crate::study::validity;
 const POPULATION: (usize, usize) = (8, 2000);
 const GENERATIONS_MAX: usize = 100_000;
 
-/// The interface laws to look on.
+/// Interface laws to search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Laws {
-    /// The two of them, one after the other
+    /// One after the other
     Both,
-    /// What is joined stays joined
+    /// Projectile and plate stay joined after the first arrest
     Fused,
-    /// The interface yields where it would have to carry too much
+    /// The interface yields above its strength
     Plastic,
 }
 
 #[derive(Debug, Args)]
 #[command(after_help = "RESULT is any quantity: `cmra explain quantities` lists all. \
     Without --minimise and --maximise: depth, stroke, system mass and mount force, all small.\n\
-    Feasible designs alone count (`--no-feasibility` counts all): the interface carries what it is asked for, no beam yields, no \
-    spring leaves its law, no rigid stop is hit under a fused interface, and the plate's face is 3 diameters wide or more.\n\
+    Only feasible designs count (`--no-feasibility` counts all): the interface demand is at most 1, no beam yields, no spring \
+    leaves the range of its law, no rigid stop is hit under a fused interface, and the plate's face is at least 3 diameters wide.\n\
     Several objectives: NSGA-II, the whole front. One objective: the same, then COBYLA from the best design.\n\
     Exit status 1 when no design keeps every constraint.")]
 pub(super) struct OptimiseArguments {
@@ -47,10 +47,10 @@ pub(super) struct OptimiseArguments {
     /// A variable and its bounds; may be repeated [default: the ranges of Table 9.2]
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
-    /// Results to make small, separated by commas
+    /// Quantities to minimise, separated by commas
     #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "minimize")]
     minimise: Vec<String>,
-    /// Results to make great, separated by commas
+    /// Quantities to maximise, separated by commas
     #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "maximize")]
     maximise: Vec<String>,
     /// A bound to keep; may be repeated.
@@ -58,16 +58,16 @@ pub(super) struct OptimiseArguments {
         long,
         value_name = "RESULT<=VALUE",
         allow_hyphen_values = true,
-        help = "A bound to keep, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit_velocity_m_s>=300'; may be repeated"
+        help = "A constraint, SI or with a unit: 'stroke_m<=50mm', 'percent_of_baseline<=60', 'limit_velocity_m_s>=300'; may be repeated"
     )]
     subject_to: Vec<String>,
-    /// Leave out the constraints of feasibility: interface demand, yield and travel of the spring, rigid stop, plate face
+    /// Ignore the feasibility constraints: interface demand, yield and travel of the spring, rigid stop, plate face
     #[arg(long)]
     no_feasibility: bool,
-    /// The interface laws to look on
+    /// Interface laws to search
     #[arg(long, value_enum, default_value = "both")]
     laws: Laws,
-    /// Designs of a generation, even; the front has as many at the most
+    /// Designs in a generation, even; also the most that the front can have
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     population: usize,
     /// Generations after the first

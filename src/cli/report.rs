@@ -41,7 +41,7 @@ const DIGITS: usize = 6;
 pub(super) struct ReportArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The report: FILE.html has its charts in it as SVG, FILE.md as text
+    /// Where to write the report: FILE.html has its charts as SVG, FILE.md as text
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Replace what exists

@@ -30,7 +30,7 @@ use crate::report::svg::Picture;
 #[derive(Debug, Args)]
 #[command(
     after_help = format!(
-        "--csv FILE writes the series, and beside it NAME.toml: the scene that gives the same digits again.\n\n\
+        "--csv FILE writes the series, and beside it NAME.toml: the scene that reproduces it to the last digit.\n\n\
          NAME is one of these symbols, or a full key as in scene files:\n{}",
         variables::listing()
     )
@@ -38,10 +38,10 @@ use crate::report::svg::Picture;
 pub(super) struct RunArguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Compare on this scene instead: the interaction models, or the quirks of Appendix A
+    /// Compare contact models, or variants of Appendix A, on this scene
     #[arg(long, value_enum, value_name = "WHAT", conflicts_with_all = ["plain", "svg"])]
     compare: Option<Compare>,
-    /// Rows of --csv at equal time steps (1us), located by the solver's dense output, instead of at its own steps
+    /// Write the rows of --csv at equal time steps, for example 1us, instead of at the solver's own steps
     #[arg(long, value_name = "TIME", requires = "csv", conflicts_with = "compare")]
     dt: Option<String>,
     /// Print charts as plain text below the summary
@@ -51,7 +51,7 @@ pub(super) struct RunArguments {
     pictures: PictureArguments,
     #[command(flatten)]
     table: TableArguments,
-    /// The characters charts are drawn with
+    /// Choose the characters of the charts
     #[arg(long, value_enum, default_value = "auto", value_name = "GLYPHS")]
     glyphs: Glyphs,
 }

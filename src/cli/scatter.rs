@@ -23,8 +23,8 @@ use crate::study::validity;
 #[command(
     after_help = "DISTRIBUTION is normal:WIDTH (a standard deviation), lognormal:WIDTH, uniform:WIDTH (a half width) or uniform:LO..HI, \
     triangular:LO..HI, about the scene's own value; WIDTH is a percentage of it or a value with a unit: normal:2%, uniform:0.1mm. \
-    A draw without physical sense is drawn again: the distribution is truncated to what is allowed, and how often is told.\n\
-    Memory: eight bytes a sample and result; 10 million samples at the most."
+    A draw outside the allowed range is repeated, which truncates the distribution; the page reports how often.\n\
+    Memory: eight bytes a sample and result; at most 10 million samples."
 )]
 pub(super) struct ScatterArguments {
     #[command(flatten)]
@@ -34,11 +34,11 @@ pub(super) struct ScatterArguments {
         long,
         value_name = "NAME=DISTRIBUTION",
         allow_hyphen_values = true,
-        help = "An input and how it scatters: v_i=normal:2%, h=uniform:24mm..27mm; may be repeated [default: velocity, masses, \
+        help = "An input and its distribution: v_i=normal:2%, h=uniform:24mm..27mm; may be repeated [default: velocity, masses, \
                 lengths, strength, density, drag, spring and damper, each lognormal by 2 %]"
     )]
     vary: Vec<String>,
-    /// Results, separated by commas [default: all but those that tell of the computation]
+    /// Results, separated by commas [default: all but those about the computation]
     #[arg(long, alias = "output", value_name = "NAMES", value_delimiter = ',')]
     outputs: Vec<String>,
     /// Samples

@@ -20,8 +20,8 @@ use crate::study::validity;
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "The interval is scanned at COUNT points, then every crossing of the goal is closed in; solutions that lie closer \
-    together than the scan's points may be missed: raise COUNT.\n\
+    after_help = "The interval is scanned at COUNT points, then every crossing of the goal is located by root finding. \
+    Solutions closer together than the points of the scan may be missed: raise COUNT.\n\
     RESULT is any quantity: `cmra explain quantities` lists all.\n\
     Exit status 1 when nothing reaches the goal."
 )]

@@ -36,8 +36,9 @@ const PIECES_MIN: u64 = 16;
 #[derive(Debug, Args)]
 #[command(
     after_help = format!(
-        "Without --over the [sweep] of the scene is made, for example `cmra sweep figure-9.7`.\n\
-        Columns: the axes' values, then every key of `cmra run --json` but run_time_s (which would make no two files equal); \
+        "Without --over, computes the scene's own [sweep], for example `cmra sweep figure-9.7`.\n\
+        Columns: the axes' values, then every key of `cmra run --json` but run_time_s (which differs \
+         from run to run); \
         with --outputs, or for a scene's own [sweep], only the outcome and those outputs. `error` comes last: a failed point \
         keeps its row and says why.\n\
         Shards: part I of N is a contiguous block of rows, and only part 1 has the header line. `cmra join` checks the parts and \
@@ -59,7 +60,7 @@ pub(super) struct SweepArguments {
     /// Points of --design lhs or sobol [default: as many as the full grid]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     points: Option<u64>,
-    /// Chooses one of the many such designs [default: 0]
+    /// Seed of the design: the same seed gives the same points [default: 0]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Results to compute, separated by commas; `all` for every key

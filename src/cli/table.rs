@@ -20,7 +20,7 @@ use crate::tui::app::status::wrap;
 #[derive(Debug, Args)]
 #[command(group = clap::ArgGroup::new("files").multiple(true))]
 pub(super) struct TableArguments {
-    /// Print JSON instead of the page, SI units, null where a quantity does not exist
+    /// Print JSON instead of the page: SI units, null for a quantity that does not exist
     #[arg(long)]
     pub(super) json: bool,
     /// Write the table to this file; `-` writes it to standard output instead of the page
@@ -32,7 +32,7 @@ pub(super) struct TableArguments {
     /// CSV dialect
     #[arg(long, value_enum, default_value = "plain", value_name = "STYLE", requires = "csv")]
     csv_style: StyleWord,
-    /// Where the scene and the command go that make the table again: into NAME.toml beside it, or into # lines at its head
+    /// Where to write the scene and the command that reproduce the table
     #[arg(long, value_enum, default_value = "beside", value_name = "WHERE", requires = "csv")]
     pub(super) meta: MetaWord,
 }
@@ -40,20 +40,20 @@ pub(super) struct TableArguments {
 /// The styles of a table, by the words of the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum StyleWord {
-    /// Commas between values, points in numbers, LF
+    /// Commas, decimal points, LF line ends
     Plain,
-    /// The same with CRLF at the end of lines
+    /// The same with CRLF line ends
     Crlf,
-    /// Semicolons, decimal commas, CRLF and a mark of UTF-8: for Excel where the comma is the decimal sign, and nothing else
+    /// Semicolons, decimal commas, CRLF and a byte-order mark: only for Excel where the comma is the decimal sign
     ExcelEu,
 }
 
 /// Where the scene of a table goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum MetaWord {
-    /// Into a scene file beside it
+    /// In NAME.toml beside the table
     Beside,
-    /// Into comment lines at its head
+    /// In # lines at the head of the table
     Inline,
 }
 

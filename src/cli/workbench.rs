@@ -21,7 +21,7 @@ pub(super) struct WorkbenchArguments {
     /// Start on the baseline instead of the last session
     #[arg(long, conflicts_with = "scene")]
     fresh: bool,
-    /// The characters charts are drawn with
+    /// Choose the characters of the charts
     #[arg(long, value_enum, default_value = "auto", value_name = "GLYPHS")]
     glyphs: Glyphs,
 }

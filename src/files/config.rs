@@ -12,7 +12,7 @@ use crate::files::read;
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(deny_unknown_fields, default)]
 pub struct Config {
-    /// The characters charts are drawn with: `auto`, `ascii`, `block` or `braille`.
+    /// Choose the characters of the charts: `auto`, `ascii`, `block` or `braille`.
     pub characters: Option<String>,
     /// The colours: `none`, `sixteen`, `256` or `full`.
     pub colours: Option<String>,

@@ -15,7 +15,7 @@ pub enum Style {
     /// A comma between values, a point in numbers, LF at the end of lines.
     #[default]
     Plain,
-    /// The same with CRLF at the end of lines.
+    /// The same with CRLF line ends.
     Crlf,
     /// A semicolon between values, a comma in numbers, CRLF, and the mark of UTF-8 at the head: what Excel opens by itself where
     /// the comma is the decimal sign, and few other programs do.

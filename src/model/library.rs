@@ -11,11 +11,11 @@ const CAVITY_FROM: f64 = 1.0;
 /// Which library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Library {
-    /// What strikes.
+    /// Projectiles and their velocities.
     Threats,
-    /// What the plate is made of.
+    /// Densities, strengths and moduli of plates.
     Materials,
-    /// What takes up the plate's energy.
+    /// Springs and crushable absorbers, with their energy per mass.
     Absorbers,
 }
 

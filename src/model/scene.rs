@@ -23,7 +23,7 @@ pub struct Scene {
     pub title: String,
     /// Where the numbers come from and what to expect.
     pub notes: String,
-    /// What strikes.
+    /// The projectile.
     pub projectile: Projectile,
     /// The plate's material and thickness.
     pub target: Target,

@@ -47,7 +47,7 @@ pub struct Variable {
 /// The groups of the editor, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
-    /// What strikes.
+    /// The projectile.
     Projectile,
     /// The plate's material.
     Target,

@@ -13,7 +13,7 @@ use crate::study::sweep::{Axis, COUNTS, Design, Plan, Spacing, SweepError, USUAL
 /// The designs to choose from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum DesignWord {
-    /// Every combination of the axes' values; the last axis runs fastest
+    /// Every combination of the axes' values; the last axis varies fastest
     Factorial,
     /// Latin hypercube: as many slices of every axis as points, one point in each
     Lhs,
