@@ -8,10 +8,11 @@
 //! # How one run goes from a scene to its result
 //!
 //! 1. A [`scene::Scene`] holds the values; [`variables::VARIABLES`] describes each of them. [`simulate::simulate`] begins with
-//!    [`variables::validate`] and takes the model that the scene names: [`impact::run`] for the hydrodynamic one,
-//!    [`interaction::run`] for the others of the thesis's section 8.2.
+//!    [`variables::validate`] and takes [`impact::run`] for every model but the listing of the thesis's Appendix,
+//!    which has a scheme of its own ([`appendix::listing`]).
 //! 2. `impact::problem::Problem::of` derives the constants of the impact once: masses, [`contact::Geometry::of`] (engaged area by
-//!    travel, in pieces), [`mechanism::Mechanism::of`] (spring, damper, stop), the horizon.
+//!    travel, in pieces), [`contact_models`] (the force of each mode, what ends it, what follows), [`mechanism::Mechanism::of`]
+//!    (spring, damper, stop), the horizon.
 //! 3. `Track::begin` (`impact/contact.rs`) takes the contact in closed form ([`closed_form::Passage`]) where nothing but inertia
 //!    answers the projectile; else `Track::start` steps over a singular start.
 //! 4. `Track::run` (`impact/track.rs`) is the loop. Each pass:
@@ -37,12 +38,13 @@ pub mod appendix;
 pub mod closed_form;
 pub mod contact;
 pub mod contact_kernel;
+pub mod contact_models;
 pub mod contact_phase;
 pub mod design;
 pub mod estimate;
+mod event_function;
 pub mod first_contact;
 pub mod impact;
-pub mod interaction;
 pub mod library;
 pub mod mechanism;
 pub mod motion;

@@ -1,4 +1,4 @@
-//! One impact from first contact to its end, by the hydrodynamic model.
+//! One impact from first contact to its end, by any contact model.
 //!
 //! [`run`] takes the contact in closed form where the scene allows it (`contact.rs`), tracks modes
 //! and events through the rest (`track.rs`, `events.rs`, `termination.rs`) and gathers the [`Run`] (`report.rs`). It is a pure
@@ -21,7 +21,6 @@ mod contact;
 mod crush;
 mod demand;
 mod energy_bounds;
-mod event_function;
 mod events;
 pub mod forced;
 mod missed_event;
@@ -49,8 +48,7 @@ const TIGHTEST: f64 = 1e-14;
 const FOLLOWED: f64 = 50.0;
 const PATIENCE: usize = 4;
 
-/// Simulate one impact on a valid scene with the hydrodynamic contact force, whatever model the scene names. The observer can look at
-/// the run so far through the window.
+/// Simulate one impact on a valid scene. The observer can look at the run so far through the window.
 pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, window: &Window) -> Run {
     let problem = Problem::of(scene);
     let tolerance = scene.run.tolerance;

@@ -11,19 +11,23 @@
 //! The same form serves every mode: pulling out has a negative strength and no drag, free flight no area, a plate held by its
 //! stop no mobility, and a joined body the mass `m_2` + `m_p` cos² and no contact force. Model page, sections 2 and 3.
 
-use crate::model::contact::{AreaLaw, Nose};
+use crate::model::contact::AreaLaw;
 use crate::model::mechanism::{Elastic, PowerKind, PowerLaw};
 use crate::numerics::series::evaluate;
 
-mod area;
+mod contact_force;
+mod contact_term;
 mod force;
 
-use area::{AreaTerm, NoArea, Partial, Quadratic};
+pub use contact_force::{ContactForce, ElasticForce, FlowForce, Pressure, Pulse};
+use contact_term::{ContactTerm, NoContact, Partial, Phase, Quadratic};
 use force::{Along, ForceTerm, General, NoForce, Whole};
 
-/// The moving quantities.
+/// A moment, and the moving quantities then.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
+    /// Time since first contact, s.
+    pub t_s: f64,
     /// q, m.
     pub travel_m: f64,
     /// u, m/s.
@@ -37,14 +41,8 @@ pub struct State {
 /// The equations between two events.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion<'a> {
-    /// The nose, for oblique sections.
-    pub nose: Nose,
-    /// Engaged area.
-    pub area: AreaLaw,
-    /// S in the contact force, Pa; negative while pulling out.
-    pub strength_pa: f64,
-    /// c in the contact force, kg/m³.
-    pub drag_kg_m3: f64,
+    /// F by travel, slip and time.
+    pub contact: ContactForce,
     /// How strongly the contact force slows the slip: `1/m_p` + `cos²/m_2`, 1/kg.
     pub slip_mobility: f64,
     /// How strongly forces move the plate: `1/m_2`, 0 for a plate that is held, `1/(m_2` + `m_p` cos²) for a joined body, 1/kg.
@@ -88,6 +86,10 @@ pub struct StopForce {
 /// The expansion of a solution: coefficient j belongs to s^j, s = time since the start over the time unit.
 #[derive(Clone, Debug)]
 pub struct Expansion<const N: usize> {
+    /// When it starts, s.
+    pub t_s: f64,
+    /// The time unit, s.
+    pub unit_s: f64,
     /// q, m.
     pub travel: [f64; N],
     /// u, m/s.
@@ -108,6 +110,7 @@ impl<const N: usize> Expansion<N> {
     /// The state it starts from.
     pub fn start(&self) -> State {
         State {
+            t_s: self.t_s,
             travel_m: self.travel[0],
             slip_m_s: self.slip[0],
             plate_m: self.plate[0],
@@ -118,6 +121,7 @@ impl<const N: usize> Expansion<N> {
     /// The state at s.
     pub fn state(&self, s: f64) -> State {
         State {
+            t_s: self.t_s + s * self.unit_s,
             travel_m: evaluate(&self.travel, s),
             slip_m_s: evaluate(&self.slip, s),
             plate_m: evaluate(&self.plate, s),
@@ -137,8 +141,7 @@ impl StopForce {
 impl Motion<'_> {
     /// Contact force F, N.
     pub fn contact_force(&self, state: &State) -> f64 {
-        let pressure = self.strength_pa + self.drag_kg_m3 * state.slip_m_s * state.slip_m_s;
-        self.area.area_m2(&self.nose, state.travel_m) * pressure
+        self.contact.force(state)
     }
 
     /// Mechanism force G, N.
@@ -180,38 +183,70 @@ impl Motion<'_> {
     ///
     /// A general power law must not be at its zero (x or w exactly zero): step over that first.
     pub fn expand<const N: usize>(&self, state: &State, h: f64) -> Expansion<N> {
-        match self.area {
-            AreaLaw::None => self.with_area(state, h, NoArea),
-            AreaLaw::Quadratic { origin_m, a } => {
-                self.with_area(state, h, Quadratic::new(origin_m, a))
-            }
-            AreaLaw::Partial { origin_m, p0, p1, exit_depth_m } => {
-                let depth = p0 + p1 * (state.travel_m - origin_m);
-                self.with_area(state, h, Partial::new(self.nose, depth, p1, exit_depth_m))
+        match self.contact {
+            ContactForce::None => self.with_contact(state, h, NoContact),
+            ContactForce::Flow(flow) => match flow.area {
+                AreaLaw::None => self.with_contact(state, h, NoContact),
+                AreaLaw::Quadratic { origin_m, a } => {
+                    self.with_contact(state, h, Quadratic::new(origin_m, a, flow.pressure))
+                }
+                AreaLaw::Partial { origin_m, p0, p1, exit_depth_m } => {
+                    let depth = p0 + p1 * (state.travel_m - origin_m);
+                    let area = Partial::new(flow.nose, depth, p1, exit_depth_m, flow.pressure);
+                    self.with_contact(state, h, area)
+                }
+            },
+            ContactForce::Elastic(force) => self.with_any_mechanism(state, h, force),
+            ContactForce::HalfSine(pulse) => {
+                self.with_any_mechanism(state, h, Phase { pulse, t_s: state.t_s, unit_s: h })
             }
         }
     }
 
-    fn with_area<const N: usize>(
+    /// Compiled once for all springs and dampers: for contact forces that are not in a hurry.
+    fn with_any_mechanism<const N: usize>(
         &self,
         state: &State,
         h: f64,
-        area: impl AreaTerm<N>,
+        contact: impl ContactTerm<N>,
+    ) -> Expansion<N> {
+        let still = self.plate_mobility == 0.0;
+        let power = |law: PowerLaw, side: f64| -> Box<dyn ForceTerm<N>> {
+            match law.kind() {
+                PowerKind::Absent => Box::new(NoForce),
+                PowerKind::Linear => Box::new(law.coefficient),
+                PowerKind::Whole(n) => Box::new(Whole::new(law.coefficient, n, side)),
+                PowerKind::General => Box::new(General::new(law)),
+            }
+        };
+        let damper = power(self.damper, self.side_w);
+        match self.spring {
+            _ if still => self.recur(state, h, contact, NoForce, NoForce),
+            Elastic::Piece(piece) => self.recur(state, h, contact, Along::new(piece), damper),
+            Elastic::Power(law) => self.recur(state, h, contact, power(law, self.side_x), damper),
+        }
+    }
+
+    fn with_contact<const N: usize>(
+        &self,
+        state: &State,
+        h: f64,
+        contact: impl ContactTerm<N>,
     ) -> Expansion<N> {
         let law = match self.spring {
             Elastic::Power(law) => law,
             Elastic::Piece(_) if self.plate_mobility == 0.0 => {
-                return self.with_spring(state, h, area, NoForce);
+                return self.with_spring(state, h, contact, NoForce);
             }
-            Elastic::Piece(piece) => return self.with_spring(state, h, area, Along::new(piece)),
+            Elastic::Piece(piece) => return self.with_spring(state, h, contact, Along::new(piece)),
         };
         match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
-            PowerKind::Absent => self.with_spring(state, h, area, NoForce),
-            PowerKind::Linear => self.with_spring(state, h, area, law.coefficient),
+            PowerKind::Absent => self.with_spring(state, h, contact, NoForce),
+            PowerKind::Linear => self.with_spring(state, h, contact, law.coefficient),
             PowerKind::Whole(n) => {
-                self.with_spring(state, h, area, Whole::new(law.coefficient, n, self.side_x))
+                self.with_spring(state, h, contact, Whole::new(law.coefficient, n, self.side_x))
             }
-            PowerKind::General => self.with_spring(state, h, area, General::new(law)),
+            PowerKind::General => self.with_spring(state, h, contact, General::new(law)),
         }
     }
 
@@ -219,17 +254,17 @@ impl Motion<'_> {
         &self,
         state: &State,
         h: f64,
-        area: impl AreaTerm<N>,
+        contact: impl ContactTerm<N>,
         spring: impl ForceTerm<N>,
     ) -> Expansion<N> {
         let law = self.damper;
         match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
-            PowerKind::Absent => self.recur(state, h, area, spring, NoForce),
-            PowerKind::Linear => self.recur(state, h, area, spring, law.coefficient),
+            PowerKind::Absent => self.recur(state, h, contact, spring, NoForce),
+            PowerKind::Linear => self.recur(state, h, contact, spring, law.coefficient),
             PowerKind::Whole(n) => {
-                self.recur(state, h, area, spring, Whole::new(law.coefficient, n, self.side_w))
+                self.recur(state, h, contact, spring, Whole::new(law.coefficient, n, self.side_w))
             }
-            PowerKind::General => self.recur(state, h, area, spring, General::new(law)),
+            PowerKind::General => self.recur(state, h, contact, spring, General::new(law)),
         }
     }
 
@@ -239,11 +274,13 @@ impl Motion<'_> {
         &self,
         state: &State,
         h: f64,
-        mut area: impl AreaTerm<N>,
+        mut contact: impl ContactTerm<N>,
         mut spring: impl ForceTerm<N>,
         mut damper: impl ForceTerm<N>,
     ) -> Expansion<N> {
         let mut e = Expansion {
+            t_s: state.t_s,
+            unit_s: h,
             travel: [0.0; N],
             slip: [0.0; N],
             plate: [0.0; N],
@@ -258,7 +295,7 @@ impl Motion<'_> {
         e.plate_speed[0] = state.plate_m_s;
         let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
         for j in 0..N {
-            let f = area.force(&e.travel, &e.slip, self.strength_pa, self.drag_kg_m3, j);
+            let f = contact.coefficient(&e.travel, &e.slip, j);
             let d = damper.coefficient(&e.plate_speed, j);
             let mut g = spring.coefficient(&e.plate, j) + d;
             g += stiffness_n_m * e.plate[j] + damping_n_s_m * e.plate_speed[j];
@@ -291,10 +328,14 @@ mod tests {
         let (m1, m2, cos) = (scene.projectile.mass_kg, scene.plate_mass_kg(), geometry.nose.cos);
         let mechanism = &scene.mechanism;
         Motion {
-            nose: geometry.nose,
-            area: geometry.piece(q).law,
-            strength_pa: scene.flow_strength_pa(),
-            drag_kg_m3: scene.drag_kg_m3(),
+            contact: ContactForce::Flow(FlowForce {
+                nose: geometry.nose,
+                area: geometry.piece(q).law,
+                pressure: Pressure {
+                    strength_pa: scene.flow_strength_pa(),
+                    drag_kg_m3: scene.drag_kg_m3(),
+                },
+            }),
             slip_mobility: 1.0 / m1 + cos * cos / m2,
             plate_mobility: 1.0 / m2,
             coupling: cos,
@@ -325,29 +366,34 @@ mod tests {
                     scene.mechanism.damper.exponent = m;
                     scene.mechanism.damper.coefficient = 50.0 * 20f64.powf(1.0 - m);
                     let q = Geometry::of(&scene).travel_m(depth * 0.00635);
-                    let motion = motion(&scene, q);
-                    let state =
-                        State { travel_m: q, slip_m_s: 60.0, plate_m: 0.002, plate_m_s: 20.0 };
-                    let h = 1e-6;
-                    let e: Expansion<17> = motion.expand(&state, h);
-                    for s in [0.0, 0.2, 0.4] {
-                        let at = State {
-                            travel_m: evaluate(&e.travel, s),
-                            slip_m_s: evaluate(&e.slip, s),
-                            plate_m: evaluate(&e.plate, s),
-                            plate_m_s: evaluate(&e.plate_speed, s),
-                        };
-                        let (du, dw) = motion.accelerations(&at);
-                        let slope =
-                            |c: &[f64; 17]| crate::numerics::series::evaluate_slope(c, s) / h;
-                        let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
-                        assert!(close(slope(&e.slip), du), "{degrees} {n} {m} {depth} {s}");
-                        assert!(close(slope(&e.plate_speed), dw), "{degrees} {n} {m} {depth} {s}");
-                        assert!(close(evaluate(&e.contact, s), motion.contact_force(&at)));
-                        assert!(close(evaluate(&e.mechanism, s), motion.mechanism_force(&at)));
+                    let flow = motion(&scene, q);
+                    let spring =
+                        ElasticForce { stiffness_n_m: 1e7, slack_m: 0.4 * q, damping_n_s_m: 30.0 };
+                    let pulse = Pulse { amplitude_n: 3e4, duration_s: 3e-5 };
+                    for contact in
+                        [flow.contact, ContactForce::Elastic(spring), ContactForce::HalfSine(pulse)]
+                    {
+                        check_slopes(&Motion { contact, ..flow }, q);
                     }
                 }
             }
+        }
+    }
+
+    fn check_slopes(motion: &Motion<'_>, travel_m: f64) {
+        let state = State { t_s: 2e-5, travel_m, slip_m_s: 60.0, plate_m: 0.002, plate_m_s: 20.0 };
+        let h = 1e-6;
+        let e: Expansion<17> = motion.expand(&state, h);
+        for s in [0.0, 0.2, 0.4] {
+            let at = e.state(s);
+            let (du, dw) = motion.accelerations(&at);
+            let slope = |c: &[f64; 17]| crate::numerics::series::evaluate_slope(c, s) / h;
+            let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + b.abs());
+            assert!((at.t_s - 2e-5 - s * h).abs() < 1e-19, "{s}");
+            assert!(close(slope(&e.slip), du), "{motion:?} {s}");
+            assert!(close(slope(&e.plate_speed), dw), "{motion:?} {s}");
+            assert!(close(evaluate(&e.contact, s), motion.contact_force(&at)));
+            assert!(close(evaluate(&e.mechanism, s), motion.mechanism_force(&at)));
         }
     }
 }

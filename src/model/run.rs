@@ -11,11 +11,13 @@ use crate::model::scene::Scene;
 
 mod at_least;
 pub mod envelope;
+mod model_note;
 mod settings;
 mod stack;
 mod warning;
 
 pub use at_least::AtLeast;
+pub use model_note::ModelNote;
 pub use settings::{Observer, Settings};
 pub use stack::StackRun;
 pub use warning::Warning;

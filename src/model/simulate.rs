@@ -4,8 +4,8 @@
 
 use std::sync::Arc;
 
+use crate::model::appendix::listing;
 use crate::model::impact::{self, window::Window};
-use crate::model::interaction;
 use crate::model::run::Run;
 pub use crate::model::run::{Observer, Settings};
 use crate::model::scene::{ContactModel, Scene};
@@ -25,8 +25,8 @@ pub fn simulate(
     simulate_openly(scene, settings, observer, &Window::default())
 }
 
-/// As [`simulate`], with a window through which the observer can look at the run so far. Other models than the hydrodynamic one, and
-/// the plates of a stack behind the first, show nothing.
+/// As [`simulate`], with a window through which the observer can look at the run so far. The listing of Appendix A, and the plates of a
+/// stack behind the first, show nothing.
 ///
 /// # Errors
 /// As [`simulate`].
@@ -37,8 +37,8 @@ pub fn simulate_openly(
     window: &Window,
 ) -> Result<Run, VariableError> {
     variables::validate(scene)?;
-    if scene.contact.model != ContactModel::Hydrodynamic {
-        return Ok(interaction::run(scene, *settings, observer));
+    if scene.contact.model == ContactModel::Appendix {
+        return Ok(listing::run(scene, *settings, observer));
     }
     let mut run = impact::run(scene, *settings, observer, window);
     let behind = &mut |plate: Scene| simulate(&Arc::new(plate), settings, observer);
@@ -46,8 +46,8 @@ pub fn simulate_openly(
     Ok(run)
 }
 
-/// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run of the hydrodynamic model that
-/// swings on undecided is followed for many times as long. For the outcome of a shot that an ordinary run leaves undecided.
+/// As [`simulate`] without a series, an estimate or a horizon of the scene's own, but for longer: a run that swings on
+/// undecided is followed for many times as long. For the outcome of a shot that an ordinary run leaves undecided.
 ///
 /// # Errors
 /// As [`simulate`].
@@ -56,9 +56,9 @@ pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Result<Run, Variabl
     let mut own = Scene::clone(scene);
     own.run.horizon_s = None;
     let own = Arc::new(own);
-    Ok(if own.contact.model == ContactModel::Hydrodynamic {
-        impact::follow(&own, observer)
+    Ok(if own.contact.model == ContactModel::Appendix {
+        listing::run(&own, Settings { series: false, estimate: false }, observer)
     } else {
-        interaction::run(&own, Settings { series: false, estimate: false }, observer)
+        impact::follow(&own, observer)
     })
 }

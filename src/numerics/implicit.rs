@@ -1,7 +1,7 @@
 //! Radau IIA collocation of order 5 with three stages, for systems in which a quantity may be known only through a
 //! function of the unknown.
 //!
-//! The system is d/dt g(y) = f(y) with g acting on each component by itself. With g(y) = y it is an ordinary differential
+//! The system is d/dt g(y) = f(t, y) with g acting on each component by itself. With g(y) = y it is an ordinary differential
 //! equation; where y is a stiff force and g(y) the small displacement that causes it, Newton's method sees a smooth, flat
 //! function instead of one with infinite slope. The method is L-stable: E. Hairer and G. Wanner, *Solving Ordinary Differential
 //! Equations II*, 2nd ed. (1996), section IV.8, tableau IV.5.6 (page 74), error estimate (8.19)/(8.20), step control (8.21).
@@ -10,14 +10,14 @@ use crate::numerics::linear::solve;
 
 const STAGES: usize = 3;
 
-/// An autonomous system d/dt g(y) = f(y) of N components.
+/// A system d/dt g(y) = f(t, y) of N components.
 pub trait ImplicitSystem<const N: usize> {
     /// g(y).
     fn carried(&self, y: &[f64; N]) -> [f64; N];
     /// dg/dy, component by component.
     fn carried_slope(&self, y: &[f64; N]) -> [f64; N];
-    /// f(y).
-    fn rate(&self, y: &[f64; N]) -> [f64; N];
+    /// f(y) so long after the start of the step.
+    fn rate(&self, after: f64, y: &[f64; N]) -> [f64; N];
     /// df/dy; `jacobian[i][j]` is the derivative of component i by component j of y.
     fn jacobian(&self, y: &[f64; N]) -> [[f64; N]; N];
     /// Scale of each component of g against which Newton's corrections are measured, > 0.
@@ -128,7 +128,7 @@ fn newton_system<const N: usize, const M: usize>(
         }
     }
     for j in 0..STAGES {
-        let rate = system.rate(&stages[j]);
+        let rate = system.rate(h * NODES[j], &stages[j]);
         let jacobian = system.jacobian(&stages[j]);
         for i in 0..STAGES {
             let weight = h * MATRIX[i][j];
@@ -151,7 +151,7 @@ fn estimate<const N: usize>(
     stages: &[[f64; N]; STAGES],
     h: f64,
 ) -> Option<f64> {
-    let mut right = system.rate(y);
+    let mut right = system.rate(0.0, y);
     for (stage, weight) in stages.iter().zip(ERROR_WEIGHTS) {
         let carried = system.carried(stage);
         for k in 0..N {
@@ -222,7 +222,7 @@ mod tests {
         fn carried_slope(&self, _: &[f64; 2]) -> [f64; 2] {
             [1.0; 2]
         }
-        fn rate(&self, y: &[f64; 2]) -> [f64; 2] {
+        fn rate(&self, _: f64, y: &[f64; 2]) -> [f64; 2] {
             [-self.0 * (y[0] - y[1].cos()) - y[1].sin(), 1.0]
         }
         fn jacobian(&self, y: &[f64; 2]) -> [[f64; 2]; 2] {
@@ -279,7 +279,7 @@ mod tests {
             fn carried_slope(&self, _: &[f64; 1]) -> [f64; 1] {
                 [1.0]
             }
-            fn rate(&self, y: &[f64; 1]) -> [f64; 1] {
+            fn rate(&self, _: f64, y: &[f64; 1]) -> [f64; 1] {
                 [if y[0] > 0.5 { f64::NAN } else { 1.0 }]
             }
             fn jacobian(&self, _: &[f64; 1]) -> [[f64; 1]; 1] {

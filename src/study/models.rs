@@ -7,7 +7,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::interaction::Values;
+use crate::model::contact_models::Values;
 use crate::model::run::{Outcome, Run};
 use crate::model::scene::{ContactModel, Jumps, Listing, Reading, Scene};
 use crate::model::simulate::{self, Settings};

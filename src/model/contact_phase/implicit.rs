@@ -98,7 +98,7 @@ impl ImplicitSystem<4> for Unknowns<'_, '_> {
         [1.0, 1.0, self.plate(y[2]).1, self.speed(y[3]).1]
     }
 
-    fn rate(&self, y: &[f64; 4]) -> [f64; 4] {
+    fn rate(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
         let phase = self.stretch.phase;
         let (f, _, _) = self.stretch.contact(y[0], y[1]);
         if self.stretch.is_still() {

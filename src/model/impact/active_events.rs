@@ -1,6 +1,6 @@
 //! Which guards are watched in which mode.
 
-use crate::model::impact::event_function::{ActiveEvents, EventFunction, EventId};
+use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw, sign};
 use crate::model::run::Mode;
@@ -30,56 +30,15 @@ impl Track<'_> {
     /// Everything that may end the present stretch.
     pub(super) fn active_events(&self) -> ActiveEvents {
         let mut guards = ActiveEvents::none();
-        self.watch_slip(&mut guards);
+        if self.mode != Mode::Fused {
+            self.problem.contact.watch(self.mode, &self.hole(), &mut guards);
+        } else if !self.is_still() {
+            self.watch_interface(&mut guards);
+        }
         if !self.problem.rigid && !self.immobile {
             self.watch_plate(&mut guards);
         }
         guards
-    }
-
-    fn watch_slip(&self, guards: &mut ActiveEvents) {
-        let (geometry, q) = (&self.problem.geometry, self.state.travel_m);
-        match self.mode {
-            Mode::Penetrating | Mode::Closing => {
-                let end = geometry.piece(q).to_m;
-                guards.watch(
-                    EventId::PieceEnd,
-                    EventFunction { offset: end, travel: -1.0, ..EventFunction::default() },
-                );
-                guards.watch(
-                    EventId::SlipZero,
-                    EventFunction { slip: 1.0, ..EventFunction::default() },
-                );
-                if self.mode == Mode::Closing {
-                    let bottom = EventFunction {
-                        offset: self.deepest_m,
-                        travel: -1.0,
-                        ..EventFunction::default()
-                    };
-                    guards.watch(EventId::HoleBottom, bottom);
-                }
-            }
-            Mode::Withdrawing => {
-                let behind = geometry.pieces().iter().rev().find(|piece| piece.from_m < q);
-                let start = behind.map_or(0.0, |piece| piece.from_m);
-                guards.watch(
-                    EventId::PieceStart,
-                    EventFunction { offset: -start, travel: 1.0, ..EventFunction::default() },
-                );
-                guards.watch(
-                    EventId::SlipZero,
-                    EventFunction { slip: -1.0, ..EventFunction::default() },
-                );
-            }
-            Mode::FreeFlight => {
-                guards.watch(
-                    EventId::Recontact,
-                    EventFunction { travel: -1.0, ..EventFunction::default() },
-                );
-            }
-            Mode::Fused if !self.is_still() => self.watch_interface(guards),
-            Mode::Fused | Mode::Perforated => {}
-        }
     }
 
     fn watch_interface(&self, guards: &mut ActiveEvents) {
@@ -209,7 +168,7 @@ impl Track<'_> {
             larger(x.abs(), FINEST * self.plate_scale_m)
         } else if x == 0.0 && w != 0.0 {
             // From zero itself there is no other side: as close as the clock sees.
-            larger(CLOCK * self.t_s * w.abs(), FINEST * self.plate_scale_m)
+            larger(CLOCK * self.state.t_s * w.abs(), FINEST * self.plate_scale_m)
         } else {
             larger(larger(self.near_zero_m(), 2.0 * x.abs()), least)
         };
@@ -262,7 +221,7 @@ impl Track<'_> {
         let closer = smaller((self.tolerance / CLEAR_AT).sqrt(), 1.0);
         let clear_m = CLEAR_OF_SPRING * closer * self.plate_scale_m;
         let passing = smaller(clear_m, spring.at_integral(PASSING * energy));
-        larger(passing, CLOCK * self.t_s * w.abs())
+        larger(passing, CLOCK * self.state.t_s * w.abs())
     }
 
     /// How close to zero velocity the singular damper is left out: so close that other forces turn the plate round.
@@ -273,6 +232,9 @@ impl Track<'_> {
         let damping = motion.damper.force(self.state.plate_m_s) * motion.plate_mobility;
         let others = (rate + damping).abs();
         let turning = damper.at_force(PASSING * others * self.problem.plate_kg);
-        larger(smaller(CLEAR_OF_DAMPER * self.speed_scale_m_s, turning), CLOCK * self.t_s * others)
+        larger(
+            smaller(CLEAR_OF_DAMPER * self.speed_scale_m_s, turning),
+            CLOCK * self.state.t_s * others,
+        )
     }
 }

@@ -1,6 +1,7 @@
 //! The contact in closed form, where nothing but the plate's inertia (or its rigid mount) answers the projectile.
 
 use crate::model::closed_form::{Ending, Moment, Passage, Rule};
+use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::Setting;
 use crate::model::impact::track::Track;
@@ -35,7 +36,9 @@ pub(super) enum Answer {
 impl Problem {
     /// How the plate answers during the contact.
     pub(super) fn find_answer(&self) -> Answer {
-        if self.rigid {
+        if !self.flows() {
+            Answer::Mechanism
+        } else if self.rigid {
             Answer::Rigid
         } else if self.mechanism.is_absent() && self.mechanism.stop.is_none() {
             Answer::Free
@@ -56,21 +59,19 @@ impl Track<'_> {
             Answer::Mechanism => false,
         };
         if !done {
-            self.first_point();
+            self.point();
+            let event = self.problem.contact.missed_event(self.mode, &self.hole(), &|| 0.0);
+            if event == Some(EventId::HistoryEnd) {
+                self.record.series.clear();
+                self.apply_transition(EventId::HistoryEnd);
+            }
             let pace = self.problem.time_scales();
             self.unit_s = 0.1 * pace.contact_s;
             self.stiff = pace.is_stiff() && !self.is_still();
-            if !self.stiff {
+            if !self.stiff && self.mode == Mode::Penetrating {
                 self.start();
             }
         }
-    }
-
-    fn first_point(&mut self) {
-        let motion = self.motion();
-        let mut record = std::mem::take(&mut self.record);
-        record.point(&self.setting(&motion), 0.0, &self.state, true);
-        self.record = record;
     }
 
     /// The whole contact at once; `false`, with nothing changed, where the closed form does not serve.
@@ -108,7 +109,7 @@ impl Track<'_> {
                 let force = self.interface_n() * problem.cos;
                 self.state.plate_m = smaller(problem.mechanism.spring.at_force(force), IMMOBILE);
             }
-            self.handle(crate::model::impact::event_function::EventId::SlipZero);
+            self.handle(EventId::SlipZero);
         }
         true
     }
@@ -117,8 +118,8 @@ impl Track<'_> {
     fn pass(&mut self, moment: &Moment, share: f64) {
         let problem = self.problem;
         let gone = problem.velocity_m_s * moment.t_s - moment.travel_m;
-        self.t_s = moment.t_s;
         self.state = State {
+            t_s: moment.t_s,
             travel_m: moment.travel_m,
             slip_m_s: moment.slip_m_s,
             plate_m: problem.start_m + share * gone,
@@ -136,8 +137,8 @@ impl Track<'_> {
             held: false,
             interface_n: 0.0,
         };
-        self.record.reach(moment.t_s, self.state.plate_m);
-        self.record.point(&setting, moment.t_s, &self.state, false);
+        self.record.reach(&self.state);
+        self.record.point(&setting, &self.state, false);
         let at_joint =
             problem.geometry.pieces().iter().any(|piece| {
                 (piece.to_m - moment.travel_m).abs() <= 4.0 * f64::EPSILON * piece.to_m
@@ -148,7 +149,7 @@ impl Track<'_> {
                 .into_iter()
                 .min_by(|a, b| (a - moment.travel_m).abs().total_cmp(&(b - moment.travel_m).abs()));
             self.state.travel_m = nearest.unwrap_or(moment.travel_m);
-            self.handle(crate::model::impact::event_function::EventId::PieceEnd);
+            self.handle(EventId::PieceEnd);
         }
     }
 }

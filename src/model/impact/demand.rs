@@ -23,7 +23,7 @@ impl Track<'_> {
         if self.mode != Mode::Fused {
             return;
         }
-        if self.record.push_ratio.is_none() && !self.is_still() {
+        if self.record.push_ratio.is_none() && !self.is_still() && self.problem.flows() {
             let motion = self.motion();
             let force = motion.mechanism_force(&self.state);
             let mut record = std::mem::take(&mut self.record);

@@ -39,7 +39,7 @@ impl Track<'_> {
     pub(super) fn depth_at_most_m(&self) -> Option<f64> {
         let problem = self.problem;
         let geometry = &problem.geometry;
-        problem.mechanism.spring.power()?;
+        problem.mechanism.spring.power().filter(|_| problem.flows())?;
         let swept = geometry.swept_m3(self.deepest_m) + self.energy_left_j() / problem.strength_pa;
         if swept.is_nan() || swept >= geometry.swept_m3(geometry.exit_m) {
             return None;
@@ -50,7 +50,7 @@ impl Track<'_> {
     }
 
     /// Energy of plate, projectile, spring and elastic stop, J.
-    fn energy_left_j(&self) -> f64 {
+    pub(super) fn energy_left_j(&self) -> f64 {
         let apart_j = if self.mode == Mode::Fused {
             0.0
         } else {

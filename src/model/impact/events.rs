@@ -4,7 +4,7 @@
 //! the gap closes against friction g A S. u < 0: the projectile is pulled out against g A S. u = 0: together, as long as
 //! the force the interface must carry stays within its limits.
 
-use crate::model::impact::event_function::EventId;
+use crate::model::event_function::EventId;
 use crate::model::impact::track::{Track, side};
 use crate::model::mechanism::sign;
 use crate::model::motion::State;
@@ -37,13 +37,18 @@ impl Track<'_> {
             }
             EventId::HoleBottom => self.state.travel_m = self.deepest_m,
             EventId::SlipZero | EventId::SlipHeld => self.state.slip_m_s = 0.0,
-            EventId::Recontact => self.state.travel_m = 0.0,
+            EventId::Recontact | EventId::DentLeft => {
+                self.state.travel_m = self.problem.contact.slack_m(self.deepest_m);
+            }
             EventId::PlateZero if self.spring_is_whole() => self.state.plate_m = 0.0,
             EventId::KnotAhead => self.state.plate_m = self.spring_ends().1,
             EventId::KnotBehind => self.state.plate_m = self.spring_ends().0,
             EventId::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
             EventId::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
-            EventId::PlateZero
+            EventId::ContactLost
+            | EventId::ContactAgain
+            | EventId::HistoryEnd
+            | EventId::PlateZero
             | EventId::PlateSpeedZero
             | EventId::PlateClear
             | EventId::PlateSpeedClear
@@ -73,13 +78,16 @@ impl Track<'_> {
             EventId::HoleBottom => self.deepen(),
             EventId::SlipZero => self.common_velocity(),
             EventId::SlipHeld => {
-                self.record.event(self.t_s, EventKind::Arrest);
+                self.record.event(self.state.t_s, EventKind::Arrest);
                 self.mode = Mode::Fused;
             }
-            EventId::Recontact => {
-                self.record.event(self.t_s, EventKind::Recontact);
+            EventId::Recontact | EventId::ContactAgain => {
+                self.record.event(self.state.t_s, EventKind::Recontact);
                 self.mode = if self.deepest_m > 0.0 { Mode::Closing } else { Mode::Penetrating };
             }
+            EventId::ContactLost => self.separate(),
+            EventId::DentLeft => {}
+            EventId::HistoryEnd => self.join(),
             EventId::PlateZero => self.plate_zero(),
             EventId::KnotAhead => self.region += 1,
             EventId::KnotBehind => self.region -= 1,
@@ -112,18 +120,18 @@ impl Track<'_> {
         let q = self.state.travel_m;
         if q >= geometry.exit_m {
             let velocity = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
-            self.record.exit = Some((self.t_s, velocity));
-            self.record.event(self.t_s, EventKind::Perforation);
+            self.record.exit = Some((self.state.t_s, velocity));
+            self.record.event(self.state.t_s, EventKind::Perforation);
             self.mode = Mode::Perforated;
         } else if self.mode == Mode::Penetrating {
             let depth = geometry.depth_m(q);
             let close = |other: f64| (depth - other).abs() < 1e-9 * depth;
             if close(geometry.thickness_m) {
-                self.record.event(self.t_s, EventKind::RearFace);
+                self.record.event(self.state.t_s, EventKind::RearFace);
             } else if depth > 0.99 * geometry.nose.full_from_m()
                 && depth < 1.01 * geometry.nose.full_from_m()
             {
-                self.record.event(self.t_s, EventKind::NoseBuried);
+                self.record.event(self.state.t_s, EventKind::NoseBuried);
             }
         }
     }
@@ -131,32 +139,64 @@ impl Track<'_> {
     fn piece_start(&mut self) {
         if self.state.travel_m <= 0.0 {
             self.state.travel_m = 0.0;
-            self.mode = Mode::FreeFlight;
-            let velocity = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
-            self.record.separation = Some((self.t_s, velocity));
-            self.record.event(self.t_s, EventKind::Separation);
+            self.separate();
         }
     }
 
+    fn separate(&mut self) {
+        self.mode = Mode::FreeFlight;
+        let velocity = self.state.slip_m_s + self.state.plate_m_s * self.problem.cos;
+        self.record.separation = Some((self.state.t_s, velocity));
+        self.record.event(self.state.t_s, EventKind::Separation);
+    }
+
+    /// Makes the bodies one, with the momentum they have. The energy that this takes is the contact's.
+    fn join(&mut self) {
+        let problem = self.problem;
+        let State { slip_m_s: u, plate_m_s: w, .. } = self.state;
+        let v = u + w * problem.cos;
+        let energy_j = 0.5 * (problem.projectile_kg * v * v + problem.plate_kg * w * w);
+        let momentum = problem.projectile_kg * v * problem.cos + problem.plate_kg * w;
+        let joined = if self.is_still() { 0.0 } else { momentum / problem.joined_kg };
+        (self.state.slip_m_s, self.state.plate_m_s) = (0.0, joined);
+        self.record.work.penetration_j += energy_j - 0.5 * problem.joined_kg * joined * joined;
+        self.note_arrest();
+        self.mode = Mode::Fused;
+        self.point();
+    }
+
     fn common_velocity(&mut self) {
+        if self.mode == Mode::Withdrawing && !self.problem.flows() {
+            self.mode = self.problem.contact.turned_forward();
+            return;
+        }
+        self.note_arrest();
+        self.settle();
+    }
+
+    /// Notes common velocity; the collision that takes no time has no depth then.
+    fn note_arrest(&mut self) {
         let first = self.record.first_arrest.is_none();
-        if first {
+        if first && self.problem.contact.hole_m(self.deepest_m).is_some() {
             self.record.first_arrest = Some(Arrest {
-                t_s: self.t_s,
+                t_s: self.state.t_s,
                 penetration_m: self.problem.geometry.depth_m(self.state.travel_m),
                 plate_displacement_m: self.state.plate_m,
                 plate_velocity_m_s: self.state.plate_m_s,
             });
         }
-        self.record.event(self.t_s, if first { EventKind::FirstArrest } else { EventKind::Arrest });
-        self.settle();
+        self.record
+            .event(self.state.t_s, if first { EventKind::FirstArrest } else { EventKind::Arrest });
     }
 
-    /// Common velocity: together, or on to what the interface law says.
+    /// Common velocity: together, or on to what the contact model says.
     fn settle(&mut self) {
         self.state.slip_m_s = 0.0;
-        self.mode = Mode::Fused;
-        if !self.gives_way() && self.problem.plastic && !self.is_still() {
+        if self.mode != Mode::Fused {
+            self.mode = self.problem.contact.at_common_velocity();
+        }
+        if self.mode == Mode::Fused && !self.gives_way() && self.problem.plastic && !self.is_still()
+        {
             self.count_slips();
             self.take_last_slips();
         }
@@ -215,15 +255,15 @@ impl Track<'_> {
 
     fn note_push(&mut self) {
         if self.record.push_exceeded_s.is_none() {
-            self.record.push_exceeded_s = Some(self.t_s);
-            self.record.event(self.t_s, EventKind::InterfaceExceeded);
+            self.record.push_exceeded_s = Some(self.state.t_s);
+            self.record.event(self.state.t_s, EventKind::InterfaceExceeded);
         }
     }
 
     fn note_pull(&mut self) {
         if self.record.pull_exceeded_s.is_none() {
-            self.record.pull_exceeded_s = Some(self.t_s);
-            self.record.event(self.t_s, EventKind::InterfaceExceeded);
+            self.record.pull_exceeded_s = Some(self.state.t_s);
+            self.record.event(self.state.t_s, EventKind::InterfaceExceeded);
         }
     }
 
@@ -247,13 +287,13 @@ impl Track<'_> {
     /// The bottom of the hole is reached with speed to spare.
     fn deepen(&mut self) {
         self.mode = Mode::Penetrating;
-        self.record.resumed_s.get_or_insert(self.t_s);
-        self.record.event(self.t_s, EventKind::Resumption);
+        self.record.resumed_s.get_or_insert(self.state.t_s);
+        self.record.event(self.state.t_s, EventKind::Resumption);
     }
 
     fn pull_out(&mut self) {
         self.mode = Mode::Withdrawing;
-        self.record.event(self.t_s, EventKind::PullOut);
+        self.record.event(self.state.t_s, EventKind::PullOut);
     }
 
     /// Whether the plate moves so slowly during the contact that nothing else feels it.
@@ -268,7 +308,7 @@ impl Track<'_> {
         } else if self.is_unfelt() {
             // Below what Taylor steps resolve: the implicit method follows the spring's force instead.
             (self.stiff, self.creeps) = (true, true);
-            self.unit_s = UNFELT_STEP * self.t_s;
+            self.unit_s = UNFELT_STEP * self.state.t_s;
         } else {
             self.omit_spring();
         }
@@ -291,7 +331,7 @@ impl Track<'_> {
 
     fn note_greatest_displacement(&mut self) {
         if self.side_w > 0.0 && self.state.plate_m >= self.record.farthest_m {
-            self.record.event(self.t_s, EventKind::GreatestDisplacement);
+            self.record.event(self.state.t_s, EventKind::GreatestDisplacement);
         }
     }
 
@@ -302,9 +342,9 @@ impl Track<'_> {
 
     /// The plate meets its stop.
     fn hit_stop(&mut self) {
-        self.record.reach(self.t_s, self.state.plate_m);
+        self.record.reach(&self.state);
         let Some(stop) = self.problem.mechanism.rigid_stop() else {
-            self.record.event(self.t_s, EventKind::StopHit);
+            self.record.event(self.state.t_s, EventKind::StopHit);
             self.stop_touches = true;
             // Its damper pushes at once: no guard falls where the force jumps.
             if self.mode == Mode::Fused {
@@ -324,7 +364,7 @@ impl Track<'_> {
             after = 0.0;
         }
         if before > REBOUND_MIN * self.problem.velocity_m_s {
-            self.record.event(self.t_s, EventKind::StopHit);
+            self.record.event(self.state.t_s, EventKind::StopHit);
         }
         self.record.work.stop_j += 0.5 * mass * (before - after) * (before + after);
         self.state.plate_m_s = after;
@@ -342,7 +382,7 @@ impl Track<'_> {
                 self.settle();
             }
             if self.net_push_on_stop() >= 0.0 {
-                self.record.event(self.t_s, EventKind::StopHold);
+                self.record.event(self.state.t_s, EventKind::StopHold);
             }
         }
     }
@@ -351,7 +391,9 @@ impl Track<'_> {
     fn slip_has_jumped(&mut self) {
         match self.mode {
             Mode::Fused if self.state.slip_m_s > 0.0 => self.resume(),
-            Mode::Withdrawing if self.state.slip_m_s > 0.0 => self.mode = Mode::Closing,
+            Mode::Withdrawing if self.state.slip_m_s > 0.0 => {
+                self.mode = self.problem.contact.turned_forward();
+            }
             Mode::Withdrawing if self.state.slip_m_s == 0.0 => self.settle(),
             Mode::Fused
             | Mode::Withdrawing
@@ -374,7 +416,7 @@ impl Track<'_> {
         (self.held, self.released) = (false, true);
         self.side_w = -1.0;
         self.side_x = side(self.state.plate_m, -1.0);
-        self.record.event(self.t_s, EventKind::StopRelease);
+        self.record.event(self.state.t_s, EventKind::StopRelease);
         if self.mode == Mode::Fused {
             self.settle();
         }

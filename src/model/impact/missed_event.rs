@@ -1,7 +1,7 @@
 //! Events that are there already, without a guard that falls: put behind the state by rounding, or on the very place where another
 //! one has put it.
 
-use crate::model::impact::event_function::EventId;
+use crate::model::event_function::EventId;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::sign;
 use crate::model::motion::State;
@@ -14,7 +14,7 @@ const NEARBY: f64 = 1e-9;
 impl Track<'_> {
     /// An event that rounding has put behind the state already, when another one fell on nearly the same moment.
     pub(super) fn missed_event(&self) -> Option<EventId> {
-        let State { travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w } = self.state;
+        let State { plate_m: x, plate_m_s: w, .. } = self.state;
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
         // So close that the clock, or the displacement's digits, do not tell it from the stop.
@@ -36,22 +36,8 @@ impl Track<'_> {
         if !self.is_still() && (x < behind || (x <= behind && w < 0.0)) {
             return Some(EventId::KnotBehind);
         }
-        match self.mode {
-            Mode::Penetrating | Mode::Closing if u < 0.0 => Some(EventId::SlipZero),
-            Mode::Penetrating | Mode::Closing if q >= problem.geometry.exit_m && u > 0.0 => {
-                Some(EventId::PieceEnd)
-            }
-            Mode::Closing if q >= self.deepest_m && u > 0.0 => Some(EventId::HoleBottom),
-            Mode::Withdrawing if u > 0.0 => Some(EventId::SlipZero),
-            Mode::Withdrawing if q <= 0.0 => Some(EventId::PieceStart),
-            Mode::FreeFlight if q > 0.0 && u > 0.0 => Some(EventId::Recontact),
-            Mode::Penetrating
-            | Mode::Closing
-            | Mode::Withdrawing
-            | Mode::FreeFlight
-            | Mode::Fused
-            | Mode::Perforated => None,
-        }
+        let slip_rate = || self.motion().accelerations(&self.state).0;
+        problem.contact.missed_event(self.mode, &self.hole(), &slip_rate)
     }
 
     /// Whether the plate is where an elastic stop that has let go of it would press it again.

@@ -2,11 +2,12 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::model::closed_form::{Ending, Passage};
+use crate::model::closed_form::Passage;
 use crate::model::contact::Geometry;
+use crate::model::contact_models::{self, ContactModel};
 use crate::model::impact::contact::Answer;
 use crate::model::mechanism::{Inertia, Mechanism, Spring};
-use crate::model::scene::{InterfaceLaw, Mount, Scene};
+use crate::model::scene::{ContactModel as ContactKind, InterfaceLaw, Mount, Scene};
 use crate::numerics::{larger, smaller};
 
 /// Part of its displacement at which a plate that creeps back has arrived, and how many times its first time constant it is
@@ -24,6 +25,8 @@ pub(super) struct Problem {
     pub(super) scene: Arc<Scene>,
     pub(super) geometry: Geometry,
     pub(super) mechanism: Mechanism,
+    /// How projectile and plate push on each other.
+    pub(super) contact: Arc<dyn ContactModel>,
     /// `m_p`, kg.
     pub(super) projectile_kg: f64,
     /// `m_2` and what its mechanism adds, kg.
@@ -58,7 +61,7 @@ pub(super) struct Problem {
     pub(super) answer: Answer,
     /// How far the plate yields within the contact, relative to the travel.
     pub(super) yields_part: f64,
-    /// Penetration on a rigid mount, m; `None` when that perforates.
+    /// Penetration on a rigid mount, m; `None` where that perforates, or the contact model knows no depth.
     pub(super) baseline_m: Option<f64>,
     /// The horizon was asked for: the run goes on to it.
     pub(super) horizon_is_asked: bool,
@@ -73,6 +76,8 @@ pub(super) struct Problem {
 impl Problem {
     pub(super) fn of(scene: &Arc<Scene>) -> Self {
         let geometry = Geometry::of(scene);
+        let contact = contact_models::of(scene, &geometry);
+        let flows = scene.contact.model == ContactKind::Hydrodynamic;
         let mechanism = Mechanism::of(scene);
         let rigid = scene.plate.mount == Mount::Rigid;
         let cos = geometry.nose.cos;
@@ -88,19 +93,20 @@ impl Problem {
             scene: Arc::clone(scene),
             geometry,
             mechanism,
+            contact,
             projectile_kg,
             plate_kg,
             inertia,
             joined_kg,
             share: projectile_kg * cos / joined_kg,
             cos,
-            strength_pa: scene.flow_strength_pa(),
-            drag_kg_m3: scene.drag_kg_m3(),
+            strength_pa: if flows { scene.flow_strength_pa() } else { 0.0 },
+            drag_kg_m3: if flows { scene.drag_kg_m3() } else { 0.0 },
             grip: scene.interface.grip,
             velocity_m_s,
             energy_j,
             rigid,
-            plastic: scene.interface.law == InterfaceLaw::Plastic,
+            plastic: flows && scene.interface.law == InterfaceLaw::Plastic,
             start_m,
             horizon_s: 0.0,
             answer: Answer::Mechanism,
@@ -111,15 +117,17 @@ impl Problem {
             crushed_m: [0.0; 2],
             next: OnceLock::new(),
         };
-        let rigid_ending = problem.passage(false).ending();
-        problem.baseline_m = match rigid_ending {
-            Ending::Arrest { travel_m } => Some(problem.geometry.depth_m(travel_m)),
-            Ending::Exit { .. } => None,
-        };
+        let baseline = problem.contact.hole_on_rigid_mount_m();
+        problem.baseline_m = baseline.map(|travel_m| problem.geometry.depth_m(travel_m));
         problem.answer = problem.find_answer();
         problem.yields_part = problem.time_scales().yields_part;
         problem.horizon_s = scene.run.horizon_s.unwrap_or_else(|| problem.horizon_of_scene());
         problem
+    }
+
+    /// Whether the contact is the flow of the target at its strength: the hydrodynamic model.
+    pub(super) fn flows(&self) -> bool {
+        self.scene.contact.model == ContactKind::Hydrodynamic
     }
 
     /// Whether the force into the mount does not follow from the displacement alone: there is a damper, or a stop.
@@ -144,6 +152,12 @@ impl Problem {
         }
     }
 
+    /// Depth at a travel, m; not a number where the contact model knows none.
+    pub(super) fn depth_m(&self, travel_m: f64) -> f64 {
+        let known = self.contact.hole_m(travel_m);
+        known.map_or(f64::NAN, |_| self.geometry.depth_m(travel_m))
+    }
+
     /// The time in which the projectile would travel its own radius, s.
     pub(super) fn contact_scale_s(&self) -> f64 {
         self.geometry.nose.radius_m / self.velocity_m_s
@@ -152,7 +166,9 @@ impl Problem {
     /// Long enough for the contact, many swings of the spring with all energy in it, a damper to die down, and a plate that creeps
     /// back against it.
     fn horizon_of_scene(&self) -> f64 {
-        let contact = 50.0 * self.geometry.exit_m / self.velocity_m_s;
+        let passage_s = self.geometry.exit_m / self.velocity_m_s;
+        let longest_s = if self.flows() { passage_s } else { self.contact.scales().duration_s };
+        let contact = 50.0 * longest_s;
         if self.rigid {
             return contact;
         }

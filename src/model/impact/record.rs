@@ -79,7 +79,7 @@ pub(super) struct Setting<'a> {
 
 impl Setting<'_> {
     /// The sample at a state.
-    pub(super) fn sample(&self, t_s: f64, state: &State, is_step: bool) -> Sample {
+    pub(super) fn sample(&self, state: &State, is_step: bool) -> Sample {
         let (problem, motion) = (self.problem, self.motion);
         let mechanism = &problem.mechanism;
         let (spring, damper) =
@@ -96,9 +96,9 @@ impl Setting<'_> {
         let stop =
             if self.held { contact * problem.cos - spring } else { motion.stop.force(state) };
         Sample {
-            t_s,
+            t_s: state.t_s,
             mode: self.mode,
-            penetration_m: problem.geometry.depth_m(state.travel_m),
+            penetration_m: problem.depth_m(state.travel_m),
             projectile_displacement_m: state.travel_m
                 + (state.plate_m - problem.start_m) * problem.cos,
             projectile_velocity_m_s: state.slip_m_s + state.plate_m_s * problem.cos,
@@ -118,11 +118,11 @@ impl Record<'_> {
         self.events.push(Event { t_s, kind });
     }
 
-    pub(super) fn point(&mut self, setting: &Setting<'_>, t_s: f64, state: &State, is_step: bool) {
+    pub(super) fn point(&mut self, setting: &Setting<'_>, state: &State, is_step: bool) {
         if !self.keep_series {
             return;
         }
-        let row = setting.sample(t_s, state, is_step);
+        let row = setting.sample(state, is_step);
         if let Some(window) = self.window {
             window.reach(&row);
         }
@@ -139,20 +139,21 @@ impl Record<'_> {
     }
 
     /// Note a displacement that may be the greatest so far.
-    pub(super) fn reach(&mut self, t_s: f64, plate_m: f64) {
-        if plate_m > self.farthest_m {
-            (self.farthest_m, self.farthest_s) = (plate_m, t_s);
+    pub(super) fn reach(&mut self, state: &State) {
+        if state.plate_m > self.farthest_m {
+            (self.farthest_m, self.farthest_s) = (state.plate_m, state.t_s);
         }
     }
 
     /// Write down a step of an expansion: points to draw, work done, extremes of the forces. `span` is the part
-    /// of the time unit `h` that was used.
+    /// of the time unit that was used.
     pub(super) fn step<const N: usize>(
         &mut self,
         setting: &Setting<'_>,
         e: &Expansion<N>,
-        (t_s, h, span): (f64, f64, f64),
+        span: f64,
     ) {
+        let h = e.unit_s;
         self.work.penetration_j += integral(&e.contact, &e.slip, span) * h;
         if setting.motion.damper.coefficient > 0.0 {
             self.work.damper_j += integral(&e.damper, &e.plate_speed, span) * h;
@@ -175,15 +176,13 @@ impl Record<'_> {
             }
         });
         if let Some(window) = self.window.filter(|_| self.keep_series) {
-            let at =
-                |moment_s: f64| setting.sample(moment_s, &e.state((moment_s - t_s) / h), false);
-            window.fill(t_s + span * h, at);
+            let at = |t_s: f64| setting.sample(&State { t_s, ..e.state((t_s - e.t_s) / h) }, false);
+            window.fill(e.t_s + span * h, at);
         }
         if self.keep_series && self.series.len() < POINTS_MAX {
             for point in 1..POINTS_PER_STEP {
                 let s = span * point as f64 / POINTS_PER_STEP as f64;
-                let state = e.state(s);
-                self.series.push(setting.sample(t_s + s * h, &state, false));
+                self.series.push(setting.sample(&e.state(s), false));
             }
         }
     }
@@ -204,7 +203,8 @@ impl Record<'_> {
         greatest: impl Fn(Force, f64) -> f64,
     ) {
         match setting.mode {
-            Mode::Penetrating => {
+            Mode::Closing | Mode::Withdrawing if setting.problem.flows() => {}
+            Mode::Penetrating | Mode::Closing | Mode::Withdrawing => {
                 let peak = greatest(Force::Contact, self.peak_contact_n);
                 self.peak_contact_n = larger(peak, self.peak_contact_n);
             }
@@ -212,7 +212,7 @@ impl Record<'_> {
                 let [push, pull] = self.known_loads_n(setting);
                 self.carried(setting, greatest(Force::Push, push), greatest(Force::Pull, pull));
             }
-            Mode::Closing | Mode::Withdrawing | Mode::FreeFlight | Mode::Perforated => {}
+            Mode::FreeFlight | Mode::Perforated => {}
         }
         if !setting.problem.follows_mount_force() {
             return;
@@ -237,7 +237,7 @@ impl Record<'_> {
 
     /// Note the greatest forces of the mechanism, forwards and backwards, N, that the interface has to share while fused.
     pub(super) fn carried(&mut self, setting: &Setting<'_>, push_n: f64, pull_n: f64) {
-        if setting.still {
+        if setting.still || !setting.problem.flows() {
             return;
         }
         if setting.interface_n > 0.0 {

@@ -8,9 +8,10 @@ use crate::model::impact::termination::MaximumDisplacement;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
-    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, Omission, Outcome, Run,
-    Warning,
+    AtLeast, Cost, EndReason, EnergyLedger, EventKind, MechanismLoad, ModelNote, Omission, Outcome,
+    Run, Warning,
 };
+use crate::model::scene::InterfaceLaw;
 use crate::numerics::larger;
 
 /// Displacements this part apart are the same.
@@ -20,20 +21,24 @@ const AS_FAR: f64 = 1e-8;
 pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) -> Run {
     let outcome = track.decided.map_or_else(|| track.outcome(), |decided| decided.0);
     let ledger = ledger(problem, &track);
-    let mut warnings = warnings(problem, &track, end, &ledger);
     let geometry = &problem.geometry;
+    let hole_m = problem.contact.hole_m(track.deepest_m);
+    let hole_m = hole_m.map(|travel_m| geometry.depth_m(travel_m));
     let final_penetration_m = match outcome {
-        Outcome::Arrested | Outcome::Separated => Some(geometry.depth_m(track.deepest_m)),
+        Outcome::Arrested | Outcome::Separated => hole_m,
         Outcome::Perforated => Some(geometry.depth_m(geometry.exit_m)),
         Outcome::Moving => None,
     };
-    let depth_m = geometry.depth_m(track.deepest_m);
+    let mut warnings = warnings(problem, &track, end, &ledger);
+    warnings.extend(notes(problem, &track, final_penetration_m).map(Warning::Model));
     let penetration_at_most_m =
         if outcome == Outcome::Moving { track.depth_at_most_m() } else { None };
     // What can only get deeper by less than the run's own error is as deep as it gets.
-    let unseen_m = problem.scene.run.tolerance * depth_m;
-    let is_final = penetration_at_most_m.is_some_and(|most_m| most_m - depth_m <= unseen_m);
-    let final_penetration_m = final_penetration_m.or_else(|| is_final.then_some(depth_m));
+    let unseen = problem.scene.run.tolerance;
+    let final_penetration_m = final_penetration_m.or_else(|| {
+        let at_most_m = penetration_at_most_m?;
+        hole_m.filter(|depth_m| at_most_m - depth_m <= unseen * depth_m)
+    });
     let so_far_m = track.record.farthest_m;
     let farthest = match track.farthest {
         MaximumDisplacement::Known(x) => Some(larger(x, so_far_m)),
@@ -41,7 +46,7 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => None,
     };
     let at_least = AtLeast {
-        penetration_m: final_penetration_m.is_none().then_some(depth_m),
+        penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
         plate_displacement_m: (farthest.is_none()
             && track.farthest == MaximumDisplacement::Pending)
             .then_some(so_far_m),
@@ -60,8 +65,11 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
         end,
         first_arrest: record.first_arrest,
         final_penetration_m,
-        baseline_penetration_m: problem.baseline_m,
-        peak_contact_force_n: Some(record.peak_contact_n),
+        // On a rigid mount both are the same, to the last digit.
+        baseline_penetration_m: final_penetration_m
+            .filter(|_| problem.rigid && !problem.flows())
+            .or(problem.baseline_m),
+        peak_contact_force_n: hole_m.map(|_| record.peak_contact_n),
         max_plate_displacement_m: farthest,
         at_least,
         penetration_at_most_m,
@@ -133,7 +141,7 @@ fn warnings(
     let record = &track.record;
     let mut list = Vec::new();
     if !end.is_complete() {
-        let (t_s, horizon_s) = (track.t_s, problem.horizon_s);
+        let (t_s, horizon_s) = (track.state.t_s, problem.horizon_s);
         list.push(if problem.horizon_is_asked {
             Warning::HorizonNotReached { reason: end, t_s, horizon_s }
         } else {
@@ -154,7 +162,7 @@ fn warnings(
     if record.no_strength && !problem.plastic {
         list.push(Warning::InterfaceWithoutStrength);
     }
-    if let Some(t_s) = record.resumed_s {
+    if let Some(t_s) = record.resumed_s.filter(|_| problem.plastic) {
         list.push(Warning::PenetrationResumed { t_s });
     }
     list.extend(Warning::of_ledger(ledger));
@@ -166,10 +174,27 @@ fn warnings(
         let at = if far.abs() < problem.start_m.abs() { problem.start_m } else { far };
         list.extend(load::exceeded(&problem.scene, at).into_iter().map(Warning::Limit));
     }
-    if problem.baseline_m.is_none() {
+    if problem.flows() && problem.baseline_m.is_none() {
         list.push(Warning::NoBaseline);
     }
     list
+}
+
+/// What the contact model does not contain.
+fn notes(
+    problem: &Problem,
+    track: &Track<'_>,
+    depth_m: Option<f64>,
+) -> impl Iterator<Item = ModelNote> {
+    let scene = &problem.scene;
+    let through = depth_m.is_some_and(|depth_m| depth_m > problem.geometry.thickness_m);
+    let plastic = scene.interface.law == InterfaceLaw::Plastic;
+    let notes = [
+        (through && !problem.flows()).then_some(ModelNote::DeeperThanPlate),
+        (plastic && !problem.flows()).then_some(ModelNote::NoPlasticLaw),
+        problem.contact.note(track.record.first_arrest.map(|arrest| arrest.t_s)),
+    ];
+    notes.into_iter().flatten()
 }
 
 fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
@@ -207,7 +232,7 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
         (spring.power().is_some_and(|law| whole(law.kind())), Omission::SpringPower),
         (whole(damper.kind()), Omission::DamperPower),
         (problem.geometry.nose.sin == 0.0, Omission::Obliquity),
-        (track.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),
+        (!problem.flows() || track.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),
         (track.steps == 0, Omission::Integration),
         (answer == Answer::Immobile, Omission::MechanismWithinContact),
         (!problem.plastic, Omission::InterfaceLaw),

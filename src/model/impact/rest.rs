@@ -2,6 +2,7 @@
 
 use crate::model::impact::termination::{DEAD, FAINT};
 use crate::model::impact::track::Track;
+use crate::model::motion::ContactForce;
 use crate::model::run::Mode;
 
 impl Track<'_> {
@@ -15,12 +16,16 @@ impl Track<'_> {
         };
         let for_good = self.decided.is_some() && law.exponent < 1.0;
         let least = match self.mode {
-            Mode::FreeFlight => DEAD,
-            Mode::Withdrawing | Mode::Closing if self.problem.grip == 0.0 => DEAD,
+            Mode::FreeFlight | Mode::Withdrawing | Mode::Closing
+                if self.motion().contact == ContactForce::None =>
+            {
+                DEAD
+            }
             Mode::Perforated | Mode::Fused if for_good => FAINT,
             Mode::Penetrating
             | Mode::Withdrawing
             | Mode::Closing
+            | Mode::FreeFlight
             | Mode::Fused
             | Mode::Perforated => return,
         };

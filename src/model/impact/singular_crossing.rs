@@ -8,8 +8,7 @@
 //!
 //! A stride goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
-use crate::model::contact::AreaLaw;
-use crate::model::impact::event_function::{ActiveEvents, EventFunction, EventId};
+use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
@@ -173,7 +172,7 @@ impl Track<'_> {
         let value = |state: &State| fall.form.watched(clock.motion, state);
         let place = |part: f64| stretch.graded.between(part).0;
         let mut aim = place(fall.part);
-        let seen = TICKS * f64::EPSILON * self.t_s * clock.pace().abs();
+        let seen = TICKS * f64::EPSILON * self.state.t_s * clock.pace().abs();
         if aim.abs() < seen {
             // The clock does not tell the fall from the zero.
             let inwards = clock.now() * clock.heading < 0.0;
@@ -231,8 +230,8 @@ impl Track<'_> {
         let took_s = graded.end[0];
         let fits = graded.difference <= allowed
             && is_finite(&end)
-            && self.t_s + took_s > self.t_s
-            && self.t_s + took_s < self.until_s();
+            && self.state.t_s + took_s > self.state.t_s
+            && self.state.t_s + took_s < self.until_s();
         fits.then_some(Stretch { graded, states, end, fired: None })
     }
 
@@ -316,10 +315,10 @@ impl Track<'_> {
         let motion = clock.motion;
         let mut record = std::mem::take(&mut self.record);
         let setting = self.setting(motion);
-        for (place, ((_, dz, y), state)) in graded.points.iter().zip(states).enumerate() {
+        for (place, ((_, dz, _), state)) in graded.points.iter().zip(states).enumerate() {
             record.worked(&setting, state, clock.rate(state)[0] * dz);
             if place % DRAWN == DRAWN / 2 {
-                record.point(&setting, self.t_s + y[0], state, false);
+                record.point(&setting, state, false);
             }
         }
         // At the place where the polynomial through the points is greatest: another way leads there.
@@ -335,8 +334,7 @@ impl Track<'_> {
         self.record = record;
         if self.mode != Mode::Fused || self.problem.plastic {
             // An oblique section is not smooth enough for the finer rule to gain much.
-            let is_smooth = !matches!(motion.area, AreaLaw::Partial { .. });
-            let finer = if is_smooth { USUALLY_FINER } else { 1.0 };
+            let finer = if motion.contact.is_smooth() { USUALLY_FINER } else { 1.0 };
             self.stride_error += graded.difference / finer;
         }
         self.steps += 1;
@@ -344,7 +342,7 @@ impl Track<'_> {
         self.count_turns(motion.accelerations(&self.state).1);
         let took_s = graded.end[0];
         self.unit_s = larger(took_s, f64::MIN_POSITIVE);
-        self.arrive(self.t_s + took_s, *end, motion, *fired);
+        self.arrive(*end, motion, *fired);
     }
 }
 

@@ -4,6 +4,7 @@
 //! that the plate rides on it: x = (F/k)^(1/n). The smaller of the two is right up to a factor near one, and that is enough:
 //! the start is placed so early that the momentum in question is below the tolerance.
 
+use crate::model::contact_models::Scales;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::singular_crossing::Taken;
 use crate::model::impact::track::Track;
@@ -55,11 +56,8 @@ impl Problem {
     pub(super) fn time_scales(&self) -> TimeScales {
         let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
         let (v, m_2) = (self.velocity_m_s, self.plate_kg);
-        let travel =
-            self.baseline_m.map_or(self.geometry.exit_m, |depth| self.geometry.travel_m(depth));
-        let mut contact_s = 2.0 * travel / v;
-        let contact_n =
-            self.geometry.area_m2(0.9 * travel) * (self.strength_pa + self.drag_kg_m3 * v * v);
+        let Scales { travel_m, duration_s, force_n: contact_n } = self.contact.scales();
+        let mut contact_s = duration_s;
         let preload = spring.force(self.start_m).abs();
         // A cocked plate that is thrown forward at the projectile's speed ends the contact.
         if preload > 0.0 && damper.at_force(preload) > v {
@@ -72,7 +70,7 @@ impl Problem {
         let w = smaller(damper.at_force(drive), thrown);
         TimeScales {
             contact_s,
-            yields_part: smaller(yields / travel, 1.0),
+            yields_part: smaller(yields / travel_m, 1.0),
             swing_per_s: (spring.tangent(x).abs() / m_2).sqrt(),
             decay_per_s: damper.tangent(w) / m_2,
         }
@@ -153,7 +151,7 @@ impl Track<'_> {
         let mut record = std::mem::take(&mut self.record);
         let setting = self.setting(motion);
         if !self.stiff {
-            record.step(&setting, &e, (0.0, t_s, 1.0));
+            record.step(&setting, &e, 1.0);
         }
         self.record = record;
         if self.stiff {
@@ -163,7 +161,7 @@ impl Track<'_> {
         }
         debug_assert!(self.mode == Mode::Penetrating, "a run starts by penetrating");
         self.unit_s = t_s;
-        self.arrive(t_s, state, motion, None);
+        self.arrive(state, motion, None);
         self.steps += 1;
     }
 }

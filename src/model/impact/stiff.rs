@@ -6,11 +6,13 @@
 
 use std::ops::ControlFlow;
 
-use crate::model::impact::event_function::{EventFunction, EventId};
+use crate::model::event_function::{EventFunction, EventId};
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::motion::State;
 use crate::model::run::{EndReason, Mode};
-use crate::numerics::implicit::{ImplicitSystem, Step, WEIGHTS, interpolate, step, step_factor};
+use crate::numerics::implicit::{
+    ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor,
+};
 use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, maximum, smaller};
 
@@ -59,14 +61,14 @@ impl Track<'_> {
     /// One implicit step, shortened to the first event.
     pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = self.motion();
-        let system = Unknowns::of(&motion, self.state.plate_m, self.stiff_scale());
+        let system = Unknowns::of(&motion, &self.state, self.stiff_scale());
         let y = system.fold(&self.state, self.compensation_m);
         let mut h = self.unit_s;
-        let left = self.until_s() - self.t_s;
+        let left = self.until_s() - self.state.t_s;
         let mut halvings = 0;
         for _ in 0..200 {
             h = if left < h { left } else { h };
-            let tick = TICK * self.t_s;
+            let tick = TICK * self.state.t_s;
             let at_tick = h <= tick;
             h = larger(h, tick);
             let solved = self.solve(&system, &y, h);
@@ -141,7 +143,7 @@ impl Track<'_> {
 
     /// Whether the plate has no more energy than there is: far from the solution Newton's method may settle anywhere.
     fn is_possible(&self, system: &Unknowns<'_>, step: &Step<4>) -> bool {
-        let end = system.state(&step.stages[2]);
+        let end = system.state(&step.stages[2], 0.0);
         let kinetic_j = 0.5 * self.problem.plate_kg * end.plate_m_s * end.plate_m_s;
         let energy_j = kinetic_j + self.problem.mechanism.spring.energy(end.plate_m);
         energy_j <= POSSIBLE * self.problem.energy_j
@@ -154,7 +156,7 @@ impl Track<'_> {
         let radians = (stiffness * motion.plate_mobility).sqrt() * h;
         let held_n =
             motion.damper.force(state.plate_m_s).abs() + motion.spring.force(state.plate_m).abs();
-        let net_n = (system.rate(y)[3] / motion.plate_mobility).abs();
+        let net_n = (system.rate(0.0, y)[3] / motion.plate_mobility).abs();
         let damping = motion.damper.tangent(state.plate_m_s).abs() + motion.stop.damping_n_s_m;
         let faded = damping * motion.plate_mobility * h;
         // About a place where large forces hold each other the one that is left says little.
@@ -177,9 +179,9 @@ impl Track<'_> {
             0.5 * state.plate_m_s * state.plate_m_s / motion.plate_mobility
                 + spring.energy(state.plate_m)
         };
-        let mut gained = energy(&system.state(&solved.stages[2])) - energy(&self.state);
-        for (stage, weight) in solved.stages.iter().zip(WEIGHTS) {
-            let state = system.state(stage);
+        let mut gained = energy(&system.state(&solved.stages[2], h)) - energy(&self.state);
+        for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
+            let state = system.state(stage, node * h);
             let push_n = motion.coupling * motion.contact_force(&state)
                 - motion.damper.force(state.plate_m_s)
                 - motion.stop.force(&state);
@@ -221,7 +223,7 @@ impl Track<'_> {
         // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has come
         // back within it.
         for _ in guards.iter() {
-            let end = system.state(&solved.stages[2]);
+            let end = system.state(&solved.stages[2], h);
             let has_changed_sign = |(event, form): &&(EventId, EventFunction)| {
                 fired != Some(*event)
                     && form.watched(motion, &self.state) > 0.0
@@ -235,19 +237,21 @@ impl Track<'_> {
                 let trial = self.newton(system, y, part * h, system.guess(y, part * h));
                 let at =
                     trial.map_or_else(|| interpolate(y, &solved, part), |trial| trial.stages[2]);
-                form.watched(motion, &system.state(&at))
+                form.watched(motion, &system.state(&at, part * h))
             };
-            let inside = |part| form.watched(motion, &system.state(&interpolate(y, &solved, part)));
+            let inside = |part: f64| {
+                form.watched(motion, &system.state(&interpolate(y, &solved, part), part * h))
+            };
             let part = near_root(in_bracket(1e-12, 1.0, inside), value);
             let landed = self.newton(system, y, part * h, system.guess(y, part * h));
             let variation = form.at(motion, &self.state) - form.at(motion, &end);
             let landed = landed.filter(|landed| {
-                let at = system.state(&landed.stages[2]);
+                let at = system.state(&landed.stages[2], part * h);
                 form.at(motion, &at).abs() <= LANDED * variation + form.rounding(motion, &at)
             });
             if let Some(landed) = landed {
                 (h, solved, fired) = (part * h, landed, Some(*event));
-            } else if h <= CLOSEST * self.t_s {
+            } else if h <= CLOSEST * self.state.t_s {
                 // No coming closer: the clock has no finer ticks.
                 fired = Some(*event);
                 break;
@@ -258,7 +262,7 @@ impl Track<'_> {
                 return ControlFlow::Continue(None);
             }
         }
-        let state = system.state(&solved.stages[2]);
+        let state = system.state(&solved.stages[2], h);
         if !is_finite(&state) {
             return ControlFlow::Break(EndReason::NonFinite);
         }
@@ -266,9 +270,9 @@ impl Track<'_> {
         self.steps += 1;
         self.stiff_steps += 1;
         self.stretch_steps += 1;
-        self.count_turns(system.rate(y)[3]);
+        self.count_turns(system.rate(0.0, y)[3]);
         self.notice_swings(system, y, h);
-        self.arrive(self.t_s + h, state, motion, fired);
+        self.arrive(state, motion, fired);
         let is_moved = self.state.plate_m.to_bits() != state.plate_m.to_bits();
         if !is_moved {
             self.compensation_m = system.compensation_m(&solved.stages[2]);
@@ -281,33 +285,33 @@ impl Track<'_> {
         let motion = system.motion;
         let mut record = std::mem::take(&mut self.record);
         let setting = self.setting(motion);
-        for (stage, weight) in solved.stages.iter().zip(WEIGHTS) {
-            let state = system.state(stage);
+        for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
+            let state = system.state(stage, node * h);
             record.worked(&setting, &state, h * weight);
         }
         // Within a step that passes a boundary layer the polynomial through its stages says little: another step is taken to there.
-        let rough = |s: f64| system.state(&interpolate(y, solved, s));
+        let rough = |s: f64| system.state(&interpolate(y, solved, s), s * h);
         let along = |s: f64| {
             let trial = step::<4, 12>(system, y, s * h, system.guess(y, s * h));
-            trial.map_or_else(|| rough(s), |trial| system.state(&trial.stages[2]))
+            trial.map_or_else(|| rough(s), |trial| system.state(&trial.stages[2], s * h))
         };
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
             maximum::greatest_of(0.0, 1.0, known, |s| value(&rough(s)), |s| value(&along(s)))
         });
         if let Some(window) = record.window.filter(|_| record.keep_series) {
-            let at = |moment_s: f64| {
-                let s = (moment_s - self.t_s) / h;
+            let at = |t_s: f64| {
+                let s = (t_s - self.state.t_s) / h;
                 let state = if self.mode == Mode::Penetrating { along(s) } else { rough(s) };
-                setting.sample(moment_s, &state, false)
+                setting.sample(&State { t_s, ..state }, false)
             };
-            window.fill(self.t_s + h, at);
+            window.fill(self.state.t_s + h, at);
         }
         if record.keep_series {
             for point in 1..=POINTS_PER_STEP {
                 let s = point as f64 / (POINTS_PER_STEP + 1) as f64;
                 let state = if self.mode == Mode::Penetrating { along(s) } else { rough(s) };
-                record.point(&setting, self.t_s + s * h, &state, false);
+                record.point(&setting, &state, false);
             }
         }
         self.record = record;

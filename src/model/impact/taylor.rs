@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::model::impact::event_function::EventId;
+use crate::model::event_function::EventId;
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::motion::{Expansion, Motion};
 use crate::model::run::{EndReason, Mode};
@@ -57,17 +57,17 @@ impl Track<'_> {
             // The unit is far too long for what happens now: sizes measured with it mean nothing.
             self.unit_s = h * larger(2.0 * trusted, 1e-3);
             self.rejected += 1;
-            if self.unit_s <= 0.5 * f64::EPSILON * self.t_s {
+            if self.unit_s <= 0.5 * f64::EPSILON * self.state.t_s {
                 // Faster than the clock ticks: a plate that creeps against its damper. The implicit method steps over it.
                 self.stiff = true;
-                self.unit_s = RESUME * self.t_s;
+                self.unit_s = RESUME * self.state.t_s;
             }
             return ControlFlow::Continue(None);
         }
         if self.is_held(&e) {
             return ControlFlow::Continue(Some(EventId::SlipHeld));
         }
-        let left = (self.until_s() - self.t_s) / h;
+        let left = (self.until_s() - self.state.t_s) / h;
         let mut reach = self.checked(&motion, &e, smaller(left, trusted));
         let (span, fired) = loop {
             let (span, fired) = self.first_event(&motion, &e, reach);
@@ -82,21 +82,20 @@ impl Track<'_> {
         if !is_finite(&state) {
             return ControlFlow::Break(EndReason::NonFinite);
         }
-        let t_s = self.t_s + span * h;
-        if t_s <= self.t_s && fired.is_none() {
+        if state.t_s <= self.state.t_s && fired.is_none() {
             self.stiff = true;
-            self.unit_s = RESUME * self.t_s;
+            self.unit_s = RESUME * self.state.t_s;
             return ControlFlow::Continue(None);
         }
         let mut record = std::mem::take(&mut self.record);
-        record.step(&self.setting(&motion), &e, (self.t_s, h, span));
+        record.step(&self.setting(&motion), &e, span);
         self.record = record;
         self.unit_s = h * if fired.is_some() { trusted } else { span };
         self.steps += 1;
         self.stretch_steps += 1;
         self.notice_stiffness(&motion, &e, span * h);
         self.count_turns(e.plate_speed[1]);
-        self.arrive(t_s, state, &motion, fired);
+        self.arrive(state, &motion, fired);
         ControlFlow::Continue(fired)
     }
 
@@ -104,9 +103,14 @@ impl Track<'_> {
     /// the same moment.
     fn is_held<const N: usize>(&self, e: &Expansion<N>) -> bool {
         let way = match self.mode {
-            Mode::Penetrating | Mode::Closing => 1.0,
-            Mode::Withdrawing => -1.0,
-            Mode::Fused | Mode::FreeFlight | Mode::Perforated => return false,
+            Mode::Penetrating | Mode::Closing if self.problem.flows() => 1.0,
+            Mode::Withdrawing if self.problem.flows() => -1.0,
+            Mode::Penetrating
+            | Mode::Closing
+            | Mode::Withdrawing
+            | Mode::Fused
+            | Mode::FreeFlight
+            | Mode::Perforated => return false,
         };
         let first = e.slip[1..].iter().find(|c| **c != 0.0);
         e.slip[0] == 0.0 && first.is_some_and(|c| c * way < 0.0)
@@ -156,7 +160,7 @@ impl Track<'_> {
             let stiffness = motion.spring.tangent(e.plate[0]) + stop.stiffness_n_m;
             stiffness * mobility * step_s * step_s >= RIDING_STEP * RIDING_STEP
         };
-        let is_short = step_s <= SHORT_TICKS * f64::EPSILON * self.t_s;
+        let is_short = step_s <= SHORT_TICKS * f64::EPSILON * self.state.t_s;
         self.creeping_steps = if creeps || rides || is_short { self.creeping_steps + 1 } else { 0 };
         if self.creeping_steps > CREEPING_STEPS {
             self.creeping_steps = 0;

@@ -21,6 +21,8 @@ const UNSEEN: f64 = 1e-12;
 pub(super) const DEAD: f64 = 1e-24;
 /// The same for what nobody asks about any more: below the rounding of the energies.
 pub(super) const FAINT: f64 = 1e-18;
+/// Energy below this part of all there was with which bodies that are not joined are at rest.
+const AT_REST: f64 = 1e-9;
 /// Slips in a row, none of which deepened the hole noticeably, after which a projectile that cannot be pulled out counts
 /// as arrested: an undamped mount rattles for ever.
 const RATTLES: usize = 24;
@@ -57,7 +59,7 @@ impl Track<'_> {
     /// Whether, and why, the run is over.
     pub(super) fn finished(&mut self) -> Option<EndReason> {
         self.follow_swing();
-        let at_horizon = self.t_s >= self.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
+        let at_horizon = self.state.t_s >= self.problem.horizon_s * (1.0 - 4.0 * f64::EPSILON);
         if self.decided.is_none() && self.may_have_decided() {
             let outcome = self.outcome();
             if outcome != Outcome::Moving {
@@ -108,19 +110,25 @@ impl Track<'_> {
     /// The time at which the tail after the contact ends, s.
     fn tail_s(&self) -> f64 {
         let contact = self.record.first_arrest.map(|arrest| arrest.t_s);
-        TAIL * contact.or_else(|| self.record.exit.map(|exit| exit.0)).unwrap_or(self.t_s)
+        let end_s = contact.or_else(|| self.record.exit.map(|exit| exit.0));
+        let end_s = end_s.unwrap_or(self.state.t_s);
+        // A force history goes on after common velocity.
+        let least_s =
+            if self.problem.flows() { 0.0 } else { self.problem.contact.scales().duration_s };
+        TAIL * larger(end_s, least_s)
     }
 
     /// The time beyond which the next step must not go, s.
     pub(super) fn until_s(&self) -> f64 {
         let tail = self.tail_s();
-        let in_tail = self.decided.is_some() && !self.problem.horizon_is_asked && self.t_s < tail;
+        let in_tail =
+            self.decided.is_some() && !self.problem.horizon_is_asked && self.state.t_s < tail;
         if in_tail { smaller(tail, self.problem.horizon_s) } else { self.problem.horizon_s }
     }
 
     /// Whether there is still something worth drawing.
     fn in_tail(&self) -> bool {
-        if self.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON) {
+        if self.state.t_s < self.tail_s() * (1.0 - 4.0 * f64::EPSILON) {
             return true;
         }
         // Coasting to a greatest displacement that is already known in closed form.
@@ -140,12 +148,25 @@ impl Track<'_> {
             Mode::Perforated => Outcome::Perforated,
             Mode::Fused if !self.problem.plastic || self.holds_for_good() => Outcome::Arrested,
             Mode::FreeFlight if self.gone_for_good() => Outcome::Separated,
+            Mode::FreeFlight | Mode::Penetrating | Mode::Closing | Mode::Withdrawing
+                if self.rests_in_contact() =>
+            {
+                Outcome::Arrested
+            }
             Mode::Fused
             | Mode::FreeFlight
             | Mode::Penetrating
             | Mode::Closing
             | Mode::Withdrawing => Outcome::Moving,
         }
+    }
+
+    /// Whether everything is at rest in a contact that does not join the bodies.
+    fn rests_in_contact(&self) -> bool {
+        let stored_j = self.problem.contact.stored_j(self.mode, &self.hole());
+        stored_j.is_some_and(|stored_j| {
+            self.energy_left_j() + stored_j < AT_REST * self.problem.energy_j
+        })
     }
 
     /// Mass that moves with the plate, kg.
@@ -230,7 +251,8 @@ impl Track<'_> {
         let so_far = self.record.farthest_m;
         let mechanism = &self.problem.mechanism;
         let w = self.state.plate_m_s;
-        if self.problem.rigid || self.is_at_rest() || self.has_died_down() {
+        let is_over = self.is_at_rest() || self.has_died_down() || self.rests_in_contact();
+        if self.problem.rigid || is_over {
             return MaximumDisplacement::Known(so_far);
         }
         if mechanism.stop.is_none()
@@ -422,9 +444,10 @@ impl Track<'_> {
 
     /// Apart, moving apart, and unable to meet again.
     fn gone_for_good(&self) -> bool {
-        let State { travel_m, slip_m_s, plate_m, plate_m_s } = self.state;
+        let State { travel_m, slip_m_s, plate_m, plate_m_s, .. } = self.state;
         let problem = self.problem;
-        if slip_m_s > 0.0 || (travel_m >= 0.0 && slip_m_s == 0.0) {
+        let apart_m = problem.contact.slack_m(self.deepest_m) - travel_m;
+        if slip_m_s > 0.0 || (apart_m <= 0.0 && slip_m_s == 0.0) {
             return false;
         }
         let v = slip_m_s + plate_m_s * problem.cos;
@@ -435,7 +458,8 @@ impl Track<'_> {
             return true;
         }
         if mechanism.spring.is_absent() && mechanism.stop.is_none() {
-            return slip_m_s < 0.0 && (v <= 0.0 || plate_m_s < 0.0);
+            let keeps_going = mechanism.damper.coefficient == 0.0;
+            return slip_m_s < 0.0 && (v <= 0.0 || plate_m_s < 0.0 || keeps_going);
         }
         // The plate is driven away from it, ever faster.
         let driven = || mechanism.spring.drives_away(plate_m) == Some(1.0);
@@ -444,6 +468,6 @@ impl Track<'_> {
         }
         // The projectile flies away, and is already beyond the plate's farthest swing back.
         let back = mechanism.spring.backward(plate_m, energy);
-        v < 0.0 && travel_m + (plate_m + back) * problem.cos < 0.0
+        v < 0.0 && (plate_m + back) * problem.cos < apart_m
     }
 }

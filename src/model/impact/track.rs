@@ -8,9 +8,9 @@
 use std::cell::Cell;
 use std::ops::ControlFlow;
 
-use crate::model::contact::AreaLaw;
+use crate::model::contact_models::Hole;
+use crate::model::event_function::EventId;
 use crate::model::impact::demand::Swing;
-use crate::model::impact::event_function::EventId;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::{Record, Setting};
 use crate::model::impact::report;
@@ -37,7 +37,6 @@ const SWINGS_TO: f64 = 3.0;
 pub(super) struct Track<'a> {
     pub(super) problem: &'a Problem,
     pub(super) record: Record<'a>,
-    pub(super) t_s: f64,
     pub(super) state: State,
     /// Greatest travel so far: the bottom of the hole, m.
     pub(super) deepest_m: f64,
@@ -114,6 +113,7 @@ impl<'a> Track<'a> {
     /// A run at the moment of first contact.
     pub(super) fn new(problem: &'a Problem, tolerance: f64, keep_series: bool) -> Self {
         let state = State {
+            t_s: 0.0,
             travel_m: 0.0,
             slip_m_s: problem.velocity_m_s,
             plate_m: problem.start_m,
@@ -123,7 +123,6 @@ impl<'a> Track<'a> {
         Self {
             problem,
             record: Record { keep_series, farthest_m: problem.start_m, ..Record::default() },
-            t_s: 0.0,
             state,
             deepest_m: 0.0,
             mode: Mode::Penetrating,
@@ -179,7 +178,7 @@ impl<'a> Track<'a> {
             if let Some(reason) = self.finished() {
                 return reason;
             }
-            if observer(self.t_s).is_break() {
+            if observer(self.state.t_s).is_break() {
                 return EndReason::Cancelled;
             }
             if let Some(window) = self.record.window {
@@ -273,13 +272,6 @@ impl<'a> Track<'a> {
         let mechanism = &problem.mechanism;
         let still = self.is_still();
         let joined = self.mode == Mode::Fused;
-        let grip = problem.grip * problem.strength_pa;
-        let (strength_pa, drag_kg_m3) = match self.mode {
-            Mode::Penetrating => (problem.strength_pa, problem.drag_kg_m3),
-            Mode::Closing => (grip, 0.0),
-            Mode::Withdrawing => (-grip, 0.0),
-            Mode::Fused | Mode::FreeFlight | Mode::Perforated => (0.0, 0.0),
-        };
         let keep = |law: PowerLaw, omitted: bool| PowerLaw {
             coefficient: if omitted || still { 0.0 } else { law.coefficient },
             ..law
@@ -287,14 +279,7 @@ impl<'a> Track<'a> {
         let stop = mechanism.elastic_stop().filter(|_| self.stop_touches);
         let plate_kg = if joined { problem.joined_kg } else { problem.plate_kg };
         Motion {
-            nose: problem.geometry.nose,
-            area: if strength_pa == 0.0 && drag_kg_m3 == 0.0 {
-                AreaLaw::None
-            } else {
-                self.area_law()
-            },
-            strength_pa,
-            drag_kg_m3,
+            contact: problem.contact.force(self.mode, &self.hole()),
             slip_mobility: problem.slip_mobility(!still),
             plate_mobility: if still { 0.0 } else { 1.0 / plate_kg },
             coupling: if joined { 0.0 } else { problem.cos },
@@ -313,14 +298,14 @@ impl<'a> Track<'a> {
         }
     }
 
-    /// The area law on the side of the present travel to which the projectile is going.
-    fn area_law(&self) -> AreaLaw {
-        let (geometry, q) = (&self.problem.geometry, self.state.travel_m);
-        if self.mode == Mode::Withdrawing {
-            let behind = geometry.pieces().iter().rev().find(|piece| piece.from_m < q);
-            return behind.map_or(AreaLaw::None, |piece| piece.law);
+    /// The projectile in its hole.
+    pub(super) fn hole(&self) -> Hole<'_> {
+        Hole {
+            geometry: &self.problem.geometry,
+            state: self.state,
+            deepest_m: self.deepest_m,
+            still: self.is_still(),
         }
-        geometry.piece(q).law
     }
 
     /// The spring as a power law; none where it is a curve.
@@ -392,7 +377,7 @@ impl<'a> Track<'a> {
                 self.side_x = sign(x);
                 self.side_w = sign(w);
             }
-            if x.abs() <= PASSED_TICKS * f64::EPSILON * self.t_s * w.abs() {
+            if x.abs() <= PASSED_TICKS * f64::EPSILON * self.state.t_s * w.abs() {
                 // The clock does not see it.
                 self.state.plate_m = -x;
                 self.side_x = sign(-x);
@@ -405,16 +390,17 @@ impl<'a> Track<'a> {
         }
     }
 
+    /// Records the present state.
+    pub(super) fn point(&mut self) {
+        let motion = self.motion();
+        let mut record = std::mem::take(&mut self.record);
+        record.point(&self.setting(&motion), &self.state, true);
+        self.record = record;
+    }
+
     /// The state at the end of a step, put exactly on the event that ended it.
-    pub(super) fn arrive(
-        &mut self,
-        t_s: f64,
-        state: State,
-        motion: &Motion<'_>,
-        fired: Option<EventId>,
-    ) {
+    pub(super) fn arrive(&mut self, state: State, motion: &Motion<'_>, fired: Option<EventId>) {
         let before = self.state;
-        self.t_s = t_s;
         self.state = state;
         self.compensation_m = 0.0;
         self.released = false;
@@ -428,8 +414,8 @@ impl<'a> Track<'a> {
         self.plate_scale_m = larger(x, self.plate_scale_m);
         self.speed_scale_m_s = larger(w, self.speed_scale_m_s);
         let mut record = std::mem::take(&mut self.record);
-        record.reach(t_s, self.state.plate_m);
-        record.point(&self.setting(motion), t_s, &self.state, true);
+        record.reach(&self.state);
+        record.point(&self.setting(motion), &self.state, true);
         self.record = record;
     }
 }

@@ -10,6 +10,12 @@ pub(super) trait ForceTerm<const N: usize> {
     fn coefficient(&mut self, z: &[f64; N], j: usize) -> f64;
 }
 
+impl<const N: usize> ForceTerm<N> for Box<dyn ForceTerm<N>> {
+    fn coefficient(&mut self, z: &[f64; N], j: usize) -> f64 {
+        self.as_mut().coefficient(z, j)
+    }
+}
+
 /// No force.
 pub(super) struct NoForce;
 

@@ -2,9 +2,8 @@
 
 use std::fmt;
 
-use crate::model::interaction::ModelNote;
 use crate::model::mechanism::load::Limit;
-use crate::model::run::{AtLeast, EndReason, EnergyLedger, Outcome};
+use crate::model::run::{AtLeast, EndReason, EnergyLedger, ModelNote, Outcome};
 use crate::model::units::{self, Engineering};
 
 /// What a careful reader should know about a run.

@@ -1,7 +1,7 @@
 //! Which rows of the springs matter to which kind, and the rules between their values.
 
 use super::VariableError;
-use crate::model::mechanism::{Spring, curve_of, power_law_of};
+use crate::model::mechanism::{curve_of, power_law_of};
 use crate::model::scene::{self, Combination, ContactModel, Mount, OwnMass, Scene, SpringKind};
 use crate::model::units;
 
@@ -172,18 +172,14 @@ fn check_rising(spring: &scene::Spring, table: &str) -> Result<(), VariableError
 }
 
 fn check_model(scene: &Scene) -> Result<(), VariableError> {
-    let model = scene.contact.model;
     let mechanism = &scene.mechanism;
-    let listing = model == ContactModel::Appendix && !mechanism.is_plain();
-    let curved = model != ContactModel::Hydrodynamic && Spring::of(mechanism).curve().is_some();
-    if !listing && !curved {
+    if scene.contact.model != ContactModel::Appendix || mechanism.is_plain() {
         return Ok(());
     }
     refuse(format!(
-        "model (contact.model) = {} is made for a power law, and {} is none: set model = hydrodynamic, or spring = power-law{}",
-        model.word(),
-        described(mechanism),
-        if listing { ", combine = alone, own_mass = ignored" } else { " and combine = alone" }
+        "model (contact.model) = appendix is made for a power law, and {} is none: set model = hydrodynamic, or spring = power-law, \
+         combine = alone, own_mass = ignored",
+        described(mechanism)
     ))
 }
 

@@ -1,6 +1,6 @@
 //! The motion with displacement, or velocity, of the plate for a clock.
 
-use crate::model::impact::event_function::EventId;
+use crate::model::event_function::EventId;
 use crate::model::mechanism::{Elastic, PowerKind, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
@@ -60,7 +60,7 @@ impl<'a> Clock<'a> {
 
     /// The state when the clock shows `z`.
     pub(super) fn state(&self, z: f64, y: &Unknowns) -> State {
-        let State { travel_m, slip_m_s, plate_m: x, plate_m_s: w } = self.from;
+        let State { t_s, travel_m, slip_m_s, plate_m: x, plate_m_s: w } = self.from;
         let (moved_m, plate_m_s) = match self.law {
             Law::Spring => {
                 let half_square = self.energy() + y[3] - self.potential(z);
@@ -72,6 +72,7 @@ impl<'a> Clock<'a> {
         // A joined body has no coupling, and its speed may be beyond all bounds where the way is too long.
         let apart = if cos == 0.0 { 0.0 } else { cos * (plate_m_s - w) };
         State {
+            t_s: t_s + y[0],
             travel_m: travel_m + (y[1] - cos * moved_m),
             slip_m_s: slip_m_s + (y[2] - apart),
             plate_m: if self.law == Law::Spring { z } else { x + moved_m },

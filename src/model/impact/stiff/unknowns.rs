@@ -4,7 +4,6 @@
 //! from the spring's zero, its displacement is measured from the stop: the stop's force is the stiffness times a small difference
 //! that drowns in the rounding of the displacement itself.
 
-use crate::model::contact::AreaLaw;
 use crate::model::mechanism::{Elastic, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
 use crate::numerics::implicit::{ImplicitSystem, NODES};
@@ -16,6 +15,8 @@ const ON_STOP: f64 = 0.5;
 /// The present motion in the implicit method's unknowns.
 pub(super) struct Unknowns<'a> {
     pub(super) motion: &'a Motion<'a>,
+    /// When the step starts, s.
+    from_s: f64,
     pub(super) spring: Carrier<'a>,
     damper: Carrier<'a>,
     /// From where the plate's displacement is measured, m.
@@ -65,8 +66,8 @@ impl<'a> Carrier<'a> {
 }
 
 impl<'a> Unknowns<'a> {
-    pub(super) fn of(motion: &'a Motion<'a>, plate_m: f64, scale: [f64; 4]) -> Self {
-        let stop = motion.stop;
+    pub(super) fn of(motion: &'a Motion<'a>, from: &State, scale: [f64; 4]) -> Self {
+        let (stop, plate_m) = (motion.stop, from.plate_m);
         let on_stop =
             stop.stiffness_n_m > 0.0 && (plate_m - stop.position_m).abs() < ON_STOP * plate_m.abs();
         let datum_m = if on_stop { stop.position_m } else { 0.0 };
@@ -76,11 +77,13 @@ impl<'a> Unknowns<'a> {
             Carrier::of(motion.spring)
         };
         let damper = Carrier::of(Elastic::Power(motion.damper));
-        Self { motion, spring, damper, datum_m, scale }
+        Self { motion, from_s: from.t_s, spring, damper, datum_m, scale }
     }
 
-    pub(super) fn state(&self, y: &[f64; 4]) -> State {
+    /// The state of these unknowns, so long after the start of the step, s.
+    pub(super) fn state(&self, y: &[f64; 4], after_s: f64) -> State {
         State {
+            t_s: self.from_s + after_s,
             travel_m: y[0],
             slip_m_s: y[1],
             plate_m: self.datum_m + self.spring.unfold(y[2]).0,
@@ -106,9 +109,8 @@ impl<'a> Unknowns<'a> {
 
     /// The stop's force, N.
     fn stop_n(&self, x_from_datum: f64, w: f64) -> f64 {
-        let stop = self.motion.stop;
-        let near = StopForce { position_m: stop.position_m - self.datum_m, ..stop };
-        near.force(&State { travel_m: 0.0, slip_m_s: 0.0, plate_m: x_from_datum, plate_m_s: w })
+        let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.motion.stop;
+        stiffness_n_m * (x_from_datum - (position_m - self.datum_m)) + damping_n_s_m * w
     }
 
     /// Stages to start Newton's method from: the present values; but a force that is zero is where its law is flat, so
@@ -118,7 +120,7 @@ impl<'a> Unknowns<'a> {
             let mut stage = *y;
             let t = node * h;
             stage[0] += y[1] * t;
-            let state = State { travel_m: stage[0], ..self.state(y) };
+            let state = State { travel_m: stage[0], ..self.state(y, t) };
             let motion = self.motion;
             let others = motion.spring.force(state.plate_m) + motion.stop.force(&state);
             let drive = motion.contact_force(&state) * motion.coupling - others;
@@ -144,7 +146,8 @@ impl<'a> Unknowns<'a> {
         NODES.map(|node| {
             let mut stage = *y;
             stage[0] += y[1] * node * h;
-            let state = State { travel_m: stage[0], plate_m: 0.0, plate_m_s: 0.0, ..self.state(y) };
+            let at = self.state(y, node * h);
+            let state = State { travel_m: stage[0], plate_m: 0.0, plate_m_s: 0.0, ..at };
             let motion = self.motion;
             stage[2] = motion.contact_force(&state) * motion.coupling - motion.stop.force(&state);
             stage[3] = 0.0;
@@ -155,7 +158,7 @@ impl<'a> Unknowns<'a> {
     /// Stages of a plate that goes on at its velocity: where the spring's force is next to nothing its displacement's slope is, too, and
     /// from there Newton's method would come to the force of where the plate will be by a part of it at a time.
     pub(super) fn coasting(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
-        let state = self.state(y);
+        let state = self.state(y, 0.0);
         NODES.map(|node| {
             let mut stage = *y;
             stage[0] += y[1] * node * h;
@@ -163,19 +166,6 @@ impl<'a> Unknowns<'a> {
             stage[2] = self.spring.unknown(x, 0.0);
             stage
         })
-    }
-
-    /// dA/dq, by a central difference within the piece.
-    fn area_slope(&self, q: f64) -> f64 {
-        match self.motion.area {
-            AreaLaw::None => 0.0,
-            AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q - origin_m),
-            AreaLaw::Partial { .. } => {
-                let h = 1e-6 * self.motion.nose.radius_m;
-                let area = |q: f64| self.motion.area.area_m2(&self.motion.nose, q);
-                (area(q + h) - area(q - h)) / (2.0 * h)
-            }
-        }
     }
 }
 
@@ -188,8 +178,8 @@ impl ImplicitSystem<4> for Unknowns<'_> {
         [1.0, 1.0, self.spring.unfold(y[2]).1, self.damper.unfold(y[3]).1]
     }
 
-    fn rate(&self, y: &[f64; 4]) -> [f64; 4] {
-        let (motion, state) = (self.motion, self.state(y));
+    fn rate(&self, after: f64, y: &[f64; 4]) -> [f64; 4] {
+        let (motion, state) = (self.motion, self.state(y, after));
         let f = motion.contact_force(&state);
         let (x, _, spring_n, _) = self.spring.unfold(y[2]);
         let g = spring_n + self.damper.unfold(y[3]).2 + self.stop_n(x, state.plate_m_s);
@@ -203,11 +193,9 @@ impl ImplicitSystem<4> for Unknowns<'_> {
     }
 
     fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
-        let (motion, u) = (self.motion, y[1]);
-        let pressure = motion.strength_pa + motion.drag_kg_m3 * u * u;
-        let f_q = self.area_slope(y[0]) * pressure;
-        let area = motion.area.area_m2(&motion.nose, y[0]);
-        let f_u = 2.0 * area * motion.drag_kg_m3 * u;
+        let motion = self.motion;
+        // No slope depends on the time.
+        let [f_q, f_u] = motion.contact.slopes(&self.state(y, 0.0));
         let (_, x_y, _, k_y) = self.spring.unfold(y[2]);
         let (_, w_y, _, d_y) = self.damper.unfold(y[3]);
         let g_x = k_y + motion.stop.stiffness_n_m * x_y;

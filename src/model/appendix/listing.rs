@@ -10,14 +10,12 @@ use std::sync::Arc;
 use crate::model::appendix::{Scheme, State};
 use crate::model::contact_phase::{Ending, Refusal};
 use crate::model::estimate::{self, ROUNDING};
-use crate::model::interaction::course::say;
-use crate::model::interaction::{ModelNote, blank, notes_of};
 use crate::model::mechanism::PowerLaw;
 use crate::model::run::{
-    Arrest, Cost, EndReason, EstimateBasis, Event, EventKind, Mode, Outcome, Run, Sample, Warning,
+    Arrest, AtLeast, Cost, EndReason, EnergyLedger, EstimateBasis, Event, EventKind, MechanismLoad,
+    Mode, ModelNote, Observer, Outcome, Run, Sample, Settings, Warning,
 };
-use crate::model::run::{Observer, Settings};
-use crate::model::scene::{Listing, Mount, Reading, Scene};
+use crate::model::scene::{InterfaceLaw, Listing, Mount, Reading, Scene};
 use crate::numerics::larger;
 
 /// Steps of the contact, and afterwards, at most.
@@ -48,8 +46,23 @@ struct Work<'a> {
     before: Option<Sample>,
 }
 
-/// Run it.
-pub(super) fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
+/// Simulate a valid scene by the listing.
+pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
+    let mut run = simulate(scene, settings, observer);
+    if scene.plate.mount == Mount::Rigid {
+        run.baseline_penetration_m = run.final_penetration_m;
+    } else if run.end.is_complete() {
+        let mut rigid = Scene::clone(scene);
+        rigid.plate.mount = Mount::Rigid;
+        rigid.run.horizon_s = None;
+        let quiet = Settings { series: false, estimate: false };
+        run.baseline_penetration_m =
+            simulate(&Arc::new(rigid), quiet, observer).final_penetration_m;
+    }
+    run
+}
+
+fn simulate(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>) -> Run {
     let mut run = once(scene, scene.contact.appendix, settings.series, observer);
     if settings.estimate && run.end.is_complete() {
         let half =
@@ -312,7 +325,10 @@ impl Work<'_> {
         if !end.is_complete() {
             self.run.warnings.push(Warning::EndedEarly(end));
         }
-        let mut notes = notes_of(self.scene, None);
+        let mut notes = Vec::new();
+        if self.scene.interface.law == InterfaceLaw::Plastic {
+            notes.push(ModelNote::NoPlasticLaw);
+        }
         if self.scene.mechanism.stop.position_m.is_some() && sprung {
             notes.push(ModelNote::NoStop);
         }
@@ -322,7 +338,37 @@ impl Work<'_> {
         {
             notes.push(ModelNote::JoinedThroughHole);
         }
-        say(&mut self.run, notes);
+        self.run.warnings.extend(notes.into_iter().map(Warning::Model));
         self.run
+    }
+}
+
+/// A run with nothing in it yet.
+fn blank(scene: &Arc<Scene>) -> Run {
+    Run {
+        scene: Arc::clone(scene),
+        outcome: Outcome::Moving,
+        end: EndReason::Decided,
+        first_arrest: None,
+        final_penetration_m: None,
+        baseline_penetration_m: None,
+        peak_contact_force_n: None,
+        max_plate_displacement_m: None,
+        at_least: AtLeast::default(),
+        penetration_at_most_m: None,
+        residual_velocity_m_s: None,
+        exit_time_s: None,
+        separation: None,
+        interface_demand_ratio: None,
+        error_estimate: None,
+        error_estimates: Vec::new(),
+        series: Vec::new(),
+        events: Vec::new(),
+        ledger: EnergyLedger::default(),
+        mechanism: MechanismLoad::default(),
+        stack: None,
+        cost: Cost::default(),
+        omitted: Vec::new(),
+        warnings: Vec::new(),
     }
 }

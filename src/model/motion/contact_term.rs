@@ -1,42 +1,62 @@
-//! The contact force, one Taylor coefficient at a time, for each form of the engaged area.
+//! The contact force, one Taylor coefficient at a time.
 
+use super::contact_force::{ElasticForce, Pressure, Pulse};
 use crate::model::contact::{Nose, Section};
 use crate::numerics::series::{product, quotient, square, square_root};
 
 /// A contact force whose coefficients are asked for in order, 0 first.
-pub(super) trait AreaTerm<const N: usize> {
-    /// Coefficient j of A (S + c u²), given the coefficients of travel and slip up to j.
-    fn force(
-        &mut self,
-        travel: &[f64; N],
-        slip: &[f64; N],
-        strength_pa: f64,
-        drag_kg_m3: f64,
-        j: usize,
-    ) -> f64;
+pub(super) trait ContactTerm<const N: usize> {
+    /// Coefficient j of the force, given the coefficients of travel and slip up to j.
+    fn coefficient(&mut self, travel: &[f64; N], slip: &[f64; N], j: usize) -> f64;
 }
 
 /// No contact.
-pub(super) struct NoArea;
+pub(super) struct NoContact;
 
-impl<const N: usize> AreaTerm<N> for NoArea {
+impl<const N: usize> ContactTerm<N> for NoContact {
     #[inline]
-    fn force(&mut self, _: &[f64; N], _: &[f64; N], _: f64, _: f64, _: usize) -> f64 {
+    fn coefficient(&mut self, _: &[f64; N], _: &[f64; N], _: usize) -> f64 {
         0.0
+    }
+}
+
+impl<const N: usize> ContactTerm<N> for ElasticForce {
+    fn coefficient(&mut self, travel: &[f64; N], slip: &[f64; N], j: usize) -> f64 {
+        let pressed = if j == 0 { travel[0] - self.slack_m } else { travel[j] };
+        self.stiffness_n_m * pressed + self.damping_n_s_m * slip[j]
+    }
+}
+
+/// A half-sine from a moment on.
+pub(super) struct Phase {
+    pub(super) pulse: Pulse,
+    pub(super) t_s: f64,
+    pub(super) unit_s: f64,
+}
+
+impl<const N: usize> ContactTerm<N> for Phase {
+    fn coefficient(&mut self, _: &[f64; N], _: &[f64; N], j: usize) -> f64 {
+        let rate = std::f64::consts::PI / self.pulse.duration_s;
+        let (sin, cos) = (rate * self.t_s).sin_cos();
+        // sin(z + h) has the derivatives sin z, cos z, -sin z, -cos z.
+        let derivative = [sin, cos, -sin, -cos][j % 4];
+        let scale = (1..=j).fold(self.pulse.amplitude_n, |c, i| c * rate * self.unit_s / i as f64);
+        scale * derivative
     }
 }
 
 /// Coefficient j of S + c u².
 #[inline]
-fn pressure<const N: usize>(slip: &[f64; N], strength_pa: f64, drag_kg_m3: f64, j: usize) -> f64 {
-    let drag = drag_kg_m3 * square(slip, j);
-    if j == 0 { strength_pa + drag } else { drag }
+fn pressure<const N: usize>(slip: &[f64; N], pressure: Pressure, j: usize) -> f64 {
+    let drag = pressure.drag_kg_m3 * square(slip, j);
+    if j == 0 { pressure.strength_pa + drag } else { drag }
 }
 
 /// An area that is a quadratic in travel.
 pub(super) struct Quadratic<const N: usize> {
     origin_m: f64,
     a: [f64; 3],
+    law: Pressure,
     /// Travel from the origin.
     offset: [f64; N],
     area: [f64; N],
@@ -44,25 +64,18 @@ pub(super) struct Quadratic<const N: usize> {
 }
 
 impl<const N: usize> Quadratic<N> {
-    pub(super) fn new(origin_m: f64, a: [f64; 3]) -> Self {
-        Self { origin_m, a, offset: [0.0; N], area: [0.0; N], pressure: [0.0; N] }
+    pub(super) fn new(origin_m: f64, a: [f64; 3], law: Pressure) -> Self {
+        Self { origin_m, a, law, offset: [0.0; N], area: [0.0; N], pressure: [0.0; N] }
     }
 }
 
-impl<const N: usize> AreaTerm<N> for Quadratic<N> {
+impl<const N: usize> ContactTerm<N> for Quadratic<N> {
     #[inline]
-    fn force(
-        &mut self,
-        travel: &[f64; N],
-        slip: &[f64; N],
-        strength_pa: f64,
-        drag_kg_m3: f64,
-        j: usize,
-    ) -> f64 {
+    fn coefficient(&mut self, travel: &[f64; N], slip: &[f64; N], j: usize) -> f64 {
         self.offset[j] = if j == 0 { travel[0] - self.origin_m } else { travel[j] };
         let constant = if j == 0 { self.a[0] } else { 0.0 };
         self.area[j] = constant + self.a[1] * self.offset[j] + self.a[2] * square(&self.offset, j);
-        self.pressure[j] = pressure(slip, strength_pa, drag_kg_m3, j);
+        self.pressure[j] = pressure(slip, self.law, j);
         product(&self.area, &self.pressure, j)
     }
 }
@@ -71,6 +84,7 @@ impl<const N: usize> AreaTerm<N> for Quadratic<N> {
 pub(super) struct Partial<const N: usize> {
     /// Depth per travel.
     rate: f64,
+    law: Pressure,
     entry: Face<N>,
     exit: Face<N>,
     area: [f64; N],
@@ -78,9 +92,16 @@ pub(super) struct Partial<const N: usize> {
 }
 
 impl<const N: usize> Partial<N> {
-    pub(super) fn new(nose: Nose, depth_m: f64, rate: f64, exit_depth_m: f64) -> Self {
+    pub(super) fn new(
+        nose: Nose,
+        depth_m: f64,
+        rate: f64,
+        exit_depth_m: f64,
+        law: Pressure,
+    ) -> Self {
         Self {
             rate,
+            law,
             entry: Face::new(nose, depth_m),
             exit: Face::new(nose, depth_m - exit_depth_m),
             area: [0.0; N],
@@ -89,19 +110,12 @@ impl<const N: usize> Partial<N> {
     }
 }
 
-impl<const N: usize> AreaTerm<N> for Partial<N> {
+impl<const N: usize> ContactTerm<N> for Partial<N> {
     #[inline]
-    fn force(
-        &mut self,
-        travel: &[f64; N],
-        slip: &[f64; N],
-        strength_pa: f64,
-        drag_kg_m3: f64,
-        j: usize,
-    ) -> f64 {
+    fn coefficient(&mut self, travel: &[f64; N], slip: &[f64; N], j: usize) -> f64 {
         let step = if j == 0 { 0.0 } else { self.rate * travel[j] };
         self.area[j] = self.entry.area(step, j) - self.exit.area(step, j);
-        self.pressure[j] = pressure(slip, strength_pa, drag_kg_m3, j);
+        self.pressure[j] = pressure(slip, self.law, j);
         product(&self.area, &self.pressure, j)
     }
 }

@@ -3,11 +3,11 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::model::run::{EndReason, EventKind, Outcome, Run, Warning};
+use crate::model::run::{EndReason, EventKind, ModelNote, Outcome, Run, Warning};
 use crate::model::scene::{ContactModel, Jumps, Listing, Mount, Reading, Scene, StopKind};
 use crate::model::simulate::{self, Settings};
 
-use super::{ModelNote, Values};
+use super::Values;
 
 fn run(scene: &Scene) -> Run {
     simulate::simulate(&Arc::new(scene.clone()), &Settings::default(), &mut |_| {

@@ -18,6 +18,14 @@ pub(super) enum EventId {
     SlipHeld,
     /// A projectile that had left touches again.
     Recontact,
+    /// An elastic contact no longer pushes.
+    ContactLost,
+    /// It pushes again a projectile that had not left its dent.
+    ContactAgain,
+    /// Such a projectile leaves its dent.
+    DentLeft,
+    /// A prescribed force history is over.
+    HistoryEnd,
     /// The plate's displacement changes sign (or comes so close to zero that its power law is left out for a moment).
     PlateZero,
     /// The plate's velocity changes sign (or comes close to zero, as above).
@@ -50,6 +58,7 @@ impl EventId {
         match self {
             Self::PieceEnd
             | Self::PieceStart
+            | Self::DentLeft
             | Self::PlateZero
             | Self::PlateSpeedZero
             | Self::PlateClear
@@ -60,6 +69,9 @@ impl EventId {
             | Self::SlipZero
             | Self::SlipHeld
             | Self::Recontact
+            | Self::ContactLost
+            | Self::ContactAgain
+            | Self::HistoryEnd
             | Self::StopReached
             | Self::StopCleared
             | Self::StopPressed
@@ -70,10 +82,11 @@ impl EventId {
     }
 }
 
-/// offset + travel·q + slip·u + plate·x + `plate_speed·w` + contact·F + mechanism·G.
+/// offset + time·t + travel·q + slip·u + plate·x + `plate_speed·w` + contact·F + mechanism·G.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub(super) struct EventFunction {
     pub(super) offset: f64,
+    pub(super) time: f64,
     pub(super) travel: f64,
     pub(super) slip: f64,
     pub(super) plate: f64,
@@ -109,6 +122,21 @@ impl ActiveEvents {
 }
 
 impl EventFunction {
+    /// Falls where the travel comes up to a place, m.
+    pub(super) fn travel_up_to(place_m: f64) -> Self {
+        Self { offset: place_m, travel: -1.0, ..Self::default() }
+    }
+
+    /// Falls where the travel comes down to a place, m.
+    pub(super) fn travel_down_to(place_m: f64) -> Self {
+        Self { offset: -place_m, travel: 1.0, ..Self::default() }
+    }
+
+    /// Falls where a slip of this sign becomes zero.
+    pub(super) fn slip(sign: f64) -> Self {
+        Self { slip: sign, ..Self::default() }
+    }
+
     /// The form along an expansion, as it is watched.
     pub(super) fn along<const N: usize>(&self, motion: &Motion<'_>, e: &Expansion<N>) -> [f64; N] {
         let mut sum = [0.0; N];
@@ -127,8 +155,9 @@ impl EventFunction {
                 }
             }
         }
+        sum[1] += self.time * e.unit_s;
         let forces_n = (e.contact[0], e.mechanism[0], e.damper[0]);
-        sum[0] += self.offset + self.spared(motion, &e.start(), forces_n);
+        sum[0] += self.offset + self.time * e.t_s + self.spared(motion, &e.start(), forces_n);
         sum
     }
 
@@ -159,6 +188,7 @@ impl EventFunction {
     ) -> f64 {
         let mechanism_n = motion.mechanism_size(state, (mechanism_n, damper_n));
         let size = self.offset.abs()
+            + (self.time * state.t_s).abs()
             + (self.travel * state.travel_m).abs()
             + (self.slip * state.slip_m_s).abs()
             + (self.plate * state.plate_m).abs()
@@ -175,6 +205,7 @@ impl EventFunction {
 
     fn value(&self, state: &State, (contact_n, mechanism_n, _): (f64, f64, f64)) -> f64 {
         self.offset
+            + self.time * state.t_s
             + self.travel * state.travel_m
             + self.slip * state.slip_m_s
             + self.plate * state.plate_m

@@ -1,0 +1,156 @@
+//! How projectile and plate push on each other: the contact models of thesis section 8.2 and Table 8.1, on one simulation.
+//!
+//! A model gives the force of each mode, the events that end the mode, and what follows. The simulation does the rest, with
+//! every spring, damper and stop. What a model does not contain is absent from the run: no depth where it knows none, no peak
+//! force where the collision takes no time. The listing of Appendix A is a scheme of its own: see `appendix`.
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use crate::model::closed_form::{Ending, Passage, Rule};
+use crate::model::contact::Geometry;
+use crate::model::event_function::{ActiveEvents, EventId};
+use crate::model::motion::{ContactForce, State};
+use crate::model::run::{Mode, ModelNote};
+use crate::model::scene::{ContactModel as Kind, Scene};
+
+mod flow_strength;
+mod half_sine;
+mod initial_velocity;
+mod lumped;
+
+use flow_strength::FlowStrength;
+use half_sine::HalfSine;
+use initial_velocity::InitialVelocity;
+use lumped::Lumped;
+
+/// `k_unload` over `k_load` unless given: a hundredth of the dent springs back, a tenth of the speed.
+const UNLOAD_PER_LOAD: f64 = 100.0;
+
+/// A contact model.
+pub(super) trait ContactModel: Debug + Send + Sync {
+    /// The force in a mode.
+    fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce;
+
+    /// Adds the events that end a mode in which the bodies are not joined.
+    fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents);
+
+    /// The event that rounding has put behind the state. `slip_rate` is the slip's acceleration, m/s².
+    fn missed_event(
+        &self,
+        mode: Mode,
+        hole: &Hole<'_>,
+        slip_rate: &dyn Fn() -> f64,
+    ) -> Option<EventId>;
+
+    /// The mode after common velocity is reached.
+    fn at_common_velocity(&self) -> Mode;
+
+    /// The mode of a projectile that goes deeper again after it was on its way out.
+    fn turned_forward(&self) -> Mode {
+        Mode::Closing
+    }
+
+    /// Sizes of the contact.
+    fn scales(&self) -> Scales;
+
+    /// Travel at which contact begins in a hole made by this travel, m.
+    fn slack_m(&self, deepest_m: f64) -> f64;
+
+    /// Travel that stands for the hole's depth, m; `None` where the model knows none.
+    fn hole_m(&self, deepest_m: f64) -> Option<f64>;
+
+    /// The same on a rigid mount, m.
+    fn hole_on_rigid_mount_m(&self) -> Option<f64>;
+
+    /// Energy in a contact that comes to rest without joining the bodies, J.
+    fn stored_j(&self, _mode: Mode, _hole: &Hole<'_>) -> Option<f64> {
+        None
+    }
+
+    /// Notes on a run with this first common velocity, s.
+    fn note(&self, _first_arrest_s: Option<f64>) -> Option<ModelNote> {
+        None
+    }
+}
+
+/// The projectile in its hole.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hole<'a> {
+    pub(super) geometry: &'a Geometry,
+    pub(super) state: State,
+    /// Greatest travel so far, m.
+    pub(super) deepest_m: f64,
+    /// The plate cannot move.
+    pub(super) still: bool,
+}
+
+/// Sizes of a contact, by order of magnitude.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Scales {
+    pub(super) travel_m: f64,
+    pub(super) duration_s: f64,
+    pub(super) force_n: f64,
+}
+
+/// The contact model of a valid scene.
+pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Arc<dyn ContactModel> {
+    match scene.contact.model {
+        Kind::Hydrodynamic | Kind::Appendix => Arc::new(FlowStrength::of(scene, geometry)),
+        Kind::HalfSine => Arc::new(HalfSine::of(scene)),
+        Kind::InitialVelocity => Arc::new(InitialVelocity::of(scene)),
+        Kind::Lumped => Arc::new(Lumped::of(scene)),
+    }
+}
+
+/// The parameters of the models, with what was left open filled in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Values {
+    /// `t_d`, s.
+    pub duration_s: f64,
+    /// `k_load`, N/m.
+    pub load_stiffness_n_m: f64,
+    /// `k_unload`, N/m.
+    pub unload_stiffness_n_m: f64,
+}
+
+impl Values {
+    /// The values a valid scene's models work with: what is left open is taken from the hydrodynamic contact on a rigid mount.
+    pub fn of(scene: &Scene) -> Self {
+        let contact = &scene.contact;
+        let (duration_s, load_stiffness_n_m) =
+            match (contact.duration_s, contact.load_stiffness_n_m) {
+                (Some(duration_s), Some(load)) => (duration_s, load),
+                (duration_s, load) => {
+                    let (own_s, travel_m) = hydrodynamic_on_rigid_mount(scene);
+                    let speed_per_s = scene.projectile.velocity_m_s / travel_m;
+                    let own_n_m = scene.projectile.mass_kg * speed_per_s * speed_per_s;
+                    (duration_s.unwrap_or(own_s), load.unwrap_or(own_n_m))
+                }
+            };
+        let unload = contact.unload_stiffness_n_m;
+        Self {
+            duration_s,
+            load_stiffness_n_m,
+            unload_stiffness_n_m: unload.unwrap_or(UNLOAD_PER_LOAD * load_stiffness_n_m),
+        }
+    }
+}
+
+/// How long the hydrodynamic contact lasts on a rigid mount, s, and how far the projectile travels in it, m. A plate that is
+/// perforated counts with its exit.
+fn hydrodynamic_on_rigid_mount(scene: &Scene) -> (f64, f64) {
+    let geometry = Geometry::of(scene);
+    let passage = Passage::rigid(scene, &geometry);
+    let ending = passage.ending();
+    let end_s = passage.history(ending, Rule::FINE).last().map(|moment| moment.t_s);
+    let at_speed_s = geometry.exit_m / scene.projectile.velocity_m_s;
+    let travel_m = match ending {
+        Ending::Arrest { travel_m } => travel_m,
+        Ending::Exit { .. } => geometry.exit_m,
+    };
+    (end_s.filter(|end_s| end_s.is_finite()).unwrap_or(at_speed_s), travel_m)
+}
+
+#[cfg(test)]
+mod tests;

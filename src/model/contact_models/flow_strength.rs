@@ -1,0 +1,141 @@
+//! The hydrodynamic model, F = A (S + c u²), with the interface law of model page section 3: a hole that is closed again rubs
+//! with g A S, and so does a projectile that is pulled out.
+
+use super::{ContactModel, Hole, Scales};
+use crate::model::closed_form::{Ending, Passage};
+use crate::model::contact::{AreaLaw, Geometry};
+use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
+use crate::model::motion::{ContactForce, FlowForce, Pressure};
+use crate::model::run::Mode;
+use crate::model::scene::Scene;
+
+/// Part of the travel at which the engaged area stands for the contact's.
+const LATE: f64 = 0.9;
+
+/// The modified drag law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FlowStrength {
+    strength_pa: f64,
+    drag_kg_m3: f64,
+    grip: f64,
+    scales: Scales,
+    hole_on_rigid_mount_m: Option<f64>,
+}
+
+impl FlowStrength {
+    pub(super) fn of(scene: &Scene, geometry: &Geometry) -> Self {
+        let (strength_pa, drag_kg_m3) = (scene.flow_strength_pa(), scene.drag_kg_m3());
+        let hole_on_rigid_mount_m = match Passage::rigid(scene, geometry).ending() {
+            Ending::Arrest { travel_m } => Some(travel_m),
+            Ending::Exit { .. } => None,
+        };
+        let v = scene.projectile.velocity_m_s;
+        let travel_m = match hole_on_rigid_mount_m {
+            // By way of the depth, as everything else that is compared with the baseline.
+            Some(travel_m) => geometry.travel_m(geometry.depth_m(travel_m)),
+            None => geometry.exit_m,
+        };
+        let scales = Scales {
+            travel_m,
+            duration_s: 2.0 * travel_m / v,
+            force_n: geometry.area_m2(LATE * travel_m) * (strength_pa + drag_kg_m3 * v * v),
+        };
+        Self { strength_pa, drag_kg_m3, grip: scene.interface.grip, scales, hole_on_rigid_mount_m }
+    }
+}
+
+/// Where the piece of the area law begins from which a projectile is pulled out at this travel.
+fn piece_behind(hole: &Hole<'_>) -> Option<(f64, AreaLaw)> {
+    let mut pieces = hole.geometry.pieces().iter().rev();
+    let behind = pieces.find(|piece| piece.from_m < hole.state.travel_m);
+    behind.map(|piece| (piece.from_m, piece.law))
+}
+
+impl ContactModel for FlowStrength {
+    fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce {
+        let rubs_pa = self.grip * self.strength_pa;
+        let (strength_pa, drag_kg_m3) = match mode {
+            Mode::Penetrating => (self.strength_pa, self.drag_kg_m3),
+            Mode::Closing => (rubs_pa, 0.0),
+            Mode::Withdrawing => (-rubs_pa, 0.0),
+            Mode::Fused | Mode::FreeFlight | Mode::Perforated => (0.0, 0.0),
+        };
+        if strength_pa == 0.0 && drag_kg_m3 == 0.0 {
+            return ContactForce::None;
+        }
+        let area = if mode == Mode::Withdrawing {
+            piece_behind(hole).map_or(AreaLaw::None, |(_, law)| law)
+        } else {
+            hole.geometry.piece(hole.state.travel_m).law
+        };
+        let pressure = Pressure { strength_pa, drag_kg_m3 };
+        ContactForce::Flow(FlowForce { nose: hole.geometry.nose, area, pressure })
+    }
+
+    fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
+        match mode {
+            Mode::Penetrating | Mode::Closing => {
+                let end_m = hole.geometry.piece(hole.state.travel_m).to_m;
+                events.watch(EventId::PieceEnd, EventFunction::travel_up_to(end_m));
+                events.watch(EventId::SlipZero, EventFunction::slip(1.0));
+                if mode == Mode::Closing {
+                    events.watch(EventId::HoleBottom, EventFunction::travel_up_to(hole.deepest_m));
+                }
+            }
+            Mode::Withdrawing => {
+                let start_m = piece_behind(hole).map_or(0.0, |(from_m, _)| from_m);
+                events.watch(EventId::PieceStart, EventFunction::travel_down_to(start_m));
+                events.watch(EventId::SlipZero, EventFunction::slip(-1.0));
+            }
+            Mode::FreeFlight => {
+                events.watch(EventId::Recontact, EventFunction::travel_up_to(0.0));
+            }
+            Mode::Fused | Mode::Perforated => {}
+        }
+    }
+
+    fn missed_event(
+        &self,
+        mode: Mode,
+        hole: &Hole<'_>,
+        _slip_rate: &dyn Fn() -> f64,
+    ) -> Option<EventId> {
+        let (q, u) = (hole.state.travel_m, hole.state.slip_m_s);
+        match mode {
+            Mode::Penetrating | Mode::Closing if u < 0.0 => Some(EventId::SlipZero),
+            Mode::Penetrating | Mode::Closing if q >= hole.geometry.exit_m && u > 0.0 => {
+                Some(EventId::PieceEnd)
+            }
+            Mode::Closing if q >= hole.deepest_m && u > 0.0 => Some(EventId::HoleBottom),
+            Mode::Withdrawing if u > 0.0 => Some(EventId::SlipZero),
+            Mode::Withdrawing if q <= 0.0 => Some(EventId::PieceStart),
+            Mode::FreeFlight if q > 0.0 && u > 0.0 => Some(EventId::Recontact),
+            Mode::Penetrating
+            | Mode::Closing
+            | Mode::Withdrawing
+            | Mode::FreeFlight
+            | Mode::Fused
+            | Mode::Perforated => None,
+        }
+    }
+
+    fn at_common_velocity(&self) -> Mode {
+        Mode::Fused
+    }
+
+    fn scales(&self) -> Scales {
+        self.scales
+    }
+
+    fn slack_m(&self, _deepest_m: f64) -> f64 {
+        0.0
+    }
+
+    fn hole_m(&self, deepest_m: f64) -> Option<f64> {
+        Some(deepest_m)
+    }
+
+    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+        self.hole_on_rigid_mount_m
+    }
+}

@@ -1,0 +1,114 @@
+//! The linearised force history of Abatan and Hu, thesis equations 8.5 to 8.9: `F = m_p v pi/(2 t_d) sin(pi t/t_d)`.
+//!
+//! The history is prescribed: it is that of a fixed plate, on which it just stops the projectile, and its impulse is the
+//! projectile's whole momentum. Here it acts on both bodies for all of `t_d`, whatever the plate does meanwhile; then they
+//! are one, with the momentum they have. So the initial-velocity model is its limit for `t_d` to 0. Depth is the greatest
+//! relative travel that follows: at the first common velocity, or at a later one where a spring throws the plate back.
+
+use std::f64::consts::PI;
+
+use super::{ContactModel, Hole, Scales, Values};
+use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
+use crate::model::motion::{ContactForce, Pulse};
+use crate::model::run::{Mode, ModelNote};
+use crate::model::scene::Scene;
+
+/// A projectile that arrives at common velocity within this part of the end of the history has not been overrun.
+const AT_THE_END: f64 = 1e-3;
+
+/// A prescribed force history.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct HalfSine {
+    pulse: Pulse,
+    /// On a rigid mount, m.
+    travel_m: f64,
+}
+
+impl HalfSine {
+    pub(super) fn of(scene: &Scene) -> Self {
+        let duration_s = Values::of(scene).duration_s;
+        let (m_p, v) = (scene.projectile.mass_kg, scene.projectile.velocity_m_s);
+        let amplitude_n = 0.5 * PI * m_p * v / duration_s;
+        Self { pulse: Pulse { amplitude_n, duration_s }, travel_m: 0.5 * v * duration_s }
+    }
+}
+
+impl ContactModel for HalfSine {
+    fn force(&self, mode: Mode, _hole: &Hole<'_>) -> ContactForce {
+        match mode {
+            Mode::Penetrating | Mode::Withdrawing => ContactForce::HalfSine(self.pulse),
+            Mode::Closing | Mode::Fused | Mode::FreeFlight | Mode::Perforated => ContactForce::None,
+        }
+    }
+
+    fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
+        let forwards = match mode {
+            Mode::Penetrating => 1.0,
+            Mode::Withdrawing => -1.0,
+            Mode::Closing | Mode::Fused | Mode::FreeFlight | Mode::Perforated => return,
+        };
+        let end =
+            EventFunction { offset: self.pulse.duration_s, time: -1.0, ..EventFunction::default() };
+        events.watch(EventId::HistoryEnd, end);
+        // On a plate that stays still it is at the end of the history, where the slip is quadratic in time.
+        if !hole.still {
+            events.watch(EventId::SlipZero, EventFunction::slip(forwards));
+        }
+    }
+
+    fn missed_event(
+        &self,
+        mode: Mode,
+        hole: &Hole<'_>,
+        _slip_rate: &dyn Fn() -> f64,
+    ) -> Option<EventId> {
+        let u = hole.state.slip_m_s;
+        match mode {
+            Mode::Penetrating | Mode::Withdrawing if hole.state.t_s >= self.pulse.duration_s => {
+                Some(EventId::HistoryEnd)
+            }
+            Mode::Penetrating if u < 0.0 && !hole.still => Some(EventId::SlipZero),
+            Mode::Withdrawing if u > 0.0 && !hole.still => Some(EventId::SlipZero),
+            Mode::Penetrating
+            | Mode::Withdrawing
+            | Mode::Closing
+            | Mode::Fused
+            | Mode::FreeFlight
+            | Mode::Perforated => None,
+        }
+    }
+
+    fn at_common_velocity(&self) -> Mode {
+        Mode::Withdrawing
+    }
+
+    fn turned_forward(&self) -> Mode {
+        Mode::Penetrating
+    }
+
+    fn scales(&self) -> Scales {
+        Scales {
+            travel_m: self.travel_m,
+            duration_s: self.pulse.duration_s,
+            force_n: self.pulse.amplitude_n,
+        }
+    }
+
+    fn slack_m(&self, _deepest_m: f64) -> f64 {
+        0.0
+    }
+
+    fn hole_m(&self, deepest_m: f64) -> Option<f64> {
+        Some(deepest_m)
+    }
+
+    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+        Some(self.travel_m)
+    }
+
+    fn note(&self, first_arrest_s: Option<f64>) -> Option<ModelNote> {
+        let duration_s = self.pulse.duration_s;
+        let early = first_arrest_s.filter(|t_s| *t_s < duration_s * (1.0 - AT_THE_END));
+        early.map(|t_s| ModelNote::Overruns { t_s, duration_s })
+    }
+}

@@ -1,0 +1,62 @@
+//! The initial velocity of thesis equations 8.10 and 8.11: a perfectly inelastic collision that takes no time.
+//!
+//! `w(0) = m_p v/(m_p + m_2)`, and both bodies are one from then on. The model knows no force and no depth.
+
+use super::{ContactModel, Hole, Scales};
+use crate::model::event_function::{ActiveEvents, EventId};
+use crate::model::motion::ContactForce;
+use crate::model::run::Mode;
+use crate::model::scene::Scene;
+
+/// A collision at once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct InitialVelocity {
+    scales: Scales,
+}
+
+impl InitialVelocity {
+    /// One nose radius at impact velocity stands for the contact that takes no time.
+    pub(super) fn of(scene: &Scene) -> Self {
+        let (r, v) = (scene.projectile.tip_radius_m, scene.projectile.velocity_m_s);
+        let force_n = scene.projectile.mass_kg * v * v / r;
+        Self { scales: Scales { travel_m: r, duration_s: r / v, force_n } }
+    }
+}
+
+impl ContactModel for InitialVelocity {
+    fn force(&self, _mode: Mode, _hole: &Hole<'_>) -> ContactForce {
+        ContactForce::None
+    }
+
+    fn watch(&self, _mode: Mode, _hole: &Hole<'_>, _events: &mut ActiveEvents) {}
+
+    /// The bodies are one from the first moment on.
+    fn missed_event(
+        &self,
+        mode: Mode,
+        _hole: &Hole<'_>,
+        _slip_rate: &dyn Fn() -> f64,
+    ) -> Option<EventId> {
+        (mode == Mode::Penetrating).then_some(EventId::HistoryEnd)
+    }
+
+    fn at_common_velocity(&self) -> Mode {
+        Mode::Fused
+    }
+
+    fn scales(&self) -> Scales {
+        self.scales
+    }
+
+    fn slack_m(&self, _deepest_m: f64) -> f64 {
+        0.0
+    }
+
+    fn hole_m(&self, _deepest_m: f64) -> Option<f64> {
+        None
+    }
+
+    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+        None
+    }
+}

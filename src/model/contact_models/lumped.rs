@@ -1,0 +1,187 @@
+//! Wu's lumped parameters, thesis Figures 8.4 to 8.8: a spring with hysteresis and a damper between projectile and plate.
+//!
+//! The interface is pressed in along `k_load`, gives back along the steeper `k_unload`, and keeps a dent of
+//! `delta_max (1 - k_load/k_unload)`, from which it is pressed again along `k_unload` up to where it was. It only pushes.
+//! The dent is the depth; the model knows no rear face.
+
+use super::{ContactModel, Hole, Scales, Values};
+use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
+use crate::model::motion::{ContactForce, ElasticForce};
+use crate::model::run::Mode;
+use crate::model::scene::Scene;
+
+/// Part of forces, or depths, by which they differ although they are meant to be equal.
+const ROUNDING: f64 = 1e-12;
+
+/// The interface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lumped {
+    load_n_m: f64,
+    unload_n_m: f64,
+    damping_n_s_m: f64,
+    /// Of the projectile.
+    mass_kg: f64,
+    velocity_m_s: f64,
+}
+
+impl Lumped {
+    pub(super) fn of(scene: &Scene) -> Self {
+        let values = Values::of(scene);
+        Self {
+            load_n_m: values.load_stiffness_n_m,
+            unload_n_m: values.unload_stiffness_n_m,
+            damping_n_s_m: scene.contact.damping_n_s_m,
+            mass_kg: scene.projectile.mass_kg,
+            velocity_m_s: scene.projectile.velocity_m_s,
+        }
+    }
+
+    fn dent_m(&self, deepest_m: f64) -> f64 {
+        deepest_m * (1.0 - self.load_n_m / self.unload_n_m)
+    }
+
+    fn loading(&self) -> ElasticForce {
+        ElasticForce {
+            stiffness_n_m: self.load_n_m,
+            slack_m: 0.0,
+            damping_n_s_m: self.damping_n_s_m,
+        }
+    }
+
+    /// The steeper branch.
+    fn unloading(&self, deepest_m: f64) -> ElasticForce {
+        ElasticForce {
+            stiffness_n_m: self.unload_n_m,
+            slack_m: self.dent_m(deepest_m),
+            damping_n_s_m: self.damping_n_s_m,
+        }
+    }
+
+    /// What the interface pushes with on its steeper branch, times a sign.
+    fn push(&self, deepest_m: f64, sign: f64) -> EventFunction {
+        let law = self.unloading(deepest_m);
+        EventFunction {
+            offset: -sign * law.stiffness_n_m * law.slack_m,
+            travel: sign * law.stiffness_n_m,
+            slip: sign * law.damping_n_s_m,
+            ..EventFunction::default()
+        }
+    }
+
+    /// How far the interface is pressed in on a rigid mount: m q'' + b q' + k q = 0 from q = 0 at the impact velocity.
+    fn pressed_on_rigid_mount_m(&self) -> f64 {
+        let (m, v) = (self.mass_kg, self.velocity_m_s);
+        let rate = 0.5 * self.damping_n_s_m / m;
+        let square = self.load_n_m / m - rate * rate;
+        let root = square.abs().sqrt();
+        // tan or tanh of the time to the turn, over the root.
+        let to_turn_s = if square > 0.0 {
+            root.atan2(rate) / root
+        } else if root > 0.0 {
+            (root / rate).atanh() / root
+        } else {
+            1.0 / rate
+        };
+        v * (-rate * to_turn_s).exp() / (self.load_n_m / m).sqrt()
+    }
+}
+
+impl ContactModel for Lumped {
+    fn force(&self, mode: Mode, hole: &Hole<'_>) -> ContactForce {
+        match mode {
+            Mode::Penetrating => ContactForce::Elastic(self.loading()),
+            Mode::Withdrawing | Mode::Closing => {
+                ContactForce::Elastic(self.unloading(hole.deepest_m))
+            }
+            Mode::FreeFlight | Mode::Fused | Mode::Perforated => ContactForce::None,
+        }
+    }
+
+    fn watch(&self, mode: Mode, hole: &Hole<'_>, events: &mut ActiveEvents) {
+        let dent_m = self.dent_m(hole.deepest_m);
+        match mode {
+            Mode::Penetrating => events.watch(EventId::SlipZero, EventFunction::slip(1.0)),
+            Mode::Withdrawing | Mode::Closing => {
+                events.watch(EventId::ContactLost, self.push(hole.deepest_m, 1.0));
+                events.watch(EventId::HoleBottom, EventFunction::travel_up_to(hole.deepest_m));
+            }
+            // The damper has let go of a projectile that is still in its dent.
+            Mode::FreeFlight if hole.state.travel_m > dent_m => {
+                events.watch(EventId::ContactAgain, self.push(hole.deepest_m, -1.0));
+                events.watch(EventId::DentLeft, EventFunction::travel_down_to(dent_m));
+            }
+            Mode::FreeFlight => {
+                events.watch(EventId::Recontact, EventFunction::travel_up_to(dent_m));
+            }
+            Mode::Fused | Mode::Perforated => {}
+        }
+    }
+
+    fn missed_event(
+        &self,
+        mode: Mode,
+        hole: &Hole<'_>,
+        slip_rate: &dyn Fn() -> f64,
+    ) -> Option<EventId> {
+        let (q, u) = (hole.state.travel_m, hole.state.slip_m_s);
+        let law = self.unloading(hole.deepest_m);
+        let push_n = law.stiffness_n_m * (q - law.slack_m) + law.damping_n_s_m * u;
+        let growth = || law.stiffness_n_m * u + law.damping_n_s_m * slip_rate();
+        let rounding_n =
+            ROUNDING * (law.stiffness_n_m * hole.deepest_m + law.damping_n_s_m * u.abs());
+        match mode {
+            Mode::Penetrating if u < 0.0 => Some(EventId::SlipZero),
+            Mode::Withdrawing | Mode::Closing if q >= hole.deepest_m && u > 0.0 => {
+                Some(EventId::HoleBottom)
+            }
+            Mode::Withdrawing | Mode::Closing => {
+                let lost = push_n < -rounding_n || push_n < rounding_n && growth() < 0.0;
+                lost.then_some(EventId::ContactLost)
+            }
+            Mode::FreeFlight if q > law.slack_m && self.damping_n_s_m > 0.0 => {
+                let again = push_n > rounding_n || push_n > -rounding_n && growth() > 0.0;
+                again.then_some(EventId::ContactAgain)
+            }
+            Mode::FreeFlight => {
+                let inside = q - law.slack_m > ROUNDING * hole.deepest_m && u > 0.0;
+                inside.then_some(EventId::Recontact)
+            }
+            Mode::Penetrating | Mode::Fused | Mode::Perforated => None,
+        }
+    }
+
+    fn at_common_velocity(&self) -> Mode {
+        Mode::Withdrawing
+    }
+
+    fn scales(&self) -> Scales {
+        let travel_m = self.velocity_m_s * (self.mass_kg / self.load_n_m).sqrt();
+        Scales {
+            travel_m,
+            duration_s: 2.0 * travel_m / self.velocity_m_s,
+            force_n: self.load_n_m * travel_m + self.damping_n_s_m * self.velocity_m_s,
+        }
+    }
+
+    fn slack_m(&self, deepest_m: f64) -> f64 {
+        self.dent_m(deepest_m)
+    }
+
+    fn hole_m(&self, deepest_m: f64) -> Option<f64> {
+        Some(self.dent_m(deepest_m))
+    }
+
+    fn hole_on_rigid_mount_m(&self) -> Option<f64> {
+        Some(self.dent_m(self.pressed_on_rigid_mount_m()))
+    }
+
+    fn stored_j(&self, mode: Mode, hole: &Hole<'_>) -> Option<f64> {
+        let law = match mode {
+            Mode::Penetrating => self.loading(),
+            Mode::Withdrawing | Mode::Closing => self.unloading(hole.deepest_m),
+            Mode::FreeFlight | Mode::Fused | Mode::Perforated => return Some(0.0),
+        };
+        let force_n = law.stiffness_n_m * (hole.state.travel_m - law.slack_m);
+        Some(0.5 * force_n * force_n / self.unload_n_m)
+    }
+}

@@ -1,0 +1,112 @@
+//! The contact force of each contact model, as a function of travel, slip and time.
+
+use crate::model::contact::{AreaLaw, Nose};
+use crate::model::motion::State;
+
+/// Part of the nose's radius over which the slope of an oblique section's area is taken.
+const SLOPE: f64 = 1e-6;
+
+/// The force between projectile and plate in one mode of one contact model, positive apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactForce {
+    /// No force.
+    None,
+    /// A (S + c u²).
+    Flow(FlowForce),
+    /// k (q - `q_slack`) + b u.
+    Elastic(ElasticForce),
+    /// F sin(pi t/`t_d`).
+    HalfSine(Pulse),
+}
+
+/// The flow of the target around the nose: engaged area times pressure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlowForce {
+    /// The nose, for oblique sections.
+    pub nose: Nose,
+    /// Engaged area.
+    pub area: AreaLaw,
+    /// On the area.
+    pub pressure: Pressure,
+}
+
+/// S + c u².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pressure {
+    /// S, Pa; negative while pulling out.
+    pub strength_pa: f64,
+    /// c, kg/m³.
+    pub drag_kg_m3: f64,
+}
+
+/// A spring and a damper between projectile and plate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ElasticForce {
+    /// N/m.
+    pub stiffness_n_m: f64,
+    /// Travel at which the spring is slack, m.
+    pub slack_m: f64,
+    /// N s/m.
+    pub damping_n_s_m: f64,
+}
+
+/// A half-sine from first contact on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pulse {
+    /// N.
+    pub amplitude_n: f64,
+    /// s.
+    pub duration_s: f64,
+}
+
+impl ContactForce {
+    /// The force at a state, N.
+    pub fn force(&self, state: &State) -> f64 {
+        let (q, u) = (state.travel_m, state.slip_m_s);
+        match self {
+            Self::None => 0.0,
+            Self::Flow(flow) => {
+                let pressure = flow.pressure.strength_pa + flow.pressure.drag_kg_m3 * u * u;
+                flow.area.area_m2(&flow.nose, q) * pressure
+            }
+            Self::Elastic(law) => law.stiffness_n_m * (q - law.slack_m) + law.damping_n_s_m * u,
+            Self::HalfSine(pulse) => {
+                pulse.amplitude_n * (std::f64::consts::PI * state.t_s / pulse.duration_s).sin()
+            }
+        }
+    }
+
+    /// Its derivatives by travel, N/m, and by slip, N s/m.
+    pub fn slopes(&self, state: &State) -> [f64; 2] {
+        match self {
+            Self::None | Self::HalfSine(_) => [0.0; 2],
+            Self::Flow(flow) => {
+                let (u, drag) = (state.slip_m_s, flow.pressure.drag_kg_m3);
+                let area = flow.area.area_m2(&flow.nose, state.travel_m);
+                let pressure = flow.pressure.strength_pa + drag * u * u;
+                [flow.area_slope(state.travel_m) * pressure, 2.0 * area * drag * u]
+            }
+            Self::Elastic(law) => [law.stiffness_n_m, law.damping_n_s_m],
+        }
+    }
+
+    /// Whether the force has many derivatives: an oblique section has not.
+    pub fn is_smooth(&self) -> bool {
+        !matches!(self, Self::Flow(FlowForce { area: AreaLaw::Partial { .. }, .. }))
+    }
+}
+
+impl FlowForce {
+    /// dA/dq, m: by a central difference where a face crosses sphere and cylinder.
+    fn area_slope(&self, q: f64) -> f64 {
+        match self.area {
+            AreaLaw::None => 0.0,
+            AreaLaw::Quadratic { origin_m, a } => a[1] + 2.0 * a[2] * (q - origin_m),
+            AreaLaw::Partial { .. } => {
+                let h = SLOPE * self.nose.radius_m;
+                let area = |q: f64| self.area.area_m2(&self.nose, q);
+                (area(q + h) - area(q - h)) / (2.0 * h)
+            }
+        }
+    }
+}

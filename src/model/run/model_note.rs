@@ -1,0 +1,47 @@
+//! Notes on the contact models: what each does not contain.
+
+/// What a contact model does not contain, or takes for granted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ModelNote {
+    /// The prescribed force goes on although the bodies have reached common velocity.
+    Overruns {
+        /// First common velocity, s.
+        t_s: f64,
+        /// `t_d`, s.
+        duration_s: f64,
+    },
+    /// The model knows no rear face, and the depth is beyond it.
+    DeeperThanPlate,
+    /// The plastic interface law belongs to the hydrodynamic model.
+    NoPlasticLaw,
+    /// The listing has no stop.
+    NoStop,
+    /// The listing goes on with projectile and plate as one although the plate is perforated.
+    JoinedThroughHole,
+}
+
+impl ModelNote {
+    /// The sentence.
+    pub fn words(self) -> String {
+        match self {
+            Self::Overruns { t_s, duration_s } => format!(
+                "the half-sine history is that of a fixed plate: here both bodies have the same velocity at {:.4} us, and the \
+                 force goes on to t_d = {:.4} us",
+                t_s * 1e6,
+                duration_s * 1e6
+            ),
+            Self::DeeperThanPlate => {
+                "the depth is beyond the rear face, of which this model knows nothing: the plate would be perforated".to_owned()
+            }
+            Self::NoPlasticLaw => {
+                "interface = plastic is ignored: only the hydrodynamic model has an interface that can yield".to_owned()
+            }
+            Self::NoStop => "the stop is ignored: the listing of Appendix A has none".to_owned(),
+            Self::JoinedThroughHole => {
+                "as printed, projectile and plate move on as one body although the plate is perforated; \
+                 contact.appendix.afterwards = corrected parts them"
+                    .to_owned()
+            }
+        }
+    }
+}
