@@ -13,6 +13,7 @@ mod kinds;
 pub mod load;
 pub mod piece;
 mod spring;
+pub(super) mod stop;
 
 pub use inertia::{Inertia, moving_plate_kg};
 pub use kinds::{curve as curve_of, power_law as power_law_of};

@@ -372,8 +372,8 @@ pub struct MechanismLoad {
     pub added_kg: Option<f64>,
     /// The springs' own mass, kg; `None` where it is not known.
     pub spring_mass_kg: Option<f64>,
-    /// Greatest force of spring, damper and elastic stop, located, N; `None` where it follows from the displacements, or with another
-    /// interaction model.
+    /// Greatest force of spring, damper and elastic stop, located, N; `None` where it follows from the displacements, or by the
+    /// listing of Appendix A.
     pub peak_mount_n: Option<f64>,
     /// Greatest energy of rotation at the solver's own steps, J; `None` where nothing turns.
     pub rotation_j: Option<f64>,
@@ -386,7 +386,7 @@ pub struct Cost {
     pub steps: usize,
     /// Rejected steps.
     pub rejected: usize,
-    /// Times the force on the plate changed its sign, twice a swing: steps are due for each. Counted by the hydrodynamic model.
+    /// Times the force on the plate changed its sign, twice a swing: steps are due for each.
     pub turns: usize,
     /// Events that changed what the bodies do: contact, interface and stop.
     pub events: usize,

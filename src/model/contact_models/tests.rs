@@ -3,8 +3,11 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
+use crate::model::mechanism::{Inertia, Mechanism};
 use crate::model::run::{EndReason, EventKind, ModelNote, Outcome, Run, Warning};
-use crate::model::scene::{ContactModel, Jumps, Listing, Mount, Reading, Scene, StopKind};
+use crate::model::scene::{
+    ContactModel, Jumps, Listing, Mount, Reading, Scene, SpringKind, StopKind,
+};
 use crate::model::simulate::{self, Settings};
 
 use super::Values;
@@ -183,6 +186,38 @@ fn a_rigid_stop_holds_and_lets_go_under_every_model() {
             let reach = run.max_plate_displacement_m.unwrap();
             let most = if kind == StopKind::Rigid { 0.5e-3 * (1.0 + 1e-9) } else { 2.5e-3 };
             assert!(reach <= most, "{model:?} {kind:?} {e}: {reach}");
+        }
+    }
+}
+
+#[test]
+fn valid_a_joined_plate_goes_as_far_on_any_spring_as_its_energy_allows() {
+    for kind in SpringKind::ALL {
+        let mut scene = of(ContactModel::InitialVelocity, 2.0, 1e5);
+        scene.mechanism.spring.kind = kind;
+        scene.projectile.velocity_m_s = 20.0;
+        let spring = Mechanism::of(&scene).spring;
+        let joined = 0.0295 + scene.plate_mass_kg() + Inertia::of(&scene).added_kg();
+        let energy_j = 0.5 * (0.0295f64 * 20.0).powi(2) / joined;
+        if let Some(reach_m) = run(&scene).max_plate_displacement_m {
+            assert!(close(spring.energy(reach_m), energy_j, 1e-9), "{kind:?}: {reach_m}");
+        } else {
+            assert!(spring.forward(0.0, energy_j).is_infinite(), "{kind:?}");
+        }
+    }
+}
+
+#[test]
+fn every_model_closes_its_ledger_on_every_spring() {
+    for model in [ContactModel::HalfSine, ContactModel::InitialVelocity, ContactModel::Lumped] {
+        for kind in SpringKind::ALL {
+            let mut scene = of(model, 2.0, 1e5);
+            scene.mechanism.spring.kind = kind;
+            scene.mechanism.damper.coefficient = 20.0;
+            let run = run(&scene);
+            assert!(run.end.is_complete(), "{model:?} {kind:?}: {:?}", run.end);
+            let residual = run.ledger.residual();
+            assert!(residual.abs() < 1e-8, "{model:?} {kind:?}: {residual:e}");
         }
     }
 }

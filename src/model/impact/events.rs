@@ -7,13 +7,9 @@
 use crate::model::event_function::EventId;
 use crate::model::impact::track::{Track, side};
 use crate::model::mechanism::sign;
+use crate::model::mechanism::stop::{Hit, SLOW};
 use crate::model::motion::State;
 use crate::model::run::{Arrest, EventKind, Mode};
-
-/// A rebound slower than this part of the impact velocity counts as coming to rest on the stop.
-const REBOUND_MIN: f64 = 1e-9;
-/// So does one whose height is below this part of the displacement: its digits end there.
-const UNSEEN: f64 = 4.0 * f64::EPSILON;
 
 /// Part of the impact velocity, per tolerance, below which the plate's own is lost among the errors of Taylor steps (their local
 /// tolerance of the scale that matters to the depth), and the first step of the implicit method then, relative to the time.
@@ -335,9 +331,9 @@ impl Track<'_> {
         }
     }
 
-    /// A way that drowns in the rounding of the displacement at the stop, m.
-    pub(super) fn unseen_m(&self) -> f64 {
-        UNSEEN * (self.problem.mechanism.stop_at_m.abs() + self.plate_scale_m)
+    /// The displacements at the stop that matter, m.
+    pub(super) fn stop_scale_m(&self) -> f64 {
+        self.problem.mechanism.stop_at_m.abs() + self.plate_scale_m
     }
 
     /// The plate meets its stop.
@@ -355,15 +351,14 @@ impl Track<'_> {
         let joined = self.mode == Mode::Fused && !self.problem.plastic;
         let mass = if joined { self.problem.joined_kg } else { self.problem.plate_kg };
         let before = self.state.plate_m_s;
-        let mut after = -stop.restitution * before;
         let (_, rate) = self.motion().accelerations(&self.state);
-        let height_m = 0.5 * after * after / rate.abs();
-        let unseen_m = self.unseen_m();
-        let slow = REBOUND_MIN * (self.problem.velocity_m_s + self.speed_scale_m_s);
-        if after.abs() <= slow || (rate > 0.0 && height_m <= unseen_m) {
-            after = 0.0;
-        }
-        if before > REBOUND_MIN * self.problem.velocity_m_s {
+        let after = stop.rebound(&Hit {
+            velocity: before,
+            acceleration: rate,
+            velocity_scale: self.problem.velocity_m_s + self.speed_scale_m_s,
+            length_scale: self.stop_scale_m(),
+        });
+        if before > SLOW * self.problem.velocity_m_s {
             self.record.event(self.state.t_s, EventKind::StopHit);
         }
         self.record.work.stop_j += 0.5 * mass * (before - after) * (before + after);

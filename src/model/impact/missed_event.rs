@@ -4,6 +4,7 @@
 use crate::model::event_function::EventId;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::sign;
+use crate::model::mechanism::stop::UNSEEN;
 use crate::model::motion::State;
 use crate::model::run::Mode;
 
@@ -101,7 +102,7 @@ impl Track<'_> {
     fn turns_unseen(&self) -> bool {
         let (_, rate) = self.motion().accelerations(&self.state);
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
-        let (on_stop, unseen_m) = (self.problem.mechanism.stop_at_m, self.unseen_m());
+        let (on_stop, unseen_m) = (self.problem.mechanism.stop_at_m, UNSEEN * self.stop_scale_m());
         x - on_stop <= unseen_m && w <= 0.0 && rate > 0.0 && 0.5 * w * w <= unseen_m * rate
     }
 
