@@ -28,7 +28,7 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
     arguments.table.check()?;
     let mut pace = Pace::begin();
     let shown = match &arguments.only {
-        None => report(&thesis::claims().collect::<Vec<_>>(), &mut pace),
+        None => report(&thesis::claims().iter().collect::<Vec<_>>(), &mut pace),
         Some(text) => only(text, &mut pace)?,
     };
     let is_whole = arguments.only.is_none() && !was_interrupted();
@@ -44,18 +44,19 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
 fn only(text: &str, pace: &mut Pace) -> Result<Vec<Row>, CliError> {
     let wanted = text.to_lowercase();
     let has = |field: &str| field.to_lowercase().contains(&wanted);
-    let said = |claim: &Claim| [claim.id, claim.place, claim.says].into_iter().any(has);
+    let said =
+        |claim: &Claim| [&claim.id, &claim.place, &claim.says].into_iter().any(|field| has(field));
     if Verdict::ALL.into_iter().any(|verdict| has(verdict.words())) {
-        let mut rows = report(&thesis::claims().collect::<Vec<_>>(), pace);
+        let mut rows = report(&thesis::claims().iter().collect::<Vec<_>>(), pace);
         rows.retain(|row| said(row.claim) || has(row.found.verdict.words()));
         return Ok(rows);
     }
-    let chosen: Vec<_> = thesis::claims().filter(|claim| said(claim)).collect();
+    let chosen: Vec<_> = thesis::claims().iter().filter(|claim| said(claim)).collect();
     if chosen.is_empty() {
         return Err(CliError::Option(format!(
             "--only {text}: none of the {} rows has this in its name, place, sentence or verdict; write a section (9.3), a \
              name (A.2-coupling), a word (stiffness) or a verdict (misprint)",
-            thesis::claims().count()
+            thesis::claims().len()
         )));
     }
     Ok(report(&chosen, pace))
@@ -78,13 +79,13 @@ fn page(report: &[Row], differences: usize) -> String {
             text::width().saturating_sub(place.chars().count() + claim.id.chars().count()).max(2);
         let _ = writeln!(page, "{place}{:gap$}{}", "", claim.id);
         let lines = [
-            ("says", claim.says),
+            ("says", claim.says.as_str()),
             (
                 if row.found.basis == Basis::Read { "read" } else { "computed" },
                 row.found.sound.as_str(),
             ),
             ("as printed", row.found.printed.as_str()),
-            ("cause", row.found.cause),
+            ("cause", claim.cause.as_str()),
         ];
         for (label, said) in lines.iter().filter(|(_, said)| !said.is_empty()) {
             text::labelled(&mut page, label, said);

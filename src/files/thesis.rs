@@ -5,10 +5,7 @@ use serde_json::Value;
 use crate::files::rows::{Rows, number};
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, ranking};
-use crate::study::thesis::{Opens, Row};
-
-/// Verdict by claim, as last looked through by a person: `id,verdict` lines.
-const STORED: &str = include_str!("../study/thesis/verdicts.csv");
+use crate::study::thesis::{self, Opens, Row};
 
 /// Names of a row's values.
 const COLUMNS: [&str; 10] =
@@ -17,19 +14,19 @@ const COLUMNS: [&str; 10] =
 /// The report as rows.
 pub fn rows(report: &[Row]) -> Rows {
     let row = |row: &Row| {
-        let preset = match row.claim.opens {
-            Opens::Preset(name) => Value::from(name),
+        let preset = match &row.claim.opens {
+            Opens::Preset(name) => Value::from(name.as_str()),
             Opens::Nothing | Opens::Scene(_) => Value::Null,
         };
         let text = |text: &str| if text.is_empty() { Value::Null } else { Value::from(text) };
         vec![
-            Value::from(row.claim.id),
-            Value::from(row.claim.place),
-            Value::from(row.claim.says),
+            Value::from(row.claim.id.as_str()),
+            Value::from(row.claim.place.as_str()),
+            Value::from(row.claim.says.as_str()),
             text(&row.found.sound),
             text(&row.found.printed),
             Value::from(row.found.verdict.words()),
-            Value::from(row.found.cause),
+            Value::from(row.claim.cause.as_str()),
             preset,
             Value::from(row.runs),
             Value::from(row.found.basis.words()),
@@ -81,35 +78,23 @@ pub fn principles() -> Rows {
     Rows { columns, rows }
 }
 
-/// `(id, verdict)` as stored.
-fn stored() -> Vec<(&'static str, &'static str)> {
-    STORED.lines().skip(1).filter_map(|line| line.split_once(',')).collect()
-}
-
-/// Where the verdicts of these rows differ from the stored ones, in words.
+/// Where the verdicts of these rows differ from the expected ones, in words.
 pub fn changed(report: &[Row]) -> Vec<String> {
-    let stored = stored();
-    let mut told = Vec::new();
-    for row in report {
-        let (id, now) = (row.claim.id, row.found.verdict.words());
-        match stored.iter().find(|(known, _)| *known == id) {
-            None => told.push(format!("{id}: {now}, and no verdict is stored")),
-            Some((_, before)) if *before != now => {
-                told.push(format!("{id}: {now}, stored is {before}"));
-            }
-            Some(_) => {}
-        }
-    }
-    told
+    report
+        .iter()
+        .filter(|row| row.found.verdict != row.claim.expected)
+        .map(|row| {
+            let (now, before) = (row.found.verdict.words(), row.claim.expected.words());
+            format!("{}: {now}, stored is {before}", row.claim.id)
+        })
+        .collect()
 }
 
-/// Where verdicts differ from the stored ones, in words; rows that are missing count, too.
+/// The same of a whole report; rows that are missing count, too.
 pub fn differences(report: &[Row]) -> Vec<String> {
-    let mut told = changed(report);
-    for (id, before) in stored() {
-        if report.iter().all(|row| row.claim.id != id) {
-            told.push(format!("{id}: no such row, stored is {before}"));
-        }
-    }
-    told
+    let missing =
+        thesis::claims().iter().filter(|it| report.iter().all(|row| row.claim.id != it.id));
+    let missing =
+        missing.map(|it| format!("{}: no such row, stored is {}", it.id, it.expected.words()));
+    changed(report).into_iter().chain(missing).collect()
 }

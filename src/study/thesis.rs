@@ -1,35 +1,33 @@
 //! Every checkable claim of the thesis against what is computed, in thesis order.
 //!
-//! A claim says where it stands, what it says (paraphrased), and how it is checked: by the sound model (the engine, first
-//! arrest fused as the thesis has it) and by the Appendix as printed. Expected values are the thesis's; results come from
-//! the solver each time; the verdict follows from both. Nothing is typed in. Reads no clock and no file.
+//! The claims are data, in `presets/thesis/claims.toml`: where a claim stands, what it says, and how it is checked, by the
+//! engine and by the Appendix as printed. Results come from the solver each time, and the verdict follows from them.
 
 use std::ops::{ControlFlow, Range};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock};
 
 use crate::model::scene::Scene;
 use crate::study::sweep::crew::Crew;
-use lab::Lab;
+use claim::Claims;
+use lab::{Lab, Runs};
 
-mod appendix;
-mod chapter4;
-mod chapter8;
-mod cocking;
-mod concepts;
-mod connection;
-mod early;
+mod check;
+mod claim;
 mod elastica;
-mod feasibility;
-mod interactions;
+mod expression;
+mod functions;
 mod lab;
-mod modelling;
-mod numbering;
-mod rating;
+mod quantities;
+mod series;
 mod shape;
-mod spread;
-mod tables;
-mod trends;
+mod text;
+mod value;
+
+pub use claim::Claim;
+
+/// The claims as they are written.
+const CLAIMS: &str = include_str!("../../presets/thesis/claims.toml");
 
 /// What became of a claim.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -85,28 +83,14 @@ impl Verdict {
 }
 
 /// What opens when a claim's row is chosen.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Opens {
     /// Nothing: no scene shows it.
     Nothing,
     /// This scene.
-    Scene(fn() -> Scene),
+    Scene(Arc<Scene>),
     /// The bundled preset of this name.
-    Preset(&'static str),
-}
-
-/// A claim of the thesis.
-#[derive(Debug)]
-pub struct Claim {
-    /// A short name that stays: rows are compared by it.
-    pub id: &'static str,
-    /// Where it stands.
-    pub place: &'static str,
-    /// What it says, in other words.
-    pub says: &'static str,
-    /// What shows it.
-    pub opens: Opens,
-    check: fn(&Lab) -> Found,
+    Preset(String),
 }
 
 /// What a verdict rests on.
@@ -140,8 +124,6 @@ pub struct Found {
     pub printed: String,
     /// What became of the claim.
     pub verdict: Verdict,
-    /// Why, in one sentence.
-    pub cause: &'static str,
     /// What the verdict rests on.
     pub basis: Basis,
 }
@@ -153,46 +135,44 @@ pub struct Row {
     pub claim: &'static Claim,
     /// The result.
     pub found: Found,
-    /// How many impacts were simulated for it.
+    /// How many impacts it took, those shared with other claims included.
     pub runs: usize,
 }
 
-/// Every claim, in thesis order.
-pub fn claims() -> impl Iterator<Item = &'static Claim> {
-    early::CLAIMS
-        .iter()
-        .chain(chapter4::CLAIMS)
-        .chain(concepts::CLAIMS)
-        .chain(rating::CLAIMS)
-        .chain(modelling::CLAIMS)
-        .chain(chapter8::CLAIMS)
-        .chain(tables::CLAIMS)
-        .chain(trends::CLAIMS)
-        .chain(interactions::CLAIMS)
-        .chain(cocking::CLAIMS)
-        .chain(connection::CLAIMS)
-        .chain(feasibility::CLAIMS)
-        .chain(appendix::CLAIMS)
+/// Every claim, in thesis order; none where the file is wrong, which the tests refuse.
+pub fn claims() -> &'static [Claim] {
+    &file().all
 }
 
-/// The concepts of chapter 6 as the claims have them, each with the name of the bundled preset it is to be equal to.
-pub fn concepts() -> impl Iterator<Item = (&'static str, Scene)> {
-    concepts::CONCEPT_SCENES.iter().map(|(name, scene)| (*name, scene()))
+/// The scene that the claims are checked on under this name.
+pub fn scene(name: &str) -> Option<&'static Scene> {
+    file().scenes.get(name)
 }
 
-fn checked_on(lab: &Lab, claim: &'static Claim) -> Row {
-    let found = (claim.check)(lab);
-    Row { claim, found, runs: lab.runs() }
+fn file() -> &'static Claims {
+    static FILE: LazyLock<Claims> = LazyLock::new(|| claim::read(CLAIMS).unwrap_or_default());
+    &FILE
+}
+
+/// The claim of this name.
+pub fn find(id: &str) -> Option<&'static Claim> {
+    claims().iter().find(|claim| claim.id == id)
+}
+
+fn row(claim: &'static Claim, runs: &Runs) -> Row {
+    let lab = Lab::new(runs);
+    let found = check::check(claim, &lab);
+    Row { claim, found, runs: lab.impacts() }
 }
 
 /// Check one claim.
 pub fn check(claim: &'static Claim) -> Row {
-    checked_on(&Lab::default(), claim)
+    row(claim, &Runs::default())
 }
 
 /// Check every claim, as [`check_all`] does.
 pub fn reproduce(watch: Watch<'_>, stop: &Arc<AtomicBool>) -> Vec<Row> {
-    check_all(&claims().collect::<Vec<_>>(), watch, stop)
+    check_all(&claims().iter().collect::<Vec<_>>(), watch, stop)
 }
 
 /// Given what there is so far, and how many rows there will be; `Break` stops.
@@ -201,11 +181,11 @@ pub type Watch<'a> = &'a mut dyn FnMut(&[Row], usize) -> ControlFlow<()>;
 /// Check claims on all cores, in their order. `stop` ends a claim at its next step: that row and those after it are left out.
 pub fn check_all(claims: &[&'static Claim], watch: Watch<'_>, stop: &Arc<AtomicBool>) -> Vec<Row> {
     let crew = Crew { piece: 1, ..Crew::of_machine() };
+    let runs = Runs::stopped_by(stop);
     let check_one = |piece: Range<u64>| {
         let claim = claims.get(usize::try_from(piece.start).ok()?)?;
-        let lab = Lab::stopped_by(stop);
-        let row = checked_on(&lab, claim);
-        (!lab.is_stopped()).then_some(row)
+        let row = row(claim, &runs);
+        (!stop.load(Ordering::Relaxed)).then_some(row)
     };
     let mut rows = Vec::new();
     let _ = crew.work_heard(
@@ -235,12 +215,18 @@ pub fn tally(rows: &[Row]) -> [usize; 6] {
 mod tests {
     use super::*;
 
+    #[test]
+    fn the_file_of_claims_is_right() {
+        let claims = claim::read(CLAIMS).unwrap_or_else(|problem| panic!("{problem}"));
+        assert!(claims.all.len() >= 199, "{}", claims.all.len());
+    }
+
     /// Runs end at their first step then, so that whatever a claim makes of them is made of almost nothing.
     #[test]
     fn a_claim_that_is_stopped_ends_quietly() {
         let stop = Arc::new(AtomicBool::new(true));
         for claim in claims() {
-            assert_eq!(checked_on(&Lab::stopped_by(&stop), claim).claim.id, claim.id);
+            assert_eq!(row(claim, &Runs::stopped_by(&stop)).claim.id, claim.id);
         }
         let watch = &mut |_: &[Row], _: usize| ControlFlow::Continue(());
         assert!(reproduce(watch, &stop).is_empty());

@@ -280,7 +280,7 @@ fn claims(tell: Tell<'_>, stop: &Arc<AtomicBool>) -> Finding {
         tell(rows.len(), total, &|| Finding::Thesis(Arc::new(rows.to_vec()), false))
     };
     let rows = thesis::reproduce(watch, stop);
-    let all = rows.len() == thesis::claims().count();
+    let all = rows.len() == thesis::claims().len();
     Finding::Thesis(Arc::new(rows), all)
 }
 

@@ -1,31 +1,40 @@
 //! Properties of curves that the thesis's sentences assert: rising, falling, levelling off, nearly linear.
 
 use crate::numerics::{larger, smaller};
-use crate::study::thesis::lab::P;
+use crate::study::thesis::value::Point;
 
 /// What counts as noise, relative to the curve's whole range.
 const NOISE: f64 = 1e-3;
 
+/// The greatest value.
+pub(super) fn greatest(curve: &[Point]) -> f64 {
+    curve.iter().map(|point| point.1).fold(f64::NEG_INFINITY, larger)
+}
+
+/// The least value.
+pub(super) fn least(curve: &[Point]) -> f64 {
+    curve.iter().map(|point| point.1).fold(f64::INFINITY, smaller)
+}
+
 /// Greatest minus least value.
-pub(super) fn range(curve: &[P]) -> f64 {
-    let values = || curve.iter().map(|point| point.1);
-    values().fold(f64::NEG_INFINITY, larger) - values().fold(f64::INFINITY, smaller)
+pub(super) fn range(curve: &[Point]) -> f64 {
+    greatest(curve) - least(curve)
 }
 
 /// Rises all along, but for noise.
-pub(super) fn rises(curve: &[P]) -> bool {
+pub(super) fn rises(curve: &[Point]) -> bool {
     let noise = NOISE * range(curve);
     curve.windows(2).all(|pair| pair[1].1 >= pair[0].1 - noise)
         && curve.last().zip(curve.first()).is_some_and(|(last, first)| last.1 > first.1)
 }
 
 /// Falls all along, but for noise.
-pub(super) fn falls(curve: &[P]) -> bool {
+pub(super) fn falls(curve: &[Point]) -> bool {
     rises(&curve.iter().map(|point| (point.0, -point.1)).collect::<Vec<_>>())
 }
 
 /// Every slope is no steeper than the one before, but for noise.
-pub(super) fn flattens(curve: &[P]) -> bool {
+pub(super) fn flattens(curve: &[Point]) -> bool {
     let slopes: Vec<f64> = curve
         .windows(2)
         .map(|pair| ((pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0)).abs())
@@ -35,31 +44,34 @@ pub(super) fn flattens(curve: &[P]) -> bool {
 }
 
 /// The value at `x`, on the straight line between the points around it.
-pub(super) fn at(curve: &[P], x: f64) -> f64 {
+pub(super) fn at(curve: &[Point], x: f64) -> f64 {
+    if curve.len() < 2 {
+        return f64::NAN;
+    }
     let after = curve.partition_point(|point| point.0 < x).clamp(1, curve.len() - 1);
     let ((x0, y0), (x1, y1)) = (curve[after - 1], curve[after]);
     y0 + (y1 - y0) * (x - x0) / (x1 - x0)
 }
 
 /// How far a curve is from the straight line through its ends, relative to its range.
-pub(super) fn curvature(curve: &[P]) -> f64 {
+pub(super) fn curvature(curve: &[Point]) -> f64 {
     let (Some(first), Some(last)) = (curve.first(), curve.last()) else { return f64::NAN };
     let slope = (last.1 - first.1) / (last.0 - first.0);
-    let off = |point: &P| (point.1 - first.1 - slope * (point.0 - first.0)).abs();
+    let off = |point: &Point| (point.1 - first.1 - slope * (point.0 - first.0)).abs();
     curve.iter().map(off).fold(0.0, larger) / range(curve)
 }
 
 /// The slope of the least-squares line.
-pub(super) fn slope(curve: &[P]) -> f64 {
+pub(super) fn slope(curve: &[Point]) -> f64 {
     let n = curve.len() as f64;
-    let mean = |f: fn(&P) -> f64| curve.iter().map(f).sum::<f64>() / n;
+    let mean = |f: fn(&Point) -> f64| curve.iter().map(f).sum::<f64>() / n;
     let (x, y) = (mean(|point| point.0), mean(|point| point.1));
     let covariance: f64 = curve.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
     covariance / curve.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
 }
 
 /// Where a falling curve crosses the middle between its ends.
-pub(super) fn edge(curve: &[P]) -> Option<f64> {
+pub(super) fn edge(curve: &[Point]) -> Option<f64> {
     let middle = 0.5 * (curve.first()?.1 + curve.last()?.1);
     let pair = curve.windows(2).find(|pair| pair[0].1 > middle && pair[1].1 <= middle)?;
     let part = (pair[0].1 - middle) / (pair[0].1 - pair[1].1);
@@ -70,7 +82,7 @@ pub(super) fn edge(curve: &[P]) -> Option<f64> {
 mod tests {
     use super::*;
 
-    fn curve(f: impl Fn(f64) -> f64) -> Vec<P> {
+    fn curve(f: impl Fn(f64) -> f64) -> Vec<Point> {
         (0..=20).map(|i| (f64::from(i) / 10.0, f(f64::from(i) / 10.0))).collect()
     }
 

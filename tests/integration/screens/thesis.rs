@@ -15,7 +15,7 @@ fn bench(columns: u16, rows: u16) -> Bench {
     let mut bench = Bench::ascii(columns, rows);
     bench.keys("6");
     let id = asked(&bench).expect("the claims are asked for");
-    let rows: Vec<Row> = claims().take(24).map(check).collect();
+    let rows: Vec<Row> = claims().iter().take(24).map(check).collect();
     send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(rows), true)));
     bench
 }
@@ -54,7 +54,7 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     bench.keys("6");
     assert!(bench.screen().contains("checking the first claims"));
     let id = asked(&bench).unwrap();
-    let some: Vec<Row> = claims().take(2).map(check).collect();
+    let some: Vec<Row> = claims().iter().take(2).map(check).collect();
     let part = Finding::Thesis(Arc::new(some.clone()), false);
     send(&mut bench, id, StudyBody::Part { done: 2, total: 114, part });
     assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc cancels)"));
@@ -99,7 +99,8 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
         });
         bench.keys("6");
         let id = asked(&bench).expect("the claims are asked for");
-        let rows = claims().find(|it| matches!(it.opens, Opens::Preset(name) if name == preset));
+        let rows =
+            claims().iter().find(|it| matches!(&it.opens, Opens::Preset(name) if name == preset));
         let rows: Vec<Row> = rows.into_iter().map(check).collect();
         send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(rows), true)));
         bench.press("<Enter>");

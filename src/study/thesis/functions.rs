@@ -1,0 +1,265 @@
+//! The functions that expressions of the claims may call: arithmetic, properties of curves, closed forms, the screening matrix.
+
+use crate::model::design::beam::Cantilever;
+use crate::model::design::{self, Rod};
+use crate::numerics::larger;
+use crate::study::screening::{CONCEPTS, WEIGHTS_PERCENT, rank, ranking};
+use crate::study::thesis::elastica;
+use crate::study::thesis::shape::{
+    at, curvature, edge, falls, flattens, greatest, least, range, rises, slope,
+};
+use crate::study::thesis::text;
+use crate::study::thesis::value::{Point, Value, through_lists};
+
+/// A function by its name.
+#[derive(Debug)]
+pub(super) struct Function {
+    /// What claims call it.
+    pub name: &'static str,
+    /// How many arguments it takes.
+    pub arguments: usize,
+    apply: Apply,
+}
+
+/// What a function is given.
+#[derive(Clone, Copy, Debug)]
+enum Apply {
+    /// Numbers; lists are gone through.
+    Numbers(fn(&[f64]) -> f64),
+    /// Numbers, for a condition; lists are gone through.
+    Test(fn(&[f64]) -> bool),
+    /// The points of a curve or of a list, and numbers; lists of curves are gone through.
+    Points(fn(&[Point], &[f64]) -> f64),
+    /// The same, for a condition.
+    Property(fn(&[Point]) -> bool),
+    /// The arguments as they are.
+    Whole(fn(&[Value]) -> Result<Value, String>),
+}
+
+use Apply::{Numbers, Points, Property, Test, Whole};
+
+const fn function(name: &'static str, arguments: usize, apply: Apply) -> Function {
+    Function { name, arguments, apply }
+}
+
+/// All functions.
+pub(super) static FUNCTIONS: &[Function] = &[
+    function("abs", 1, Numbers(|it| it[0].abs())),
+    function("sqrt", 1, Numbers(|it| it[0].sqrt())),
+    function("ln", 1, Numbers(|it| it[0].ln())),
+    function("exp", 1, Numbers(|it| it[0].exp())),
+    function("cos", 1, Numbers(|it| it[0].cos())),
+    function("acos", 1, Numbers(|it| it[0].acos())),
+    function("finite", 1, Test(|it| it[0].is_finite())),
+    // A value, the stated one, and their greatest relative distance.
+    function("near", 3, Test(|it| (it[0] / it[1] - 1.0).abs() <= it[2])),
+    // A condition, and the values where it holds and where it does not.
+    function("choose", 3, Whole(|it| Ok(it[if it[0].holds()? { 1 } else { 2 }].clone()))),
+    // The first of a list for which a condition holds.
+    function("where", 2, Whole(first_where)),
+    // Every product of a value of one list and one of another.
+    function("outer", 2, Whole(outer)),
+    function("length", 1, Points(|points, _| points.len() as f64)),
+    function("sum", 1, Points(|points, _| points.iter().map(|it| it.1).sum())),
+    // How many conditions hold.
+    function("count", 1, Points(|points, _| points.iter().map(|it| it.1).sum())),
+    function(
+        "mean",
+        1,
+        Points(|points, _| points.iter().map(|it| it.1).sum::<f64>() / points.len() as f64),
+    ),
+    function("max", 1, Points(|points, _| greatest(points))),
+    function("min", 1, Points(|points, _| least(points))),
+    // Where a curve is greatest.
+    function(
+        "argmax",
+        1,
+        Points(|points, _| {
+            points.iter().find(|it| it.1 >= greatest(points)).map_or(f64::NAN, |it| it.0)
+        }),
+    ),
+    function("first", 1, Points(|points, _| points.first().map_or(f64::NAN, |it| it.1))),
+    function("last", 1, Points(|points, _| points.last().map_or(f64::NAN, |it| it.1))),
+    function("range", 1, Points(|points, _| range(points))),
+    // The value at a place, on the straight line between the points around it.
+    function("at", 2, Points(|points, numbers| at(points, numbers[0]))),
+    // The slope of the least-squares line.
+    function("slope", 1, Points(|points, _| slope(points))),
+    // How far a curve is from the straight line through its ends, relative to its range.
+    function("curvature", 1, Points(|points, _| curvature(points))),
+    // Where a falling curve crosses the middle between its ends.
+    function("edge", 1, Points(|points, _| edge(points).unwrap_or(f64::NAN))),
+    // The greatest step between neighbours.
+    function(
+        "step",
+        1,
+        Points(|points, _| {
+            points.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs()).fold(0.0, larger)
+        }),
+    ),
+    // Where a curve is no greater than a number for the first time.
+    function(
+        "first_below",
+        2,
+        Points(|points, numbers| {
+            points.iter().find(|it| it.1 <= numbers[0]).map_or(f64::NAN, |it| it.0)
+        }),
+    ),
+    function("rises", 1, Property(rises)),
+    function("falls", 1, Property(falls)),
+    function("flattens", 1, Property(flattens)),
+    // Velocities after an elastic collision at 100 m/s with a plate of some masses of the projectile.
+    function("elastic_projectile", 1, Numbers(|it| design::elastic((1.0, 100.0), (it[0], 0.0)).0)),
+    function("elastic_plate", 1, Numbers(|it| design::elastic((1.0, 100.0), (it[0], 0.0)).1)),
+    // Tate's angle, degrees, of a rod as thick as the thesis's projectile: density, strength, velocity, length.
+    function(
+        "ricochet_angle",
+        4,
+        Numbers(|it| {
+            let rod = Rod {
+                density_kg_m3: it[0],
+                strength_pa: it[1],
+                velocity_m_s: it[2],
+                length_m: it[3],
+                diameter_m: 0.0127,
+            };
+            rod.critical_obliquity_deg(2710.0)
+        }),
+    ),
+    // Mass, velocity and radius of the projectile, density of the target, parameter c_t.
+    function(
+        "stone_depth",
+        5,
+        Numbers(|it| design::stone_depth_m((it[0], it[1], it[2]), it[3], it[4])),
+    ),
+    // The least mass of a coil of spring steel that stores some energy, kg.
+    function(
+        "coil_mass",
+        1,
+        Numbers(|it| design::coil_spring_mass_kg(it[0], 7850.0, 79.3e9, 700e6)),
+    ),
+    // The beam of Table 9.3, at displacements in m.
+    function("beam_torsional_stiffness", 0, Numbers(|_| Cantilever::TABLE_9_3.torsional_n_m())),
+    function("beam_force", 1, Numbers(|it| Cantilever::TABLE_9_3.force_n(it[0]))),
+    function("beam_tangent", 1, Numbers(|it| Cantilever::TABLE_9_3.tangent_n_m(it[0]))),
+    function("beam_energy", 1, Numbers(|it| Cantilever::TABLE_9_3.energy_j(it[0]))),
+    function("beam_yield", 0, Numbers(|_| Cantilever::TABLE_9_3.yield_at_m())),
+    function("beam_tip_mass", 0, Numbers(|_| Cantilever::TABLE_9_3.tip_mass_kg())),
+    // Its tip load over the elastic line's, at a displacement over its length.
+    function(
+        "beam_over_elastica",
+        1,
+        Numbers(|it| {
+            let beam = Cantilever::TABLE_9_3;
+            let rigidity = beam.modulus_pa * beam.width_m * beam.height_m.powi(3) / 12.0;
+            let load =
+                beam.force_n(it[0] * beam.length_m) * beam.length_m * beam.length_m / rigidity;
+            load / elastica::load(it[0])
+        }),
+    ),
+    // Table 7.1 as printed, and computed by some weights.
+    function("screening_weights", 0, Whole(|_| Ok(Value::numbers(WEIGHTS_PERCENT)))),
+    function(
+        "printed_totals",
+        0,
+        Whole(|_| Ok(Value::numbers(CONCEPTS.iter().map(|it| it.total)))),
+    ),
+    function(
+        "printed_ranks",
+        0,
+        Whole(|_| Ok(Value::numbers(CONCEPTS.iter().map(|it| it.rank as f64)))),
+    ),
+    function(
+        "screening_totals",
+        1,
+        Whole(|it| Ok(Value::numbers(rank(&weights(&it[0])?).iter().map(|place| place.total)))),
+    ),
+    function(
+        "screening_ranks",
+        1,
+        Whole(|it| {
+            Ok(Value::numbers(rank(&weights(&it[0])?).iter().map(|place| place.rank as f64)))
+        }),
+    ),
+    // The concepts' names, the first rank first.
+    function(
+        "screening_order",
+        1,
+        Whole(|it| {
+            let places = ranking(&weights(&it[0])?);
+            let names =
+                places.iter().map(|place| Value::Text(CONCEPTS[place.concept].name.to_owned()));
+            Ok(Value::List(names.collect()))
+        }),
+    ),
+    // The concepts with a percentage each, the least first.
+    function(
+        "concepts_by",
+        1,
+        Whole(|it| {
+            let mut order: Vec<(f64, &str)> = it[0]
+                .points()?
+                .iter()
+                .zip(&CONCEPTS)
+                .map(|(point, own)| (point.1, own.name))
+                .collect();
+            order.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let shown: Vec<String> = order
+                .iter()
+                .map(|(value, name)| format!("{name} {}", text::percent(*value)))
+                .collect();
+            Ok(Value::Text(shown.join(", ")))
+        }),
+    ),
+];
+
+impl Function {
+    /// Its value for these arguments.
+    pub(super) fn of(&self, arguments: &[Value]) -> Result<Value, String> {
+        let value = match self.apply {
+            Numbers(it) => through_lists(arguments, &|own| Ok(Value::Number(it(&numbers(own)?)))),
+            Test(it) => through_lists(arguments, &|own| Ok(Value::Truth(it(&numbers(own)?)))),
+            Points(it) => {
+                through_curves(arguments, &|points, rest| Value::Number(it(points, rest)))
+            }
+            Property(it) => through_curves(arguments, &|points, _| Value::Truth(it(points))),
+            Whole(it) => it(arguments),
+        };
+        value.map_err(|error| format!("{}: {error}", self.name))
+    }
+}
+
+fn numbers(values: &[Value]) -> Result<Vec<f64>, String> {
+    values.iter().map(Value::number).collect()
+}
+
+/// Calls a function of points for a curve or a list, or for each curve of a list of curves.
+fn through_curves(
+    arguments: &[Value],
+    each: &dyn Fn(&[Point], &[f64]) -> Value,
+) -> Result<Value, String> {
+    let (series, rest) = arguments.split_first().ok_or("a curve is missing")?;
+    if let (true, Value::List(list)) = (series.is_nested(), series) {
+        let own =
+            |series: &Value| through_curves(&[std::slice::from_ref(series), rest].concat(), each);
+        return Ok(Value::List(list.iter().map(own).collect::<Result<_, _>>()?));
+    }
+    Ok(each(&series.points()?, &numbers(rest)?))
+}
+
+fn first_where(arguments: &[Value]) -> Result<Value, String> {
+    let (values, holds) = (arguments[0].points()?, arguments[1].points()?);
+    let found = values.iter().zip(&holds).find(|(_, holds)| holds.1 > 0.0);
+    Ok(Value::optional(found.map(|(value, _)| value.1)))
+}
+
+fn outer(arguments: &[Value]) -> Result<Value, String> {
+    let (left, right) = (arguments[0].points()?, arguments[1].points()?);
+    Ok(Value::numbers(left.iter().flat_map(|a| right.iter().map(|b| a.1 * b.1))))
+}
+
+/// Seven weights, percent.
+fn weights(list: &Value) -> Result<[f64; 7], String> {
+    let values: Vec<f64> = list.points()?.iter().map(|point| point.1).collect();
+    values.try_into().map_err(|all: Vec<f64>| format!("Table 7.1 has 7 weights, not {}", all.len()))
+}

@@ -1,0 +1,272 @@
+//! The quantities of a scene that expressions of the claims may ask for: a row each.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use crate::model::appendix::Scheme;
+use crate::model::mechanism::load::yields_at_m;
+use crate::model::mechanism::{Mechanism, Spring};
+use crate::model::run::{Arrest, EventKind, Outcome, Run};
+use crate::model::scene::Scene;
+use crate::numerics::{larger, root};
+use crate::study::compare::{self, Candidate, Hardware};
+use crate::study::limit;
+use crate::study::thesis::lab::{Lab, Method, changed};
+use crate::study::thesis::series;
+use crate::study::thesis::value::Value;
+
+/// A quantity by its name.
+#[derive(Debug)]
+pub(super) struct Quantity {
+    /// What claims call it.
+    pub name: &'static str,
+    /// The unit on a curve's ends.
+    pub unit: &'static str,
+    get: Get,
+}
+
+/// Where a quantity comes from.
+#[derive(Clone, Copy, Debug)]
+enum Get {
+    /// A run without its series; `None` is no number.
+    Run(fn(&Run) -> Option<f64>),
+    /// The word for what became of a run.
+    Word(fn(&Run) -> &'static str),
+    /// A run with its series.
+    Series(fn(&Run) -> Value),
+    /// The scene alone, and a displacement, m.
+    Scene(fn(&Scene, f64) -> f64),
+    /// Several runs.
+    Runs(fn(&Lab<'_>, Method, &Scene) -> Value),
+}
+
+const fn quantity(name: &'static str, unit: &'static str, get: Get) -> Quantity {
+    Quantity { name, unit, get }
+}
+
+/// All quantities; SI units but for `percent` and `travel`.
+pub(super) static QUANTITIES: &[Quantity] = &[
+    // Depth at the first arrest; infinite for a perforation.
+    quantity(
+        "depth",
+        "m",
+        Get::Runs(|lab, method, scene| Value::Number(lab.depth_m(method, scene))),
+    ),
+    // The same over that of the shot on a rigid mount.
+    quantity(
+        "percent",
+        "%",
+        Get::Runs(|lab, method, scene| Value::Number(lab.percent(method, scene))),
+    ),
+    // The plate's greatest displacement, mm; infinite where nothing stops the plate.
+    quantity(
+        "travel",
+        "mm",
+        Get::Run(|run| Some(run.max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x))),
+    ),
+    quantity("stroke", "m", Get::Run(Run::stroke_m)),
+    quantity("peak", "N", Get::Run(|run| run.peak_contact_force_n)),
+    quantity("final_depth", "m", Get::Run(|run| run.final_penetration_m)),
+    quantity(
+        "final_percent",
+        "%",
+        Get::Run(|run| Some(run.percent_of_baseline().unwrap_or(f64::INFINITY))),
+    ),
+    quantity("arrest_time", "s", Get::Run(|run| arrest(run, |it| it.t_s))),
+    quantity("arrest_velocity", "m/s", Get::Run(|run| arrest(run, |it| it.plate_velocity_m_s))),
+    quantity("arrest_displacement", "m", Get::Run(|run| arrest(run, |it| it.plate_displacement_m))),
+    // When the projectile is at rest: with the plate at its greatest displacement, or where nothing moves at the arrest.
+    quantity(
+        "rest_time",
+        "s",
+        Get::Run(|run| {
+            let turn = run.events.iter().find(|it| it.kind == EventKind::GreatestDisplacement);
+            turn.map(|it| it.t_s).or_else(|| arrest(run, |it| it.t_s))
+        }),
+    ),
+    quantity("residual_velocity", "m/s", Get::Run(|run| run.residual_velocity_m_s)),
+    quantity(
+        "separation_velocity",
+        "m/s",
+        Get::Run(|run| run.separation.map(|(_, velocity)| velocity)),
+    ),
+    quantity(
+        "interface_demand",
+        "-",
+        Get::Run(|run| Some(run.interface_demand_ratio.unwrap_or(0.0))),
+    ),
+    quantity("rotation_energy", "J", Get::Run(|run| run.mechanism.rotation_j)),
+    quantity("spring_mass", "kg", Get::Run(|run| run.mechanism.spring_mass_kg)),
+    quantity("stack_depth", "m", Get::Run(|run| run.stack.as_ref()?.penetration_m)),
+    quantity("outcome", "-", Get::Word(|run| run.outcome.word())),
+    quantity("end_reason", "-", Get::Word(|run| run.end.words())),
+    // Velocities behind the plates of a stack.
+    quantity(
+        "arriving",
+        "m/s",
+        Get::Series(|run| {
+            let behind = run.stack.iter().flat_map(|stack| &stack.behind);
+            Value::numbers(behind.map(|run| run.scene.projectile.velocity_m_s))
+        }),
+    ),
+    quantity(
+        "start_velocity",
+        "m/s",
+        Get::Series(|run| Value::optional(run.series.first().map(|row| row.plate_velocity_m_s))),
+    ),
+    // Millimetres; not of a plate that is perforated.
+    quantity("displacement_at_end", "mm", Get::Series(series::displacement_at_end_mm)),
+    quantity("last_force", "N", Get::Series(series::last_force)),
+    quantity(
+        "greatest_spring_force",
+        "N",
+        Get::Series(|run| {
+            Value::Number(run.series.iter().map(|row| row.spring_force_n).fold(0.0, larger))
+        }),
+    ),
+    // What the projectile loses, and its force summed over time, N s.
+    quantity("momentum", "N s", Get::Series(series::momentum)),
+    quantity("impulse", "N s", Get::Series(series::impulse)),
+    // m dv/dt over the force, early in the contact.
+    quantity("acceleration_ratio", "-", Get::Series(series::acceleration_ratio)),
+    // The greatest distance of the force history from a half-sine of its peak and duration, over the peak.
+    quantity("off_half_sine", "-", Get::Series(series::off_half_sine)),
+    quantity("velocities_after_contact", "m/s", Get::Series(series::velocities_after_contact)),
+    quantity("velocity_at_neutral", "m/s", Get::Series(series::velocity_at_neutral)),
+    // Of projectile and plate, N s.
+    quantity("momentum_at_arrest", "N s", Get::Series(series::momentum_at_arrest)),
+    quantity("jump_after_contact", "m", Get::Series(series::jump_after_contact)),
+    quantity("turns_in_contact", "-", Get::Series(series::turns_in_contact)),
+    quantity("speed_in_contact", "m/s", Get::Series(series::speed_in_contact)),
+    // Energy when the plate comes back through neutral, over that at the first turn.
+    quantity("energy_after_return", "-", Get::Series(series::energy_after_return)),
+    // The ballistic limit in closed form, of a fixed plate or of a free one.
+    quantity("limit", "m/s", Get::Scene(|scene, _| limit::closed_form(scene).unwrap_or(f64::NAN))),
+    quantity("flow_strength", "Pa", Get::Scene(|scene, _| scene.flow_strength_pa())),
+    quantity(
+        "nose_pressure",
+        "Pa",
+        Get::Scene(|scene, _| {
+            let v = scene.projectile.velocity_m_s;
+            scene.flow_strength_pa() + scene.drag_kg_m3() * v * v
+        }),
+    ),
+    quantity("spring_force", "N", Get::Scene(|scene, x| spring(scene).force(x))),
+    quantity("spring_tangent", "N/m", Get::Scene(|scene, x| spring(scene).tangent(x))),
+    quantity("spring_energy", "J", Get::Scene(|scene, x| spring(scene).energy(x))),
+    quantity(
+        "yield_displacement",
+        "m",
+        Get::Scene(|scene, _| yields_at_m(&scene.mechanism.spring).unwrap_or(f64::NAN)),
+    ),
+    // Depth over that of the solid plate of equal mass, and mass efficiency by the ballistic limit.
+    quantity("against_solid", "-", Get::Runs(|_, _, scene| against_solid(scene))),
+    // Energy drawn into the spring for a fifth less depth than uncocked.
+    quantity("energy_for_a_fifth", "J", Get::Runs(energy_for_a_fifth_j)),
+    // The power law nearest to a spring's force up to where its plate goes: greatest distance over greatest force.
+    quantity("distance_from_power_law", "-", Get::Runs(distance_from_power_law)),
+    // The strength below which the plate is perforated.
+    quantity("least_strength", "Pa", Get::Runs(least_strength_pa)),
+    // The greatest percentage of the baseline over a grid of Table 9.2.
+    quantity("greatest_percent_of_table_9_2", "%", Get::Runs(greatest_percent)),
+    // The relative velocity with which the listing ends the contact.
+    quantity("listing_overshoot", "m/s", Get::Runs(|_, _, scene| listing_overshoot(scene))),
+];
+
+impl Quantity {
+    /// Its value for a scene by a method, at a displacement where it depends on one.
+    pub(super) fn of(&self, lab: &Lab<'_>, method: Method, scene: &Scene, x_m: f64) -> Value {
+        match self.get {
+            Get::Run(get) => Value::optional(get(&lab.run(method, scene))),
+            Get::Word(get) => Value::Text(get(&lab.run(method, scene)).to_owned()),
+            Get::Series(get) => get(&lab.run_with_series(method, scene)),
+            Get::Scene(get) => Value::Number(get(scene, x_m)),
+            Get::Runs(get) => get(lab, method, scene),
+        }
+    }
+}
+
+fn arrest(run: &Run, get: fn(&Arrest) -> f64) -> Option<f64> {
+    run.first_arrest.as_ref().map(get)
+}
+
+fn spring(scene: &Scene) -> Spring {
+    Mechanism::of(scene).spring
+}
+
+fn against_solid(scene: &Scene) -> Value {
+    let watch = &mut |_, _| ControlFlow::Continue(());
+    let report = compare::compare(&Arc::new(scene.clone()), Hardware::default(), watch).ok();
+    let report = report.as_ref();
+    let efficiency = report.and_then(|report| report.of(Candidate::Scene)?.mass_efficiency());
+    let depth = report.and_then(compare::Report::depth_over_solid);
+    Value::List(vec![Value::optional(depth), Value::optional(efficiency)])
+}
+
+fn energy_for_a_fifth_j(lab: &Lab<'_>, method: Method, scene: &Scene) -> Value {
+    let depth = |d: f64| lab.percent(method, &changed(scene.clone(), &[("d", d)]));
+    let wanted = 0.8 * depth(0.0);
+    let d = root::in_bracket(0.0, 0.5, |d| depth(d) - wanted);
+    Value::Number(spring(scene).energy(d))
+}
+
+/// n from 0.1 to 3 as in Table 9.2, c at its best.
+fn distance_from_power_law(lab: &Lab<'_>, method: Method, scene: &Scene) -> Value {
+    let reach = lab.run(method, scene).max_plate_displacement_m.unwrap_or(f64::NAN);
+    let spring = spring(scene);
+    let points: Vec<(f64, f64)> = (1..=40)
+        .map(|i| f64::from(i) / 40.0)
+        .map(|part| (part, spring.force(part * reach)))
+        .collect();
+    let most = points.iter().map(|(_, force)| force.abs()).fold(0.0, larger);
+    let mut best = f64::INFINITY;
+    for n in 1..=30 {
+        let powers: Vec<f64> = points.iter().map(|(x, _)| x.powf(0.1 * f64::from(n))).collect();
+        for c in 0..=50 {
+            let c = most * 0.03 * f64::from(c);
+            let off =
+                points.iter().zip(&powers).map(|((_, force), power)| (c * power - force).abs());
+            let worst = off.fold(0.0, larger) / most;
+            best = if worst < best { worst } else { best };
+        }
+    }
+    Value::Number(best)
+}
+
+fn least_strength_pa(lab: &Lab<'_>, method: Method, scene: &Scene) -> Value {
+    let (mut low, mut high) = (1e7, 2e8);
+    for _ in 0..30 {
+        let middle = 0.5 * (low + high);
+        let run = lab.run(method, &changed(scene.clone(), &[("S_y", middle)]));
+        if run.outcome == Outcome::Perforated { low = middle } else { high = middle }
+    }
+    Value::Number(high)
+}
+
+fn greatest_percent(lab: &Lab<'_>, method: Method, scene: &Scene) -> Value {
+    let mut greatest = 0.0;
+    for gamma in [0.8, 2.0, 7.0] {
+        for (k, n) in [(0.0, 1.0), (1e5, 0.5), (1e5, 3.0), (1e6, 1.0), (7.5e6, 1.0), (7.5e6, 0.3)] {
+            for (d, b) in [(0.0, 0.0), (0.0, 2000.0), (0.1, 0.0), (0.5, 200.0)] {
+                let changes = [("gamma", gamma), ("k", k), ("n", n), ("d", d), ("b", b)];
+                let percent = lab.percent(method, &changed(scene.clone(), &changes));
+                // The printed scheme breaks off on the most violent designs.
+                greatest = if percent > greatest { percent } else { greatest };
+            }
+        }
+    }
+    Value::Number(greatest)
+}
+
+fn listing_overshoot(scene: &Scene) -> Value {
+    let scheme = Scheme::of(scene, scene.contact.appendix);
+    let mut state = scheme.start();
+    let mut steps = 0;
+    while scheme.ended(&state).is_none_or(|_| steps == 0) && steps < 10_000 {
+        steps += 1;
+        if scheme.step(&mut state).is_err() {
+            break;
+        }
+    }
+    Value::Number(state.slip_m_s)
+}

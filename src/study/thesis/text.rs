@@ -1,0 +1,131 @@
+//! The texts of the claims: numbers in words, and templates with expressions in them.
+
+use crate::model::units::{self, Engineering};
+use crate::study::thesis::expression::{Expression, Parser};
+use crate::study::thesis::value::{Curve, Value};
+
+/// A text with expressions in it: `{depth(rigid) | mm} deep`.
+pub(super) struct Template(Vec<Piece>);
+
+enum Piece {
+    Plain(String),
+    Value(Expression, Format),
+}
+
+/// How a value is written.
+#[derive(Clone, Copy, Debug)]
+struct Format {
+    /// What stands between the values of a list.
+    between: &'static str,
+    style: Style,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Style {
+    Number,
+    Millimetres,
+    Percent,
+    Signed,
+    Unit(&'static str),
+    Ends,
+}
+
+const UNITS: [&str; 6] = ["m/s", "N/m", "N", "s", "Pa", "J"];
+
+impl Template {
+    /// Parses a text.
+    pub(super) fn parse(text: &str, parser: &mut Parser<'_>) -> Result<Self, String> {
+        let mut pieces = Vec::new();
+        let mut parts = text.split('{');
+        pieces.extend(parts.next().map(|plain| Piece::Plain(plain.to_owned())));
+        for part in parts {
+            let Some((inner, plain)) = part.split_once('}') else {
+                return Err(format!("`{text}`: `}}` is missing"));
+            };
+            let (expression, format) = inner.split_once(" | ").unwrap_or((inner, ""));
+            pieces.push(Piece::Value(parser.parse(expression)?, Format::parse(format)?));
+            pieces.push(Piece::Plain(plain.to_owned()));
+        }
+        Ok(Self(pieces))
+    }
+
+    /// The text with its expressions evaluated.
+    pub(super) fn filled(
+        &self,
+        value: &dyn Fn(&Expression) -> Result<Value, String>,
+    ) -> Result<String, String> {
+        let piece = |piece: &Piece| match piece {
+            Piece::Plain(plain) => Ok(plain.clone()),
+            Piece::Value(expression, format) => format.write(&value(expression)?),
+        };
+        self.0.iter().map(piece).collect()
+    }
+}
+
+impl Format {
+    fn parse(text: &str) -> Result<Self, String> {
+        let spaced = text.strip_prefix("spaced");
+        let between = if spaced.is_some() { " " } else { ", " };
+        let style = match spaced.unwrap_or(text).trim() {
+            "" => Style::Number,
+            "mm" => Style::Millimetres,
+            "%" => Style::Percent,
+            "+%" => Style::Signed,
+            "ends" => Style::Ends,
+            unit => Style::Unit(UNITS.into_iter().find(|own| *own == unit).ok_or_else(|| {
+                format!(
+                    "`{unit}` is no format: take mm, %, +%, ends or one of {}",
+                    UNITS.join(", ")
+                )
+            })?),
+        };
+        Ok(Self { between, style })
+    }
+
+    fn write(self, value: &Value) -> Result<String, String> {
+        Ok(match value {
+            Value::List(list) => {
+                let all: Vec<String> =
+                    list.iter().map(|it| self.write(it)).collect::<Result<_, _>>()?;
+                all.join(self.between)
+            }
+            Value::Text(text) => text.clone(),
+            Value::Truth(truth) => truth.to_string(),
+            Value::Curve(curve) => ends(curve),
+            Value::Number(value) => match self.style {
+                Style::Number | Style::Ends => number(*value),
+                Style::Millimetres if value.is_finite() => format!("{:.4} mm", 1e3 * value),
+                Style::Millimetres => "perforated".to_owned(),
+                Style::Percent => percent(*value),
+                Style::Signed if value.is_nan() => "-".to_owned(),
+                Style::Signed => format!("{value:+.1} %"),
+                Style::Unit(unit) => Engineering { value: *value, unit, digits: 4 }.to_string(),
+            },
+        })
+    }
+}
+
+/// Four figures.
+fn number(value: f64) -> String {
+    units::significant(value, 4)
+}
+
+/// One decimal.
+pub(super) fn percent(value: f64) -> String {
+    if value.is_finite() { format!("{value:.1} %") } else { "perforated".to_owned() }
+}
+
+/// First and last value of a curve: `60.0 % at gamma = 0.8, 91.5 % at 7`.
+pub(super) fn ends(curve: &Curve) -> String {
+    let (Some(first), Some(last)) = (curve.points.first(), curve.points.last()) else {
+        return "nothing finite".to_owned();
+    };
+    let (along, unit) = (curve.along, curve.unit);
+    format!(
+        "{} {unit} at {along} = {}, {} {unit} at {}",
+        number(first.1),
+        number(first.0),
+        number(last.1),
+        number(last.0)
+    )
+}
