@@ -32,7 +32,7 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
         Some(text) => only(text, &mut pace)?,
     };
     let is_whole = arguments.only.is_none() && !was_interrupted();
-    let differences = if is_whole { rows::differences(&shown) } else { rows::changed(&shown) };
+    let differences = if is_whole { thesis::differences(&shown) } else { thesis::changed(&shown) };
     arguments.table.deliver(&page(&shown, differences.len()), &rows::rows(&shown))?;
     for difference in &differences {
         output::note(&format!("verdict differs from the stored table: {difference}"));
@@ -44,8 +44,7 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
 fn only(text: &str, pace: &mut Pace) -> Result<Vec<Row>, CliError> {
     let wanted = text.to_lowercase();
     let has = |field: &str| field.to_lowercase().contains(&wanted);
-    let said =
-        |claim: &Claim| [&claim.id, &claim.place, &claim.says].into_iter().any(|field| has(field));
+    let said = |claim: &Claim| [claim.id, claim.place, claim.says].into_iter().any(has);
     if Verdict::ALL.into_iter().any(|verdict| has(verdict.words())) {
         let mut rows = report(&thesis::claims().iter().collect::<Vec<_>>(), pace);
         rows.retain(|row| said(row.claim) || has(row.found.verdict.words()));
@@ -79,13 +78,13 @@ fn page(report: &[Row], differences: usize) -> String {
             text::width().saturating_sub(place.chars().count() + claim.id.chars().count()).max(2);
         let _ = writeln!(page, "{place}{:gap$}{}", "", claim.id);
         let lines = [
-            ("says", claim.says.as_str()),
+            ("says", claim.says),
             (
                 if row.found.basis == Basis::Read { "read" } else { "computed" },
                 row.found.sound.as_str(),
             ),
             ("as printed", row.found.printed.as_str()),
-            ("cause", claim.cause.as_str()),
+            ("cause", claim.cause),
         ];
         for (label, said) in lines.iter().filter(|(_, said)| !said.is_empty()) {
             text::labelled(&mut page, label, said);

@@ -1,11 +1,11 @@
-//! The reproduction report, the screening matrix and the principles as rows for machines, and the verdicts it is held to.
+//! The reproduction report, the screening matrix and the principles as rows for machines.
 
 use serde_json::Value;
 
 use crate::files::rows::{Rows, number};
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, ranking};
-use crate::study::thesis::{self, Opens, Row};
+use crate::study::thesis::{Opens, Row};
 
 /// Names of a row's values.
 const COLUMNS: [&str; 10] =
@@ -14,19 +14,19 @@ const COLUMNS: [&str; 10] =
 /// The report as rows.
 pub fn rows(report: &[Row]) -> Rows {
     let row = |row: &Row| {
-        let preset = match &row.claim.opens {
-            Opens::Preset(name) => Value::from(name.as_str()),
+        let preset = match row.claim.opens {
+            Opens::Preset(name) => Value::from(name),
             Opens::Nothing | Opens::Scene(_) => Value::Null,
         };
         let text = |text: &str| if text.is_empty() { Value::Null } else { Value::from(text) };
         vec![
-            Value::from(row.claim.id.as_str()),
-            Value::from(row.claim.place.as_str()),
-            Value::from(row.claim.says.as_str()),
+            Value::from(row.claim.id),
+            Value::from(row.claim.place),
+            Value::from(row.claim.says),
             text(&row.found.sound),
             text(&row.found.printed),
             Value::from(row.found.verdict.words()),
-            Value::from(row.claim.cause.as_str()),
+            Value::from(row.claim.cause),
             preset,
             Value::from(row.runs),
             Value::from(row.found.basis.words()),
@@ -76,25 +76,4 @@ pub fn principles() -> Rows {
         .collect();
     let columns = vec!["family", "principle", "section", "idea", "functions", "computed", "preset"];
     Rows { columns, rows }
-}
-
-/// Where the verdicts of these rows differ from the expected ones, in words.
-pub fn changed(report: &[Row]) -> Vec<String> {
-    report
-        .iter()
-        .filter(|row| row.found.verdict != row.claim.expected)
-        .map(|row| {
-            let (now, before) = (row.found.verdict.words(), row.claim.expected.words());
-            format!("{}: {now}, stored is {before}", row.claim.id)
-        })
-        .collect()
-}
-
-/// The same of a whole report; rows that are missing count, too.
-pub fn differences(report: &[Row]) -> Vec<String> {
-    let missing =
-        thesis::claims().iter().filter(|it| report.iter().all(|row| row.claim.id != it.id));
-    let missing =
-        missing.map(|it| format!("{}: no such row, stored is {}", it.id, it.expected.words()));
-    changed(report).into_iter().chain(missing).collect()
 }

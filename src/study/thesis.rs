@@ -83,14 +83,14 @@ impl Verdict {
 }
 
 /// What opens when a claim's row is chosen.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Opens {
     /// Nothing: no scene shows it.
     Nothing,
     /// This scene.
-    Scene(Arc<Scene>),
+    Scene(&'static Scene),
     /// The bundled preset of this name.
-    Preset(String),
+    Preset(&'static str),
 }
 
 /// What a verdict rests on.
@@ -204,6 +204,26 @@ pub fn check_all(claims: &[&'static Claim], watch: Watch<'_>, stop: &Arc<AtomicB
         },
     );
     rows
+}
+
+/// Where the verdicts of these rows differ from the expected ones, in words.
+pub fn changed(report: &[Row]) -> Vec<String> {
+    report
+        .iter()
+        .filter(|row| row.found.verdict != row.claim.expected)
+        .map(|row| {
+            let (now, before) = (row.found.verdict.words(), row.claim.expected.words());
+            format!("{}: {now}, stored is {before}", row.claim.id)
+        })
+        .collect()
+}
+
+/// The same of a whole report; rows that are missing count, too.
+pub fn differences(report: &[Row]) -> Vec<String> {
+    let missing = claims().iter().filter(|it| report.iter().all(|row| row.claim.id != it.id));
+    let missing =
+        missing.map(|it| format!("{}: no such row, stored is {}", it.id, it.expected.words()));
+    changed(report).into_iter().chain(missing).collect()
 }
 
 /// How many rows have each verdict, in the order of [`Verdict::ALL`].

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use assert_cmd::Command;
 use cmra::files::bundled::BUNDLED;
-use cmra::files::thesis::{differences, rows};
-use cmra::study::thesis::{self, Basis, Opens, Verdict, reproduce, tally};
+use cmra::files::thesis::rows;
+use cmra::study::thesis::{self, Basis, Opens, Verdict, differences, reproduce, tally};
 
 #[test]
 fn every_verdict_is_the_stored_one() {
@@ -57,8 +57,8 @@ fn a_verdict_that_changes_is_told() {
 fn claims_have_names_of_their_own_and_open_what_exists() {
     let mut ids = HashSet::new();
     for claim in thesis::claims() {
-        assert!(ids.insert(&claim.id), "{} twice", claim.id);
-        if let Opens::Preset(name) = &claim.opens {
+        assert!(ids.insert(claim.id), "{} twice", claim.id);
+        if let Opens::Preset(name) = claim.opens {
             assert!(BUNDLED.iter().any(|preset| preset.name == name), "{}: {name}", claim.id);
         }
     }

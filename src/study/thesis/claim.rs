@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::Arc;
 
 use serde::Deserialize;
 
@@ -13,16 +12,16 @@ use crate::study::thesis::expression::{Expression, Parser};
 use crate::study::thesis::text::Template;
 use crate::study::thesis::{Opens, Verdict};
 
-/// A claim of the thesis.
+/// A claim of the thesis. Claims live as long as the program, and so do their texts.
 pub struct Claim {
     /// A short name that stays: rows are compared by it.
-    pub id: String,
+    pub id: &'static str,
     /// Where it stands.
-    pub place: String,
+    pub place: &'static str,
     /// What it says, in other words.
-    pub says: String,
+    pub says: &'static str,
     /// Why the verdict is what it is, in one sentence.
-    pub cause: String,
+    pub cause: &'static str,
     /// The verdict that is expected.
     pub expected: Verdict,
     /// What shows it.
@@ -137,10 +136,10 @@ impl Entry {
     fn claim(self, scenes: &BTreeMap<String, Scene>) -> Result<Claim, String> {
         let opens = match (self.preset, self.scene) {
             (Some(_), Some(_)) => return Err("it opens a preset or a scene, not both".to_owned()),
-            (Some(preset), None) => Opens::Preset(preset),
+            (Some(preset), None) => Opens::Preset(preset.leak()),
             (None, Some(name)) => {
                 let scene = scenes.get(&name).ok_or_else(|| format!("`{name}` is no scene"))?;
-                Opens::Scene(Arc::new(scene.clone()))
+                Opens::Scene(Box::leak(Box::new(scene.clone())))
             }
             (None, None) => Opens::Nothing,
         };
@@ -174,6 +173,7 @@ impl Entry {
         }
         let check = Check { values, computed, as_printed, is_trend, is_read, conditions };
         let Self { id, place, says, cause, .. } = self;
+        let [id, place, says, cause] = [id, place, says, cause].map(|text| &*text.leak());
         Ok(Claim { id, place, says, cause, expected, opens, check })
     }
 }

@@ -72,7 +72,7 @@ impl App {
         let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.found.verdict == wanted);
         let mut rows = ranked(tab.rows().iter().filter(passes), |row| {
             let claim = &row.claim;
-            rank(&self.find.claims, &[&claim.id, &claim.place], &claim.says)
+            rank(&self.find.claims, &[claim.id, claim.place], claim.says)
         });
         if tab.by_verdict {
             let order = |row: &&Row| Verdict::ALL.iter().position(|it| *it == row.found.verdict);
@@ -121,7 +121,7 @@ impl App {
         match self.pane() {
             Pane::Claims => {
                 let row = self.claim()?;
-                let opens = match &row.claim.opens {
+                let opens = match row.claim.opens {
                     Opens::Nothing => "no scene shows this".to_owned(),
                     Opens::Scene(_) => "Enter opens its scene".to_owned(),
                     Opens::Preset(name) => format!("Enter opens {name}"),

@@ -105,21 +105,18 @@ fn open(app: &mut App) -> Vec<Effect> {
     let tab = &app.thesis;
     let row = app.claim();
     let opens = match app.pane() {
-        Pane::Principles => {
-            let preset = PRINCIPLES[tab.principle].preset;
-            preset.map_or(Opens::Nothing, |name| Opens::Preset(name.to_owned()))
-        }
-        Pane::Screening => {
-            Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset.to_owned())
-        }
-        _ => row.map_or(Opens::Nothing, |row| row.claim.opens.clone()),
+        Pane::Principles => PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset),
+        Pane::Screening => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
+        _ => row.map_or(Opens::Nothing, |row| row.claim.opens),
     };
-    let id = row.map_or("claim", |row| row.claim.id.as_str());
+    let id = row.map_or("claim", |row| row.claim.id);
     let base = match opens {
         Opens::Nothing => None,
-        Opens::Scene(scene) => {
-            Some(Base { name: format!("claim {id}"), origin: Origin::Other, scene })
-        }
+        Opens::Scene(scene) => Some(Base {
+            name: format!("claim {id}"),
+            origin: Origin::Other,
+            scene: Arc::new(scene.clone()),
+        }),
         Opens::Preset(name) => {
             app.presets.iter().find(|entry| entry.name == name).map(|entry| Base {
                 name: entry.name.clone(),

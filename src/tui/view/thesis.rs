@@ -87,27 +87,28 @@ fn claims(app: &App, area: Rect, buffer: &mut Buffer) -> Rows {
     for (y, (index, row)) in (0..inner.height).zip(shown.iter().enumerate().skip(first)) {
         let style = app.theme.style(role(row.found.verdict));
         put(buffer, inner, (0, y), &row.found.verdict.letter().to_string(), style);
-        let place = clip(&row.claim.place, usize::from(says.saturating_sub(3)));
+        let place = clip(row.claim.place, usize::from(says.saturating_sub(3)));
         put(buffer, inner, (2, y), &place, style);
         let room = usize::from(inner.width.saturating_sub(says));
-        put(buffer, inner, (says, y), &clip(&row.claim.says, room), style);
+        put(buffer, inner, (says, y), &clip(row.claim.says, room), style);
         if index == tab.selected && app.dialog.is_none() {
             paint_row(buffer, inner, y, app.theme.style(Role::Selection));
         }
     }
-    let pane = PaneFrame::new(app.claim().map_or_else(String::new, |row| row.claim.place.clone()))
-        .right("Tab: principles");
+    let pane =
+        PaneFrame::new(app.claim().map_or_else(String::new, |row| row.claim.place.to_owned()))
+            .right("Tab: principles");
     let inner = pane.render(detail, buffer, app.theme);
     if let Some(row) = app.claim() {
         let found = &row.found;
         let mut y = 0;
         let verdict = format!("{} {}", found.verdict.letter(), found.verdict.words());
         for (label, text) in [
-            ("says", row.claim.says.as_str()),
+            ("says", row.claim.says),
             ("computed", found.sound.as_str()),
             ("as printed", found.printed.as_str()),
             ("verdict", verdict.as_str()),
-            ("cause", row.claim.cause.as_str()),
+            ("cause", row.claim.cause),
         ] {
             if !text.is_empty() {
                 y = labelled(app, inner, y, (label, text), buffer);
