@@ -13,19 +13,20 @@
 //! 2. `impact::problem::Problem::of` derives the constants of the impact once: masses, [`contact::Geometry::of`] (engaged area by
 //!    travel, in pieces), [`contact_models`] (the force of each mode, what ends it, what follows), [`mechanism::Mechanism::of`]
 //!    (spring, damper, stop), the horizon.
-//! 3. `Track::begin` (`impact/contact.rs`) takes the contact in closed form ([`closed_form::Passage`]) where nothing but inertia
-//!    answers the projectile; else `Track::start` steps over a singular start.
+//! 3. `Track` is a run in progress: the `Body` (state, mode, equations; `impact/body.rs`), the `StepControl`, the `Record` and the
+//!    `Termination`. `Track::begin` (`impact/contact.rs`) takes the contact in closed form ([`closed_form::Passage`]) where nothing
+//!    but inertia answers the projectile; else `Track::start` steps over a singular start.
 //! 4. `Track::run` (`impact/track.rs`) is the loop. Each pass:
-//!    - `finished` (`impact/termination.rs`) decides by energy bounds whether the outcome can still change; `budget_used_up` whether
-//!      the run has done its work;
-//!    - `missed_event` finds an event that rounding has put behind the state;
-//!    - one step is taken: `stride` (`impact/singular_crossing.rs`) through the zero of a power law, `taylor_step`
+//!    - `finished` (`impact/termination.rs`) decides by `Body::outcome` and energy bounds whether the result can still change;
+//!      `budget_used_up` whether the run has done its work;
+//!    - `Body::missed_event` finds an event that rounding has put behind the state;
+//!    - one step is taken: `cross_singularity` (`impact/singular_crossing.rs`) through the zero of a power law, `taylor_step`
 //!      (`impact/taylor.rs`) where the motion is smooth, or `stiff_step` (`impact/stiff.rs`). All step the equations of
-//!      [`motion::Motion`], which are one form for every mode;
-//!    - `active_events` lists what may end the step in the present mode; the first of them to change its sign is located, and
+//!      [`motion::Motion`], which are one form for every mode and contact model;
+//!    - `Body::active_events` lists what may end the step in the present mode; the first of them to change its sign is located, and
 //!      `project_onto_event` puts the state exactly on it;
 //!    - `Record` (`impact/record.rs`) keeps the rows, the work done and the greatest forces (`note_extremes`);
-//!    - `apply_transition` lets `handle` (`impact/events.rs`) decide by the interface law which mode follows.
+//!    - `apply_transition` lets `handle` (`impact/events.rs`) decide by the contact model which mode follows.
 //! 5. `report::gather` makes the [`run::Run`]: outcome, depth, displacement, events, energy ledger, warnings.
 //! 6. A second, tighter computation gives [`estimate::set`] the error of each result.
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.

@@ -15,21 +15,19 @@ use record::Record;
 use track::Track;
 use window::Window;
 
-mod active_events;
-mod budget;
+mod body;
 mod contact;
 mod crush;
 mod demand;
-mod energy_bounds;
 mod events;
 pub mod forced;
-mod missed_event;
 mod problem;
 mod record;
 mod report;
 mod rest;
 mod singular_crossing;
 mod start;
+mod step_control;
 mod stiff;
 mod taylor;
 mod termination;
@@ -56,8 +54,8 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     track.record.window = Some(window);
     let end = compute::<TERMS>(&mut track, observer);
     // Rounding adds up over implicit steps, in which large forces hold each other, like a random walk.
-    let rounding = ROUNDING * (1.0 + track.stiff_steps as f64).sqrt();
-    let floor = larger(track.stride_error, rounding);
+    let rounding = ROUNDING * (1.0 + track.control.stiff_steps as f64).sqrt();
+    let floor = larger(track.control.crossing_error, rounding);
     let mut run = report::gather(&problem, track, end);
     if settings.estimate && run.end.is_complete() {
         let series = std::mem::take(&mut run.series);
@@ -98,7 +96,7 @@ fn second(problem: &Problem, observer: Observer<'_>) -> Option<Run> {
     let problem = own.as_ref().unwrap_or(problem);
     let tolerance = larger(problem.scene.run.tolerance * TIGHTER, TIGHTEST);
     let mut track = Track::new(problem, tolerance, false);
-    track.is_second = true;
+    track.control.is_second = true;
     let end = compute::<TERMS_CHECK>(&mut track, observer);
     (end != EndReason::Cancelled).then(|| report::gather(problem, track, end))
 }

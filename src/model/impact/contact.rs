@@ -26,7 +26,7 @@ pub(super) enum Answer {
     /// It does not move.
     Rigid,
     /// The mechanism cannot move it noticeably.
-    Immobile,
+    Fixed,
     /// Only its inertia answers.
     Free,
     /// The mechanism matters: integrate.
@@ -43,7 +43,7 @@ impl Problem {
         } else if self.mechanism.is_absent() && self.mechanism.stop.is_none() {
             Answer::Free
         } else if holds_still(&self.passage(false), &self.mechanism, self.start_m) {
-            Answer::Immobile
+            Answer::Fixed
         } else {
             Answer::Mechanism
         }
@@ -53,22 +53,23 @@ impl Problem {
 impl Track<'_> {
     /// Begin: with the whole contact in closed form if there is one, else with the first moments.
     pub(super) fn begin(&mut self) {
-        let answer = self.problem.answer;
+        let answer = self.body.problem.answer;
         let done = match answer {
-            Answer::Rigid | Answer::Immobile | Answer::Free => self.contact_in_closed_form(answer),
+            Answer::Rigid | Answer::Fixed | Answer::Free => self.contact_in_closed_form(answer),
             Answer::Mechanism => false,
         };
         if !done {
             self.point();
-            let event = self.problem.contact.missed_event(self.mode, &self.hole(), &|| 0.0);
+            let event =
+                self.body.problem.contact.missed_event(self.body.mode, &self.body.hole(), &|| 0.0);
             if event == Some(EventId::HistoryEnd) {
                 self.record.series.clear();
                 self.apply_transition(EventId::HistoryEnd);
             }
-            let pace = self.problem.time_scales();
-            self.unit_s = 0.1 * pace.contact_s;
-            self.stiff = pace.is_stiff() && !self.is_still();
-            if !self.stiff && self.mode == Mode::Penetrating {
+            let pace = self.body.problem.time_scales();
+            self.control.unit_s = 0.1 * pace.contact_s;
+            self.control.stiff = pace.is_stiff() && !self.body.is_still();
+            if !self.control.stiff && self.body.mode == Mode::Penetrating {
                 self.start();
             }
         }
@@ -76,7 +77,7 @@ impl Track<'_> {
 
     /// The whole contact at once; `false`, with nothing changed, where the closed form does not serve.
     fn contact_in_closed_form(&mut self, answer: Answer) -> bool {
-        let problem = self.problem;
+        let problem = self.body.problem;
         let free = answer == Answer::Free;
         let passage = problem.passage(free);
         let ending = passage.ending();
@@ -85,7 +86,7 @@ impl Track<'_> {
         {
             return false;
         }
-        let rule = if self.is_second { Rule::FINEST } else { Rule::FINE };
+        let rule = if self.control.is_second { Rule::FINEST } else { Rule::FINE };
         let points = if self.record.keep_series { POINTS } else { rule.points };
         let moments = passage.history(ending, Rule { points, ..rule });
         let Some(last) = moments.last().copied() else {
@@ -104,10 +105,11 @@ impl Track<'_> {
         self.record.work.penetration_j = 0.5 * slip_energy / passage.mobility_per_kg;
         self.record.peak_contact_n = peak_n(&passage, &moments);
         if matches!(ending, Ending::Arrest { .. }) {
-            if answer == Answer::Immobile {
-                self.immobile = true;
-                let force = self.interface_n() * problem.cos;
-                self.state.plate_m = smaller(problem.mechanism.spring.at_force(force), IMMOBILE);
+            if answer == Answer::Fixed {
+                self.body.fixed = true;
+                let force = self.body.interface_n() * problem.cos;
+                self.body.state.plate_m =
+                    smaller(problem.mechanism.spring.at_force(force), IMMOBILE);
             }
             self.handle(EventId::SlipZero);
         }
@@ -116,29 +118,30 @@ impl Track<'_> {
 
     /// One moment of the closed form: the plate has what momentum the projectile lost.
     fn pass(&mut self, moment: &Moment, share: f64) {
-        let problem = self.problem;
+        let problem = self.body.problem;
         let gone = problem.velocity_m_s * moment.t_s - moment.travel_m;
-        self.state = State {
+        self.body.state = State {
             t_s: moment.t_s,
             travel_m: moment.travel_m,
             slip_m_s: moment.slip_m_s,
             plate_m: problem.start_m + share * gone,
             plate_m_s: share * (problem.velocity_m_s - moment.slip_m_s),
         };
-        self.deepest_m = larger(moment.travel_m, self.deepest_m);
-        self.speed_scale_m_s = larger(self.state.plate_m_s.abs(), self.speed_scale_m_s);
-        self.plate_scale_m = larger(self.state.plate_m.abs(), self.plate_scale_m);
-        let motion = self.motion();
+        self.body.deepest_m = larger(moment.travel_m, self.body.deepest_m);
+        self.body.speed_scale_m_s =
+            larger(self.body.state.plate_m_s.abs(), self.body.speed_scale_m_s);
+        self.body.plate_scale_m = larger(self.body.state.plate_m.abs(), self.body.plate_scale_m);
+        let motion = self.body.motion();
         let setting = Setting {
             problem,
             motion: &motion,
             mode: Mode::Penetrating,
             still: share == 0.0,
-            held: false,
+            rests_on_stop: false,
             interface_n: 0.0,
         };
-        self.record.reach(&self.state);
-        self.record.point(&setting, &self.state, false);
+        self.record.reach(&self.body.state);
+        self.record.point(&setting, &self.body.state, false);
         let at_joint =
             problem.geometry.pieces().iter().any(|piece| {
                 (piece.to_m - moment.travel_m).abs() <= 4.0 * f64::EPSILON * piece.to_m
@@ -148,7 +151,7 @@ impl Track<'_> {
             let nearest = end
                 .into_iter()
                 .min_by(|a, b| (a - moment.travel_m).abs().total_cmp(&(b - moment.travel_m).abs()));
-            self.state.travel_m = nearest.unwrap_or(moment.travel_m);
+            self.body.state.travel_m = nearest.unwrap_or(moment.travel_m);
             self.handle(EventId::PieceEnd);
         }
     }

@@ -56,16 +56,16 @@ impl Track<'_> {
     /// A plate that no longer goes forward unloads the absorbers it has crushed from where it is; the energy spent on crushing them
     /// is dissipated.
     pub(super) fn unload_absorbers(&mut self) {
-        if self.state.plate_m_s > 0.0 || !self.problem.has_absorber() {
+        if self.body.state.plate_m_s > 0.0 || !self.body.problem.has_absorber() {
             return;
         }
-        let x = self.state.plate_m;
-        let Some(crushed_m) = self.problem.crushed_by(x) else { return };
+        let x = self.body.state.plate_m;
+        let Some(crushed_m) = self.body.problem.crushed_by(x) else { return };
         (_, self.record.work.crush_j) = self.spring_energies();
-        self.problem = self.problem.crushed(crushed_m);
-        let spring = &self.problem.mechanism.spring;
+        self.body.problem = self.body.problem.crushed(crushed_m);
+        let spring = &self.body.problem.mechanism.spring;
         // At a knot: on its near side.
-        self.region = spring.curve().map_or(0, |curve| {
+        self.body.region = spring.curve().map_or(0, |curve| {
             let above = curve.region(x);
             if curve.ends(above).0 >= x { above - 1 } else { above }
         });
@@ -73,7 +73,7 @@ impl Track<'_> {
 
     /// Energy that the springs give back from here, and that crushing has taken so far, J.
     pub(super) fn spring_energies(&self) -> (f64, f64) {
-        let (problem, x) = (self.problem, self.state.plate_m);
+        let (problem, x) = (self.body.problem, self.body.state.plate_m);
         let crushed_j = self.record.work.crush_j;
         let stored_j = problem.mechanism.spring.energy(x);
         let crushed_m = if problem.has_absorber() { problem.crushed_by(x) } else { None };

@@ -20,19 +20,19 @@ pub(super) enum Swing {
 impl Track<'_> {
     /// Note what the interface carries as soon as both bodies are one, and whether their first swing forward is over.
     pub(super) fn follow_swing(&mut self) {
-        if self.mode != Mode::Fused {
+        if self.body.mode != Mode::Fused {
             return;
         }
-        if self.record.push_ratio.is_none() && !self.is_still() && self.problem.flows() {
-            let motion = self.motion();
-            let force = motion.mechanism_force(&self.state);
+        if self.record.push_ratio.is_none() && !self.body.is_still() && self.body.problem.flows() {
+            let motion = self.body.motion();
+            let force = motion.mechanism_force(&self.body.state);
             let mut record = std::mem::take(&mut self.record);
-            record.carried(&self.setting(&motion), force, -force);
+            record.carried(&self.body.setting(&motion), force, -force);
             self.record = record;
         }
-        self.swing = match self.swing {
-            Swing::Back if self.state.plate_m_s > 0.0 => Swing::Forward,
-            Swing::Forward if self.state.plate_m_s <= 0.0 => Swing::Turned,
+        self.termination.swing = match self.termination.swing {
+            Swing::Back if self.body.state.plate_m_s > 0.0 => Swing::Forward,
+            Swing::Forward if self.body.state.plate_m_s <= 0.0 => Swing::Turned,
             swing => swing,
         };
     }
@@ -40,13 +40,13 @@ impl Track<'_> {
     /// Whether the fused interface may yet have to carry more than it has so far: until the first swing forward is over, unless
     /// the energy that is left cannot push harder.
     pub(super) fn demand_may_grow(&self) -> bool {
-        let strength = self.interface_n();
-        self.mode == Mode::Fused
-            && self.swing != Swing::Turned
-            && !self.is_still()
+        let strength = self.body.interface_n();
+        self.body.mode == Mode::Fused
+            && self.termination.swing != Swing::Turned
+            && !self.body.is_still()
             && strength > 0.0
             && self.record.push_ratio.is_some_and(|known| {
-                self.push_at(self.energy_j()) > known * strength * (1.0 + DEMANDED)
+                self.body.push_at(self.body.energy_j()) > known * strength * (1.0 + DEMANDED)
             })
     }
 }

@@ -30,13 +30,13 @@ pub fn simulate_by(forced: Forced, scene: &Arc<Scene>) -> Result<Option<Run>, Va
     variables::validate(scene)?;
     let problem = Problem::of(scene);
     let mut track = Track::new(&problem, scene.run.tolerance, false);
-    track.unit_s = 0.1 * problem.time_scales().contact_s;
+    track.control.unit_s = 0.1 * problem.time_scales().contact_s;
     track.start();
-    if track.stiff && forced == Forced::Taylor {
+    if track.control.stiff && forced == Forced::Taylor {
         return Ok(None);
     }
     let observer: Observer<'_> = &mut |_| ControlFlow::Continue(());
     let end = track.run::<TERMS>(observer);
-    let gave_way = forced == Forced::Taylor && track.stiff_steps > 0;
+    let gave_way = forced == Forced::Taylor && track.control.stiff_steps > 0;
     Ok((!gave_way).then(|| report::gather(&problem, track, end)))
 }

@@ -1,5 +1,6 @@
 //! What is written down along the way: series, events, extremes and work.
 
+use crate::model::impact::body::Noted;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::thinning::{Kept, thinned};
 use crate::model::impact::window::Window;
@@ -53,8 +54,8 @@ pub(super) struct Record<'a> {
     /// Greatest force of spring, damper and elastic stop, where the greatest displacement does not tell it, N.
     pub(super) peak_mount_n: f64,
     /// Greatest plate displacement so far, m.
-    pub(super) farthest_m: f64,
-    pub(super) farthest_s: f64,
+    pub(super) max_displacement_m: f64,
+    pub(super) max_displacement_s: f64,
     /// Greatest push and pull through the interface while fused, over A `S_y`, and when the limits were first passed, s.
     pub(super) push_ratio: Option<f64>,
     pub(super) pull_ratio: f64,
@@ -72,7 +73,7 @@ pub(super) struct Setting<'a> {
     /// The plate cannot move.
     pub(super) still: bool,
     /// The plate rests on its stop.
-    pub(super) held: bool,
+    pub(super) rests_on_stop: bool,
     /// What the interface can push at the present travel, A `S_y`, N.
     pub(super) interface_n: f64,
 }
@@ -93,8 +94,11 @@ impl Setting<'_> {
             | Mode::FreeFlight
             | Mode::Perforated => motion.contact_force(state),
         };
-        let stop =
-            if self.held { contact * problem.cos - spring } else { motion.stop.force(state) };
+        let stop = if self.rests_on_stop {
+            contact * problem.cos - spring
+        } else {
+            motion.stop.force(state)
+        };
         Sample {
             t_s: state.t_s,
             mode: self.mode,
@@ -114,6 +118,11 @@ impl Setting<'_> {
 }
 
 impl Record<'_> {
+    /// Which excesses of the fused interface are noted.
+    pub(super) fn noted(&self) -> Noted {
+        Noted { push: self.push_exceeded_s.is_some(), pull: self.pull_exceeded_s.is_some() }
+    }
+
     pub(super) fn event(&mut self, t_s: f64, kind: EventKind) {
         self.events.push(Event { t_s, kind });
     }
@@ -140,8 +149,8 @@ impl Record<'_> {
 
     /// Note a displacement that may be the greatest so far.
     pub(super) fn reach(&mut self, state: &State) {
-        if state.plate_m > self.farthest_m {
-            (self.farthest_m, self.farthest_s) = (state.plate_m, state.t_s);
+        if state.plate_m > self.max_displacement_m {
+            (self.max_displacement_m, self.max_displacement_s) = (state.plate_m, state.t_s);
         }
     }
 
@@ -218,7 +227,7 @@ impl Record<'_> {
             return;
         }
         // What a plate on its stop does not take, the mount does.
-        let (forces, part): (&[Force], f64) = if setting.held {
+        let (forces, part): (&[Force], f64) = if setting.rests_on_stop {
             (&[Force::Contact], setting.problem.cos)
         } else {
             (&[Force::Push, Force::Pull], 1.0)

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::model::impact::body::MaximumDisplacement;
 use crate::model::impact::contact::Answer;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::termination::MaximumDisplacement;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, load};
 use crate::model::run::{
@@ -19,10 +19,11 @@ const AS_FAR: f64 = 1e-8;
 
 /// Gather what a track has found.
 pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) -> Run {
-    let outcome = track.decided.map_or_else(|| track.outcome(), |decided| decided.0);
+    let outcome =
+        track.termination.decided.map_or_else(|| track.body.outcome(), |decided| decided.0);
     let ledger = ledger(problem, &track);
     let geometry = &problem.geometry;
-    let hole_m = problem.contact.hole_m(track.deepest_m);
+    let hole_m = problem.contact.hole_m(track.body.deepest_m);
     let hole_m = hole_m.map(|travel_m| geometry.depth_m(travel_m));
     let final_penetration_m = match outcome {
         Outcome::Arrested | Outcome::Separated => hole_m,
@@ -32,23 +33,25 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
     let mut warnings = warnings(problem, &track, end, &ledger);
     warnings.extend(notes(problem, &track, final_penetration_m).map(Warning::Model));
     let penetration_at_most_m =
-        if outcome == Outcome::Moving { track.depth_at_most_m() } else { None };
+        if outcome == Outcome::Moving { track.body.depth_at_most_m() } else { None };
     // What can only get deeper by less than the run's own error is as deep as it gets.
     let unseen = problem.scene.run.tolerance;
     let final_penetration_m = final_penetration_m.or_else(|| {
         let at_most_m = penetration_at_most_m?;
         hole_m.filter(|depth_m| at_most_m - depth_m <= unseen * depth_m)
     });
-    let so_far_m = track.record.farthest_m;
-    let farthest = match track.farthest {
+    let so_far_m = track.record.max_displacement_m;
+    let farthest = match track.termination.farthest {
         MaximumDisplacement::Known(x) => Some(larger(x, so_far_m)),
-        MaximumDisplacement::Pending if track.has_been_farthest() => Some(so_far_m),
+        MaximumDisplacement::Pending if track.body.displacement_is_greatest(so_far_m) => {
+            Some(so_far_m)
+        }
         MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => None,
     };
     let at_least = AtLeast {
         penetration_m: hole_m.filter(|_| final_penetration_m.is_none()),
         plate_displacement_m: (farthest.is_none()
-            && track.farthest == MaximumDisplacement::Pending)
+            && track.termination.farthest == MaximumDisplacement::Pending)
             .then_some(so_far_m),
     };
     if outcome == Outcome::Moving || !at_least.is_empty() {
@@ -92,7 +95,7 @@ pub(super) fn gather(problem: &Problem, mut track: Track<'_>, end: EndReason) ->
 
 fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
     let kinetic = |mass: f64, speed: f64| 0.5 * mass * speed * speed;
-    let state = &track.state;
+    let state = &track.body.state;
     let work = &track.record.work;
     let speed = state.slip_m_s + state.plate_m_s * problem.cos;
     let spring = &problem.mechanism.spring;
@@ -115,7 +118,7 @@ fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
 /// What was asked of the mechanism.
 fn load(problem: &Problem, track: &Track<'_>, farthest: Option<f64>) -> MechanismLoad {
     let (spring, inertia) = (&problem.mechanism.spring, &problem.inertia);
-    let speed = track.speed_scale_m_s;
+    let speed = track.body.speed_scale_m_s;
     let asked = |x: f64| load::stress_ratio(&problem.scene, x);
     let ends = farthest.filter(|_| !problem.rigid).map(|far| [problem.start_m, far]);
     let stress = ends.and_then(|[from, to]| Some(larger(asked(from)?, asked(to)?)));
@@ -141,7 +144,7 @@ fn warnings(
     let record = &track.record;
     let mut list = Vec::new();
     if !end.is_complete() {
-        let (t_s, horizon_s) = (track.state.t_s, problem.horizon_s);
+        let (t_s, horizon_s) = (track.body.state.t_s, problem.horizon_s);
         list.push(if problem.horizon_is_asked {
             Warning::HorizonNotReached { reason: end, t_s, horizon_s }
         } else {
@@ -149,7 +152,7 @@ fn warnings(
         });
     }
     if record.is_thinned {
-        list.push(Warning::SeriesThinned { rows: record.series.len(), steps: track.steps });
+        list.push(Warning::SeriesThinned { rows: record.series.len(), steps: track.control.steps });
     }
     if let (Some(t_s), Some(ratio)) = (record.push_exceeded_s, record.push_ratio) {
         list.push(Warning::InterfacePush { ratio, t_s });
@@ -167,9 +170,11 @@ fn warnings(
     }
     list.extend(Warning::of_ledger(ledger));
     if !problem.rigid {
-        let far = match track.farthest {
-            MaximumDisplacement::Known(x) => larger(x, record.farthest_m),
-            MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => record.farthest_m,
+        let far = match track.termination.farthest {
+            MaximumDisplacement::Known(x) => larger(x, record.max_displacement_m),
+            MaximumDisplacement::Unbounded | MaximumDisplacement::Pending => {
+                record.max_displacement_m
+            }
         };
         let at = if far.abs() < problem.start_m.abs() { problem.start_m } else { far };
         list.extend(load::exceeded(&problem.scene, at).into_iter().map(Warning::Limit));
@@ -198,8 +203,8 @@ fn notes(
 }
 
 fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
-    let closed = matches!(problem.answer, Answer::Rigid | Answer::Immobile | Answer::Free);
-    let (method, reason) = match (closed, track.steps, track.stiff_steps) {
+    let closed = matches!(problem.answer, Answer::Rigid | Answer::Fixed | Answer::Free);
+    let (method, reason) = match (closed, track.control.steps, track.control.stiff_steps) {
         (true, 0, _) => ("closed form", "nothing but inertia answers the projectile"),
         (true, _, 0) => ("closed form + Taylor 16", "contact in closed form, the rest integrated"),
         (_, _, 0) => ("Taylor 16", "smooth between events"),
@@ -207,11 +212,11 @@ fn cost(problem: &Problem, track: &Track<'_>) -> Cost {
         (_, _, _) => ("Taylor 16 + Radau IIA 5", "partly stiff"),
     };
     Cost {
-        steps: track.steps,
-        rejected: track.rejected,
-        turns: track.turns,
-        events: track.event_count,
-        rhs_evaluations: track.evaluations,
+        steps: track.control.steps,
+        rejected: track.control.rejected,
+        turns: track.control.turns,
+        events: track.control.event_count,
+        rhs_evaluations: track.control.evaluations,
         method,
         reason,
     }
@@ -221,9 +226,8 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
     let (spring, damper) = (&problem.mechanism.spring, problem.mechanism.damper);
     let whole = |kind: PowerKind| matches!(kind, PowerKind::Linear | PowerKind::Whole(_));
     let answer = problem.answer;
-    let reached = track.record.farthest_m;
-    let onward =
-        matches!(track.farthest, MaximumDisplacement::Known(far) if far > reached * (1.0 + AS_FAR));
+    let reached = track.record.max_displacement_m;
+    let onward = matches!(track.termination.farthest, MaximumDisplacement::Known(far) if far > reached * (1.0 + AS_FAR));
     let rows = [
         (problem.rigid, Omission::PlateMotion),
         (spring.is_absent(), Omission::Spring),
@@ -232,9 +236,9 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
         (spring.power().is_some_and(|law| whole(law.kind())), Omission::SpringPower),
         (whole(damper.kind()), Omission::DamperPower),
         (problem.geometry.nose.sin == 0.0, Omission::Obliquity),
-        (!problem.flows() || track.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),
-        (track.steps == 0, Omission::Integration),
-        (answer == Answer::Immobile, Omission::MechanismWithinContact),
+        (!problem.flows() || track.body.deepest_m <= problem.geometry.bend_m, Omission::ExitFace),
+        (track.control.steps == 0, Omission::Integration),
+        (answer == Answer::Fixed, Omission::MechanismWithinContact),
         (!problem.plastic, Omission::InterfaceLaw),
         (problem.drag_kg_m3 == 0.0, Omission::Drag),
         (onward, Omission::WayOnward),
@@ -245,7 +249,7 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
 
 /// Of the displacement's maxima on the way only the greatest is an event for people.
 fn tidy_events(track: &mut Track<'_>) {
-    let greatest = track.record.farthest_s;
+    let greatest = track.record.max_displacement_s;
     let last =
         track.record.events.iter().rposition(|event| event.kind == EventKind::GreatestDisplacement);
     let mut index = 0;

@@ -1,27 +1,31 @@
 //! When a plate that oscillates without contact is taken to be at rest.
 
-use crate::model::impact::termination::{DEAD, FAINT};
+use crate::model::impact::body::NO_ENERGY;
 use crate::model::impact::track::Track;
 use crate::model::motion::ContactForce;
 use crate::model::run::Mode;
+
+/// Energy below this part of the projectile's that nothing depends on any more: below the rounding of the energies.
+const LITTLE_ENERGY: f64 = 1e-18;
 
 impl Track<'_> {
     /// Puts a plate at rest that oscillates about zero without contact, with less energy than rounding leaves, until it is struck
     /// again. A plate that nothing can strike any more, on a spring whose oscillations grow ever faster, rests a little earlier:
     /// they never end.
     pub(super) fn come_to_rest(&mut self) {
-        let Some(law) = self.problem.mechanism.spring.power().filter(|law| law.coefficient > 0.0)
+        let Some(law) =
+            self.body.problem.mechanism.spring.power().filter(|law| law.coefficient > 0.0)
         else {
             return;
         };
-        let for_good = self.decided.is_some() && law.exponent < 1.0;
-        let least = match self.mode {
+        let for_good = self.termination.decided.is_some() && law.exponent < 1.0;
+        let least = match self.body.mode {
             Mode::FreeFlight | Mode::Withdrawing | Mode::Closing
-                if self.motion().contact == ContactForce::None =>
+                if self.body.motion().contact == ContactForce::None =>
             {
-                DEAD
+                NO_ENERGY
             }
-            Mode::Perforated | Mode::Fused if for_good => FAINT,
+            Mode::Perforated | Mode::Fused if for_good => LITTLE_ENERGY,
             Mode::Penetrating
             | Mode::Withdrawing
             | Mode::Closing
@@ -29,13 +33,13 @@ impl Track<'_> {
             | Mode::Fused
             | Mode::Perforated => return,
         };
-        if !self.is_still() && !self.stop_touches && self.has_less_than(least) {
-            if self.mode != Mode::Fused {
-                self.state.slip_m_s += self.state.plate_m_s * self.problem.cos;
+        if !self.body.is_still() && !self.body.stop_touches && self.body.has_less_than(least) {
+            if self.body.mode != Mode::Fused {
+                self.body.state.slip_m_s += self.body.state.plate_m_s * self.body.problem.cos;
             }
-            (self.state.plate_m, self.state.plate_m_s) = (0.0, 0.0);
-            self.resting = true;
-            self.stiff = false;
+            (self.body.state.plate_m, self.body.state.plate_m_s) = (0.0, 0.0);
+            self.body.at_rest = true;
+            self.control.stiff = false;
         }
     }
 }

@@ -1,12 +1,12 @@
-//! Strides: through the zero of a broken power law at once, with the law's own argument for a clock.
+//! Crossing steps: through the zero of a non-integer power law at once, with the law's own argument for a clock.
 //!
-//! A spring |x|^n with a broken n is singular where the plate comes through x = 0, a damper |w|^m where it turns round; Taylor steps
+//! A spring |x|^n with a non-integer n is singular where the plate comes through x = 0, a damper |w|^m where it turns round; Taylor steps
 //! come closer to such a moment, and leave it again, only part by part. But the plate comes through zero with speed, and turns round
 //! with acceleration: there, time and path are functions of x, or of w, in which only known powers are singular
 //! ([`crate::numerics::graded`]). Instead of its speed the plate's and the spring's energy is carried past x = 0: what the spring takes
 //! it gives back exactly.
 //!
-//! A stride goes in to the zero or out from it, and ends, like a step, where anything else happens.
+//! A crossing step goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
 use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
 use crate::model::impact::track::{Track, is_finite};
@@ -21,39 +21,39 @@ mod clock;
 
 use clock::{Clock, Law, Unknowns};
 
-/// Part of the plate's energy, or of the force that turns it round, that may be exchanged between zero and the end of a stride, at
-/// tolerance 1, and how it falls with the tolerance: two computations do not share their strides, and with them their errors.
+/// Part of the plate's energy, or of the force that turns it round, that may be exchanged between zero and the end of a crossing step, at
+/// tolerance 1, and how it falls with the tolerance: two computations do not share their crossing steps, and with them their errors.
 const SHARE: f64 = 0.4;
 const SHARE_POWER: f64 = 0.025;
-/// How often a stride's way out is shortened, and by what part, until it is accurate.
+/// How often a crossing step's way out is shortened, and by what part, until it is accurate.
 const TRIALS: usize = 6;
 const SHORTER: f64 = 0.4;
-/// Part of the distance at which a stride inwards was refused from which on it is tried again.
+/// Part of the distance at which a crossing step inwards was refused from which on it is tried again.
 const NEARER: f64 = 0.4;
-/// Mark of a zero from which no stride outwards was good.
+/// Mark of a zero from which no crossing step outwards was good.
 const GIVEN_UP: f64 = 0.0;
-/// A stride outwards begins no further from zero than this part of where it ends.
+/// A crossing step outwards begins no further from zero than this part of where it ends.
 const CLOSE: f64 = 0.3;
 /// How many times more accurate the finer of the two rules is than their difference says, at the least and usually, and what
 /// rounding leaves of the difference.
 const FINER: f64 = 100.0;
 const USUALLY_FINER: f64 = 1_000.0;
 const DIFFERENCE_ROUNDING: f64 = 3e-14;
-/// The least path of a stride on an elastic stop, relative to the displacement: the stop's force is known to the displacement's rounding.
+/// The least path of a crossing step on an elastic stop, relative to the displacement: the stop's force is known to the displacement's rounding.
 const OF_STOP: f64 = 1e-3;
-/// Part of its greatest value on a stretch from which on a guard that starts from zero shows its sign.
+/// Part of its greatest value on a stretch from which on an event function that starts from zero shows its sign.
 const SEEN: f64 = 1e-9;
-/// How far from zero a guard may be where it has fallen, relative to its value at the start, and how often it is aimed at.
+/// How far from zero an event function may be where it has fallen, relative to its value at the start, and how often it is aimed at.
 const LANDED: f64 = 1e-9;
 const LANDINGS: usize = 6;
 /// Ticks of the clock that a fall keeps from the zero.
 const TICKS: f64 = 500.0;
 /// Work of one collocation, in Taylor expansions.
 const SOLVING: usize = 10;
-/// Every so many of a stride's points are drawn.
+/// Every so many of a crossing step's points are drawn.
 const DRAWN: usize = 4;
 
-/// A stride has been taken, and this event ended it.
+/// A crossing step has been taken, and this event ended it.
 pub(super) struct Taken(pub(super) Option<EventId>);
 
 /// A way that is accurate: its points, the state at its end, and the event that ends it, if one does.
@@ -64,7 +64,7 @@ struct Stretch {
     fired: Option<EventId>,
 }
 
-/// Where a guard falls on a stretch.
+/// Where an event function falls on a stretch.
 struct Fall {
     event: EventId,
     form: EventFunction,
@@ -74,40 +74,44 @@ struct Fall {
 }
 
 impl Track<'_> {
-    /// Take a stride, if a broken law's zero is close enough.
-    pub(super) fn stride(&mut self) -> Option<Taken> {
-        if self.is_still() || self.stiff || self.spring_omitted || self.damper_omitted {
+    /// Take a crossing step, if a non-integer law's zero is close enough.
+    pub(super) fn cross_singularity(&mut self) -> Option<Taken> {
+        if self.body.is_still()
+            || self.control.stiff
+            || self.body.x_zero.omitted
+            || self.body.w_zero.omitted
+        {
             return None;
         }
-        let mechanism = &self.problem.mechanism;
+        let mechanism = &self.body.problem.mechanism;
         let spring = mechanism.spring.power().is_some_and(|law| law.kind() == PowerKind::General);
         let damper = mechanism.damper.kind() == PowerKind::General;
-        let by_spring = if spring { self.stride_by(Law::Spring) } else { None };
-        by_spring.or_else(|| if damper { self.stride_by(Law::Damper) } else { None })
+        let by_spring = if spring { self.cross_by(Law::Spring) } else { None };
+        by_spring.or_else(|| if damper { self.cross_by(Law::Damper) } else { None })
     }
 
-    fn stride_by(&mut self, law: Law) -> Option<Taken> {
-        let motion = self.motion();
-        let clock = Clock::new(law, &motion, self.state);
-        let room = clock.room(SHARE * self.tolerance.powf(SHARE_POWER));
+    fn cross_by(&mut self, law: Law) -> Option<Taken> {
+        let motion = self.body.motion();
+        let clock = Clock::new(law, &motion, self.body.state);
+        let room = clock.room(SHARE * self.body.tolerance.powf(SHARE_POWER));
         if clock.heading == 0.0 || !room.is_finite() {
             return None;
         }
-        let strode_to = &mut self.strode_to[law as usize];
-        if *strode_to * clock.heading < 0.0 {
-            *strode_to = 0.0;
+        let crossed_to = &mut self.control.crossed_to[law as usize];
+        if *crossed_to * clock.heading < 0.0 {
+            *crossed_to = 0.0;
         }
         if clock.now() * clock.heading < 0.0 {
-            self.stride_in(&clock, room)
+            self.cross_in(&clock, room)
         } else {
-            self.stride_out(&clock, room)
+            self.cross_out(&clock, room)
         }
     }
 
     /// To the zero.
-    fn stride_in(&mut self, clock: &Clock<'_>, room: f64) -> Option<Taken> {
+    fn cross_in(&mut self, clock: &Clock<'_>, room: f64) -> Option<Taken> {
         let from = clock.now().abs();
-        let refused = &mut self.stride_refused[clock.law as usize];
+        let refused = &mut self.control.crossing_refused[clock.law as usize];
         if *refused == GIVEN_UP {
             *refused = f64::INFINITY;
         }
@@ -115,7 +119,7 @@ impl Track<'_> {
             return None;
         }
         let Some(stretch) = self.stretch(clock, 0.0) else {
-            self.stride_refused[clock.law as usize] = NEARER * from;
+            self.control.crossing_refused[clock.law as usize] = NEARER * from;
             return None;
         };
         self.go(clock, &stretch);
@@ -126,11 +130,11 @@ impl Track<'_> {
     }
 
     /// From the zero, or from close to it, as far as there is room.
-    fn stride_out(&mut self, clock: &Clock<'_>, room: f64) -> Option<Taken> {
+    fn cross_out(&mut self, clock: &Clock<'_>, room: f64) -> Option<Taken> {
         // Ordinary steps follow a velocity only as far as it is felt: it may seem to have come back towards the zero it has left.
         let now = clock.now() * clock.heading;
-        let has_left = now > 0.0 && now < self.strode_to[clock.law as usize].abs();
-        if has_left || self.stride_refused[clock.law as usize] == GIVEN_UP {
+        let has_left = now > 0.0 && now < self.control.crossed_to[clock.law as usize].abs();
+        if has_left || self.control.crossing_refused[clock.law as usize] == GIVEN_UP {
             return None;
         }
         let mut far = room;
@@ -143,42 +147,42 @@ impl Track<'_> {
             }
             if let Some(stretch) = self.stretch(clock, clock.heading * far) {
                 self.go(clock, &stretch);
-                self.strode_to[clock.law as usize] = clock.shown(&self.state);
+                self.control.crossed_to[clock.law as usize] = clock.shown(&self.body.state);
                 return Some(Taken(stretch.fired));
             }
             far *= SHORTER;
         }
-        self.stride_refused[clock.law as usize] = GIVEN_UP;
+        self.control.crossing_refused[clock.law as usize] = GIVEN_UP;
         None
     }
 
     /// The way to `to`, or to the first event on it, if it is accurate.
     fn stretch(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
         let stretch = self.unbroken(clock, to)?;
-        let guards = self.active_events();
-        if self.falls_at_once(clock, &guards, &stretch) {
+        let events = self.active_events();
+        if self.falls_at_once(clock, &events, &stretch) {
             return None;
         }
-        let Some(fall) = self.first_fall(clock, &guards, &stretch) else {
+        let Some(fall) = self.first_fall(clock, &events, &stretch) else {
             return Some(stretch);
         };
         let landed = self.landed(clock, &stretch, &fall)?;
         Some(Stretch { fired: Some(fall.event), ..landed })
     }
 
-    /// The way to where a guard falls, between two parts of a stretch. The polynomial through the points of the whole is not exact
+    /// The way to where an event function falls, between two parts of a stretch. The polynomial through the points of the whole is not exact
     /// enough: new ways end closer and closer to the fall.
     fn landed(&self, clock: &Clock<'_>, stretch: &Stretch, fall: &Fall) -> Option<Stretch> {
         let value = |state: &State| fall.form.watched(clock.motion, state);
         let place = |part: f64| stretch.graded.between(part).0;
         let mut aim = place(fall.part);
-        let seen = TICKS * f64::EPSILON * self.state.t_s * clock.pace().abs();
+        let seen = TICKS * f64::EPSILON * self.body.state.t_s * clock.pace().abs();
         if aim.abs() < seen {
             // The clock does not tell the fall from the zero.
             let inwards = clock.now() * clock.heading < 0.0;
             return self.unbroken(clock, if inwards { 0.0 } else { clock.heading * seen });
         }
-        let start = value(&self.state).abs();
+        let start = value(&self.body.state).abs();
         let mut best: Option<(f64, Stretch)> = None;
         for _ in 0..LANDINGS {
             let landed = self.unbroken(clock, aim)?;
@@ -202,7 +206,7 @@ impl Track<'_> {
         }
         // Too steep for secants.
         let end_of = |part: f64| {
-            let state = if part == 0.0 { Some(self.state) } else { None };
+            let state = if part == 0.0 { Some(self.body.state) } else { None };
             let state = state.or_else(|| Some(self.unbroken(clock, place(part))?.end));
             state.map_or(f64::NAN, |state| value(&state))
         };
@@ -216,31 +220,31 @@ impl Track<'_> {
     /// The way to `to`, whatever happens on it, if it is accurate.
     fn unbroken(&self, clock: &Clock<'_>, to: f64) -> Option<Stretch> {
         let from = clock.now();
-        let scale = self.stride_scale(clock, to - from);
+        let scale = self.crossing_scale(clock, to - from);
         let on_stop = clock.law == Law::Damper && clock.motion.stop.stiffness_n_m > 0.0;
-        if on_stop && scale[3] < OF_STOP * self.state.plate_m.abs() {
+        if on_stop && scale[3] < OF_STOP * self.body.state.plate_m.abs() {
             return None;
         }
         let rate = |z: f64, y: &Unknowns| clock.rate(&clock.state(z, y));
-        self.worked(SOLVING);
+        self.control.worked(SOLVING);
         let graded = solve((from, to), &[0.0; 4], &scale, rate)?;
         let states = std::array::from_fn(|i| clock.state(graded.points[i].0, &graded.points[i].2));
         let end = clock.state(to, &graded.end);
-        let allowed = larger(FINER * self.local_tolerance(), DIFFERENCE_ROUNDING);
+        let allowed = larger(FINER * self.body.local_tolerance(), DIFFERENCE_ROUNDING);
         let took_s = graded.end[0];
         let fits = graded.difference <= allowed
             && is_finite(&end)
-            && self.state.t_s + took_s > self.state.t_s
-            && self.state.t_s + took_s < self.until_s();
+            && self.body.state.t_s + took_s > self.body.state.t_s
+            && self.body.state.t_s + took_s < self.until_s();
         fits.then_some(Stretch { graded, states, end, fired: None })
     }
 
-    /// Whether a guard that is zero at the start is below zero as soon as it is anything but rounding: it may have risen and fallen
+    /// Whether an event function that is zero at the start is below zero as soon as it is anything but rounding: it may have risen and fallen
     /// in between, or have fallen from the start.
-    fn falls_at_once(&self, clock: &Clock<'_>, guards: &ActiveEvents, stretch: &Stretch) -> bool {
-        guards.iter().any(|(event, form)| {
+    fn falls_at_once(&self, clock: &Clock<'_>, events: &ActiveEvents, stretch: &Stretch) -> bool {
+        events.iter().any(|(event, form)| {
             let value = |state: &State| form.watched(clock.motion, state);
-            if *event == clock.own_trigger() || value(&self.state) != 0.0 {
+            if *event == clock.own_trigger() || value(&self.body.state) != 0.0 {
                 return false;
             }
             let values = stretch.states.each_ref().map(value);
@@ -249,16 +253,16 @@ impl Track<'_> {
         })
     }
 
-    /// The first fall of a guard on a stretch.
+    /// The first fall of an event function on a stretch.
     fn first_fall(
         &self,
         clock: &Clock<'_>,
-        guards: &ActiveEvents,
+        events: &ActiveEvents,
         stretch: &Stretch,
     ) -> Option<Fall> {
         let Stretch { graded, states, end, .. } = stretch;
         let mut first: Option<Fall> = None;
-        for (event, form) in guards.iter() {
+        for (event, form) in events.iter() {
             if *event == clock.own_trigger() {
                 continue;
             }
@@ -267,7 +271,7 @@ impl Track<'_> {
                 let (z, y) = graded.between(part);
                 value(&clock.state(z, &y))
             };
-            let mut before = (0.0, value(&self.state));
+            let mut before = (0.0, value(&self.body.state));
             // One that rises from zero is of either sign until it is seen.
             let from_zero = before.1 == 0.0;
             let mut unseen =
@@ -296,16 +300,17 @@ impl Track<'_> {
 
     /// What errors of the unknowns are measured by, on a way of this length: its duration and the plate's own path or energy, and
     /// for the projectile the scales of Taylor steps.
-    fn stride_scale(&self, clock: &Clock<'_>, way: f64) -> Unknowns {
+    fn crossing_scale(&self, clock: &Clock<'_>, way: f64) -> Unknowns {
         let duration_s = (way / clock.pace()).abs();
-        let path_m = self.state.travel_m.abs() + self.state.slip_m_s.abs() * duration_s;
+        let path_m = self.body.state.travel_m.abs() + self.body.state.slip_m_s.abs() * duration_s;
         let plate = match clock.law {
             Law::Spring => clock.energy(),
             Law::Damper => {
-                (0.5 * way).abs() * duration_s + self.felt_part() * self.state.travel_m.abs()
+                (0.5 * way).abs() * duration_s
+                    + self.body.resolved_part() * self.body.state.travel_m.abs()
             }
         };
-        [duration_s, path_m, self.problem.velocity_m_s, plate]
+        [duration_s, path_m, self.body.problem.velocity_m_s, plate]
             .map(|scale| scale + f64::MIN_POSITIVE)
     }
 
@@ -314,7 +319,7 @@ impl Track<'_> {
         let Stretch { graded, states, end, fired } = stretch;
         let motion = clock.motion;
         let mut record = std::mem::take(&mut self.record);
-        let setting = self.setting(motion);
+        let setting = self.body.setting(motion);
         for (place, ((_, dz, _), state)) in graded.points.iter().zip(states).enumerate() {
             record.worked(&setting, state, clock.rate(state)[0] * dz);
             if place % DRAWN == DRAWN / 2 {
@@ -324,7 +329,7 @@ impl Track<'_> {
         // At the place where the polynomial through the points is greatest: another way leads there.
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
-            let ends = larger(value(&self.state), value(end));
+            let ends = larger(value(&self.body.state), value(end));
             let Some((z, most)) = graded.greatest_at(known, |z, y| value(&clock.state(z, y)))
             else {
                 return ends;
@@ -332,21 +337,21 @@ impl Track<'_> {
             larger(self.unbroken(clock, z).map_or(most, |within| value(&within.end)), ends)
         });
         self.record = record;
-        if self.mode != Mode::Fused || self.problem.plastic {
+        if self.body.mode != Mode::Fused || self.body.problem.plastic {
             // An oblique section is not smooth enough for the finer rule to gain much.
             let finer = if motion.contact.is_smooth() { USUALLY_FINER } else { 1.0 };
-            self.stride_error += graded.difference / finer;
+            self.control.crossing_error += graded.difference / finer;
         }
-        self.steps += 1;
-        self.stretch_steps += 1;
-        self.count_turns(motion.accelerations(&self.state).1);
+        self.control.steps += 1;
+        self.control.stretch_steps += 1;
+        self.control.count_turns(motion.accelerations(&self.body.state).1);
         let took_s = graded.end[0];
-        self.unit_s = larger(took_s, f64::MIN_POSITIVE);
+        self.control.unit_s = larger(took_s, f64::MIN_POSITIVE);
         self.arrive(*end, motion, *fired);
     }
 }
 
-/// What a guard that starts from zero must exceed on a stretch to show its sign.
+/// What an event function that starts from zero must exceed on a stretch to show its sign.
 fn unseen(values: &[f64; POINTS]) -> f64 {
     SEEN * values.iter().fold(0.0, |most, value| larger(value.abs(), most))
 }

@@ -80,29 +80,29 @@ impl Problem {
 impl Track<'_> {
     /// Step over the singular start, if there is one.
     pub(super) fn start(&mut self) {
-        let problem = self.problem;
+        let problem = self.body.problem;
         let mechanism = &problem.mechanism;
-        let spring_singular = mechanism.spring.is_singular() && self.state.plate_m == 0.0;
+        let spring_singular = mechanism.spring.is_singular() && self.body.state.plate_m == 0.0;
         let damper_singular = mechanism.damper.kind() == PowerKind::General;
-        if self.held || problem.rigid || !(spring_singular || damper_singular) {
+        if self.body.rests_on_stop || problem.rigid || !(spring_singular || damper_singular) {
             return;
         }
-        if !spring_singular && let Some(Taken(fired)) = self.stride() {
+        if !spring_singular && let Some(Taken(fired)) = self.cross_singularity() {
             if let Some(event) = fired {
                 self.apply_transition(event);
             }
             return;
         }
-        self.spring_omitted = spring_singular;
-        self.damper_omitted = damper_singular;
-        let motion = self.motion();
-        self.spring_omitted = false;
-        self.damper_omitted = false;
-        let allowed = LEFT_OUT * self.tolerance * problem.velocity_m_s;
+        self.body.x_zero.omitted = spring_singular;
+        self.body.w_zero.omitted = damper_singular;
+        let motion = self.body.motion();
+        self.body.x_zero.omitted = false;
+        self.body.w_zero.omitted = false;
+        let allowed = LEFT_OUT * self.body.tolerance * problem.velocity_m_s;
         // The area changes there.
         let first_m = problem.geometry.piece(0.0).to_m;
         let is_early = |t_s: f64| {
-            let e: Expansion<17> = motion.expand(&self.state, t_s);
+            let e: Expansion<17> = motion.expand(&self.body.state, t_s);
             let state = e.state(1.0);
             let spring = if spring_singular { mechanism.spring.force(state.plate_m) } else { 0.0 };
             let damper =
@@ -111,7 +111,7 @@ impl Track<'_> {
             let inside = state.slip_m_s > 0.0 && state.travel_m < first_m;
             inside && left_out * t_s / problem.plate_kg <= allowed && self.trusted(&e) >= 1.0
         };
-        let scale_s = self.tolerance.powf(START_POWER) * problem.time_scales().contact_s;
+        let scale_s = self.body.tolerance.powf(START_POWER) * problem.time_scales().contact_s;
         let mut t_s = EARLIEST * scale_s;
         while !is_early(t_s) && t_s > EARLIEST_OF_ALL {
             t_s *= 0.25;
@@ -129,8 +129,8 @@ impl Track<'_> {
         t_s: f64,
         (spring_singular, damper_singular): (bool, bool),
     ) {
-        let mechanism = &self.problem.mechanism;
-        let e: Expansion<17> = motion.expand(&self.state, t_s);
+        let mechanism = &self.body.problem.mechanism;
+        let e: Expansion<17> = motion.expand(&self.body.state, t_s);
         let mut state = e.state(1.0);
         let drive = drive_n(motion, &e);
         if damper_singular && mechanism.damper.force(state.plate_m_s).abs() > drive {
@@ -139,30 +139,31 @@ impl Track<'_> {
             state.plate_m_s = w;
         }
         if spring_singular && mechanism.spring.force(state.plate_m).abs() > drive {
-            let (x, n) = (mechanism.spring.at_force(drive), self.spring().exponent);
+            let (x, n) = (mechanism.spring.at_force(drive), self.body.spring().exponent);
             state.plate_m = x;
             state.plate_m_s = smaller(x / (n * t_s), state.plate_m_s);
         }
-        let rate = stiffness_per_s(self.spring(), state.plate_m, self.problem.plate_kg).sqrt();
-        let decay = stiffness_per_s(mechanism.damper, state.plate_m_s, self.problem.plate_kg);
+        let rate =
+            stiffness_per_s(self.body.spring(), state.plate_m, self.body.problem.plate_kg).sqrt();
+        let decay = stiffness_per_s(mechanism.damper, state.plate_m_s, self.body.problem.plate_kg);
         let radians = larger(rate, decay) * t_s;
         // NaN (an infinite tangent at zero) is stiff, too.
-        self.stiff = radians.is_nan() || radians >= STIFF_FROM || state.plate_m == 0.0;
+        self.control.stiff = radians.is_nan() || radians >= STIFF_FROM || state.plate_m == 0.0;
         let mut record = std::mem::take(&mut self.record);
-        let setting = self.setting(motion);
-        if !self.stiff {
+        let setting = self.body.setting(motion);
+        if !self.control.stiff {
             record.step(&setting, &e, 1.0);
         }
         self.record = record;
-        if self.stiff {
+        if self.control.stiff {
             // The implicit method starts from the very beginning: it has no trouble with zero.
-            self.unit_s = t_s;
+            self.control.unit_s = t_s;
             return;
         }
-        debug_assert!(self.mode == Mode::Penetrating, "a run starts by penetrating");
-        self.unit_s = t_s;
+        debug_assert!(self.body.mode == Mode::Penetrating, "a run starts by penetrating");
+        self.control.unit_s = t_s;
         self.arrive(state, motion, None);
-        self.steps += 1;
+        self.control.steps += 1;
     }
 }
 

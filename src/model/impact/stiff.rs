@@ -22,7 +22,7 @@ use unknowns::{Carrier, Unknowns};
 
 /// Points drawn within a step.
 const POINTS_PER_STEP: usize = 3;
-/// How far from zero a guard may be where it has fallen, relative to its variation over the step.
+/// How far from zero an event function may be where it has fallen, relative to its variation over the step.
 const LANDED: f64 = 1e-9;
 /// The shortest step, relative to the time reached: the clock has no finer ticks.
 const TICK: f64 = 2.0 * f64::EPSILON;
@@ -60,25 +60,26 @@ const SLIP_ROUNDED: f64 = 1e-2;
 impl Track<'_> {
     /// One implicit step, shortened to the first event.
     pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<EventId>> {
-        let motion = self.motion();
-        let system = Unknowns::of(&motion, &self.state, self.stiff_scale());
-        let y = system.fold(&self.state, self.compensation_m);
-        let mut h = self.unit_s;
-        let left = self.until_s() - self.state.t_s;
+        let motion = self.body.motion();
+        let system = Unknowns::of(&motion, &self.body.state, self.stiff_scale());
+        let y = system.fold(&self.body.state, self.body.compensation_m);
+        let mut h = self.control.unit_s;
+        let left = self.until_s() - self.body.state.t_s;
         let mut halvings = 0;
         for _ in 0..200 {
             h = if left < h { left } else { h };
-            let tick = TICK * self.state.t_s;
+            let tick = TICK * self.body.state.t_s;
             let at_tick = h <= tick;
             h = larger(h, tick);
             let solved = self.solve(&system, &y, h);
-            self.evaluations += solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations) * 3;
+            self.control.evaluations +=
+                solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations) * 3;
             let Some(solved) = solved else {
                 if at_tick {
                     return ControlFlow::Break(EndReason::StepUnderflow);
                 }
                 h *= 0.25;
-                self.rejected += 1;
+                self.control.rejected += 1;
                 continue;
             };
             let tolerance = self.estimate_allowed();
@@ -86,18 +87,18 @@ impl Track<'_> {
             // Within one tick of the clock a stiff force settles, whatever its way: the method is L-stable.
             if solved.error > tolerance && !at_tick {
                 h *= smaller(factor, 0.9);
-                self.rejected += 1;
+                self.control.rejected += 1;
                 continue;
             }
-            if self.creeps
+            if self.control.creeps
                 && !at_tick
                 && halvings < HALVINGS_MAX
                 && self.imbalance_j(&system, &solved, h).abs()
-                    > UNBALANCED * self.tolerance * self.problem.energy_j
+                    > UNBALANCED * self.body.tolerance * self.body.problem.energy_j
             {
                 halvings += 1;
                 h *= 0.5;
-                self.rejected += 1;
+                self.control.rejected += 1;
                 continue;
             }
             return self.accept(&system, &y, (h, factor), solved);
@@ -107,10 +108,10 @@ impl Track<'_> {
 
     /// What the estimate of a step may be, relative to the scales.
     fn estimate_allowed(&self) -> f64 {
-        let allowed = LOCAL * self.tolerance.powf(2.0 / 3.0);
-        let unfelt =
-            self.problem.yields_part < UNFELT && self.plate_scale_m < UNFELT * self.state.travel_m;
-        if self.is_sliding() && unfelt && allowed < FELT {
+        let allowed = LOCAL * self.body.tolerance.powf(2.0 / 3.0);
+        let unfelt = self.body.problem.yields_part < UNFELT
+            && self.body.plate_scale_m < UNFELT * self.body.state.travel_m;
+        if self.body.is_sliding() && unfelt && allowed < FELT {
             FELT * (allowed / FELT).powf(BELOW_FELT)
         } else {
             allowed
@@ -126,7 +127,8 @@ impl Track<'_> {
         guess: [[f64; 4]; 3],
     ) -> Option<Step<4>> {
         let solved = step::<4, 12>(system, y, h, guess);
-        self.worked(NEWTON * solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations));
+        self.control
+            .worked(NEWTON * solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations));
         solved
     }
 
@@ -144,14 +146,14 @@ impl Track<'_> {
     /// Whether the plate has no more energy than there is: far from the solution Newton's method may settle anywhere.
     fn is_possible(&self, system: &Unknowns<'_>, step: &Step<4>) -> bool {
         let end = system.state(&step.stages[2], 0.0);
-        let kinetic_j = 0.5 * self.problem.plate_kg * end.plate_m_s * end.plate_m_s;
-        let energy_j = kinetic_j + self.problem.mechanism.spring.energy(end.plate_m);
-        energy_j <= POSSIBLE * self.problem.energy_j
+        let kinetic_j = 0.5 * self.body.problem.plate_kg * end.plate_m_s * end.plate_m_s;
+        let energy_j = kinetic_j + self.body.problem.mechanism.spring.energy(end.plate_m);
+        energy_j <= POSSIBLE * self.body.problem.energy_j
     }
 
     /// A plate that no longer creeps swings, and Taylor steps follow a swing with far fewer.
     fn notice_swings(&mut self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) {
-        let (motion, state) = (system.motion, &self.state);
+        let (motion, state) = (system.motion, &self.body.state);
         let stiffness = motion.stop.stiffness_n_m + motion.spring.tangent(state.plate_m).abs();
         let radians = (stiffness * motion.plate_mobility).sqrt() * h;
         let held_n =
@@ -162,11 +164,11 @@ impl Track<'_> {
         // About a place where large forces hold each other the one that is left says little.
         let is_free = faded < SWINGING_STEP || net_n > SWINGING * held_n;
         let swings = radians < SWINGING_STEP && is_free;
-        self.creeping_steps = if swings { self.creeping_steps + 1 } else { 0 };
-        if self.creeping_steps > SWINGING_STEPS {
-            self.creeping_steps = 0;
-            self.stretch_steps = 0;
-            (self.stiff, self.creeps) = (false, false);
+        self.control.creeping_steps = if swings { self.control.creeping_steps + 1 } else { 0 };
+        if self.control.creeping_steps > SWINGING_STEPS {
+            self.control.creeping_steps = 0;
+            self.control.stretch_steps = 0;
+            (self.control.stiff, self.control.creeps) = (false, false);
         }
     }
 
@@ -174,12 +176,12 @@ impl Track<'_> {
     /// displacement that do not matter to anything else show.
     fn imbalance_j(&self, system: &Unknowns<'_>, solved: &Step<4>, h: f64) -> f64 {
         let motion = system.motion;
-        let spring = &self.problem.mechanism.spring;
+        let spring = &self.body.problem.mechanism.spring;
         let energy = |state: &State| {
             0.5 * state.plate_m_s * state.plate_m_s / motion.plate_mobility
                 + spring.energy(state.plate_m)
         };
-        let mut gained = energy(&system.state(&solved.stages[2], h)) - energy(&self.state);
+        let mut gained = energy(&system.state(&solved.stages[2], h)) - energy(&self.body.state);
         for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
             let state = system.state(stage, node * h);
             let push_n = motion.coupling * motion.contact_force(&state)
@@ -191,21 +193,22 @@ impl Track<'_> {
     }
 
     fn stiff_scale(&self) -> [f64; 4] {
-        let speed = self.problem.velocity_m_s;
-        let travel =
-            self.state.travel_m.abs() + self.state.slip_m_s.abs() * self.unit_s + f64::MIN_POSITIVE;
-        let joined = self.mode == Mode::Fused;
+        let speed = self.body.problem.velocity_m_s;
+        let travel = self.body.state.travel_m.abs()
+            + self.body.state.slip_m_s.abs() * self.control.unit_s
+            + f64::MIN_POSITIVE;
+        let joined = self.body.mode == Mode::Fused;
         // A swing that an error starts does not die down: it is to be small beside the way the plate will have come.
-        let yields = self.problem.yields_part;
+        let yields = self.body.problem.yields_part;
         let part = if yields < UNFELT { 1.0 } else { yields };
-        let own_x = larger(self.plate_scale_m, f64::MIN_POSITIVE);
-        let own_w = larger(self.speed_scale_m_s, f64::MIN_POSITIVE);
+        let own_x = larger(self.body.plate_scale_m, f64::MIN_POSITIVE);
+        let own_w = larger(self.body.speed_scale_m_s, f64::MIN_POSITIVE);
         [
             travel,
             // A slip far above the impact's, of a plate thrown by its spring, is known to its own rounding only.
-            larger(speed, SLIP_ROUNDED * self.state.slip_m_s.abs()),
-            if joined { own_x } else { part * travel + self.state.plate_m.abs() },
-            if joined { own_w } else { part * speed + self.state.plate_m_s.abs() },
+            larger(speed, SLIP_ROUNDED * self.body.state.slip_m_s.abs()),
+            if joined { own_x } else { part * travel + self.body.state.plate_m.abs() },
+            if joined { own_w } else { part * speed + self.body.state.plate_m_s.abs() },
         ]
     }
 
@@ -217,19 +220,19 @@ impl Track<'_> {
         mut solved: Step<4>,
     ) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = system.motion;
-        self.unit_s = h * factor;
-        let guards = self.active_events();
+        self.control.unit_s = h * factor;
+        let events = self.active_events();
         let mut fired = None;
         // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has come
         // back within it.
-        for _ in guards.iter() {
+        for _ in events.iter() {
             let end = system.state(&solved.stages[2], h);
             let has_changed_sign = |(event, form): &&(EventId, EventFunction)| {
                 fired != Some(*event)
-                    && form.watched(motion, &self.state) > 0.0
+                    && form.watched(motion, &self.body.state) > 0.0
                     && form.watched(motion, &end) <= 0.0
             };
-            let Some((event, form)) = guards.iter().find(has_changed_sign) else {
+            let Some((event, form)) = events.iter().find(has_changed_sign) else {
                 break;
             };
             // Solve the step anew for each trial length: the end of a step is far more accurate than its inside.
@@ -244,21 +247,21 @@ impl Track<'_> {
             };
             let part = near_root(in_bracket(1e-12, 1.0, inside), value);
             let landed = self.newton(system, y, part * h, system.guess(y, part * h));
-            let variation = form.at(motion, &self.state) - form.at(motion, &end);
+            let variation = form.at(motion, &self.body.state) - form.at(motion, &end);
             let landed = landed.filter(|landed| {
                 let at = system.state(&landed.stages[2], part * h);
                 form.at(motion, &at).abs() <= LANDED * variation + form.rounding(motion, &at)
             });
             if let Some(landed) = landed {
                 (h, solved, fired) = (part * h, landed, Some(*event));
-            } else if h <= CLOSEST * self.state.t_s {
+            } else if h <= CLOSEST * self.body.state.t_s {
                 // No coming closer: the clock has no finer ticks.
                 fired = Some(*event);
                 break;
             } else {
                 // Newton's method went astray on the way to the event: come closer first.
-                self.unit_s = 0.25 * h;
-                self.rejected += 1;
+                self.control.unit_s = 0.25 * h;
+                self.control.rejected += 1;
                 return ControlFlow::Continue(None);
             }
         }
@@ -267,15 +270,15 @@ impl Track<'_> {
             return ControlFlow::Break(EndReason::NonFinite);
         }
         self.write_down(system, y, &solved, h);
-        self.steps += 1;
-        self.stiff_steps += 1;
-        self.stretch_steps += 1;
-        self.count_turns(system.rate(0.0, y)[3]);
+        self.control.steps += 1;
+        self.control.stiff_steps += 1;
+        self.control.stretch_steps += 1;
+        self.control.count_turns(system.rate(0.0, y)[3]);
         self.notice_swings(system, y, h);
         self.arrive(state, motion, fired);
-        let is_moved = self.state.plate_m.to_bits() != state.plate_m.to_bits();
+        let is_moved = self.body.state.plate_m.to_bits() != state.plate_m.to_bits();
         if !is_moved {
-            self.compensation_m = system.compensation_m(&solved.stages[2]);
+            self.body.compensation_m = system.compensation_m(&solved.stages[2]);
         }
         ControlFlow::Continue(fired)
     }
@@ -284,7 +287,7 @@ impl Track<'_> {
     fn write_down(&mut self, system: &Unknowns<'_>, y: &[f64; 4], solved: &Step<4>, h: f64) {
         let motion = system.motion;
         let mut record = std::mem::take(&mut self.record);
-        let setting = self.setting(motion);
+        let setting = self.body.setting(motion);
         for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
             let state = system.state(stage, node * h);
             record.worked(&setting, &state, h * weight);
@@ -301,16 +304,16 @@ impl Track<'_> {
         });
         if let Some(window) = record.window.filter(|_| record.keep_series) {
             let at = |t_s: f64| {
-                let s = (t_s - self.state.t_s) / h;
-                let state = if self.mode == Mode::Penetrating { along(s) } else { rough(s) };
+                let s = (t_s - self.body.state.t_s) / h;
+                let state = if self.body.mode == Mode::Penetrating { along(s) } else { rough(s) };
                 setting.sample(&State { t_s, ..state }, false)
             };
-            window.fill(self.state.t_s + h, at);
+            window.fill(self.body.state.t_s + h, at);
         }
         if record.keep_series {
             for point in 1..=POINTS_PER_STEP {
                 let s = point as f64 / (POINTS_PER_STEP + 1) as f64;
-                let state = if self.mode == Mode::Penetrating { along(s) } else { rough(s) };
+                let state = if self.body.mode == Mode::Penetrating { along(s) } else { rough(s) };
                 record.point(&setting, &state, false);
             }
         }

@@ -11,8 +11,6 @@ use crate::numerics::series::evaluate_slope;
 use crate::numerics::taylor::trusted_step;
 use crate::numerics::{larger, smaller};
 
-/// Local tolerance per global tolerance: a run has some tens of steps, whose errors may grow a little.
-const LOCAL: f64 = 1e-4;
 /// Defect at the end of a step, per local tolerance, above which the step is shortened, and what rounding alone may cause.
 const DEFECT: f64 = 100.0;
 const DEFECT_ROUNDING: f64 = 1e-12;
@@ -47,27 +45,27 @@ impl Track<'_> {
     pub(super) fn taylor_step<const N: usize>(
         &mut self,
     ) -> ControlFlow<EndReason, Option<EventId>> {
-        let motion = self.motion();
-        let h = self.unit_s;
-        let e: Expansion<N> = motion.expand(&self.state, h);
-        self.evaluations += 1;
-        self.worked(1);
+        let motion = self.body.motion();
+        let h = self.control.unit_s;
+        let e: Expansion<N> = motion.expand(&self.body.state, h);
+        self.control.evaluations += 1;
+        self.control.worked(1);
         let trusted = self.trusted(&e);
         if trusted < UNIT_FITS {
             // The unit is far too long for what happens now: sizes measured with it mean nothing.
-            self.unit_s = h * larger(2.0 * trusted, 1e-3);
-            self.rejected += 1;
-            if self.unit_s <= 0.5 * f64::EPSILON * self.state.t_s {
+            self.control.unit_s = h * larger(2.0 * trusted, 1e-3);
+            self.control.rejected += 1;
+            if self.control.unit_s <= 0.5 * f64::EPSILON * self.body.state.t_s {
                 // Faster than the clock ticks: a plate that creeps against its damper. The implicit method steps over it.
-                self.stiff = true;
-                self.unit_s = RESUME * self.state.t_s;
+                self.control.stiff = true;
+                self.control.unit_s = RESUME * self.body.state.t_s;
             }
             return ControlFlow::Continue(None);
         }
-        if self.is_held(&e) {
+        if self.body.slip_is_held(&e) {
             return ControlFlow::Continue(Some(EventId::SlipHeld));
         }
-        let left = (self.until_s() - self.state.t_s) / h;
+        let left = (self.until_s() - self.body.state.t_s) / h;
         let mut reach = self.checked(&motion, &e, smaller(left, trusted));
         let (span, fired) = loop {
             let (span, fired) = self.first_event(&motion, &e, reach);
@@ -82,38 +80,21 @@ impl Track<'_> {
         if !is_finite(&state) {
             return ControlFlow::Break(EndReason::NonFinite);
         }
-        if state.t_s <= self.state.t_s && fired.is_none() {
-            self.stiff = true;
-            self.unit_s = RESUME * self.state.t_s;
+        if state.t_s <= self.body.state.t_s && fired.is_none() {
+            self.control.stiff = true;
+            self.control.unit_s = RESUME * self.body.state.t_s;
             return ControlFlow::Continue(None);
         }
         let mut record = std::mem::take(&mut self.record);
-        record.step(&self.setting(&motion), &e, span);
+        record.step(&self.body.setting(&motion), &e, span);
         self.record = record;
-        self.unit_s = h * if fired.is_some() { trusted } else { span };
-        self.steps += 1;
-        self.stretch_steps += 1;
+        self.control.unit_s = h * if fired.is_some() { trusted } else { span };
+        self.control.steps += 1;
+        self.control.stretch_steps += 1;
         self.notice_stiffness(&motion, &e, span * h);
-        self.count_turns(e.plate_speed[1]);
+        self.control.count_turns(e.plate_speed[1]);
         self.arrive(state, &motion, fired);
         ControlFlow::Continue(fired)
-    }
-
-    /// Whether a slip that is to begin would go the wrong way: the force that made the interface give way has changed its sign in
-    /// the same moment.
-    fn is_held<const N: usize>(&self, e: &Expansion<N>) -> bool {
-        let way = match self.mode {
-            Mode::Penetrating | Mode::Closing if self.problem.flows() => 1.0,
-            Mode::Withdrawing if self.problem.flows() => -1.0,
-            Mode::Penetrating
-            | Mode::Closing
-            | Mode::Withdrawing
-            | Mode::Fused
-            | Mode::FreeFlight
-            | Mode::Perforated => return false,
-        };
-        let first = e.slip[1..].iter().find(|c| **c != 0.0);
-        e.slip[0] == 0.0 && first.is_some_and(|c| c * way < 0.0)
     }
 
     /// How far the expansion goes up to the first event before `reach`, in its time unit, and which event that is.
@@ -151,7 +132,10 @@ impl Track<'_> {
         let spring_n = e.mechanism[0] - damping_n;
         // A velocity that a step may be wrong by tells nothing of what is left for inertia.
         let unresolved = e.plate_speed[0].abs()
-            <= UNRESOLVED * self.local_tolerance() * self.felt_part() * self.problem.velocity_m_s;
+            <= UNRESOLVED
+                * self.body.local_tolerance()
+                * self.body.resolved_part()
+                * self.body.problem.velocity_m_s;
         let creeps = (unresolved || net_n <= CREEPING * damping_n.abs()) && {
             let damper = motion.damper.tangent(e.plate_speed[0]) + stop.damping_n_s_m;
             damper * mobility * step_s >= CREEPING_STEP
@@ -160,17 +144,13 @@ impl Track<'_> {
             let stiffness = motion.spring.tangent(e.plate[0]) + stop.stiffness_n_m;
             stiffness * mobility * step_s * step_s >= RIDING_STEP * RIDING_STEP
         };
-        let is_short = step_s <= SHORT_TICKS * f64::EPSILON * self.state.t_s;
-        self.creeping_steps = if creeps || rides || is_short { self.creeping_steps + 1 } else { 0 };
-        if self.creeping_steps > CREEPING_STEPS {
-            self.creeping_steps = 0;
-            (self.stiff, self.creeps) = (true, true);
+        let is_short = step_s <= SHORT_TICKS * f64::EPSILON * self.body.state.t_s;
+        self.control.creeping_steps =
+            if creeps || rides || is_short { self.control.creeping_steps + 1 } else { 0 };
+        if self.control.creeping_steps > CREEPING_STEPS {
+            self.control.creeping_steps = 0;
+            (self.control.stiff, self.control.creeps) = (true, true);
         }
-    }
-
-    /// Error that a step may make, relative to the scales.
-    pub(super) fn local_tolerance(&self) -> f64 {
-        self.tolerance * LOCAL
     }
 
     /// How far the expansion is trusted, in time units: sizes are taken where it ends, so that a far too long unit does not
@@ -179,11 +159,11 @@ impl Track<'_> {
         let mut trusted = 1.0;
         for _ in 0..SIZINGS {
             let at = smaller(trusted, 1.0);
-            let tolerance = self.local_tolerance();
+            let tolerance = self.body.local_tolerance();
             let mut next = trusted_step(&self.scales(e, at), tolerance);
-            if self.mode == Mode::Fused && self.problem.plastic {
+            if self.body.mode == Mode::Fused && self.body.problem.plastic {
                 // The interface gives way by the force it carries: that has to be right, too.
-                let limit = FORCE * self.interface_limits_n().0 / self.problem.share;
+                let limit = FORCE * self.body.interface_limits_n().0 / self.body.problem.share;
                 let scale = own(&e.mechanism, at) + limit + f64::MIN_POSITIVE;
                 next = smaller(next, trusted_step(&[(&e.mechanism, scale)], tolerance));
             }
@@ -199,14 +179,14 @@ impl Track<'_> {
     ///
     /// The last coefficients alone can be deceived: the solution may be close to a polynomial and yet end in a singularity.
     fn checked<const N: usize>(&mut self, motion: &Motion<'_>, e: &Expansion<N>, span: f64) -> f64 {
-        let allowed = larger(DEFECT * self.local_tolerance(), DEFECT_ROUNDING);
+        let allowed = larger(DEFECT * self.body.local_tolerance(), DEFECT_ROUNDING);
         let [_, (_, speed), _, (_, plate_speed)] = self.scales(e, smaller(span, 1.0));
         // Forces that hold each other are known to their own rounding only: no shorter step makes their difference better.
         let noise = ROUNDED * plate_noise(motion, e);
         let mut span = span;
         for _ in 0..60 {
             let (slip, plate) = motion.accelerations(&e.state(span));
-            let time = span * self.unit_s;
+            let time = span * self.control.unit_s;
             let slip_noise = motion.coupling * noise * time / speed;
             let plate_noise = noise * time / plate_speed;
             let slip_defect = (slip * time - evaluate_slope(&e.slip, span) * span) / speed;
@@ -218,22 +198,17 @@ impl Track<'_> {
                 break;
             }
             span *= 0.5;
-            self.rejected += 1;
+            self.control.rejected += 1;
         }
         span
-    }
-
-    /// Part of the travel, and of the impact velocity, below which the plate's errors do not matter to the depth.
-    pub(super) fn felt_part(&self) -> f64 {
-        if self.is_sliding() { 1e-3 } else { 0.0 }
     }
 
     /// Scales against which truncation errors are measured: each quantity's own size over the step, but not less than
     /// what matters to the depth while there is contact.
     fn scales<'e, const N: usize>(&self, e: &'e Expansion<N>, s: f64) -> [(&'e [f64; N], f64); 4] {
-        let part = self.felt_part();
+        let part = self.body.resolved_part();
         let travel = e.travel[0].abs() + s * e.travel[1].abs() + f64::MIN_POSITIVE;
-        let speed = self.problem.velocity_m_s;
+        let speed = self.body.problem.velocity_m_s;
         [
             (&e.travel, travel),
             (&e.slip, speed),

@@ -5,7 +5,7 @@ use crate::model::mechanism::{Elastic, PowerKind, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
 
-/// Part of the displacement that a plate may come back from its farthest point within a stride, where its spring is broken, too.
+/// Part of the displacement that a plate may come back from its farthest point within a crossing step, where its spring is non-integer, too.
 const OF_DISPLACEMENT: f64 = 0.3;
 
 /// The law whose zero is passed, and with it what the clock is.
@@ -17,15 +17,15 @@ pub(super) enum Law {
     Damper,
 }
 
-/// Since the start of the stride: time, s; path of the projectile, travel and plate together, m; change of its velocity, m/s; and of
+/// Since the start of the crossing step: time, s; path of the projectile, travel and plate together, m; change of its velocity, m/s; and of
 /// what the clock leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement, m.
 pub(super) type Unknowns = [f64; 4];
 
-/// The equations of a stride.
+/// The equations of a crossing step.
 pub(super) struct Clock<'a> {
     pub(super) law: Law,
     pub(super) motion: &'a Motion<'a>,
-    /// Where the stride starts.
+    /// Where the crossing step starts.
     pub(super) from: State,
     /// The way in which the clock runs: the sign of its pace.
     pub(super) heading: f64,
@@ -50,7 +50,7 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// The guard that watches for the zero of this law.
+    /// The event function that watches for the zero of this law.
     pub(super) fn own_trigger(&self) -> EventId {
         match self.law {
             Law::Spring => EventId::PlateZero,
@@ -113,7 +113,7 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// How far from zero a stride may begin or end: as far as no more than this share of the plate's energy, or of the force that
+    /// How far from zero a crossing step may begin or end: as far as no more than this share of the plate's energy, or of the force that
     /// turns it round, is exchanged on the way, and further singularities are further away still.
     pub(super) fn room(&self, share: f64) -> f64 {
         let motion = self.motion;

@@ -133,8 +133,8 @@ impl<'a> Unknowns<'a> {
                 // By inertia, but not beyond where the damper alone holds against the drive, if it does not exceed it now.
                 let by_inertia = law.force(state.plate_m_s + speed);
                 let held_n = larger(drive.abs(), y[3].abs());
-                let held = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
-                stage[3] = if by_inertia * drive > 0.0 { held } else { y[3] };
+                let rests_on_stop = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
+                stage[3] = if by_inertia * drive > 0.0 { rests_on_stop } else { y[3] };
             }
             stage
         })

@@ -1,20 +1,20 @@
-//! Events that are there already, without a guard that falls: put behind the state by rounding, or on the very place where another
+//! Events that are there already, without an event function that falls: put behind the state by rounding, or on the very place where another
 //! one has put it.
 
+use super::Body;
 use crate::model::event_function::EventId;
-use crate::model::impact::track::Track;
 use crate::model::mechanism::sign;
 use crate::model::mechanism::stop::UNSEEN;
 use crate::model::motion::State;
 use crate::model::run::Mode;
 
 /// Part of a displacement by which rounding puts a zero of a spring's force elsewhere, and of a curve's size that is just beyond it.
-const UNTOLD: f64 = 1e-12;
+const ROUNDING: f64 = 1e-12;
 const NEARBY: f64 = 1e-9;
 
-impl Track<'_> {
+impl Body<'_> {
     /// An event that rounding has put behind the state already, when another one fell on nearly the same moment.
-    pub(super) fn missed_event(&self) -> Option<EventId> {
+    pub(in crate::model::impact) fn missed_event(&self) -> Option<EventId> {
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
@@ -27,7 +27,7 @@ impl Track<'_> {
         if self.is_beyond_stop() && self.stop_presses() {
             return Some(EventId::StopPressed);
         }
-        if let Some(event) = self.overdue_on_place() {
+        if let Some(event) = self.missed_event_in_place() {
             return Some(event);
         }
         let (behind, ahead) = self.spring_ends();
@@ -42,7 +42,7 @@ impl Track<'_> {
     }
 
     /// Whether the plate is where an elastic stop that has let go of it would press it again.
-    pub(super) fn is_beyond_stop(&self) -> bool {
+    pub(in crate::model::impact) fn is_beyond_stop(&self) -> bool {
         let mechanism = &self.problem.mechanism;
         let lets_go = mechanism.elastic_stop().is_some() && !self.stop_touches;
         lets_go && !self.is_still() && self.state.plate_m > mechanism.stop_at_m
@@ -55,8 +55,8 @@ impl Track<'_> {
         form.at(&motion, &self.state) < -form.rounding(&motion, &self.state)
     }
 
-    /// An event at the very place on which another one has put the plate: its guard is zero there and falls no more.
-    fn overdue_on_place(&self) -> Option<EventId> {
+    /// An event at the very place on which another one has put the plate: its event function is zero there and falls no more.
+    fn missed_event_in_place(&self) -> Option<EventId> {
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
         if self.is_still() {
             return None;
@@ -66,7 +66,7 @@ impl Track<'_> {
             return Some(EventId::StopCleared);
         }
         let untouched = mechanism.elastic_stop().is_some() && !self.stop_touches;
-        let reaches = x >= mechanism.stop_at_m && (w > 0.0 || self.turns_unseen());
+        let reaches = x >= mechanism.stop_at_m && (w > 0.0 || self.turns_within_resolution());
         if untouched && reaches && !self.stop_lets_go() {
             return Some(EventId::StopReached);
         }
@@ -88,7 +88,7 @@ impl Track<'_> {
         let at_zero = x == 0.0 && !spring.is_absent();
         let at_knot = [behind, ahead].map(f64::to_bits).contains(&x.to_bits());
         // A zero between two stretches of a curve is one up to rounding.
-        let rounding = if at_knot { (UNTOLD * x * spring.tangent(x)).abs() } else { 0.0 };
+        let rounding = if at_knot { (ROUNDING * x * spring.tangent(x)).abs() } else { 0.0 };
         if !(at_zero || at_knot) || self.motion().mechanism_force(&self.state).abs() > rounding {
             return 0.0;
         }
@@ -99,7 +99,7 @@ impl Track<'_> {
     }
 
     /// Whether a plate on its stop that goes back is turned round so soon that its displacement does not tell.
-    fn turns_unseen(&self) -> bool {
+    fn turns_within_resolution(&self) -> bool {
         let (_, rate) = self.motion().accelerations(&self.state);
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
         let (on_stop, unseen_m) = (self.problem.mechanism.stop_at_m, UNSEEN * self.stop_scale_m());

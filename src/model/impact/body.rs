@@ -1,0 +1,335 @@
+//! Projectile and plate as they are now: their state and mode, the equations that hold, and what follows from both.
+
+use crate::model::contact_models::Hole;
+use crate::model::event_function::EventId;
+use crate::model::impact::problem::Problem;
+use crate::model::impact::record::Setting;
+use crate::model::mechanism::{Elastic, PowerKind, PowerLaw, sign};
+use crate::model::motion::{Expansion, Motion, State, StopForce};
+use crate::model::run::Mode;
+
+mod active_events;
+mod energy;
+mod missed_event;
+mod omission;
+mod outcome;
+
+pub(super) use active_events::Noted;
+pub(super) use energy::NO_ENERGY;
+pub(super) use outcome::MaximumDisplacement;
+
+/// Local tolerance per global tolerance: a run has some tens of steps, whose errors may grow a little.
+const LOCAL: f64 = 1e-4;
+/// Part of the impact velocity, per tolerance, below which the plate's own is lost among the errors of Taylor steps: their local
+/// tolerance of the scale that matters to the depth.
+const UNFELT: f64 = 1e-7;
+
+/// The law of a spring or a damper close to the zero of its argument, displacement or velocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct NearZero {
+    /// The side of zero on which the argument is, or to which it is going: 1 or -1.
+    pub(super) side: f64,
+    /// The law is singular there, and omitted.
+    pub(super) omitted: bool,
+    /// How far from zero it is restored, fixed when it is omitted, m or m/s.
+    pub(super) clear: f64,
+}
+
+impl NearZero {
+    fn on_side_of(z: f64) -> Self {
+        Self { side: if z < 0.0 { -1.0 } else { 1.0 }, omitted: false, clear: 0.0 }
+    }
+}
+
+/// Projectile and plate.
+#[derive(Clone, Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "facts that hold or do not, each by itself")]
+pub(super) struct Body<'a> {
+    pub(super) problem: &'a Problem,
+    /// Relative accuracy asked of this computation.
+    pub(super) tolerance: f64,
+    pub(super) state: State,
+    pub(super) mode: Mode,
+    /// Greatest travel so far: the bottom of the hole, m.
+    pub(super) deepest_m: f64,
+    /// The plate rests on its rigid stop.
+    pub(super) rests_on_stop: bool,
+    /// The rigid stop has released the plate at this moment: no rounding of the forces brings it back.
+    pub(super) released: bool,
+    /// The mechanism cannot move the plate noticeably: it stays where it is.
+    pub(super) fixed: bool,
+    /// The plate, on which nothing but its mechanism acts, has come to rest.
+    pub(super) at_rest: bool,
+    /// The elastic stop is in contact.
+    pub(super) stop_touches: bool,
+    /// The spring near x = 0, and the damper near w = 0.
+    pub(super) x_zero: NearZero,
+    pub(super) w_zero: NearZero,
+    /// Rounding of the displacement by the last step, m.
+    pub(super) compensation_m: f64,
+    /// The stretch of the spring's curve in which the plate is; without meaning for a power law.
+    pub(super) region: usize,
+    /// Greatest |x| and |w| so far, m and m/s.
+    pub(super) plate_scale_m: f64,
+    pub(super) speed_scale_m_s: f64,
+    /// Times the interface has yielded since the hole last became noticeably deeper.
+    pub(super) yields_since_deeper: usize,
+    /// Depth of the hole when it last did, as travel, m.
+    pub(super) noticed_m: f64,
+}
+
+impl<'a> Body<'a> {
+    /// At the moment of first contact.
+    pub(super) fn new(problem: &'a Problem, tolerance: f64) -> Self {
+        let state = State {
+            t_s: 0.0,
+            travel_m: 0.0,
+            slip_m_s: problem.velocity_m_s,
+            plate_m: problem.start_m,
+            plate_m_s: 0.0,
+        };
+        let pull = -problem.mechanism.spring.force(problem.start_m);
+        Self {
+            problem,
+            state,
+            tolerance,
+            deepest_m: 0.0,
+            mode: Mode::Penetrating,
+            rests_on_stop: problem.mechanism.rigid_stop().is_some()
+                && problem.start_m >= problem.mechanism.stop_at_m
+                && pull >= 0.0,
+            released: false,
+            fixed: false,
+            at_rest: false,
+            stop_touches: problem.mechanism.elastic_stop().is_some()
+                && problem.start_m >= problem.mechanism.stop_at_m,
+            x_zero: NearZero::on_side_of(problem.start_m),
+            w_zero: NearZero::on_side_of(pull),
+            compensation_m: 0.0,
+            region: first_region(problem, pull),
+            plate_scale_m: problem.start_m.abs(),
+            speed_scale_m_s: 0.0,
+            yields_since_deeper: 0,
+            noticed_m: 0.0,
+        }
+    }
+
+    /// Whether the plate cannot move: rigid, held by its stop, or as good as immobile.
+    pub(super) fn is_still(&self) -> bool {
+        self.problem.rigid || self.rests_on_stop || self.fixed || self.at_rest
+    }
+
+    /// Whether projectile and plate slide against each other.
+    pub(super) fn is_sliding(&self) -> bool {
+        matches!(self.mode, Mode::Penetrating | Mode::Closing | Mode::Withdrawing)
+    }
+
+    /// The equations of the present mode.
+    pub(super) fn motion(&self) -> Motion<'a> {
+        let problem = self.problem;
+        let mechanism = &problem.mechanism;
+        let still = self.is_still();
+        let joined = self.mode == Mode::Fused;
+        let keep = |law: PowerLaw, omitted: bool| PowerLaw {
+            coefficient: if omitted || still { 0.0 } else { law.coefficient },
+            ..law
+        };
+        let stop = mechanism.elastic_stop().filter(|_| self.stop_touches);
+        let plate_kg = if joined { problem.joined_kg } else { problem.plate_kg };
+        Motion {
+            contact: problem.contact.force(self.mode, &self.hole()),
+            slip_mobility: problem.slip_mobility(!still),
+            plate_mobility: if still { 0.0 } else { 1.0 / plate_kg },
+            coupling: if joined { 0.0 } else { problem.cos },
+            spring: match mechanism.spring.curve() {
+                Some(curve) if !still => Elastic::Piece(curve.piece(self.region)),
+                _ => Elastic::Power(keep(self.spring(), self.x_zero.omitted)),
+            },
+            damper: keep(mechanism.damper, self.w_zero.omitted),
+            stop: stop.map_or_else(StopForce::default, |stop| StopForce {
+                stiffness_n_m: stop.stiffness_n_m,
+                damping_n_s_m: stop.damping_n_s_m,
+                position_m: mechanism.stop_at_m,
+            }),
+            side_x: self.x_zero.side,
+            side_w: self.w_zero.side,
+        }
+    }
+
+    /// The projectile in its hole.
+    pub(super) fn hole(&self) -> Hole<'_> {
+        Hole {
+            geometry: &self.problem.geometry,
+            state: self.state,
+            deepest_m: self.deepest_m,
+            still: self.is_still(),
+        }
+    }
+
+    /// What samples and records need.
+    pub(super) fn setting<'m>(&'m self, motion: &'m Motion<'m>) -> Setting<'m> {
+        Setting {
+            problem: self.problem,
+            motion,
+            mode: self.mode,
+            still: self.is_still(),
+            rests_on_stop: self.rests_on_stop,
+            interface_n: if self.mode == Mode::Fused { self.interface_n() } else { 0.0 },
+        }
+    }
+
+    /// The spring as a power law; none where it is a curve.
+    pub(super) fn spring(&self) -> PowerLaw {
+        let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
+        self.problem.mechanism.spring.power().unwrap_or(none)
+    }
+
+    /// The ends of the present stretch of the spring's curve, m; infinite for a power law.
+    pub(super) fn spring_ends(&self) -> (f64, f64) {
+        let curve = self.problem.mechanism.spring.curve();
+        curve.map_or((f64::NEG_INFINITY, f64::INFINITY), |curve| curve.ends(self.region))
+    }
+
+    /// Whether the spring is a whole power, which changes its form exactly at zero.
+    pub(super) fn spring_is_whole(&self) -> bool {
+        self.problem.mechanism.spring.power().is_some_and(|law| law.exponent.fract() == 0.0)
+    }
+
+    pub(super) fn damper_is_singular(&self) -> bool {
+        self.problem.mechanism.damper.kind() == PowerKind::General
+    }
+
+    /// What the interface can push at the present travel, N.
+    pub(super) fn interface_n(&self) -> f64 {
+        self.problem.geometry.area_m2(self.state.travel_m) * self.problem.strength_pa
+    }
+
+    /// What the interface can push and pull at the present travel, N.
+    pub(super) fn interface_limits_n(&self) -> (f64, f64) {
+        let strength = self.interface_n();
+        let pull = self.problem.grip * strength;
+        let at_bottom = self.state.travel_m >= self.deepest_m;
+        (if at_bottom { strength } else { pull }, pull)
+    }
+
+    /// What presses a plate at rest on its stop, N.
+    pub(super) fn net_push_on_stop(&self) -> f64 {
+        let motion = self.motion();
+        let contact = motion.contact_force(&self.state) * self.problem.cos;
+        contact - self.problem.mechanism.spring.force(self.state.plate_m)
+    }
+
+    /// Whether nothing will ever move again: joined, at rest, and no force.
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.mode == Mode::Fused
+            && (self.is_still()
+                || (self.state.plate_m_s == 0.0
+                    && sign(self.motion().mechanism_force(&self.state)) == 0.0))
+    }
+
+    /// The displacements at the stop that matter, m.
+    pub(super) fn stop_scale_m(&self) -> f64 {
+        self.problem.mechanism.stop_at_m.abs() + self.plate_scale_m
+    }
+
+    /// Whether the plate moves so slowly during the contact that nothing else feels it.
+    pub(super) fn plate_is_unresolved(&self) -> bool {
+        self.is_sliding()
+            && self.state.plate_m_s.abs() <= UNFELT * self.tolerance * self.problem.velocity_m_s
+    }
+
+    /// Part of the travel, and of the impact velocity, below which the plate's errors do not matter to the depth.
+    pub(super) fn resolved_part(&self) -> f64 {
+        if self.is_sliding() { 1e-3 } else { 0.0 }
+    }
+
+    /// Error that a step may make, relative to the scales.
+    pub(super) fn local_tolerance(&self) -> f64 {
+        self.tolerance * LOCAL
+    }
+
+    /// Put the state exactly on the event that ended the step.
+    pub(super) fn project_onto_event(&mut self, event: EventId, before: &State) {
+        let geometry = &self.problem.geometry;
+        match event {
+            // Past the exit there is no end to come to.
+            EventId::PieceEnd => {
+                let end = geometry.piece(before.travel_m).to_m;
+                self.state.travel_m = if end.is_finite() { end } else { before.travel_m };
+            }
+            EventId::PieceStart => {
+                let behind = geometry.pieces().iter().rev();
+                let piece = behind.into_iter().find(|piece| piece.from_m < before.travel_m);
+                self.state.travel_m = piece.map_or(0.0, |piece| piece.from_m);
+            }
+            EventId::HoleBottom => self.state.travel_m = self.deepest_m,
+            EventId::SlipZero | EventId::SlipHeld => self.state.slip_m_s = 0.0,
+            EventId::Recontact | EventId::DentLeft => {
+                self.state.travel_m = self.problem.contact.slack_m(self.deepest_m);
+            }
+            EventId::PlateZero if self.spring_is_whole() => self.state.plate_m = 0.0,
+            EventId::KnotAhead => self.state.plate_m = self.spring_ends().1,
+            EventId::KnotBehind => self.state.plate_m = self.spring_ends().0,
+            EventId::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
+            EventId::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
+            EventId::ContactLost
+            | EventId::ContactAgain
+            | EventId::HistoryEnd
+            | EventId::PlateZero
+            | EventId::PlateSpeedZero
+            | EventId::PlateClear
+            | EventId::PlateSpeedClear
+            | EventId::StopCleared
+            | EventId::StopPressed
+            | EventId::StopRelease
+            | EventId::PushLimit
+            | EventId::PullLimit => {}
+        }
+    }
+
+    /// Count how often the interface gave way without a noticeably deeper hole.
+    pub(super) fn count_yields(&mut self) {
+        let noticeable = self.problem.scene.run.tolerance * self.deepest_m;
+        if self.deepest_m > self.noticed_m + noticeable {
+            self.noticed_m = self.deepest_m;
+            self.yields_since_deeper = 0;
+        } else {
+            self.yields_since_deeper += 1;
+        }
+    }
+
+    /// Whether a slip that is to begin would go the wrong way: the force that made the interface give way has changed its sign in
+    /// the same moment.
+    pub(super) fn slip_is_held<const N: usize>(&self, e: &Expansion<N>) -> bool {
+        let way = match self.mode {
+            Mode::Penetrating | Mode::Closing if self.problem.flows() => 1.0,
+            Mode::Withdrawing if self.problem.flows() => -1.0,
+            Mode::Penetrating
+            | Mode::Closing
+            | Mode::Withdrawing
+            | Mode::Fused
+            | Mode::FreeFlight
+            | Mode::Perforated => return false,
+        };
+        let first = e.slip[1..].iter().find(|c| **c != 0.0);
+        e.slip[0] == 0.0 && first.is_some_and(|c| c * way < 0.0)
+    }
+}
+
+/// The stretch of the spring's curve into which the plate starts to move.
+fn first_region(problem: &Problem, pull_n: f64) -> usize {
+    let Some(curve) = problem.mechanism.spring.curve() else {
+        return 0;
+    };
+    let above = curve.region(problem.start_m);
+    let at_knot = curve.ends(above).0 >= problem.start_m;
+    if at_knot && pull_n < 0.0 { above - 1 } else { above }
+}
+
+/// The side of zero of a number, or `other` for zero itself.
+pub(super) fn side(z: f64, other: f64) -> f64 {
+    if z == 0.0 { other } else { sign(z) }
+}
+
+#[cfg(test)]
+mod tests;

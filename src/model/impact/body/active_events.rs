@@ -1,0 +1,154 @@
+//! The events that may end a stretch of smooth motion, by mode.
+
+use super::Body;
+use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
+use crate::model::mechanism::{PowerKind, PowerLaw};
+use crate::model::run::Mode;
+
+/// Part of the other forces on the plate below which one is lost in their rounding.
+const ROUNDED: f64 = 8.0 * f64::EPSILON;
+
+/// Which excesses of the fused interface are noted already, and need not be found again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub(in crate::model::impact) struct Noted {
+    pub(in crate::model::impact) push: bool,
+    pub(in crate::model::impact) pull: bool,
+}
+
+impl Body<'_> {
+    /// Everything that may end the present stretch.
+    pub(in crate::model::impact) fn active_events(
+        &self,
+        stiff: bool,
+        noted: Noted,
+    ) -> ActiveEvents {
+        let mut events = ActiveEvents::none();
+        if self.mode != Mode::Fused {
+            self.problem.contact.watch(self.mode, &self.hole(), &mut events);
+        } else if !self.is_still() {
+            self.watch_interface(&mut events, noted);
+        }
+        if !self.problem.rigid && !self.fixed {
+            self.watch_plate(&mut events, stiff);
+        }
+        events
+    }
+
+    fn watch_interface(&self, events: &mut ActiveEvents, noted: Noted) {
+        let (strength, share) = (self.interface_n(), self.problem.share);
+        let pull = self.problem.grip * strength;
+        let at_bottom = self.state.travel_m >= self.deepest_m;
+        let push = if at_bottom { strength } else { pull };
+        if self.problem.plastic || (strength > 0.0 && !noted.push) {
+            let form =
+                EventFunction { offset: push, mechanism: -share, ..EventFunction::default() };
+            events.watch(EventId::PushLimit, form);
+        }
+        if self.problem.plastic || (strength > 0.0 && !noted.pull) {
+            let form = EventFunction { offset: pull, mechanism: share, ..EventFunction::default() };
+            events.watch(EventId::PullLimit, form);
+        }
+    }
+
+    fn watch_plate(&self, events: &mut ActiveEvents, stiff: bool) {
+        let mechanism = &self.problem.mechanism;
+        if self.rests_on_stop {
+            let offset = -mechanism.spring.force(self.state.plate_m);
+            let form =
+                EventFunction { offset, contact: self.problem.cos, ..EventFunction::default() };
+            events.watch(EventId::StopRelease, form);
+            return;
+        }
+        let singular = |law: PowerLaw| law.kind() == PowerKind::General && !stiff;
+        if mechanism.spring.curve().is_some() {
+            self.watch_knots(events);
+        } else if !stiff || self.x_zero.omitted {
+            self.watch_zero_of_x(events);
+        }
+        // A plate that rides on its spring from rest is of either sign until its velocity matters.
+        if !(stiff && self.plate_is_unresolved()) {
+            self.watch_zero_of_w(events, singular(mechanism.damper));
+        }
+        let at = mechanism.stop_at_m;
+        if self.stop_touches {
+            events.watch(EventId::StopCleared, self.stop_force(1.0));
+        } else if at.is_finite() {
+            events.watch(
+                EventId::StopReached,
+                EventFunction { offset: at, plate: -1.0, ..EventFunction::default() },
+            );
+            if self.is_beyond_stop() {
+                events.watch(EventId::StopPressed, self.stop_force(-1.0));
+            }
+        }
+    }
+
+    /// What an elastic stop pushes back with while it touches (or, times -1, what it lacks to push again), N, and what nothing feels
+    /// besides.
+    pub(in crate::model::impact) fn stop_force(&self, sign: f64) -> EventFunction {
+        let mechanism = &self.problem.mechanism;
+        let stop = mechanism.elastic_stop().unwrap_or_default();
+        EventFunction {
+            offset: self.force_resolution_n() - sign * stop.stiffness_n_m * mechanism.stop_at_m,
+            plate: sign * stop.stiffness_n_m,
+            plate_speed: sign * stop.damping_n_s_m,
+            ..EventFunction::default()
+        }
+    }
+
+    /// A force on the plate that drowns in the rounding of the others, N: a stop beside a plate that rides on a spring infinitely
+    /// steep at zero would let go and press again at every step.
+    fn force_resolution_n(&self) -> f64 {
+        let (motion, state) = (self.motion(), &self.state);
+        let contact_n = motion.coupling * motion.contact_force(state);
+        let spring_n = motion.spring.force(state.plate_m);
+        let damper_n = motion.damper.force(state.plate_m_s);
+        ROUNDED * (contact_n.abs() + spring_n.abs() + damper_n.abs())
+    }
+
+    /// The ends of the stretch of the spring's law.
+    fn watch_knots(&self, events: &mut ActiveEvents) {
+        let (behind, ahead) = self.spring_ends();
+        if ahead.is_finite() {
+            let form = EventFunction { offset: ahead, plate: -1.0, ..EventFunction::default() };
+            events.watch(EventId::KnotAhead, form);
+        }
+        if behind.is_finite() {
+            let form = EventFunction { offset: -behind, plate: 1.0, ..EventFunction::default() };
+            events.watch(EventId::KnotBehind, form);
+        }
+    }
+
+    fn watch_zero_of_x(&self, events: &mut ActiveEvents) {
+        let near = if self.x_zero.omitted { self.x_zero.clear } else { self.near_zero_m() };
+        if self.x_zero.omitted {
+            for side in [1.0, -1.0] {
+                let form = EventFunction { offset: near, plate: -side, ..EventFunction::default() };
+                events.watch(EventId::PlateClear, form);
+            }
+        } else if !self.spring().is_smooth_at_zero() {
+            let singular = self.problem.mechanism.spring.is_singular();
+            let offset = if singular { -near } else { 0.0 };
+            events.watch(
+                EventId::PlateZero,
+                EventFunction { offset, plate: self.x_zero.side, ..EventFunction::default() },
+            );
+        }
+    }
+
+    fn watch_zero_of_w(&self, events: &mut ActiveEvents, singular: bool) {
+        let near = if self.w_zero.omitted { self.w_zero.clear } else { self.near_zero_m_s() };
+        if self.w_zero.omitted {
+            for side in [1.0, -1.0] {
+                let form =
+                    EventFunction { offset: near, plate_speed: -side, ..EventFunction::default() };
+                events.watch(EventId::PlateSpeedClear, form);
+            }
+            return;
+        }
+        let offset = if singular { -near } else { 0.0 };
+        let form =
+            EventFunction { offset, plate_speed: self.w_zero.side, ..EventFunction::default() };
+        events.watch(EventId::PlateSpeedZero, form);
+    }
+}

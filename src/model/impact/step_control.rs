@@ -1,0 +1,141 @@
+//! How the steps go: their size and method, and how much work is left.
+
+use std::cell::Cell;
+
+use crate::model::impact::body::Body;
+use crate::model::mechanism::sign;
+use crate::model::run::{EndReason, Mode};
+use crate::numerics::smaller;
+
+/// Work after which a run ends early, in Taylor expansions: about a second.
+const WORK_MAX: usize = 400_000;
+/// Events after which a run ends early.
+const EVENTS_MAX: usize = 400_000;
+
+/// Turns and events (five hundred oscillations) and steps after which a run that was given no horizon ends while still moving. A
+/// plate on an undamped spring oscillates for ever. The first contact, which always ends, has only the limit of work.
+const TURNS_MAX: usize = 1_000;
+const UNDECIDED_STEPS: usize = 15_000;
+/// Time unit of the first expansion without the law, in times it takes to leave the neighbourhood.
+const UNIT_PER_CROSSING: f64 = 4.0;
+
+/// Step size, method and work.
+#[derive(Clone, Debug)]
+pub(super) struct StepControl {
+    /// Time unit of the next expansion, s.
+    pub(super) unit_s: f64,
+    /// The implicit method has this stretch.
+    pub(super) stiff: bool,
+    /// Steps since the mode changed or the force on the plate changed its sign.
+    pub(super) stretch_steps: usize,
+    /// Taylor steps in a row in which the plate crept against its damper.
+    pub(super) creeping_steps: usize,
+    /// The implicit method has this stretch because the plate creeps.
+    pub(super) creeps: bool,
+    /// Times the force on the plate changed its sign: twice a swing, about whatever it swings.
+    pub(super) turns: usize,
+    /// The sign of the force on the plate at the last step.
+    pub(super) pushed: f64,
+    pub(super) steps: usize,
+    /// Steps of the implicit method.
+    pub(super) stiff_steps: usize,
+    pub(super) rejected: usize,
+    pub(super) evaluations: usize,
+    /// Work done, in Taylor expansions.
+    pub(super) work: Cell<usize>,
+    /// Events that changed what the bodies do.
+    pub(super) event_count: usize,
+    /// Where a crossing step through the zero of the spring, and of the damper, was refused last on this way in, m and m/s.
+    pub(super) crossing_refused: [f64; 2],
+    /// Where the last crossing step out of each zero ended, m and m/s; 0 once the way is another one.
+    pub(super) crossed_to: [f64; 2],
+    /// What crossing steps that the depth depends on may be off by, relative.
+    pub(super) crossing_error: f64,
+    /// The second computation, which the first is compared with.
+    pub(super) is_second: bool,
+}
+
+impl StepControl {
+    /// Before the first step, with this time unit, s.
+    pub(super) fn new(unit_s: f64) -> Self {
+        Self {
+            unit_s,
+            stiff: false,
+            stretch_steps: 0,
+            creeping_steps: 0,
+            creeps: false,
+            turns: 0,
+            pushed: 0.0,
+            steps: 0,
+            stiff_steps: 0,
+            rejected: 0,
+            evaluations: 0,
+            work: Cell::new(0),
+            event_count: 0,
+            crossing_refused: [f64::INFINITY; 2],
+            crossed_to: [0.0; 2],
+            crossing_error: 0.0,
+            is_second: false,
+        }
+    }
+
+    /// Count how often the force on the plate changes its sign, by its acceleration at every step.
+    pub(super) fn count_turns(&mut self, acceleration: f64) {
+        let pushed = sign(acceleration);
+        if pushed * self.pushed < 0.0 {
+            self.turns += 1;
+            // What swings again and again takes many steps without being stiff.
+            self.stretch_steps = 0;
+        }
+        self.pushed = if pushed == 0.0 { self.pushed } else { pushed };
+    }
+
+    /// Leaving a neighbourhood, or coming back to a stop, is an event that a step many times as long would not notice.
+    pub(super) fn shorten_unit(&mut self, crossing_s: f64) {
+        if crossing_s > 0.0 {
+            self.unit_s = smaller(self.unit_s, UNIT_PER_CROSSING * crossing_s);
+        }
+    }
+
+    /// Why the run ends before anything is decided, if it has done all it may. The work is counted, never timed: the same scene
+    /// ends at the same step on every machine.
+    pub(super) fn budget_used_up(&self, body: &Body<'_>, is_first: bool) -> Option<EndReason> {
+        let in_first_contact = is_first && body.mode == Mode::Penetrating;
+        let patience = body.problem.patience;
+        let oscillates = !body.problem.horizon_is_asked
+            && !in_first_contact
+            && self.turns + self.event_count > TURNS_MAX * patience;
+        let is_worked_off = self.work.get() > WORK_MAX;
+        if oscillates && (self.steps > UNDECIDED_STEPS * patience || is_worked_off) {
+            Some(EndReason::Swings)
+        } else if self.event_count > EVENTS_MAX {
+            Some(EndReason::EventBudget)
+        } else {
+            is_worked_off.then_some(EndReason::StepBudget)
+        }
+    }
+
+    /// Count work done, in Taylor expansions.
+    pub(super) fn worked(&self, expansions: usize) {
+        self.work.set(self.work.get() + expansions);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::impact::problem::Problem;
+    use crate::model::scene::Scene;
+
+    #[test]
+    fn work_is_counted_until_the_budget_is_used_up() {
+        let problem = Problem::of(&Arc::new(Scene::default()));
+        let (body, control) = (Body::new(&problem, 1e-9), StepControl::new(1e-6));
+        control.worked(WORK_MAX);
+        assert_eq!(control.budget_used_up(&body, true), None);
+        control.worked(1);
+        assert_eq!(control.budget_used_up(&body, true), Some(EndReason::StepBudget));
+    }
+}
