@@ -8,9 +8,10 @@ use std::sync::Arc;
 use crate::model::contact_phase::{Ending, Scheme};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EndReason, Mode, Omission, Outcome, Run, Sample};
-use crate::model::scene::Scene;
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Observer, Settings, simulate};
 use crate::numerics::larger;
+use crate::study::accuracy::reference::stored;
 use cases::Case;
 use others::{Contact, Other, Verdict};
 
@@ -157,7 +158,7 @@ pub fn examine(
     let start_s = (clock.now_s)();
     let run = bare(&scene, false, &mut |_| clock.watch())?;
     let took_s = (clock.now_s)() - start_s;
-    let (reference, contact) = reference(case, &scene, &run, clock);
+    let (reference, contact) = reference(&scene, &run, clock);
     let error = reference.and_then(|(value, _)| {
         let found = measure(&run)?;
         Some((found / value - 1.0).abs())
@@ -200,7 +201,6 @@ fn measure(run: &Run) -> Option<f64> {
 
 /// What the run's measure should be and how that is known; and how the first contact should end.
 fn reference(
-    case: &Case,
     scene: &Arc<Scene>,
     run: &Run,
     clock: Clock<'_>,
@@ -209,9 +209,11 @@ fn reference(
         || run.first_arrest.is_some_and(|arrest| {
             run.final_penetration_m.is_some_and(|p| p <= arrest.penetration_m)
         });
-    if let Some(value) = case.stored {
-        let ending = if run.exit_time_s.is_some() { Ending::Perforation } else { Ending::Arrest };
-        return (Some((value, Basis::Stored)), Some(Contact { ending, value }));
+    // The stored digits are those of a fused interface.
+    let fused = scene.interface.law == InterfaceLaw::Fused;
+    if let Some(stored) = stored(scene).filter(|_| fused) {
+        let contact = Contact::new(stored.ending, stored.depth_m, stored.t_s);
+        return (Some((contact.value, Basis::Stored)), Some(contact));
     }
     let second = second_form(scene);
     if let Some((contact, basis)) = second.filter(|_| contact_decides) {

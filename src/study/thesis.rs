@@ -10,15 +10,15 @@ use std::sync::{Arc, LazyLock};
 use crate::model::scene::Scene;
 use crate::study::sweep::crew::Crew;
 use claim::Claims;
-use lab::{Lab, Runs};
+use runs::{Runs, SharedRuns};
 
 mod check;
 mod claim;
 mod elastica;
 mod expression;
 mod functions;
-mod lab;
 mod quantities;
+mod runs;
 mod series;
 mod shape;
 mod text;
@@ -159,15 +159,15 @@ pub fn find(id: &str) -> Option<&'static Claim> {
     claims().iter().find(|claim| claim.id == id)
 }
 
-fn row(claim: &'static Claim, runs: &Runs) -> Row {
-    let lab = Lab::new(runs);
-    let found = check::check(claim, &lab);
-    Row { claim, found, runs: lab.impacts() }
+fn row(claim: &'static Claim, shared: &SharedRuns) -> Row {
+    let runs = Runs::new(shared);
+    let found = check::check(claim, &runs);
+    Row { claim, found, runs: runs.impacts() }
 }
 
 /// Check one claim.
 pub fn check(claim: &'static Claim) -> Row {
-    row(claim, &Runs::default())
+    row(claim, &SharedRuns::default())
 }
 
 /// Check every claim, as [`check_all`] does.
@@ -181,10 +181,10 @@ pub type Watch<'a> = &'a mut dyn FnMut(&[Row], usize) -> ControlFlow<()>;
 /// Check claims on all cores, in their order. `stop` ends a claim at its next step: that row and those after it are left out.
 pub fn check_all(claims: &[&'static Claim], watch: Watch<'_>, stop: &Arc<AtomicBool>) -> Vec<Row> {
     let crew = Crew { piece: 1, ..Crew::of_machine() };
-    let runs = Runs::stopped_by(stop);
+    let shared = SharedRuns::stopped_by(stop);
     let check_one = |piece: Range<u64>| {
         let claim = claims.get(usize::try_from(piece.start).ok()?)?;
-        let row = row(claim, &runs);
+        let row = row(claim, &shared);
         (!stop.load(Ordering::Relaxed)).then_some(row)
     };
     let mut rows = Vec::new();
@@ -241,12 +241,12 @@ mod tests {
         assert!(claims.all.len() >= 199, "{}", claims.all.len());
     }
 
-    /// Runs end at their first step then, so that whatever a claim makes of them is made of almost nothing.
+    /// SharedRuns end at their first step then, so that whatever a claim makes of them is made of almost nothing.
     #[test]
     fn a_claim_that_is_stopped_ends_quietly() {
         let stop = Arc::new(AtomicBool::new(true));
         for claim in claims() {
-            assert_eq!(row(claim, &Runs::stopped_by(&stop)).claim.id, claim.id);
+            assert_eq!(row(claim, &SharedRuns::stopped_by(&stop)).claim.id, claim.id);
         }
         let watch = &mut |_: &[Row], _: usize| ControlFlow::Continue(());
         assert!(reproduce(watch, &stop).is_empty());

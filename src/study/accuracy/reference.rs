@@ -9,6 +9,7 @@ use crate::model::contact_phase::{Answer, Ending, fine};
 use crate::model::scene::{Mechanism, Mount, Scene};
 use crate::model::units::Bare;
 use crate::model::variables;
+use crate::numerics::larger;
 use crate::study::accuracy::method::{Job, Knob, Method};
 
 /// Steps the explicit reference may take.
@@ -154,25 +155,27 @@ impl Reference {
     }
 }
 
+/// The stored digits of a scene, if there are any.
+pub(in crate::study) fn stored(scene: &Scene) -> Option<Reference> {
+    let row = STORED.iter().find(|row| is_row(scene, row))?;
+    let digits = 10f64.powi(-row.digits);
+    Some(Reference {
+        basis: Basis::Stored(row.name),
+        ending: row.ending,
+        t_s: row.t_s,
+        depth_m: row.depth_m,
+        uncertainty: Some(larger(digits, f64::EPSILON)),
+    })
+}
+
 /// All references of a scene, the most trustworthy first.
 pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
     let mut list = Vec::new();
-    let stored = STORED.iter().find(|row| is_row(scene, row));
-    if let Some(row) = stored {
-        let digits = 10f64.powi(-row.digits);
-        list.push(Reference {
-            basis: Basis::Stored(row.name),
-            ending: row.ending,
-            t_s: row.t_s,
-            depth_m: row.depth_m,
-            uncertainty: Some(if digits > f64::EPSILON { digits } else { f64::EPSILON }),
-        });
-    }
+    list.extend(stored(scene));
     if let Ok(answer) = fine::solve(scene) {
-        let told = fine::uncertainty(scene, &answer).ok();
-        let floor = |told| if told > f64::EPSILON { told } else { f64::EPSILON };
+        let own = fine::uncertainty(scene, &answer).ok();
         list.push(Reference {
-            uncertainty: told.map(floor),
+            uncertainty: own.map(|own| larger(own, f64::EPSILON)),
             ..Reference::of(Basis::DoubleDouble, &answer.answer())
         });
     }
@@ -198,10 +201,7 @@ pub fn references(scene: &Arc<Scene>) -> Vec<Reference> {
         let own = list[index];
         let others = list.iter().filter(|other| own.basis.is_independent_of(other.basis));
         let least = others.filter_map(|other| own.difference(other)).min_by(f64::total_cmp);
-        let floor = |difference: f64| {
-            if difference > f64::EPSILON { difference } else { f64::EPSILON }
-        };
-        let found = least.map(floor);
+        let found = least.map(|difference| larger(difference, f64::EPSILON));
         list[index].uncertainty = own.uncertainty.or(found);
     }
     list

@@ -3,6 +3,7 @@
 //! 1509-1518) tells how much an input matters, their deviation how much that depends on the others or on the place.
 
 use crate::numerics::random::Random;
+use crate::numerics::statistics::moments;
 use crate::study::sensitivity::Function;
 
 /// Levels of every input: 0, 1/3, 2/3 and 1, and steps of two of them.
@@ -71,16 +72,14 @@ fn trajectory(inputs: usize, random: &mut Random) -> (Vec<Vec<f64>>, Vec<usize>)
 }
 
 fn summary(effects: &[f64]) -> Effect {
-    let used = effects.len();
-    if used < 2 {
-        return Effect { used, ..Effect::default() };
+    let own = moments(effects);
+    let magnitudes: Vec<f64> = effects.iter().map(|effect| effect.abs()).collect();
+    Effect {
+        mean: own.map(|(mean, _)| mean),
+        magnitude: moments(&magnitudes).map(|(mean, _)| mean),
+        deviation: own.map(|(_, deviation)| deviation),
+        used: effects.len(),
     }
-    let count = used as f64;
-    let mean = effects.iter().sum::<f64>() / count;
-    let magnitude = effects.iter().map(|effect| effect.abs()).sum::<f64>() / count;
-    let squares: f64 = effects.iter().map(|effect| (effect - mean).powi(2)).sum();
-    let deviation = (squares / (count - 1.0)).sqrt();
-    Effect { mean: Some(mean), magnitude: Some(magnitude), deviation: Some(deviation), used }
 }
 
 #[cfg(test)]

@@ -143,7 +143,8 @@ impl Contact {
         Ok(Self::new(answer.ending, answer.depth_m, answer.t_s))
     }
 
-    fn new(ending: Ending, depth_m: f64, t_s: f64) -> Self {
+    /// The contact that ends like this at a depth and a time.
+    pub(super) fn new(ending: Ending, depth_m: f64, t_s: f64) -> Self {
         let value = match ending {
             Ending::Arrest => depth_m,
             Ending::Perforation => t_s,

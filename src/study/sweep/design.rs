@@ -1,6 +1,7 @@
 //! Which points a sweep visits: the full grid, a Latin hypercube, or Sobol's sequence. Every point is found from its index
 //! alone, so that a design of 10^8 points needs no memory and any part of it can be made anywhere.
 
+use crate::numerics::random::Random;
 use crate::study::sweep::sobol;
 
 /// A design.
@@ -79,12 +80,9 @@ fn permuted(index: u64, count: u64, key: u64) -> u64 {
     }
 }
 
-/// The finaliser of `SplitMix64` (Steele, Lea and Flood 2014).
-fn mix(value: u64) -> u64 {
-    let z = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
+/// The first random bits of a seed.
+fn mix(seed: u64) -> u64 {
+    Random::new(seed).bits()
 }
 
 /// A number in (0, 1) from random bits.

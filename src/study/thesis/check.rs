@@ -8,14 +8,14 @@ use crate::model::units::Bare;
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::study::thesis::claim::Claim;
 use crate::study::thesis::expression::{Expression, Query, Setting, Values};
-use crate::study::thesis::lab::{Lab, Method};
+use crate::study::thesis::runs::{Method, Runs};
 use crate::study::thesis::text::{Template, ends};
 use crate::study::thesis::value::{Curve, Value, join};
 use crate::study::thesis::{Basis, Found, Verdict};
 
 /// What is found for a claim.
-pub(super) fn check(claim: &Claim, lab: &Lab<'_>) -> Found {
-    let evaluation = Evaluation { claim, lab, known: RefCell::default() };
+pub(super) fn check(claim: &Claim, runs: &Runs<'_>) -> Found {
+    let evaluation = Evaluation { claim, runs, known: RefCell::default() };
     evaluation.found().unwrap_or_else(|problem| Found {
         sound: format!("this claim is written wrongly: {problem}"),
         printed: String::new(),
@@ -27,7 +27,7 @@ pub(super) fn check(claim: &Claim, lab: &Lab<'_>) -> Found {
 /// A claim that is being checked.
 struct Evaluation<'a> {
     claim: &'a Claim,
-    lab: &'a Lab<'a>,
+    runs: &'a Runs<'a>,
     /// The claim's values that were computed, by method.
     known: RefCell<HashMap<(String, Method), Value>>,
 }
@@ -158,7 +158,7 @@ impl Evaluation<'_> {
     /// A quantity for all values of the settings that are left: lists give lists, a range a curve.
     fn along(&self, query: &Query, case: &Case, settings: &[Setting], method: Method) -> Evaluated {
         let Some((setting, rest)) = settings.split_first() else {
-            return Ok(query.quantity.of(self.lab, method, &case.scene, case.x_m));
+            return Ok(query.quantity.of(self.runs, method, &case.scene, case.x_m));
         };
         let with = |value: &Value| self.along(query, &case.with(setting, value)?, rest, method);
         match &setting.values {
@@ -225,7 +225,7 @@ mod tests {
 
     use super::*;
     use crate::study::thesis::claim;
-    use crate::study::thesis::lab::Runs;
+    use crate::study::thesis::runs::SharedRuns;
 
     /// What is found for a claim with these values and checks.
     fn found(checks: &[(&str, &str)]) -> Found {
@@ -237,7 +237,7 @@ mod tests {
             let _ = writeln!(text, "{name} = \"{value}\"");
         }
         let claims = claim::read(&text).map_err(|problem| panic!("{problem}")).unwrap();
-        check(&claims.all[0], &Lab::new(&Runs::default()))
+        check(&claims.all[0], &Runs::new(&SharedRuns::default()))
     }
 
     fn value(expression: &str) -> String {

@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Variable};
 use crate::study::thesis::functions::{FUNCTIONS, Function};
-use crate::study::thesis::lab::Method;
 use crate::study::thesis::quantities::{QUANTITIES, Quantity};
+use crate::study::thesis::runs::Method;
 
 /// A parsed expression.
 pub(super) enum Expression {

@@ -11,7 +11,7 @@ use crate::model::scene::Scene;
 use crate::numerics::{larger, root};
 use crate::study::compare::{self, Candidate, Hardware};
 use crate::study::limit;
-use crate::study::thesis::lab::{Lab, Method, changed};
+use crate::study::thesis::runs::{Method, Runs, changed};
 use crate::study::thesis::series;
 use crate::study::thesis::value::Value;
 
@@ -37,7 +37,7 @@ enum Get {
     /// The scene alone, and a displacement, m.
     Scene(fn(&Scene, f64) -> f64),
     /// Several runs.
-    Runs(fn(&Lab<'_>, Method, &Scene) -> Value),
+    Several(fn(&Runs<'_>, Method, &Scene) -> Value),
 }
 
 const fn quantity(name: &'static str, unit: &'static str, get: Get) -> Quantity {
@@ -50,13 +50,13 @@ pub(super) static QUANTITIES: &[Quantity] = &[
     quantity(
         "depth",
         "m",
-        Get::Runs(|lab, method, scene| Value::Number(lab.depth_m(method, scene))),
+        Get::Several(|runs, method, scene| Value::Number(runs.depth_m(method, scene))),
     ),
     // The same over that of the shot on a rigid mount.
     quantity(
         "percent",
         "%",
-        Get::Runs(|lab, method, scene| Value::Number(lab.percent(method, scene))),
+        Get::Several(|runs, method, scene| Value::Number(runs.percent(method, scene))),
     ),
     // The plate's greatest displacement, mm; infinite where nothing stops the plate.
     quantity(
@@ -160,28 +160,28 @@ pub(super) static QUANTITIES: &[Quantity] = &[
         Get::Scene(|scene, _| yields_at_m(&scene.mechanism.spring).unwrap_or(f64::NAN)),
     ),
     // Depth over that of the solid plate of equal mass, and mass efficiency by the ballistic limit.
-    quantity("against_solid", "-", Get::Runs(|_, _, scene| against_solid(scene))),
+    quantity("against_solid", "-", Get::Several(|_, _, scene| against_solid(scene))),
     // Energy drawn into the spring for a fifth less depth than uncocked.
-    quantity("energy_for_a_fifth", "J", Get::Runs(energy_for_a_fifth_j)),
+    quantity("energy_for_a_fifth", "J", Get::Several(energy_for_a_fifth_j)),
     // The power law nearest to a spring's force up to where its plate goes: greatest distance over greatest force.
-    quantity("distance_from_power_law", "-", Get::Runs(distance_from_power_law)),
+    quantity("distance_from_power_law", "-", Get::Several(distance_from_power_law)),
     // The strength below which the plate is perforated.
-    quantity("least_strength", "Pa", Get::Runs(least_strength_pa)),
+    quantity("least_strength", "Pa", Get::Several(least_strength_pa)),
     // The greatest percentage of the baseline over a grid of Table 9.2.
-    quantity("greatest_percent_of_table_9_2", "%", Get::Runs(greatest_percent)),
+    quantity("greatest_percent_of_table_9_2", "%", Get::Several(greatest_percent)),
     // The relative velocity with which the listing ends the contact.
-    quantity("listing_overshoot", "m/s", Get::Runs(|_, _, scene| listing_overshoot(scene))),
+    quantity("listing_overshoot", "m/s", Get::Several(|_, _, scene| listing_overshoot(scene))),
 ];
 
 impl Quantity {
     /// Its value for a scene by a method, at a displacement where it depends on one.
-    pub(super) fn of(&self, lab: &Lab<'_>, method: Method, scene: &Scene, x_m: f64) -> Value {
+    pub(super) fn of(&self, runs: &Runs<'_>, method: Method, scene: &Scene, x_m: f64) -> Value {
         match self.get {
-            Get::Run(get) => Value::optional(get(&lab.run(method, scene))),
-            Get::Word(get) => Value::Text(get(&lab.run(method, scene)).to_owned()),
-            Get::Series(get) => get(&lab.run_with_series(method, scene)),
+            Get::Run(get) => Value::optional(get(&runs.run(method, scene))),
+            Get::Word(get) => Value::Text(get(&runs.run(method, scene)).to_owned()),
+            Get::Series(get) => get(&runs.run_with_series(method, scene)),
             Get::Scene(get) => Value::Number(get(scene, x_m)),
-            Get::Runs(get) => get(lab, method, scene),
+            Get::Several(get) => get(runs, method, scene),
         }
     }
 }
@@ -203,16 +203,16 @@ fn against_solid(scene: &Scene) -> Value {
     Value::List(vec![Value::optional(depth), Value::optional(efficiency)])
 }
 
-fn energy_for_a_fifth_j(lab: &Lab<'_>, method: Method, scene: &Scene) -> Value {
-    let depth = |d: f64| lab.percent(method, &changed(scene.clone(), &[("d", d)]));
+fn energy_for_a_fifth_j(runs: &Runs<'_>, method: Method, scene: &Scene) -> Value {
+    let depth = |d: f64| runs.percent(method, &changed(scene.clone(), &[("d", d)]));
     let wanted = 0.8 * depth(0.0);
     let d = root::in_bracket(0.0, 0.5, |d| depth(d) - wanted);
     Value::Number(spring(scene).energy(d))
 }
 
 /// n from 0.1 to 3 as in Table 9.2, c at its best.
-fn distance_from_power_law(lab: &Lab<'_>, method: Method, scene: &Scene) -> Value {
-    let reach = lab.run(method, scene).max_plate_displacement_m.unwrap_or(f64::NAN);
+fn distance_from_power_law(runs: &Runs<'_>, method: Method, scene: &Scene) -> Value {
+    let reach = runs.run(method, scene).max_plate_displacement_m.unwrap_or(f64::NAN);
     let spring = spring(scene);
     let points: Vec<(f64, f64)> = (1..=40)
         .map(|i| f64::from(i) / 40.0)
@@ -233,23 +233,23 @@ fn distance_from_power_law(lab: &Lab<'_>, method: Method, scene: &Scene) -> Valu
     Value::Number(best)
 }
 
-fn least_strength_pa(lab: &Lab<'_>, method: Method, scene: &Scene) -> Value {
+fn least_strength_pa(runs: &Runs<'_>, method: Method, scene: &Scene) -> Value {
     let (mut low, mut high) = (1e7, 2e8);
     for _ in 0..30 {
         let middle = 0.5 * (low + high);
-        let run = lab.run(method, &changed(scene.clone(), &[("S_y", middle)]));
+        let run = runs.run(method, &changed(scene.clone(), &[("S_y", middle)]));
         if run.outcome == Outcome::Perforated { low = middle } else { high = middle }
     }
     Value::Number(high)
 }
 
-fn greatest_percent(lab: &Lab<'_>, method: Method, scene: &Scene) -> Value {
+fn greatest_percent(runs: &Runs<'_>, method: Method, scene: &Scene) -> Value {
     let mut greatest = 0.0;
     for gamma in [0.8, 2.0, 7.0] {
         for (k, n) in [(0.0, 1.0), (1e5, 0.5), (1e5, 3.0), (1e6, 1.0), (7.5e6, 1.0), (7.5e6, 0.3)] {
             for (d, b) in [(0.0, 0.0), (0.0, 2000.0), (0.1, 0.0), (0.5, 200.0)] {
                 let changes = [("gamma", gamma), ("k", k), ("n", n), ("d", d), ("b", b)];
-                let percent = lab.percent(method, &changed(scene.clone(), &changes));
+                let percent = runs.percent(method, &changed(scene.clone(), &changes));
                 // The printed scheme breaks off on the most violent designs.
                 greatest = if percent > greatest { percent } else { greatest };
             }

@@ -1,6 +1,7 @@
 //! How far the model is off, over classes of measurements and over all.
 
 use super::{Class, Row};
+use crate::numerics::statistics::moments;
 use crate::numerics::{larger, smaller};
 
 /// Bias and scatter of a set of measurements.
@@ -35,17 +36,13 @@ fn own_error(row: &Row) -> Option<f64> {
 }
 
 fn of(class: Option<Class>, errors: &[f64]) -> Option<Bias> {
-    if errors.is_empty() {
-        return None;
-    }
-    let n = errors.len() as f64;
-    let mean = errors.iter().sum::<f64>() / n;
-    let squares: f64 = errors.iter().map(|error| (error - mean).powi(2)).sum();
+    let own = moments(errors);
     Some(Bias {
         class,
         points: errors.len(),
-        mean,
-        deviation: (errors.len() > 1).then(|| (squares / (n - 1.0)).sqrt()),
+        // One point is its own mean.
+        mean: own.map_or(*errors.first()?, |(mean, _)| mean),
+        deviation: own.map(|(_, deviation)| deviation),
         range: (
             errors.iter().copied().fold(f64::INFINITY, smaller),
             errors.iter().copied().fold(f64::NEG_INFINITY, larger),

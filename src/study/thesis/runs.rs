@@ -25,22 +25,22 @@ pub(super) enum Method {
 
 /// Runs without series by their scenes, for all claims that are checked together.
 #[derive(Default)]
-pub(super) struct Runs {
+pub(super) struct SharedRuns {
     known: Mutex<HashMap<String, Arc<Run>>>,
     /// Once it is set every run ends at its next step, and what is found from then on is not kept.
     stop: Arc<AtomicBool>,
 }
 
-impl Runs {
-    /// Runs that this flag stops.
+impl SharedRuns {
+    /// Shared runs that this flag stops.
     pub(super) fn stopped_by(stop: &Arc<AtomicBool>) -> Self {
         Self { stop: Arc::clone(stop), ..Self::default() }
     }
 }
 
-/// The runs of one claim.
-pub(super) struct Lab<'a> {
-    runs: &'a Runs,
+/// The runs that one claim needs, shared with the other claims.
+pub(super) struct Runs<'a> {
+    shared: &'a SharedRuns,
     /// The impacts it needed.
     impacts: RefCell<HashSet<String>>,
 }
@@ -54,15 +54,15 @@ pub(super) fn changed(mut scene: Scene, changes: &[(&str, f64)]) -> Scene {
     scene
 }
 
-impl<'a> Lab<'a> {
+impl<'a> Runs<'a> {
     /// A claim's runs among those of all claims.
-    pub(super) fn new(runs: &'a Runs) -> Self {
-        Self { runs, impacts: RefCell::default() }
+    pub(super) fn new(shared: &'a SharedRuns) -> Self {
+        Self { shared, impacts: RefCell::default() }
     }
 
     /// Whether it was stopped: then nothing found by it counts.
     pub(super) fn is_stopped(&self) -> bool {
-        self.runs.stop.load(Ordering::Relaxed)
+        self.shared.stop.load(Ordering::Relaxed)
     }
 
     /// How many impacts the claim needed.
@@ -79,7 +79,7 @@ impl<'a> Lab<'a> {
     /// Runs a scene without its series, or gives the run that another claim needed.
     pub(super) fn run(&self, method: Method, scene: &Scene) -> Arc<Run> {
         let (own, name) = self.noted(method, scene);
-        let known = || self.runs.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = || self.shared.known.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(run) = known().get(&name) {
             return Arc::clone(run);
         }
