@@ -241,7 +241,7 @@ mod tests {
         assert!(claims.all.len() >= 199, "{}", claims.all.len());
     }
 
-    /// SharedRuns end at their first step then, so that whatever a claim makes of them is made of almost nothing.
+    /// Runs end at their first step then, so that whatever a claim makes of them is made of almost nothing.
     #[test]
     fn a_claim_that_is_stopped_ends_quietly() {
         let stop = Arc::new(AtomicBool::new(true));
