@@ -325,7 +325,7 @@ impl Job<'_> {
                 take(points, &piece)?;
                 Ok(whole)
             });
-            // A piece that goes the quick way is done before it looks whether it should stop.
+            // A piece by the contact kernel is done before it looks whether it should stop.
             let goes_on = pace.watch(|gone_s| so_far(summary.points(), all, gone_s));
             match taken {
                 Ok(true) => goes_on,

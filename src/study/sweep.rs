@@ -11,8 +11,8 @@ mod design;
 pub mod error;
 pub mod evaluate;
 pub mod grid;
+pub(in crate::study) mod kernel;
 pub mod quadratic;
-pub(in crate::study) mod quick;
 mod sobol;
 pub mod summary;
 

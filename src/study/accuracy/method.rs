@@ -35,8 +35,8 @@ pub enum Method {
     Radau,
     /// The engine held to Taylor steps.
     Taylor,
-    /// The contact alone, as sweeps and searches take it.
-    Lean,
+    /// The contact kernel, as sweeps and searches use it.
+    ContactKernel,
     /// The engine held to its general path: nothing is left out.
     Full,
     /// What `simulate` does.
@@ -103,7 +103,7 @@ impl Method {
         Self::Radau,
         Self::Taylor,
         Self::ClosedForm,
-        Self::Lean,
+        Self::ContactKernel,
         Self::Full,
         Self::Auto,
     ];
@@ -119,7 +119,7 @@ impl Method {
             Self::Dop853 => 'D',
             Self::Radau => 'I',
             Self::Taylor => 'S',
-            Self::Lean => 'L',
+            Self::ContactKernel => 'L',
             Self::Full => 'N',
             Self::Auto => 'A',
         }
@@ -136,7 +136,7 @@ impl Method {
             Self::Dop853 => "DOP853 + events",
             Self::Radau => "Radau IIA 5",
             Self::Taylor => "Taylor series 16",
-            Self::Lean => "sweep kernel",
+            Self::ContactKernel => "sweep kernel",
             Self::Full => "no term omitted",
             Self::Auto => "auto",
         }
@@ -145,7 +145,7 @@ impl Method {
     /// Whether it is one of the engine's own, which have their areas and equations in common.
     pub fn is_of_engine(self) -> bool {
         match self {
-            Self::ClosedForm | Self::Taylor | Self::Lean | Self::Full | Self::Auto => true,
+            Self::ClosedForm | Self::Taylor | Self::ContactKernel | Self::Full | Self::Auto => true,
             Self::ThesisPrinted
             | Self::ThesisCorrected
             | Self::Rk4
@@ -166,11 +166,17 @@ impl Method {
             (Self::Rk4Events, Ladder::Full) => (1e4, 2, 0),
             (Self::Rk4 | Self::Rk4Events, Ladder::Quick) => (1.5e3, 2, 0),
             (Self::Radau, Ladder::Full) => (0.0, 1, 12),
-            (Self::Dop853 | Self::Taylor | Self::Lean | Self::Full | Self::Auto, Ladder::Full) => {
-                (0.0, 1, 13)
-            }
             (
-                Self::Dop853 | Self::Radau | Self::Taylor | Self::Lean | Self::Full | Self::Auto,
+                Self::Dop853 | Self::Taylor | Self::ContactKernel | Self::Full | Self::Auto,
+                Ladder::Full,
+            ) => (0.0, 1, 13),
+            (
+                Self::Dop853
+                | Self::Radau
+                | Self::Taylor
+                | Self::ContactKernel
+                | Self::Full
+                | Self::Auto,
                 Ladder::Quick,
             ) => (0.0, 2, 11),
         };
@@ -245,7 +251,7 @@ impl Job {
             Method::Dop853 => phase(Scheme::Dop853 { tolerance: knob }),
             Method::Radau => phase(Scheme::Radau { tolerance: knob }),
             Method::Taylor => forced(Forced::Taylor, scene),
-            Method::Lean => lean(scene, knob),
+            Method::ContactKernel => contact_kernel(scene, knob),
             Method::Full => forced(Forced::General, scene),
             Method::Auto => {
                 let settings = Settings { series: false, estimate: false };
@@ -262,7 +268,7 @@ fn forced(method: Forced, scene: &Arc<Scene>) -> Result<Answer, Refusal> {
     answer_of(&run.ok_or(Refusal::TooStiff)?)
 }
 
-fn lean(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
+fn contact_kernel(scene: &Scene, tolerance: f64) -> Result<Answer, Refusal> {
     let end = Contact::of(scene).run(tolerance).ok_or(Refusal::NotLean)?;
     Ok(Answer {
         ending: if end.arrested { Ending::Arrest } else { Ending::Perforation },

@@ -1,6 +1,6 @@
 //! Designs evaluated many at once: what became of each, and its measures.
 //!
-//! The evaluation is that of sweeps, the quick way included; a design whose computation fails, or panics, keeps its place and
+//! The evaluation is that of sweeps, the contact kernel included; a design whose computation fails, or panics, keeps its place and
 //! says so. No digit depends on the number of threads.
 
 use std::ops::{ControlFlow, Range};
@@ -173,7 +173,7 @@ impl Field {
             (axis.number().set)(&mut far, Some(larger(axis.ends().0, axis.ends().1)));
         }
         let forced = need_course(self.measures(), &far);
-        scene.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::is_quick(&self.plan)
+        scene.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::has_kernel(&self.plan)
     }
 }
 

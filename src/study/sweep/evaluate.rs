@@ -1,8 +1,7 @@
-//! What comes out at a point: the quick way where outputs and scene allow it, the full simulation elsewhere.
+//! The outputs at a point: by the contact kernel where outputs and scene allow it, else by the simulation.
 //!
-//! An evaluator belongs to one thread and takes a piece of the sweep at once: first every point's scene is looked at and what
-//! can be answered quickly is, all contacts of the piece together; then the rest is simulated one by one. Neither the
-//! piece's size nor its neighbours change a digit.
+//! An evaluator belongs to one thread and takes a piece of the sweep at once: first the contacts that decide their points, all of
+//! them together; then the other points one by one. Neither the piece's size nor its neighbours change a digit.
 
 use std::ops::{ControlFlow, Range};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -15,7 +14,7 @@ use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
 use crate::study::quantities::{self, need_course};
 use crate::study::sweep::Plan;
-use crate::study::sweep::quick::Quick;
+use crate::study::sweep::kernel::Kernel;
 
 /// What became of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -157,7 +156,7 @@ pub struct Evaluator<'p> {
     plan: &'p Plan,
     stop: &'p AtomicBool,
     scene: Arc<Scene>,
-    quick: Option<Quick<'p>>,
+    kernel: Option<Kernel<'p>>,
     settings: Settings,
     /// Steps after which a run is given up.
     steps_max: Option<usize>,
@@ -171,7 +170,7 @@ impl<'p> Evaluator<'p> {
             plan,
             stop,
             scene: Arc::new(plan.base().clone()),
-            quick: Quick::of(plan),
+            kernel: Kernel::of(plan),
             settings: Settings { series: false, estimate },
             steps_max: None,
         }
@@ -183,9 +182,9 @@ impl<'p> Evaluator<'p> {
         Self { steps_max, ..self }
     }
 
-    /// Whether a plan's outputs may be known from the contact alone.
-    pub(in crate::study) fn is_quick(plan: &Plan) -> bool {
-        Quick::of(plan).is_some()
+    /// Whether a plan's outputs may follow from the first contact.
+    pub(in crate::study) fn has_kernel(plan: &Plan) -> bool {
+        Kernel::of(plan).is_some()
     }
 
     /// The outputs at a piece of the sweep, a row a point; fewer rows when it was stopped.
@@ -196,13 +195,15 @@ impl<'p> Evaluator<'p> {
     /// The same for any points.
     pub fn rows_of(&mut self, points: &[u64]) -> Rows {
         let plan = self.plan;
-        if let Some(quick) = &mut self.quick {
-            quick.answer(points, Arc::make_mut(&mut self.scene));
+        if let Some(kernel) = &mut self.kernel {
+            kernel.answer(points, Arc::make_mut(&mut self.scene));
         }
         let mut rows = Rows::new(plan.outputs().len());
         for (place, index) in points.iter().enumerate() {
-            if let Some((fate, answer)) = self.quick.as_ref().and_then(|quick| quick.found(place)) {
-                if self.quick.as_ref().is_some_and(Quick::needs_scene) {
+            if let Some((fate, answer)) =
+                self.kernel.as_ref().and_then(|kernel| kernel.found(place))
+            {
+                if self.kernel.as_ref().is_some_and(Kernel::needs_scene) {
                     plan.place(Arc::make_mut(&mut self.scene), *index);
                 }
                 let scene = &self.scene;

@@ -29,7 +29,7 @@ fn character(method: Method) -> (f64, f64, f64) {
         Method::Radau => (5.0, 0.8, 2e-6),
         Method::Taylor => (16.0, 0.1, 100e-9),
         Method::ClosedForm => (0.0, 0.0, 0.0),
-        Method::Lean => (16.0, 0.05, 50e-9),
+        Method::ContactKernel => (16.0, 0.05, 50e-9),
         Method::Full => (16.0, 0.1, 105e-9),
         Method::Auto => (16.0, 0.05, 110e-9),
     }

@@ -1,9 +1,9 @@
-//! The quick way to depth and greatest displacement: the contact alone, then an energy balance.
+//! Points by the contact kernel: the first contact alone, then an energy balance for the maximum displacement.
 //!
-//! Sound where nothing after the first arrest (or perforation) can change what is asked: the fused interface, no stop, and, for
-//! the displacement, no damper. Whatever does not fit is left to the full simulation by giving no answer.
+//! Valid where nothing after the first arrest (or perforation) changes the outputs: the fused interface, no stop, and, for
+//! the displacement, no damper. All other points have no answer here and are simulated.
 //!
-//! The answers agree with those of the full simulation within the scene's tolerance, not to the last digit: the contact is integrated
+//! The answers agree with those of the simulation within the scene's tolerance, not to the last digit: the contact is integrated
 //! by other steps.
 
 use crate::model::closed_form::{Ending, Passage};
@@ -19,7 +19,7 @@ use crate::study::quantities::{mass, mount_force_n, turn_tells_force};
 use crate::study::sweep::Plan;
 use crate::study::sweep::evaluate::Fate;
 
-/// What the quick way can tell.
+/// The outputs that follow from the first contact.
 const KNOWN: [&str; 8] = [
     "first_arrest_penetration_m",
     "first_arrest_time_s",
@@ -32,15 +32,15 @@ const KNOWN: [&str; 8] = [
 ];
 const STROKE: &str = "stroke_m";
 
-/// Part of the scene's tolerance for the contact, so that the rest of the way has its share.
-pub(in crate::study) const SHARE: f64 = 0.3;
+/// Fraction of the scene's tolerance that the contact may use up.
+pub(in crate::study) const TOLERANCE_FRACTION: f64 = 0.3;
 
 /// What was found at a point.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Answer {
     end: Option<ContactEnd>,
     baseline_m: Option<f64>,
-    farthest_m: Option<f64>,
+    max_displacement_m: Option<f64>,
     start_m: f64,
 }
 
@@ -50,8 +50,8 @@ impl Answer {
         match output.source {
             Source::Scene(get) => get(scene),
             Source::Run(_) => self.of_contact(output.name),
-            Source::Study(Studied::MountForce) => mount_force_n(scene, self.farthest_m),
-            Source::Study(studied) => mass(studied, scene, self.farthest_m),
+            Source::Study(Studied::MountForce) => mount_force_n(scene, self.max_displacement_m),
+            Source::Study(studied) => mass(studied, scene, self.max_displacement_m),
         }
     }
 
@@ -66,8 +66,8 @@ impl Answer {
             "final_penetration_m" => Some(end.penetration_m),
             "percent_of_baseline" => Some(100.0 * (arrest?.penetration_m / self.baseline_m?)),
             "baseline_penetration_m" => self.baseline_m,
-            "max_plate_displacement_m" => self.farthest_m,
-            STROKE => Some(self.farthest_m? + self.start_m.abs()),
+            "max_plate_displacement_m" => self.max_displacement_m,
+            STROKE => Some(self.max_displacement_m? + self.start_m.abs()),
             _ => None,
         }
     }
@@ -82,12 +82,12 @@ enum Baseline {
     ByPoint,
 }
 
-/// The quick way through a piece of a sweep.
-pub(super) struct Quick<'p> {
+/// The contact kernel on a piece of a sweep.
+pub(super) struct Kernel<'p> {
     plan: &'p Plan,
-    /// The displacement is asked for.
-    travel: bool,
-    /// The force into the mount is asked for.
+    /// An output needs the maximum displacement.
+    displacement: bool,
+    /// An output is the force into the mount.
     force: bool,
     /// An output needs the scene of its point.
     needs_scene: bool,
@@ -98,13 +98,13 @@ pub(super) struct Quick<'p> {
     answers: Vec<Option<(Fate, Answer)>>,
 }
 
-impl<'p> Quick<'p> {
-    /// The quick way for a plan, where its outputs and its held variables allow it.
+impl<'p> Kernel<'p> {
+    /// The kernel for a plan whose outputs all follow from the first contact.
     pub(super) fn of(plan: &'p Plan) -> Option<Self> {
-        if !plan.outputs().iter().all(|output| is_quick(output)) {
+        if !plan.outputs().iter().all(|output| follows_from_contact(output)) {
             return None;
         }
-        let travels = |output: &&ResultColumn| {
+        let displaces = |output: &&ResultColumn| {
             matches!(output.source, Source::Study(_))
                 || output.name == "max_plate_displacement_m"
                 || output.name == STROKE
@@ -114,7 +114,7 @@ impl<'p> Quick<'p> {
         let fixed = !(changes(Group::Projectile) || changes(Group::Target));
         Some(Self {
             plan,
-            travel: outputs().any(travels),
+            displacement: outputs().any(displaces),
             force: outputs().any(|output| output.name == "peak_mount_force_n"),
             needs_scene: outputs().any(|output| !matches!(output.source, Source::Run(_))),
             baseline: if fixed {
@@ -133,12 +133,12 @@ impl<'p> Quick<'p> {
         self.needs_scene
     }
 
-    /// What was found at a place of the piece last answered, if anything.
+    /// The answer at a place of the piece computed last, if there is one.
     pub(super) fn found(&self, place: usize) -> Option<&(Fate, Answer)> {
         self.answers.get(place)?.as_ref()
     }
 
-    /// Answer what can be answered of these points. `scene` is the plan's base, for placing them.
+    /// Computes those of these points that the first contact decides. `scene` is the plan's base, for placing them.
     pub(super) fn answer(&mut self, points: &[u64], scene: &mut Scene) {
         self.answers.clear();
         self.answers.resize(points.len(), None);
@@ -146,29 +146,33 @@ impl<'p> Quick<'p> {
         self.places.clear();
         for (place, index) in points.iter().enumerate() {
             self.plan.place(scene, *index);
-            if serves(scene, self.travel) && self.tells_force(scene) {
+            if decides(scene, self.displacement) && self.tells_force(scene) {
                 self.contacts.push(Contact::of(scene));
                 self.places.push(place);
             }
         }
-        let ends = run_abreast(&self.contacts, SHARE * scene.run.tolerance, self.travel);
+        let ends = run_abreast(
+            &self.contacts,
+            TOLERANCE_FRACTION * scene.run.tolerance,
+            self.displacement,
+        );
         for (place, end) in self.places.iter().zip(ends) {
             let Some(end) = end else { continue };
             self.plan.place(scene, points[*place]);
             let answer = self.finish(scene, end);
-            // A plate that never leaves its place puts the contact force into its mount: that takes a run.
-            let still = self.force && holds_still(scene, answer.1.farthest_m);
+            // The mount of a plate that never moves bears the contact force, which takes a simulation.
+            let still = self.force && holds_still(scene, answer.1.max_displacement_m);
             self.answers[*place] = (!still).then_some(answer);
         }
     }
 
-    /// Whether the force into the mount, where it is requested, follows from where the plate starts and turns.
+    /// Whether the force into the mount, where it is an output, follows from where the plate starts and turns.
     fn tells_force(&self, scene: &Scene) -> bool {
         let sprung = scene.plate.mount == Mount::Sprung;
         !self.force || (sprung && turn_tells_force(scene) && !Mechanism::of(scene).is_absent())
     }
 
-    /// All that is asked, from the end of the contact.
+    /// The answer, from the end of the contact.
     fn finish(&self, scene: &Scene, end: ContactEnd) -> (Fate, Answer) {
         let baseline_m = match self.baseline {
             Baseline::Fixed(depth_m) => depth_m,
@@ -176,26 +180,27 @@ impl<'p> Quick<'p> {
         };
         let sprung = scene.plate.mount == Mount::Sprung;
         let start_m = if sprung { 0.0 - scene.plate.cocking_m } else { 0.0 };
-        let farthest_m = if self.travel { farthest_m(scene, &end) } else { None };
+        let max_displacement_m =
+            if self.displacement { max_displacement_m(scene, &end) } else { None };
         let fate = if end.arrested { Fate::Arrested } else { Fate::Perforated };
-        (fate, Answer { end: Some(end), baseline_m, farthest_m, start_m })
+        (fate, Answer { end: Some(end), baseline_m, max_displacement_m, start_m })
     }
 }
 
-/// Whether the quick way is right for a scene, its greatest displacement asked for or not.
-pub(in crate::study) fn serves(scene: &Scene, travel: bool) -> bool {
+/// Whether the first contact decides a scene, with its maximum displacement or without.
+pub(in crate::study) fn decides(scene: &Scene, displacement: bool) -> bool {
     let mechanism = &scene.mechanism;
     let sprung = scene.plate.mount == Mount::Sprung;
     let damped = sprung && mechanism.damper.coefficient > 0.0;
     scene.contact.model == ContactModel::Hydrodynamic
         && scene.interface.law == InterfaceLaw::Fused
         && !(sprung && mechanism.stop.position_m.is_some())
-        && !(damped && travel)
+        && !(damped && displacement)
         && scene.run.horizon_s.is_none()
 }
 
-/// Whether the quick way can tell a quantity.
-fn is_quick(output: &ResultColumn) -> bool {
+/// Whether an output follows from the first contact.
+fn follows_from_contact(output: &ResultColumn) -> bool {
     match output.source {
         Source::Scene(_) => true,
         Source::Run(_) => KNOWN.contains(&output.name) || output.name == STROKE,
@@ -218,9 +223,9 @@ fn baseline_m(scene: &Scene, geometry: &Geometry) -> Option<f64> {
     }
 }
 
-/// The greatest displacement without a damper: on the way, or where all energy is in the spring; `None` where nothing stops
-/// the plate.
-pub(in crate::study) fn farthest_m(scene: &Scene, end: &ContactEnd) -> Option<f64> {
+/// The maximum displacement without a damper: within the contact, or where all energy is in the spring; `None` where nothing
+/// stops the plate.
+pub(in crate::study) fn max_displacement_m(scene: &Scene, end: &ContactEnd) -> Option<f64> {
     if scene.plate.mount == Mount::Rigid {
         return Some(0.0);
     }
