@@ -6,12 +6,14 @@
 
 pub mod app;
 pub mod chart;
+pub mod dialogs;
 pub mod keymap;
 pub mod message;
 pub mod pages;
 pub mod theme;
 pub mod update;
 pub mod view;
+mod widgets;
 
 mod complete;
 mod effects;

@@ -1,55 +1,115 @@
-//! The background thread: jobs in, reports out.
+//! The background threads: tasks in, reports out.
 //!
-//! One job runs at a time. A job for a slot replaces the older one of the same slot, running or waiting. A panic in a job is
-//! contained and reported. Time is measured here, not in the model. Knows nothing of screens or files.
+//! Each lane is a thread that does one task at a time, in the order of submission. A newer task of a slot replaces the older one of
+//! that slot, running or waiting. A panic in a task is contained and reported. Time is measured here, not in the model. Knows nothing
+//! of screens or files.
 //!
-//! Every job submitted gets exactly one last report: `Done`, `Failed` or `Cancelled`.
+//! Every task submitted gets exactly one last report: `Ended` or `Failed`.
 
 pub mod battery;
 pub mod cache;
 pub mod clock;
-mod job;
 pub mod quiet;
+mod reporter;
+mod runs;
 pub mod searches;
 pub mod studies;
-pub mod sweeps;
+mod sweeps;
 
 use std::collections::VecDeque;
-use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread::{self, JoinHandle};
+use std::thread;
 use std::time::Duration;
 
-use crate::model::impact::window::Window;
 use crate::model::run::Run;
 use crate::model::scene::Scene;
-use crate::model::simulate::{self, Settings};
+use crate::study::sweep::Plan;
+use crate::study::sweep::grid::Grid;
+use crate::study::{accuracy, limit, stability, thesis};
+use quiet::Quiet;
+use reporter::Reporter;
+use runs::{Compute, Runs};
+use searches::{Answer, Request};
+use stability::map::Map;
+use studies::StudyKind;
 
-/// Work for the background thread.
+/// Work for a background thread.
 #[derive(Clone, Debug)]
-pub struct Job {
+pub struct Task {
     /// Counts up; reports carry it.
     pub id: u64,
-    /// Whose result it is.
-    pub slot: Slot,
-    /// What to run.
-    pub scene: Arc<Scene>,
+    /// On how many threads, where the work can be divided.
+    pub threads: usize,
+    /// What is to be done.
+    pub work: Work,
 }
 
-/// Whose result a job is.
+/// What a task does.
+#[derive(Clone, Debug)]
+pub enum Work {
+    /// Run a scene.
+    Run(Slot, Arc<Scene>),
+    /// Compute a grid of runs.
+    Sweep(Arc<Plan>),
+    /// Study a scene.
+    Study(Arc<Scene>, StudyKind),
+}
+
+impl Task {
+    /// Whose result it is.
+    pub fn slot(&self) -> Slot {
+        match &self.work {
+            Work::Run(slot, _) => *slot,
+            Work::Sweep(_) => Slot::Sweep,
+            Work::Study(_, kind) => kind.slot(),
+        }
+    }
+}
+
+/// Whose result a task is: a newer task of a slot replaces an older one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slot {
     /// The scene on the screen.
     Current,
     /// A pinned run, by its letter.
     Pin(char),
+    /// Explore.
+    Sweep,
+    /// The accuracy of the methods.
+    Accuracy,
+    /// The map of stability.
+    Map,
+    /// The stiff and extreme scenes.
+    Battery,
+    /// The claims of the thesis.
+    Claims,
+    /// The ballistic limit.
+    Limit,
+    /// A search for designs.
+    Search,
+    /// The comparison at equal areal mass.
+    Compare,
 }
 
-/// What the background thread says.
+impl Slot {
+    const LANES: [&'static str; 4] = ["runs", "sweeps", "studies", "searches"];
+
+    /// The thread it is done on: half a minute of measurements or of stiff scenes must not keep a limit waiting.
+    fn lane(self) -> usize {
+        match self {
+            Self::Current | Self::Pin(_) => 0,
+            Self::Sweep => 1,
+            Self::Accuracy | Self::Battery | Self::Claims => 2,
+            Self::Map | Self::Limit | Self::Search | Self::Compare => 3,
+        }
+    }
+}
+
+/// What a background thread reports.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// The job.
+    /// The task.
     pub id: u64,
     /// Its slot.
     pub slot: Slot,
@@ -60,244 +120,218 @@ pub struct Report {
 /// What a report says.
 #[derive(Clone, Debug)]
 pub enum ReportBody {
-    /// It has begun and will take a moment (a job done within 20 ms does not say so).
-    Started,
-    /// It is still running and has reached this time, s (sent at most twice a second).
+    /// It is still running.
     Progress {
-        /// Simulated time reached, s.
-        t_s: f64,
+        /// How far it is.
+        progress: Progress,
         /// How long it has been running.
         elapsed: Duration,
     },
-    /// It is still running, and this is what it has so far (at most twice a second; the scene on the screen only).
-    Part(Arc<Run>),
-    /// It is done.
-    Done {
+    /// It is still running, and this is what it has so far.
+    Part(Finding),
+    /// It is done, or was cancelled and this is what it had; `None` where it had nothing.
+    Ended {
         /// The result.
-        run: Arc<Run>,
+        found: Option<Finding>,
         /// Wall-clock time of the computation.
         took: Duration,
     },
     /// It could not start, or panicked; the text is for the message row.
     Failed(String),
-    /// It was cancelled; what it had is kept.
-    Cancelled {
-        /// The partial result, if the job had begun.
-        partial: Option<Arc<Run>>,
-    },
 }
 
 impl ReportBody {
-    /// Whether no further report of this job will follow.
+    /// Whether no further report of this task will follow.
     pub fn is_last(&self) -> bool {
-        match self {
-            Self::Started | Self::Progress { .. } | Self::Part(_) => false,
-            Self::Done { .. } | Self::Failed(_) | Self::Cancelled { .. } => true,
-        }
+        matches!(self, Self::Ended { .. } | Self::Failed(_))
     }
 }
 
-/// Computes one scene, asking the observer after every step and showing it what there is so far.
-type Compute = dyn Fn(&Arc<Scene>, Settings, simulate::Observer<'_>, &Window) -> Result<Run, String>
-    + Send
-    + Sync;
-
-/// Where reports go; called on the worker's thread and on the submitting one.
-type Sink = dyn Fn(Report) + Send + Sync;
-
-/// The worker: owns its thread, which ends when this is dropped.
-pub struct Worker {
-    shared: Arc<Shared>,
-    thread: Option<JoinHandle<()>>,
+/// How far a task is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Progress {
+    /// Simulated time reached, s; 0 when it has begun.
+    Time(f64),
+    /// Points done and in all.
+    Points(usize, usize),
 }
 
-/// What the thread and its owner share.
+/// A result, whole or as far as it is.
+#[derive(Clone, Debug)]
+pub enum Finding {
+    /// Of [`Work::Run`].
+    Run(Arc<Run>),
+    /// Of [`Work::Sweep`].
+    Grid(Arc<Grid>),
+    /// Error against run time.
+    Accuracy(Arc<accuracy::Report>),
+    /// A map of stability.
+    Map(Arc<Map>),
+    /// Rows of the battery, and whether these are all.
+    Battery(Arc<Vec<stability::Row>>, bool),
+    /// Rows of the reproduction report, and whether these are all.
+    Thesis(Arc<Vec<thesis::Row>>, bool),
+    /// The ballistic limit.
+    Limit(Arc<limit::Report>),
+    /// What a search has.
+    Search(Answer),
+}
+
+/// Where reports go; called on the threads and on the submitting one.
+type Sink = dyn Fn(Report) + Send + Sync;
+
+/// The owner of the threads, which end when this is dropped.
+pub struct Worker {
+    shared: Arc<Shared>,
+}
+
+/// What the threads and their owner share.
 struct Shared {
-    queue: Mutex<Queue>,
-    changed: Condvar,
+    lanes: [Lane; Slot::LANES.len()],
+    quiet: Quiet,
     sink: Box<Sink>,
 }
 
 #[derive(Default)]
-struct Queue {
-    waiting: VecDeque<Job>,
-    running: Option<(Slot, Arc<AtomicBool>)>,
+struct Lane {
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Default)]
+struct State {
+    waiting: VecDeque<Task>,
+    running: Option<(u64, Slot, Arc<AtomicBool>)>,
     closing: bool,
 }
 
+impl Lane {
+    fn lock(&self) -> MutexGuard<'_, State> {
+        // No code that can panic runs under this lock, so a poisoned one is still sound.
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Wait for a task and mark it as the running one; `None` when the owner is gone.
+    fn next(&self) -> Option<(Task, Arc<AtomicBool>)> {
+        let mut state = self.lock();
+        loop {
+            if state.closing {
+                return None;
+            }
+            if let Some(task) = state.waiting.pop_front() {
+                let cancel = Arc::new(AtomicBool::new(false));
+                state.running = Some((task.id, task.slot(), Arc::clone(&cancel)));
+                return Some((task, cancel));
+            }
+            state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+
+    /// Cancel the running task if it is wanted so, and give the waiting one that is.
+    fn take_out(&self, wanted: impl Fn(u64, Slot) -> bool) -> Option<Task> {
+        let mut state = self.lock();
+        if let Some((_, _, cancel)) = state.running.as_ref().filter(|it| wanted(it.0, it.1)) {
+            cancel.store(true, Ordering::Relaxed);
+        }
+        let at = state.waiting.iter().position(|task| wanted(task.id, task.slot()))?;
+        state.waiting.remove(at)
+    }
+}
+
 impl Worker {
-    /// Start the thread; `sink` is given every report.
+    /// Start the threads; `sink` is given every report.
     ///
     /// # Errors
     /// When the system has no thread to give.
     pub fn spawn(sink: impl Fn(Report) + Send + Sync + 'static) -> std::io::Result<Self> {
-        Self::spawn_with(sink, |scene, settings, observer, window| {
-            simulate::simulate_openly(scene, &settings, observer, window)
-                .map_err(|error| error.to_string())
-        })
+        Self::spawn_with(sink, runs::simulation())
     }
 
-    /// Start the thread with another computation than the simulation.
-    ///
-    /// # Errors
-    /// When the system has no thread to give.
-    pub fn spawn_with(
+    /// Start the threads with another computation of runs than the simulation.
+    fn spawn_with(
         sink: impl Fn(Report) + Send + Sync + 'static,
-        compute: impl Fn(&Arc<Scene>, Settings, simulate::Observer<'_>, &Window) -> Result<Run, String>
-        + Send
-        + Sync
-        + 'static,
+        compute: Compute,
     ) -> std::io::Result<Self> {
-        let shared = Arc::new(Shared {
-            queue: Mutex::new(Queue::default()),
-            changed: Condvar::new(),
-            sink: Box::new(sink),
-        });
-        let for_thread = Arc::clone(&shared);
-        let thread = thread::Builder::new()
-            .name("worker".to_owned())
-            .spawn(move || for_thread.serve(&compute))?;
-        Ok(Self { shared, thread: Some(thread) })
+        let (quiet, sink) = (Quiet::default(), Box::new(sink));
+        let shared = Arc::new(Shared { lanes: Default::default(), quiet, sink });
+        let mut runs = Some(Runs::new(compute));
+        for (lane, name) in Slot::LANES.into_iter().enumerate() {
+            let (shared, mut runs) = (Arc::clone(&shared), runs.take());
+            let serve = move || shared.serve(lane, runs.as_mut());
+            thread::Builder::new().name(name.to_owned()).spawn(serve)?;
+        }
+        Ok(Self { shared })
     }
 
-    /// Queue a job. The scene on the screen goes before pinned ones; an older job of the same slot is cancelled.
-    pub fn submit(&self, job: Job) {
-        let mut queue = self.shared.lock();
-        let older = queue
-            .waiting
-            .iter()
-            .position(|waiting| waiting.slot == job.slot)
-            .and_then(|at| queue.waiting.remove(at));
-        if let Some((slot, cancel)) = &queue.running
-            && *slot == job.slot
-        {
-            cancel.store(true, Ordering::Relaxed);
+    /// Queue a task; the older one of its slot is cancelled. The scene on the screen goes before pinned ones.
+    pub fn submit(&self, task: Task) {
+        let slot = task.slot();
+        let lane = &self.shared.lanes[slot.lane()];
+        let older = lane.take_out(|_, other| other == slot);
+        let mut state = lane.lock();
+        match slot {
+            Slot::Current => state.waiting.push_front(task),
+            _ => state.waiting.push_back(task),
         }
-        match job.slot {
-            Slot::Current => queue.waiting.push_front(job),
-            Slot::Pin(_) => queue.waiting.push_back(job),
-        }
-        drop(queue);
-        self.shared.changed.notify_one();
-        if let Some(older) = older {
-            self.shared.cancelled_unstarted(&older);
-        }
+        drop(state);
+        lane.changed.notify_one();
+        self.shared.never_started(older);
     }
 
-    /// Cancel the running job and all that wait.
-    pub fn cancel(&self) {
-        let mut queue = self.shared.lock();
-        let dropped = std::mem::take(&mut queue.waiting);
-        if let Some((_, cancel)) = &queue.running {
-            cancel.store(true, Ordering::Relaxed);
-        }
-        drop(queue);
-        for job in &dropped {
-            self.shared.cancelled_unstarted(job);
+    /// Cancel the task of this number, running or waiting; others go on.
+    pub fn cancel(&self, id: u64) {
+        for lane in &self.shared.lanes {
+            self.shared.never_started(lane.take_out(|other, _| other == id));
         }
     }
 }
 
 impl Drop for Worker {
     fn drop(&mut self) {
-        let mut queue = self.shared.lock();
-        queue.closing = true;
-        queue.waiting.clear();
-        if let Some((_, cancel)) = &queue.running {
-            cancel.store(true, Ordering::Relaxed);
+        for lane in &self.shared.lanes {
+            let mut state = lane.lock();
+            state.closing = true;
+            state.waiting.clear();
+            if let Some((_, _, cancel)) = &state.running {
+                cancel.store(true, Ordering::Relaxed);
+            }
+            drop(state);
+            // Not joined: a computation that asks too seldom must not hold up leaving.
+            lane.changed.notify_one();
         }
-        drop(queue);
-        self.shared.changed.notify_one();
-        // Not joined: a computation that asks its observer too seldom must not hold up leaving.
-        drop(self.thread.take());
     }
 }
 
 impl Shared {
-    fn lock(&self) -> MutexGuard<'_, Queue> {
-        // No code that can panic runs under this lock, so a poisoned one is still sound.
-        self.queue.lock().unwrap_or_else(PoisonError::into_inner)
+    fn never_started(&self, task: Option<Task>) {
+        if let Some(task) = task {
+            let body = ReportBody::Ended { found: None, took: Duration::ZERO };
+            (self.sink)(Report { id: task.id, slot: task.slot(), body });
+        }
     }
 
-    fn report(&self, job: &Job, body: ReportBody) {
-        (self.sink)(Report { id: job.id, slot: job.slot, body });
-    }
-
-    fn cancelled_unstarted(&self, job: &Job) {
-        self.report(job, ReportBody::Cancelled { partial: None });
-    }
-
-    fn serve(&self, compute: &Compute) {
-        let mut cache = cache::Cache::default();
-        while let Some((job, cancel)) = self.next_job() {
-            let body = match cache.find(&job.scene) {
-                Some((run, took)) => ReportBody::Done { run, took },
-                None => self.run(&job, &cancel, compute, &mut cache),
+    fn serve(&self, lane: usize, mut runs: Option<&mut Runs>) {
+        let lane = &self.lanes[lane];
+        while let Some((task, cancel)) = lane.next() {
+            let (id, slot) = (task.id, task.slot());
+            let send = |body| (self.sink)(Report { id, slot, body });
+            let reporter = Reporter::new(&send, &cancel);
+            let body = match (&task.work, &mut runs) {
+                (Work::Run(slot, scene), Some(runs)) => runs.run(*slot, scene, &reporter),
+                // Runs have a lane of their own.
+                (Work::Run(..), None) => ReportBody::Failed("no lane for runs".to_owned()),
+                (Work::Sweep(plan), _) => {
+                    let work = || sweeps::fill(plan, task.threads, &reporter);
+                    self.quiet.together(&cancel, work)
+                }
+                (Work::Study(scene, kind), _) => {
+                    let study = studies::Study { scene, kind, threads: task.threads };
+                    studies::make(&study, &self.quiet, &reporter)
+                }
             };
             // Free before the report: whoever acts on it may submit at once.
-            self.lock().running = None;
-            self.report(&job, body);
-        }
-    }
-
-    /// Wait for a job and mark it as the running one; `None` when the owner is gone.
-    fn next_job(&self) -> Option<(Job, Arc<AtomicBool>)> {
-        let mut queue = self.lock();
-        loop {
-            if queue.closing {
-                return None;
-            }
-            if let Some(job) = queue.waiting.pop_front() {
-                let cancel = Arc::new(AtomicBool::new(false));
-                queue.running = Some((job.slot, Arc::clone(&cancel)));
-                return Some((job, cancel));
-            }
-            queue = self.changed.wait(queue).unwrap_or_else(PoisonError::into_inner);
-        }
-    }
-
-    fn run(
-        &self,
-        job: &Job,
-        cancel: &AtomicBool,
-        compute: &Compute,
-        cache: &mut cache::Cache,
-    ) -> ReportBody {
-        let mut pulse = job::Pulse::start();
-        let window = Window::default();
-        let mut observer = |t_s: f64| {
-            if cancel.load(Ordering::Relaxed) {
-                return ControlFlow::Break(());
-            }
-            if let Some(run) = window.take() {
-                pulse.part_came();
-                self.report(job, ReportBody::Part(Arc::new(run)));
-            }
-            if let Some(body) = pulse.beat(t_s) {
-                self.report(job, body);
-            }
-            if job.slot == Slot::Current && pulse.part_is_due() {
-                window.ask();
-            }
-            ControlFlow::Continue(())
-        };
-        let settings = Settings::default();
-        let (ended, took) =
-            job::contained(|| compute(&job.scene, settings, &mut observer, &window));
-        match ended {
-            Err(text) => ReportBody::Failed(text),
-            Ok(run) => {
-                let cut_short = run.end == crate::model::run::EndReason::Cancelled;
-                let run = Arc::new(run);
-                if cut_short {
-                    return ReportBody::Cancelled { partial: Some(run) };
-                }
-                // One that was stopped while its error was estimated is not worth keeping.
-                if !cancel.load(Ordering::Relaxed) {
-                    cache.keep(Arc::clone(&run), took);
-                }
-                ReportBody::Done { run, took }
-            }
+            lane.lock().running = None;
+            send(body);
         }
     }
 }

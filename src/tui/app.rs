@@ -9,50 +9,34 @@ use std::time::Duration;
 use crate::files::clean;
 use crate::model::scene::Scene;
 use crate::study::sweep::crew::Crew;
+use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::{Keymap, Pane};
 use crate::tui::message::PresetEntry;
 use crate::tui::pages;
+use crate::tui::pages::explore::state::Sweeping;
+use crate::tui::pages::limit::state::Ballistic;
+use crate::tui::pages::numerics::accuracy::Accuracy;
+use crate::tui::pages::numerics::stability::Stability;
+use crate::tui::pages::run::charts::Charts;
+use crate::tui::pages::run::editor::Editor;
+use crate::tui::pages::run::runs::{Pin, RunView, Shown};
+use crate::tui::pages::search::state::Searching;
+use crate::tui::pages::thesis::state::Thesis;
 use crate::tui::theme::{ColourDepth, Theme};
 
-pub mod accuracy;
-pub mod charts;
-pub mod comparison;
-pub mod dialog;
-pub mod editor;
 pub mod find;
 pub mod history;
+pub mod jobs;
 pub mod layout;
-pub mod limit;
-pub mod log;
 pub mod notice;
-pub mod options;
-pub mod palette;
-pub mod quantity;
-pub mod runs;
-pub mod search;
-pub mod setup;
-pub mod stability;
 pub mod status;
-pub mod steps;
-pub mod summary;
-pub mod sweep;
-pub mod thesis;
 mod validity;
 
-use accuracy::Accuracy;
-use charts::Charts;
-use dialog::Dialog;
-use editor::Editor;
 use find::Find;
 use history::History;
+use jobs::Jobs;
 use layout::Layout;
-use limit::Ballistic;
 use notice::{Notice, Severity};
-use runs::{Jobs, Pin, Shown};
-use search::Searching;
-use stability::Stability;
-use sweep::Sweeping;
-use thesis::Thesis;
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
@@ -279,28 +263,19 @@ impl App {
         self.threads.unwrap_or_else(|| Crew::of_machine().threads)
     }
 
-    /// Where everything stands at the present size.
+    /// Where everything stands.
     pub fn layout(&self) -> Layout {
-        self.layout_at(self.size)
+        layout::layout(self.size, pages::of(self.tab).names().len() > 1)
     }
 
-    /// Where everything would stand at a size.
-    pub fn layout_at(&self, size: (u16, u16)) -> Layout {
-        layout::layout(&layout::Wanted {
-            size,
-            tab: self.tab,
-            focus: self.pane(),
-            full_pane: self.full_pane[self.tab.index()],
-            // On the lowest screens the frame of the pane names the page.
-            has_pages: pages::of(self.tab).names().len() > 1 && size.1 >= layout::WITH_PAGES,
-            pins: self.pins.len(),
-            picture: self.sweeping.visits.picture,
-        })
+    /// Rows of a list that fills the body.
+    pub fn list_rows(&self) -> usize {
+        self.layout().body.map_or(10, |body| usize::from(body.height.saturating_sub(2)))
     }
 
-    /// Columns of a chart that stand for time.
-    pub fn chart_columns(&self) -> u16 {
-        self.layout().chart_columns().max(10)
+    /// Whether the pane that has the keys fills the body.
+    pub fn is_full(&self) -> bool {
+        self.full_pane[self.tab.index()]
     }
 
     /// Whether the scene is the baseline, untouched.
@@ -361,11 +336,11 @@ impl App {
     }
 
     /// The runs to draw, the current one last so that it lies on top.
-    pub fn visible_runs(&self) -> Vec<runs::RunView<'_>> {
+    pub fn visible_runs(&self) -> Vec<RunView<'_>> {
         let pins = self.pins.iter().enumerate().filter(|(_, pin)| pin.visible);
-        let mut list: Vec<runs::RunView<'_>> = pins
+        let mut list: Vec<RunView<'_>> = pins
             .filter_map(|(index, pin)| {
-                pin.run.as_deref().map(|run| runs::RunView {
+                pin.run.as_deref().map(|run| RunView {
                     letter: Some(pin.letter),
                     index: index + 1,
                     name: &pin.name,
@@ -375,7 +350,7 @@ impl App {
             })
             .collect();
         if let Some(shown) = self.shown.as_ref().filter(|_| self.current_visible) {
-            list.push(runs::RunView {
+            list.push(RunView {
                 letter: None,
                 index: 0,
                 name: "now",

@@ -13,12 +13,10 @@ use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::Tab;
-use crate::tui::app::search::Row;
-use crate::tui::app::sweep::SetupRow;
 use crate::tui::keymap::{Action, Pane};
-use crate::worker::studies::{Study, StudyReport};
-use crate::worker::sweeps::{SweepJob, SweepReport};
-use crate::worker::{Job, Report};
+use crate::tui::pages::explore::state::SetupRow;
+use crate::tui::pages::search::state::Row;
+use crate::worker::{Report, Task};
 
 /// What can happen.
 #[derive(Clone, Debug)]
@@ -35,12 +33,8 @@ pub enum Message {
     Wheel(bool, Option<Target>),
     /// An action was chosen from the palette or the help overlay.
     Act(Action),
-    /// A report from the worker.
+    /// A report from a background thread.
     Report(Report),
-    /// A report from the thread for studies.
-    Study(StudyReport),
-    /// A report from the thread for sweeps.
-    Sweep(SweepReport),
     /// The quiet time after an edit is over; stale when the serial number is not the newest.
     RunDue(u64),
     /// A job has been running for so long that leaving must not drop it unasked: its number.
@@ -196,10 +190,10 @@ impl PresetEntry {
 /// What the workbench asks the outside to do.
 #[derive(Clone, Debug)]
 pub enum Effect {
-    /// Give the worker a job; a newer job for the same slot replaces an older one.
-    Submit(Job),
-    /// Stop the running job.
-    CancelJob,
+    /// Queue a task; a newer one of the same slot replaces an older one.
+    Submit(Task),
+    /// Cancel a task, by its number.
+    Cancel(u64),
     /// Send a message after a delay.
     After(Duration, Message),
     /// Save the scene as a preset of the user's, keeping the comments of an existing file.
@@ -213,14 +207,6 @@ pub enum Effect {
     },
     /// Write an export.
     Export(Box<ExportRequest>),
-    /// Make a study; a newer one replaces an older one.
-    Study(Study),
-    /// Stop a study, by its number.
-    CancelStudy(u64),
-    /// Make a sweep; a newer one replaces an older one.
-    Sweep(SweepJob),
-    /// Stop the sweep that is being made.
-    CancelSweep,
     /// Write a table.
     ExportTable {
         /// The CSV file.

@@ -18,9 +18,6 @@ use crate::files::paths::Paths;
 use crate::tui::app::App;
 use crate::tui::message::{Effect, EffectReport, Message};
 use crate::tui::{update, view};
-use crate::worker::quiet::Quiet;
-use crate::worker::studies::Studies;
-use crate::worker::sweeps::Sweeps;
 use crate::worker::{Report, Slot, Worker};
 
 /// Idle, the loop looks this often whether the terminal is still there.
@@ -60,8 +57,6 @@ pub(super) struct Shell {
     guard: Guard,
     inbox: Receiver<Incoming>,
     worker: Worker,
-    studies: Studies,
-    sweeps: Sweeps,
     io_thread: IoThread,
     pace: Pace,
     timers: Vec<(Instant, Message)>,
@@ -90,17 +85,6 @@ impl Shell {
             // The loop may be over already.
             let _ = for_reports.send(Incoming::Message(Message::Report(report)));
         })?;
-        let for_studies = sender.clone();
-        let quiet = Quiet::default();
-        let studies = Studies::spawn(&quiet, move |report| {
-            // The loop may be over already.
-            let _ = for_studies.send(Incoming::Message(Message::Study(report)));
-        })?;
-        let for_sweeps = sender.clone();
-        let sweeps = Sweeps::spawn(&quiet, move |report| {
-            // The loop may be over already.
-            let _ = for_sweeps.send(Incoming::Message(Message::Sweep(report)));
-        })?;
         let (mut app, recent, known) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
         log::info!("cmra {} started", env!("CARGO_PKG_VERSION"));
@@ -119,8 +103,6 @@ impl Shell {
             guard,
             inbox,
             worker,
-            studies,
-            sweeps,
             io_thread,
             pace: Pace::new(now),
             timers: Vec::new(),
@@ -256,7 +238,7 @@ impl Shell {
 
     /// What a click or a turn of the wheel means on the screen as it is.
     fn pointed(&self, mouse: MouseEvent) -> Option<Message> {
-        let target = view::pointer::target(&self.app, (mouse.column, mouse.row));
+        let target = view::target(&self.app, (mouse.column, mouse.row));
         match mouse.kind {
             MouseEventKind::ScrollUp => Some(Message::Wheel(true, target)),
             MouseEventKind::ScrollDown => Some(Message::Wheel(false, target)),
@@ -285,8 +267,11 @@ impl Shell {
         Ok(None)
     }
 
-    /// Keep count of what the worker is doing.
+    /// Keep count of the runs under way.
     fn note(&mut self, report: &Report) {
+        if !is_run(report.slot) {
+            return;
+        }
         if !report.body.is_last() {
             self.pace.set_busy(true);
             return;
@@ -307,24 +292,22 @@ impl Shell {
         queue: &mut VecDeque<Message>,
     ) -> io::Result<Option<Ending>> {
         match effect {
-            Effect::Submit(job) => {
-                self.running.insert(job.id);
-                if job.slot == Slot::Current {
-                    self.newest = Some(job.id);
+            Effect::Submit(task) => {
+                if task.slot() == Slot::Current {
+                    self.newest = Some(task.id);
                     self.pace.expect_result(Instant::now());
                 }
-                self.worker.submit(job);
+                if is_run(task.slot()) {
+                    self.running.insert(task.id);
+                }
+                self.worker.submit(task);
             }
-            Effect::CancelJob => self.worker.cancel(),
+            Effect::Cancel(id) => self.worker.cancel(id),
             Effect::After(delay, message) => self.timers.push((Instant::now() + delay, message)),
             Effect::SavePreset { name, scene, overwrite } => {
                 self.io_thread.ask(Task::SavePreset { name, scene, overwrite });
             }
             Effect::Export(request) => self.io_thread.ask(Task::Export(request)),
-            Effect::Study(study) => self.studies.submit(study),
-            Effect::CancelStudy(id) => self.studies.cancel(id),
-            Effect::Sweep(job) => self.sweeps.submit(job),
-            Effect::CancelSweep => self.sweeps.cancel(),
             Effect::ExportTable { path, overwrite, content } => {
                 self.io_thread.ask(Task::ExportTable { path, overwrite, content });
             }
@@ -387,4 +370,9 @@ impl Shell {
         self.pace.change();
         Ok(stopped)
     }
+}
+
+/// Whether a task is a run, which is drawn less often while it takes a while.
+fn is_run(slot: Slot) -> bool {
+    matches!(slot, Slot::Current | Slot::Pin(_))
 }

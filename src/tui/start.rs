@@ -10,11 +10,11 @@ use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::session::{self, Known, Session};
 use crate::files::{atomic, config};
-use crate::tui::app::charts::Window;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::runs::{LETTERS, Pin, name_of};
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::keymap::Keymap;
+use crate::tui::pages::run::charts::Window;
+use crate::tui::pages::run::runs::{LETTERS, Pin, name_of};
 use crate::tui::theme::{ColourDepth, GlyphChoice, Theme};
 use crate::tui::update::done;
 

@@ -3,40 +3,20 @@
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use crate::tui::app::App;
-use crate::tui::app::accuracy::Measuring;
-use crate::tui::app::layout::Body;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::keymap::{Action, Key, Pane, works_in};
 use crate::tui::message::{Effect, Message};
-use crate::tui::pages;
-use crate::worker::studies::StudyReport;
+use crate::tui::pages::app::jobs::Running;
+use crate::tui::widgets::input;
+use crate::tui::{dialogs, pages};
+use crate::worker::Report;
 
-pub(super) mod accuracy;
-mod act;
-mod charts;
-mod curve;
-mod dialogs;
-pub(super) mod done;
-mod edit;
-mod export;
-mod field;
-mod find;
-mod input;
-mod jobs;
-pub(super) mod limit;
-pub(super) mod log;
-mod options;
-mod palette;
-mod path;
+pub(in crate::tui) mod act;
+pub(in crate::tui) mod done;
+pub(in crate::tui) mod edit;
+pub(in crate::tui) mod find;
+pub(in crate::tui) mod jobs;
 mod pointer;
-pub(super) mod run;
-mod runs;
-pub(super) mod search;
-mod setup;
-pub(super) mod stability;
-pub(super) mod sweep;
-mod table;
-pub(super) mod thesis;
 
 /// What to ask for first: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {
@@ -55,7 +35,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
             app.size = (width, height);
             Vec::new()
         }
-        Message::Paste(_) | Message::Wheel(..) if app.layout().body == Body::TooSmall => Vec::new(),
+        Message::Paste(_) | Message::Wheel(..) if app.layout().body.is_none() => Vec::new(),
         Message::Paste(text) => input::paste(app, &text),
         Message::Click(target) => pointer::click(app, target),
         Message::Wheel(up, target) if app.dialog.is_none() => pointer::wheel(app, up, target),
@@ -64,15 +44,10 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
             press(app, KeyEvent::new(code, KeyModifiers::NONE))
         }
         Message::Act(action) => act::act(app, action),
-        Message::Report(report) => jobs::report(app, report),
-        Message::Study(report) => studied(app, report),
-        Message::Sweep(report) => {
-            sweep::report(app, report);
-            Vec::new()
-        }
+        Message::Report(report) => reported(app, report),
         Message::RunDue(serial) => jobs::run_due(app, serial),
         Message::LongJob(id) => {
-            jobs::long(app, id);
+            app.jobs.long.push(id);
             Vec::new()
         }
         Message::Done(report) => done::done(app, report),
@@ -83,23 +58,13 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
     }
 }
 
-/// A report of a study goes to the tab that asked for it; those of replaced ones are dropped.
-fn studied(app: &mut App, report: StudyReport) -> Vec<Effect> {
-    let of = |study: &Option<Measuring>| study.as_ref().is_some_and(|it| it.id == report.id);
-    if of(&app.accuracy.measuring) {
-        accuracy::report(app, report.body);
-    } else if of(&app.stability.mapping) || of(&app.stability.running) {
-        stability::report(app, report);
-    } else if of(&app.thesis.running) {
-        thesis::report(app, report.body);
-    } else if of(&app.limit.finding) {
-        limit::report(app, report.body);
-    } else if of(&app.limit.comparing) {
-        limit::report_comparison(app, report.body);
-    } else if of(&app.searching.running) {
-        search::report(app, report.body);
+/// A report goes to the page that submitted the task; those of replaced tasks are dropped.
+fn reported(app: &mut App, report: Report) -> Vec<Effect> {
+    let page = pages::all_jobs(app).find(|(_, job)| job.id == report.id).map(|(tab, _)| tab);
+    if report.body.is_last() {
+        app.jobs.long.retain(|id| *id != report.id);
     }
-    Vec::new()
+    page.map_or_else(Vec::new, |tab| pages::of(tab).report(app, report))
 }
 
 fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
@@ -108,20 +73,20 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     if let Some(effects) = everywhere(app, action) {
         return effects;
     }
-    if app.layout().body == Body::TooSmall {
+    if app.layout().body.is_none() {
         return unseen(app, action);
     }
     if app.dialog.is_some() {
-        return dialogs::press(app, key);
+        return dialogs::keys::press(app, key);
     }
     if app.find.field.is_some() {
         return find::press(app, key);
     }
     if app.is_typing() {
         return match app.pane() {
-            Pane::Variables => field::press(app, key),
-            Pane::ExploreSetup => setup::press(app, key),
-            _ => search::press(app, key),
+            Pane::Variables => pages::run::editor::field::press(app, key),
+            Pane::ExploreSetup => pages::explore::setup::keys::press(app, key),
+            _ => pages::search::keys::press(app, key),
         };
     }
     if let Some(action) = action.filter(|action| works_in(*action, app.pane())) {

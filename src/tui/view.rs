@@ -5,46 +5,27 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
-use crate::tui::app::layout::{Area, Body, LimitPanes, Panes, SMALLEST, SweepPanes};
-use crate::tui::app::sweep::Picture;
-use crate::tui::keymap::Pane;
+use crate::tui::app::layout::SMALLEST;
+use crate::tui::dialogs::popup;
+use crate::tui::message::Target;
+use crate::tui::pages;
 use crate::tui::theme::{GlyphSet, Role, ascii_pass};
+use crate::tui::widgets::{Canvas, text};
 
-mod accuracy;
-mod charts;
-mod comparison;
-mod efficiency_map;
-mod export;
-mod help;
-mod history;
 mod keys;
-mod limit;
-mod log;
-mod mechanism;
-mod options;
-pub mod pointer;
-mod popup;
-mod presets;
 mod rows;
-mod runs;
-mod save;
-mod search;
-mod setup;
-mod side;
-mod stability;
-mod surface;
-mod sweep;
-mod table;
-mod text;
-mod thesis;
-mod variables;
-mod words;
 
 /// Draw everything.
 pub fn view(app: &App, frame: &mut Frame<'_>) {
     let area = frame.area();
-    let mut cursor = None;
-    draw(app, area, frame.buffer_mut(), &mut cursor);
+    let mut canvas = Canvas::new(frame.buffer_mut());
+    if (area.width, area.height) == app.size {
+        draw(app, area, &mut canvas);
+    } else {
+        // The terminal has a new size, and the message that says so is under way.
+        draw(&App { size: (area.width, area.height), ..app.clone() }, area, &mut canvas);
+    }
+    let cursor = canvas.cursor;
     if app.theme.glyphs == GlyphSet::Ascii {
         ascii_pass(frame.buffer_mut());
     }
@@ -53,81 +34,41 @@ pub fn view(app: &App, frame: &mut Frame<'_>) {
     }
 }
 
-/// Where the terminal's cursor stands, while a field is open.
-type Cursor = Option<(u16, u16)>;
+/// What is at a column and a row of the screen; `None` where a click means nothing.
+pub fn target(app: &App, at: (u16, u16)) -> Option<Target> {
+    let screen = Rect::new(0, 0, app.size.0, app.size.1);
+    let mut buffer = Buffer::empty(screen);
+    let mut canvas = Canvas::pointed(&mut buffer, at);
+    draw(app, screen, &mut canvas);
+    canvas.target()
+}
 
-fn draw(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
-    let layout = app.layout_at((area.width, area.height));
-    match &layout.body {
-        Body::TooSmall => return too_small(app, area, buffer),
-        Body::Run(panes) => run_tab(app, panes, buffer, cursor),
-        Body::Explore(panes) => explore(app, panes, buffer, cursor),
-        Body::Accuracy(panes) => drop(accuracy::render(app, panes, buffer)),
-        Body::Stability(area) => stability::render(app, rect(*area), buffer),
-        Body::Log(area) => log::render(app, rect(*area), buffer),
-        Body::Limit(panes) => limit_tab(app, panes, buffer),
-        Body::Search(setup, found) => {
-            drop(search::render(app, (rect(*setup), rect(*found)), buffer, cursor));
-        }
-        Body::Thesis(area) => thesis::render(app, rect(*area), buffer),
+/// The columns of the plot that the crosshair walks through, as it is drawn; `None` where there is none.
+pub fn plot_columns(app: &App) -> Option<u16> {
+    let screen = Rect::new(0, 0, app.size.0, app.size.1);
+    let mut buffer = Buffer::empty(screen);
+    let mut canvas = Canvas::new(&mut buffer);
+    if let Some(body) = app.layout().body {
+        pages::of(app.tab).draw(app, body, &mut canvas);
     }
-    rows::title(app, rect(layout.title), buffer);
+    canvas.plot_columns.filter(|columns| *columns > 1)
+}
+
+fn draw(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let layout = app.layout();
+    let Some(body) = layout.body else { return too_small(app, area, canvas) };
+    pages::of(app.tab).draw(app, body, canvas);
+    rows::title(app, layout.title, canvas);
     if let Some(area) = layout.pages {
-        rows::pages(app, rect(area), buffer);
+        rows::pages(app, area, canvas);
     }
-    rows::message(app, rect(layout.message), buffer);
-    rows::status(app, rect(layout.status), buffer);
-    keys::render(app, rect(layout.keys), buffer, cursor);
-    let _ = popup::render(app, area, buffer, cursor);
+    rows::message(app, layout.message, canvas);
+    rows::status(app, layout.status, canvas);
+    keys::render(app, layout.keys, canvas);
+    popup::render(app, area, canvas);
 }
 
-fn run_tab(app: &App, panes: &Panes, buffer: &mut Buffer, cursor: &mut Cursor) {
-    let has = |pane: Pane| app.has_focus(pane);
-    if let Some(area) = panes.variables {
-        variables::render(app, rect(area), has(Pane::Variables), buffer, cursor);
-    }
-    let areas: Vec<Rect> = panes.charts.iter().copied().map(rect).collect();
-    let _ = charts::render(app, &areas, has(Pane::Charts), buffer);
-    if let Some(area) = panes.runs {
-        let _ = runs::render(app, rect(area), has(Pane::Runs), buffer);
-    }
-    if let Some(area) = panes.events {
-        let _ = side::events(app, rect(area), buffer);
-    }
-    if let Some(area) = panes.mechanism {
-        mechanism::render(app, rect(area), buffer);
-    }
-    if let Some(area) = panes.ledger {
-        side::ledger(app, rect(area), buffer);
-    }
-}
-
-/// The panes of the Limit tab that have room.
-fn limit_tab(app: &App, panes: &LimitPanes, buffer: &mut Buffer) {
-    if let Some(area) = panes.comparison {
-        comparison::render(app, rect(area), buffer);
-    }
-    if let Some(area) = panes.residual {
-        let _ = limit::render(app, rect(area), buffer);
-    }
-    if let Some(area) = panes.map {
-        let _ = comparison::map(app, rect(area), buffer);
-    }
-}
-
-fn explore(app: &App, panes: &SweepPanes, buffer: &mut Buffer, cursor: &mut Cursor) {
-    let picture = app.picture();
-    if let Some(area) = panes.setup {
-        setup::render(app, picture, rect(area), buffer, cursor);
-    }
-    match picture {
-        // Where the charts lie matters only to the mouse.
-        Picture::Line => drop(sweep::render(app, panes, buffer)),
-        Picture::Surface => drop(surface::render(app, panes, buffer)),
-    }
-}
-
-fn too_small(app: &App, area: Rect, buffer: &mut Buffer) {
+fn too_small(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let (columns, rows) = SMALLEST;
     let needed = format!("{columns}x{rows}, here {}x{}", area.width, area.height);
     let long = ["cmra needs more room:", &needed, "", "make the terminal larger", "(q quits)"];
@@ -149,10 +90,6 @@ fn too_small(app: &App, area: Rect, buffer: &mut Buffer) {
     for (row, line) in (top..area.height).zip(&lines) {
         let width = text::columns(line).min(area.width);
         let x = (area.width - width) / 2;
-        buffer.set_stringn(x, row, line, usize::from(area.width), app.theme.style(Role::Text));
+        canvas.set_stringn(x, row, line, usize::from(area.width), app.theme.style(Role::Text));
     }
-}
-
-fn rect(area: Area) -> Rect {
-    Rect::new(area.x, area.y, area.width, area.height)
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::studies::Study;
+use crate::model::scene::Scene;
 use crate::study::search::front::{self, Front, Task};
 use crate::study::search::scatter;
 use crate::study::search::seek::{self, Goal};
@@ -68,8 +68,13 @@ pub(super) type Tell<'a> =
     &'a mut dyn FnMut(usize, usize, &dyn Fn() -> Option<Answer>) -> ControlFlow<()>;
 
 /// Look; what there is when it is stopped is kept.
-pub(super) fn make(study: &Study, request: &Request, tell: Tell<'_>) -> Result<Answer, String> {
-    let (scene, nothing) = (&study.scene, || None);
+pub(super) fn make(
+    scene: &Arc<Scene>,
+    request: &Request,
+    threads: usize,
+    tell: Tell<'_>,
+) -> Result<Answer, String> {
+    let nothing = || None;
     match request {
         Request::Seek(goal) => {
             seek::seek(scene, goal, &mut |done, total| tell(done, total, &nothing))
@@ -96,13 +101,12 @@ pub(super) fn make(study: &Study, request: &Request, tell: Tell<'_>) -> Result<A
                 .map(|report| Answer::Scatter(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
-        Request::Compare => compared(study, tell),
+        Request::Compare => compared(scene, threads, tell),
     }
 }
 
 /// The comparison with its map around the scene; a scene without such a map, a stack for one, has none.
-fn compared(study: &Study, tell: Tell<'_>) -> Result<Answer, String> {
-    let scene = &study.scene;
+fn compared(scene: &Arc<Scene>, threads: usize, tell: Tell<'_>) -> Result<Answer, String> {
     let axes = [("v_i", MAP_POINTS), ("gamma", MAP_POINTS)]
         .map(|(name, count)| map::usual_axis(scene, name, count).ok());
     let points = usize::try_from(MAP_POINTS * MAP_POINTS).unwrap_or(usize::MAX);
@@ -122,7 +126,7 @@ fn compared(study: &Study, tell: Tell<'_>) -> Result<Answer, String> {
     };
     let done = whole - points;
     let watch: map::Watch<'_> = &mut |cells| tell(done + cells, whole, &part);
-    let crew = Crew { piece: MAP_PIECE, threads: study.threads };
+    let crew = Crew { piece: MAP_PIECE, threads };
     let map = Map::compute(scene, &[x, y], Hardware::default(), crew, watch).ok();
     Ok(Answer::Compare(Arc::new(Comparison { report, map })))
 }
@@ -133,12 +137,6 @@ mod tests {
     use crate::model::scene::InterfaceLaw;
     use crate::study::search::nsga::Effort;
     use crate::study::sweep::Spacing;
-    use crate::worker::studies::StudyKind;
-
-    fn study() -> Study {
-        let kind = StudyKind::Search(Arc::new(Request::Compare));
-        Study { id: 1, scene: Arc::default(), kind, threads: 1 }
-    }
 
     fn axis(name: &str, ends: (f64, f64), count: u64) -> Axis {
         Axis::new(name, ends, count, Spacing::Linear).unwrap()
@@ -163,7 +161,7 @@ mod tests {
             parts += usize::from(matches!(part(), Some(Answer::Front(_))));
             if done > 200 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let answer = make(&study(), &front_request(), &mut tell).unwrap();
+        let answer = make(&Arc::default(), &front_request(), 1, &mut tell).unwrap();
         let Answer::Front(front) = answer else { panic!("not a front") };
         assert!(parts >= 8 && !front.is_complete && !front.designs.is_empty(), "{parts}");
         assert!(front.runs > 200 && front.runs < 420);
@@ -178,15 +176,15 @@ mod tests {
             threads: 1,
         };
         let go_on: Tell<'_> = &mut |_, _, _| ControlFlow::Continue(());
-        let refused = make(&study(), &Request::Seek(goal("depth")), go_on).unwrap_err();
+        let refused = make(&Arc::default(), &Request::Seek(goal("depth")), 1, go_on).unwrap_err();
         assert!(refused.contains("output depth"), "{refused}");
-        let found = make(&study(), &Request::Seek(goal("percent_of_baseline")), go_on);
+        let found = make(&Arc::default(), &Request::Seek(goal("percent_of_baseline")), 1, go_on);
         assert!(matches!(found, Ok(Answer::Seek(report)) if report.solutions.is_empty()));
         let none = Request::Sensitivity {
             axes: Vec::new(),
             output: "stroke_m".to_owned(),
             effort: sensitivity::Effort { rows: 16, trajectories: 2, seed: 1, threads: 1 },
         };
-        assert!(make(&study(), &none, go_on).is_err());
+        assert!(make(&Arc::default(), &none, 1, go_on).is_err());
     }
 }

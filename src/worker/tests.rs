@@ -6,11 +6,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::{Duration, Instant};
 
-use super::{Job, Report, ReportBody, Slot, Worker};
+use super::{Finding, Progress, Report, ReportBody, Slot, Task, Work, Worker};
 use crate::model::impact::window::Window;
 use crate::model::run::{EndReason, Run};
-use crate::model::scene::Scene;
+use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{self, Settings};
+use crate::study::sweep::grid::Grid;
+use crate::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
 
 const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -35,8 +37,20 @@ fn slow(
     Ok(run)
 }
 
-fn job(id: u64, slot: Slot, title: &str) -> Job {
-    Job { id, slot, scene: Arc::new(Scene { title: title.to_owned(), ..Scene::default() }) }
+fn run_of(id: u64, slot: Slot, scene: Scene) -> Task {
+    Task { id, threads: 1, work: Work::Run(slot, Arc::new(scene)) }
+}
+
+fn job(id: u64, slot: Slot, title: &str) -> Task {
+    run_of(id, slot, Scene { title: title.to_owned(), ..Scene::default() })
+}
+
+/// The run a report ends with, and the time it took.
+fn ended(body: ReportBody) -> (Arc<Run>, Duration) {
+    match body {
+        ReportBody::Ended { found: Some(Finding::Run(run)), took } => (run, took),
+        other => panic!("not a run: {other:?}"),
+    }
 }
 
 fn start() -> (Worker, Receiver<Report>) {
@@ -45,7 +59,7 @@ fn start() -> (Worker, Receiver<Report>) {
         move |report| {
             let _ = send.send(report);
         },
-        slow,
+        Box::new(slow),
     )
     .expect("a thread");
     (worker, receive)
@@ -69,7 +83,11 @@ fn next_last(reports: &Receiver<Report>) -> Report {
 fn await_started(reports: &Receiver<Report>, id: u64) {
     let report = next(reports);
     assert_eq!(report.id, id);
-    assert!(matches!(report.body, ReportBody::Started), "{report:?}");
+    let begun = Progress::Time(0.0);
+    assert!(
+        matches!(report.body, ReportBody::Progress { progress, .. } if progress == begun),
+        "{report:?}"
+    );
 }
 
 #[test]
@@ -78,9 +96,7 @@ fn a_short_job_reports_once() {
     worker.submit(job(1, Slot::Current, "short"));
     let report = next(&reports);
     assert_eq!((report.id, report.slot), (1, Slot::Current));
-    let ReportBody::Done { run, took } = report.body else {
-        panic!("not done: {:?}", report.body);
-    };
+    let (run, took) = ended(report.body);
     assert_eq!(run.scene.title, "short");
     assert!(took > Duration::ZERO);
 }
@@ -91,14 +107,11 @@ fn a_running_job_is_cancelled_within_50_ms_and_keeps_its_part() {
     worker.submit(job(1, Slot::Current, "endless"));
     await_started(&reports, 1);
     let asked = Instant::now();
-    worker.cancel();
+    worker.cancel(1);
     let report = next_last(&reports);
     let waited = asked.elapsed();
     assert_eq!(report.id, 1);
-    assert!(
-        matches!(&report.body, ReportBody::Cancelled { partial: Some(run) } if run.end == EndReason::Cancelled),
-        "{report:?}"
-    );
+    assert_eq!(ended(report.body).0.end, EndReason::Cancelled);
     assert!(waited < Duration::from_millis(50), "{waited:?}");
 }
 
@@ -111,12 +124,12 @@ fn the_newest_job_of_a_slot_wins_over_running_and_waiting_ones() {
     worker.submit(job(3, Slot::Pin('A'), "newer pin"));
     let replaced = next_last(&reports);
     assert_eq!(replaced.id, 2);
-    assert!(matches!(replaced.body, ReportBody::Cancelled { partial: None }));
+    assert!(matches!(replaced.body, ReportBody::Ended { found: None, .. }));
     worker.submit(job(4, Slot::Current, "newer"));
     let ends: Vec<_> = (0..3)
         .map(|_| {
             let report = next_last(&reports);
-            (report.id, matches!(report.body, ReportBody::Done { .. }))
+            (report.id, ended(report.body).0.end != EndReason::Cancelled)
         })
         .collect();
     // The screen's scene goes before the pinned one.
@@ -132,8 +145,12 @@ fn a_job_of_another_slot_does_not_cancel() {
     // Still alive long enough to make progress.
     let report = next(&reports);
     assert_eq!(report.id, 1);
-    assert!(matches!(report.body, ReportBody::Progress { t_s, .. } if t_s > 0.0), "{report:?}");
-    worker.cancel();
+    assert!(
+        matches!(report.body, ReportBody::Progress { progress: Progress::Time(t_s), .. } if t_s > 0.0),
+        "{report:?}"
+    );
+    worker.cancel(1);
+    worker.cancel(2);
     let mut ended = [next_last(&reports).id, next_last(&reports).id];
     ended.sort_unstable();
     assert_eq!(ended, [1, 2]);
@@ -152,7 +169,7 @@ fn progress_comes_at_most_twice_a_second() {
     progress();
     // The sending side keeps 500 ms; the receiving side may be late for the first one.
     assert!(first.elapsed() > Duration::from_millis(300), "{:?}", first.elapsed());
-    worker.cancel();
+    worker.cancel(1);
     next_last(&reports);
 }
 
@@ -160,11 +177,11 @@ fn progress_comes_at_most_twice_a_second() {
 const OWN_ROWS: usize = 4_000;
 
 /// A scene whose run swings on for many seconds.
-fn swinging(id: u64, slot: Slot) -> Job {
+fn swinging(id: u64, slot: Slot) -> Task {
     let mut scene = Scene::default();
     scene.mechanism.spring.exponent = 0.3;
     scene.run.horizon_s = Some(1e3);
-    Job { id, slot, scene: Arc::new(scene) }
+    run_of(id, slot, scene)
 }
 
 #[test]
@@ -178,15 +195,14 @@ fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not(
     let part = || loop {
         let report = next(&reports);
         assert_eq!(report.id, 1);
-        if let ReportBody::Part(run) = report.body {
+        if let ReportBody::Part(Finding::Run(run)) = report.body {
             break run;
         }
     };
     let (first, second) = (part(), part());
-    worker.cancel();
-    let ReportBody::Cancelled { partial: Some(whole) } = next_last(&reports).body else {
-        panic!("not cancelled");
-    };
+    worker.cancel(1);
+    let (whole, _) = ended(next_last(&reports).body);
+    assert_eq!(whole.end, EndReason::Cancelled);
     // Each is the run as it was then, not another computation of it.
     assert_eq!(first.end, EndReason::Cancelled);
     assert!(Arc::ptr_eq(&first.scene, &whole.scene));
@@ -205,12 +221,12 @@ fn a_slow_run_of_the_screen_shows_its_own_rows_so_far_and_one_of_a_pin_does_not(
     // Progress comes after half a second, a curve would have come before.
     loop {
         match next(&reports).body {
-            ReportBody::Progress { .. } => break,
-            body => assert!(matches!(body, ReportBody::Started), "{body:?}"),
+            ReportBody::Progress { progress: Progress::Time(t_s), .. } if t_s > 0.0 => break,
+            body => assert!(matches!(body, ReportBody::Progress { .. }), "{body:?}"),
         }
     }
-    worker.cancel();
-    assert!(matches!(next_last(&reports).body, ReportBody::Cancelled { .. }));
+    worker.cancel(2);
+    assert_eq!(ended(next_last(&reports).body).0.end, EndReason::Cancelled);
 }
 
 #[test]
@@ -223,7 +239,7 @@ fn a_panic_is_reported_and_the_worker_lives_on() {
     };
     assert!(text.starts_with("internal error: deliberate"), "{text}");
     worker.submit(job(2, Slot::Current, "short"));
-    assert!(matches!(next(&reports).body, ReportBody::Done { .. }));
+    ended(next(&reports).body);
 }
 
 #[test]
@@ -233,12 +249,11 @@ fn a_scene_without_sense_is_refused_with_the_reason() {
         let _ = send.send(report);
     })
     .expect("a thread");
-    let mut wrong = job(1, Slot::Current, "no mass");
-    Arc::make_mut(&mut wrong.scene).projectile.mass_kg = -1.0;
-    let expected = crate::model::variables::validate(&wrong.scene)
-        .expect_err("a negative mass is refused")
-        .to_string();
-    worker.submit(wrong);
+    let mut wrong = Scene::default();
+    wrong.projectile.mass_kg = -1.0;
+    let refused = crate::model::variables::validate(&wrong);
+    let expected = refused.expect_err("a negative mass is refused").to_string();
+    worker.submit(run_of(1, Slot::Current, wrong));
     let report = next(&receive);
     assert!(matches!(&report.body, ReportBody::Failed(text) if *text == expected), "{report:?}");
 }
@@ -252,21 +267,79 @@ fn an_unchanged_scene_is_not_computed_again() {
         move |report| {
             let _ = send.send(report);
         },
-        move |scene, settings, observer, window| {
+        Box::new(move |scene, settings, observer, window| {
             counted.fetch_add(1, Ordering::Relaxed);
             slow(scene, settings, observer, window)
-        },
+        }),
     )
     .expect("a thread");
     let mut seen = Vec::new();
     for (id, title) in [(1, "one"), (2, "two"), (3, "one")] {
         worker.submit(job(id, Slot::Current, title));
-        let ReportBody::Done { run, took } = next(&receive).body else {
-            panic!("not done");
-        };
-        seen.push((run, took));
+        seen.push(ended(next(&receive).body));
     }
     assert_eq!(count.load(Ordering::Relaxed), 2);
     assert!(Arc::ptr_eq(&seen[0].0, &seen[2].0));
     assert_eq!(seen[0].1, seen[2].1);
+}
+
+/// A sweep of so many points along two axes; with a plastic interface each takes longer.
+fn sweep(id: u64, count: u64, plastic: bool) -> Task {
+    let mut scene = Scene::default();
+    if plastic {
+        scene.interface.law = InterfaceLaw::Plastic;
+    }
+    let axis = |name, from, to| Axis::new(name, (from, to), count, Spacing::Linear).unwrap();
+    let axes = vec![axis("gamma", 0.8, 7.0), axis("k", 0.0, 7.5e6)];
+    let plan = Plan::new(&scene, axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
+    Task { id, threads: 2, work: Work::Sweep(Arc::new(plan)) }
+}
+
+/// The grid a report brings, if it brings one.
+fn grid(body: &ReportBody) -> Option<&Arc<Grid>> {
+    match body {
+        ReportBody::Part(Finding::Grid(grid))
+        | ReportBody::Ended { found: Some(Finding::Grid(grid)), .. } => Some(grid),
+        _ => None,
+    }
+}
+
+#[test]
+fn the_newest_sweep_wins_and_each_ends_once() {
+    let (worker, reports) = start();
+    worker.submit(sweep(1, 300, true));
+    // Under way, so that it is not dropped unstarted.
+    while !matches!(next(&reports).body, ReportBody::Progress { .. }) {}
+    worker.submit(sweep(2, 5, false));
+    let ends: Vec<_> = (0..2)
+        .map(|_| {
+            let report = next_last(&reports);
+            (report.id, grid(&report.body).expect("a grid").is_complete())
+        })
+        .collect();
+    assert_eq!(ends, [(1, false), (2, true)]);
+}
+
+#[test]
+fn a_long_sweep_shows_a_coarse_picture_and_keeps_it_when_cancelled() {
+    let (worker, reports) = start();
+    worker.submit(sweep(7, 400, true));
+    let done = loop {
+        if let Some(grid) = grid(&next(&reports).body) {
+            break grid.progress().0;
+        }
+    };
+    assert!(done >= 25 * 25, "the coarsest pass at least: {done}");
+    worker.cancel(7);
+    let last = next_last(&reports);
+    let kept = grid(&last.body).expect("a grid");
+    assert!(!kept.is_complete() && kept.progress().0 >= done);
+}
+
+#[test]
+fn more_points_than_a_screen_needs_are_refused_in_words() {
+    let (worker, reports) = start();
+    worker.submit(sweep(1, 2000, false));
+    let report = next(&reports);
+    assert!(matches!(report.body, ReportBody::Failed(text) if text.contains("cmra sweep")));
 }

@@ -21,7 +21,7 @@ use cmra::model::scene::Scene;
 use cmra::tui::app::App;
 use cmra::tui::message::{EffectReport, ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::{ReportBody, Slot};
+use cmra::worker::ReportBody;
 use insta::assert_snapshot;
 use proptest::prelude::*;
 
@@ -107,11 +107,7 @@ fn a_failed_run() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("jjl");
     let job = bench.jobs().remove(0);
-    bench.report(
-        job.id,
-        Slot::Current,
-        ReportBody::Failed("internal error: the job panicked".to_owned()),
-    );
+    bench.reply(job.id, ReportBody::Failed("internal error: the job panicked".to_owned()));
     assert_snapshot!(bench.screen());
 }
 

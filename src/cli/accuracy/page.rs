@@ -7,8 +7,11 @@ use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
 use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
-use crate::tui::app::accuracy::{by, order, percent, seconds};
 use crate::tui::chart::{Axis, Chart, Curve, Legend, Level, Scale, Unit, ViewRange};
+use crate::tui::pages::numerics::accuracy::by;
+use crate::tui::pages::numerics::accuracy::order;
+use crate::tui::pages::numerics::accuracy::percent;
+use crate::tui::pages::numerics::accuracy::seconds;
 use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;

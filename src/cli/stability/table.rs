@@ -6,7 +6,7 @@ use crate::model::run::Outcome;
 use crate::model::units::{Engineering, significant};
 use crate::study::stability::map::{Cell, Map};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
-use crate::tui::app::stability::brief;
+use crate::tui::pages::numerics::stability::brief;
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use super::Base;
-use super::runs::Pin;
-use super::search::setup::Setup;
-use super::sweep::Visits;
 use crate::model::scene::Scene;
+use crate::tui::app::Base;
+use crate::tui::pages::explore::state::Visits;
+use crate::tui::pages::run::runs::Pin;
+use crate::tui::pages::search::setup::Setup;
 
 /// The scene and what it is compared with, at one moment.
 #[derive(Clone, Debug, PartialEq)]

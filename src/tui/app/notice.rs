@@ -44,12 +44,12 @@ pub struct Notice {
 }
 
 /// How many times too much, to three digits.
-pub(super) fn times(ratio: f64) -> String {
+pub(in crate::tui) fn times(ratio: f64) -> String {
     fixed_significant(ratio, 3)
 }
 
 /// The first warning of a run in a few words, for the status row.
-pub(super) fn demand(run: &Run) -> Option<String> {
+pub(in crate::tui) fn demand(run: &Run) -> Option<String> {
     run.warnings.iter().find_map(|warning| match warning {
         Warning::InterfacePush { ratio, .. } => {
             Some(format!("! interface {} x A S_y", times(*ratio)))

@@ -1,13 +1,12 @@
 //! The texts of the message row and the status row, and the summary printed after leaving. No drawing.
 
-use super::notice::{Severity, demand};
-use super::quantity::Quantity;
-use super::runs::{RunView, engineering};
-use super::show_duration;
-use super::{App, Tab};
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::model::variables::Kind;
+use crate::tui::app::notice::{Severity, demand};
+use crate::tui::app::{App, Tab, show_duration};
 use crate::tui::keymap::Pane;
+use crate::tui::pages::run::quantity::Quantity;
+use crate::tui::pages::run::runs::{RunView, engineering};
 use crate::tui::pages::{self, StatusPart};
 use crate::tui::theme::columns;
 
@@ -174,8 +173,8 @@ impl App {
     /// computing stands at the end.
     pub fn status(&self) -> Vec<StatusPart> {
         let mut parts = pages::of(self.tab).status(self);
-        let others = Tab::ALL.into_iter().filter(|tab| *tab != self.tab && *tab != Tab::Run);
-        for job in others.flat_map(|tab| pages::of(tab).running(self)) {
+        let others = pages::all_jobs(self).filter(|(tab, _)| *tab != self.tab && *tab != Tab::Run);
+        for (_, job) in others {
             let text = format!("{} is computing", job.label);
             let at = parts.len().min(1);
             parts.insert(at, (Severity::Note, text.clone(), text));

@@ -1,12 +1,12 @@
 //! What the status lines say of the model's validity.
 
-use super::App;
-use super::notice::Severity;
 use crate::model::run::envelope::{self, Check};
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
 
 impl App {
     /// Which rules of the model's validity the scene does not keep, in full and short: by its run where that is there.
-    pub(super) fn validity_part(&self) -> Option<(Severity, String, String)> {
+    pub(in crate::tui) fn validity_part(&self) -> Option<(Severity, String, String)> {
         let run = self.shown.as_ref().map(|shown| &shown.run).filter(|_| !self.is_stale());
         let found =
             run.map_or_else(|| envelope::of_scene(&self.scene), |run| envelope::of_run(run));

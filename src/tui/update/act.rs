@@ -1,17 +1,17 @@
 //! One action: the page that is shown comes first, then what the action means anywhere.
 
 use crate::model::units;
-use crate::tui::app::dialog::{Dialog, Picker};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Tab, runs as run_words};
+use crate::tui::app::{App, Tab};
+use crate::tui::dialogs::{Dialog, Picker, export, options};
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
-use crate::tui::pages;
-
-use super::{dialogs, edit, export, find, options, runs};
+use crate::tui::pages::run::{runs, runs as run_words};
+use crate::tui::update::{edit, find};
+use crate::tui::{dialogs, pages};
 
 /// Do it, in the pane that has the keys.
-pub(super) fn act(app: &mut App, action: Action) -> Vec<Effect> {
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     if !matches!(action, Action::Quit | Action::QuitWithSummary | Action::Cancel) {
         app.jobs.asked_to_quit = false;
     }
@@ -42,7 +42,7 @@ fn steps(pane: Pane, action: Action) -> bool {
 }
 
 /// By how many rows an action moves in a list that shows so many at once; `None` for other actions.
-pub(super) fn rows_moved(action: Action, page: usize) -> Option<isize> {
+pub(in crate::tui) fn rows_moved(action: Action, page: usize) -> Option<isize> {
     let page = isize::try_from(page.max(2) - 1).unwrap_or(1);
     match action {
         Action::Up => Some(-1),
@@ -56,7 +56,7 @@ pub(super) fn rows_moved(action: Action, page: usize) -> Option<isize> {
 }
 
 /// How far along and upward an action moves a cursor; far is this many.
-pub(super) fn cursor_moved(action: Action, far: isize) -> Option<(isize, isize)> {
+pub(in crate::tui) fn cursor_moved(action: Action, far: isize) -> Option<(isize, isize)> {
     match action {
         Action::Left => Some((-1, 0)),
         Action::Right => Some((1, 0)),
@@ -97,12 +97,12 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
             app.dialog = Some(Dialog::Presets(Picker::default()));
             return vec![Effect::ListPresets];
         }
-        A::Save => return dialogs::save(app),
+        A::Save => return dialogs::keys::save(app),
         A::Export => export::open(app),
         A::Copy => return copy(app),
-        A::Models => return runs::models(app),
+        A::Models => return runs::keys::models(app),
         A::Interface | A::AutoRun | A::Glyphs | A::Theme | A::Mouse => {
-            return options::switch(app, action);
+            return options::keys::switch(app, action);
         }
         A::Cancel | A::Back | A::Quit | A::QuitWithSummary => return leave(app, action),
         A::FullPane => {
@@ -133,7 +133,7 @@ fn tab_of(action: Action) -> Option<Tab> {
 }
 
 /// Show a tab; one that is shown already shows its next page.
-pub(super) fn go_to(app: &mut App, tab: Tab) -> Vec<Effect> {
+pub(in crate::tui) fn go_to(app: &mut App, tab: Tab) -> Vec<Effect> {
     if app.tab != tab {
         app.tab = tab;
         app.log_scroll = 0;
@@ -205,21 +205,21 @@ fn focus(app: &mut App, forward: bool) -> Vec<Effect> {
 
 /// Whether anything under way has been so for so long that leaving it asks twice.
 fn is_long(app: &App) -> bool {
-    Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).running(app)).any(|job| job.long)
+    pages::all_jobs(app).any(|(_, job)| app.jobs.long.contains(&job.id))
 }
 
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let is_quit = matches!(action, Action::Quit | Action::QuitWithSummary);
     let own = pages::of(app.tab).running(app);
-    let all = || Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).running(app));
-    let cancelled: Vec<Effect> = match action {
-        Action::Back => own.iter().map(|job| job.cancel.clone()).collect(),
-        Action::Cancel if own.is_empty() => all().take(1).map(|job| job.cancel).collect(),
-        Action::Cancel => own.iter().map(|job| job.cancel.clone()).collect(),
+    let jobs: Vec<pages::Job> = match action {
+        Action::Cancel if own.is_empty() => {
+            pages::all_jobs(app).take(1).map(|(_, job)| job).collect()
+        }
+        Action::Back | Action::Cancel => own,
         _ => Vec::new(),
     };
-    if !cancelled.is_empty() {
-        return cancelled;
+    if !jobs.is_empty() {
+        return jobs.into_iter().map(|job| Effect::Cancel(job.id)).collect();
     }
     if action == Action::Back {
         back(app);
@@ -252,7 +252,7 @@ fn back(app: &mut App) {
     if app.full_pane[at] {
         app.full_pane[at] = false;
     } else if !find::clear(app) {
-        let elsewhere = Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).running(app)).next();
+        let elsewhere = pages::all_jobs(app).map(|(_, job)| job).next();
         let kept = if app.session_lost { "is not kept" } else { "is kept" };
         let text = elsewhere.map_or_else(
             || format!("nothing to close: q quits (the session {kept})"),

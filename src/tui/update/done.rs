@@ -5,15 +5,14 @@ use std::sync::Arc;
 
 use tui_input::Input;
 
-use crate::tui::app::dialog::Dialog;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
+use crate::tui::dialogs::{Dialog, curve};
 use crate::tui::message::{Effect, EffectReport, ExportOutcome};
-
-use super::{curve, edit};
+use crate::tui::update::edit;
 
 /// An effect has been carried out, or has failed.
-pub(super) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
+pub(in crate::tui) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
     match report {
         EffectReport::Saved(Ok((name, path))) => return saved(app, name, &path),
         EffectReport::Saved(Err(text)) => match &mut app.dialog {

@@ -5,16 +5,17 @@ use std::sync::Arc;
 use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
-use crate::tui::app::dialog::wrap;
-use crate::tui::app::editor::shown_value;
 use crate::tui::app::history::{Edit, Setting, Snapshot};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::runs::Pin;
-use crate::tui::app::steps::{self, Size};
 use crate::tui::app::{App, Base};
+use crate::tui::dialogs::wrap;
 use crate::tui::message::Effect;
-
-use super::{jobs, runs, sweep};
+use crate::tui::pages::explore;
+use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::runs::Pin;
+use crate::tui::pages::run::steps::Size;
+use crate::tui::pages::run::{runs, steps};
+use crate::tui::update::jobs;
 
 /// Columns that hold six digits of any value.
 const WIDE: usize = 24;
@@ -23,7 +24,7 @@ const WIDE: usize = 24;
 ///
 /// # Errors
 /// Why the value, or the scene with it, makes no sense; nothing is changed then.
-pub(super) fn set(
+pub(in crate::tui) fn set(
     app: &mut App,
     index: usize,
     value: Value,
@@ -62,7 +63,7 @@ pub(super) fn set(
 }
 
 /// Make another scene the current one, as one edit.
-pub(super) fn commit_scene(
+pub(in crate::tui) fn commit_scene(
     app: &mut App,
     scene: Scene,
     label: String,
@@ -73,7 +74,7 @@ pub(super) fn commit_scene(
 }
 
 /// Make another scene current and compare it with another preset, as one edit.
-pub(super) fn load(app: &mut App, base: Base) -> Vec<Effect> {
+pub(in crate::tui) fn load(app: &mut App, base: Base) -> Vec<Effect> {
     let label = format!("load {}", base.name);
     let after = Snapshot { scene: Arc::clone(&base.scene), base };
     app.charts.zoom_s = None;
@@ -94,20 +95,20 @@ fn install(app: &mut App, snapshot: Snapshot) -> Vec<Effect> {
     app.scene = snapshot.scene;
     app.base = snapshot.base;
     let mut effects = jobs::after_edit(app);
-    effects.extend(sweep::after_edit(app));
+    effects.extend(explore::keys::after_edit(app));
     effects.push(Effect::SaveSession);
     effects
 }
 
 /// Note that a pin was taken away, as one edit.
-pub(super) fn note_unpinned(app: &mut App, pin: Pin) {
+pub(in crate::tui) fn note_unpinned(app: &mut App, pin: Pin) {
     let label = format!("unpin {}: {}", pin.letter, pin.name);
     let edit = Edit { unpinned: Some(pin), ..beside_the_scene(app, label) };
     app.history.push(edit);
 }
 
 /// Note that the setup of a tab was changed, as one edit; `stepping` joins it with the steps just before.
-pub(super) fn note_setting(
+pub(in crate::tui) fn note_setting(
     app: &mut App,
     setting: (Setting, Setting),
     label: String,
@@ -133,7 +134,7 @@ fn set_up(app: &mut App, setting: Setting) -> Vec<Effect> {
         }
         Setting::Visits(visits) => {
             app.sweeping.visits = visits;
-            return sweep::after_edit(app);
+            return explore::keys::after_edit(app);
         }
         Setting::Weights(weights) => app.thesis.weights = weights,
     }
@@ -141,35 +142,35 @@ fn set_up(app: &mut App, setting: Setting) -> Vec<Effect> {
 }
 
 /// Take the last edit back.
-pub(super) fn undo(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn undo(app: &mut App) -> Vec<Effect> {
     let Some(edit) = app.history.undo().cloned() else {
         app.say(Severity::Note, "nothing to undo");
         return Vec::new();
     };
     app.say(Severity::Note, format!("undone: {} (Ctrl-r redoes)", edit.label));
     match (edit.unpinned, edit.setting) {
-        (Some(pin), _) => runs::put_back(app, pin),
+        (Some(pin), _) => runs::keys::put_back(app, pin),
         (None, Some((before, _))) => set_up(app, before),
         (None, None) => install(app, edit.before),
     }
 }
 
 /// Do the last undone edit again.
-pub(super) fn redo(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn redo(app: &mut App) -> Vec<Effect> {
     let Some(edit) = app.history.redo().cloned() else {
         app.say(Severity::Note, "nothing to redo");
         return Vec::new();
     };
     app.say(Severity::Note, format!("redone: {}", edit.label));
     match (edit.unpinned, edit.setting) {
-        (Some(pin), _) => runs::take_away(app, &pin),
+        (Some(pin), _) => runs::keys::take_away(app, &pin),
         (None, Some((_, after))) => set_up(app, after),
         (None, None) => install(app, edit.after),
     }
 }
 
 /// Go to the state after the first `done` edits.
-pub(super) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
+pub(in crate::tui) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
     let done = done.min(app.history.edits.len());
     if done == app.history.done {
         return Vec::new();
@@ -181,9 +182,9 @@ pub(super) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
     let mut effects = Vec::new();
     let here = app.history.done;
     let back = app.history.unpinned(done.min(here)..here);
-    effects.extend(back.into_iter().flat_map(|pin| runs::put_back(app, pin)));
+    effects.extend(back.into_iter().flat_map(|pin| runs::keys::put_back(app, pin)));
     let gone = app.history.unpinned(here.min(done)..done);
-    effects.extend(gone.into_iter().flat_map(|pin| runs::take_away(app, &pin)));
+    effects.extend(gone.into_iter().flat_map(|pin| runs::keys::take_away(app, &pin)));
     for setting in app.history.settings_to(done) {
         effects.extend(set_up(app, setting));
     }
@@ -194,7 +195,7 @@ pub(super) fn travel(app: &mut App, done: usize) -> Vec<Effect> {
 }
 
 /// Reset the selected variable to the preset's value.
-pub(super) fn reset(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn reset(app: &mut App) -> Vec<Effect> {
     let index = app.editor.selected;
     let value = VARIABLES[index].value(&app.base.scene);
     match set(app, index, value, None) {
@@ -215,7 +216,7 @@ pub(super) fn reset(app: &mut App) -> Vec<Effect> {
 }
 
 /// Reset every variable to the preset's value.
-pub(super) fn reset_all(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn reset_all(app: &mut App) -> Vec<Effect> {
     if !app.is_modified() {
         app.say(Severity::Note, "nothing differs from the preset");
         return Vec::new();
@@ -227,7 +228,7 @@ pub(super) fn reset_all(app: &mut App) -> Vec<Effect> {
 }
 
 /// Step the selected variable: a number by its rule, a choice or switch to its neighbour.
-pub(super) fn step(app: &mut App, up: bool, size: Size) -> Vec<Effect> {
+pub(in crate::tui) fn step(app: &mut App, up: bool, size: Size) -> Vec<Effect> {
     let index = app.editor.selected;
     let variable = &VARIABLES[index];
     let Kind::Number(number) = &variable.kind else {

@@ -4,18 +4,18 @@
 use crossterm::event::{KeyCode, KeyEvent};
 use tui_input::Input;
 
-use super::input;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::CRITERIA;
 use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::sweep::SetupRow;
 use crate::tui::keymap::Pane;
 use crate::tui::message::Effect;
+use crate::tui::pages::explore::state::SetupRow;
+use crate::tui::widgets::input;
 
 /// Open the field, with the text the list is filtered by.
-pub(super) fn open(app: &mut App) {
+pub(in crate::tui) fn open(app: &mut App) {
     let text = match app.pane() {
         Pane::Variables => app.editor.filter.clone(),
         Pane::Claims => app.find.claims.clone(),
@@ -36,7 +36,7 @@ pub(super) fn open(app: &mut App) {
 }
 
 /// A key while it is open: the list follows every character.
-pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     match key.code {
         KeyCode::Esc => {
             app.find.field = None;
@@ -63,7 +63,7 @@ pub(super) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
 }
 
 /// Show what matches the text in the field.
-pub(super) fn follow(app: &mut App) {
+pub(in crate::tui) fn follow(app: &mut App) {
     let Some(text) = app.find.field.as_ref().map(|field| field.value().to_owned()) else { return };
     match app.pane() {
         Pane::Variables => app.editor.set_filter(&app.scene, &text),
@@ -81,7 +81,7 @@ pub(super) fn follow(app: &mut App) {
 }
 
 /// Take a filter off the pane that has the keys; whether there was one.
-pub(super) fn clear(app: &mut App) -> bool {
+pub(in crate::tui) fn clear(app: &mut App) -> bool {
     let filter = match app.pane() {
         Pane::Variables => &mut app.editor.filter,
         Pane::Claims => &mut app.find.claims,

@@ -3,25 +3,25 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::run::{Run, Warning};
+use crate::model::run::{EndReason, Run, Warning};
 use crate::model::scene::Scene;
 use crate::tui::app::App;
-use crate::tui::app::accuracy::Measuring;
+use crate::tui::app::jobs::{InFlight, Running};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::runs::{InFlight, Shown};
 use crate::tui::app::status::warning_text;
 use crate::tui::message::{Effect, Message};
-use crate::worker::studies::{Study, StudyKind};
-use crate::worker::{Job, Report, ReportBody, Slot};
+use crate::tui::pages::run::runs::Shown;
+use crate::worker::studies::StudyKind;
+use crate::worker::{Finding, Progress, Report, ReportBody, Slot, Task, Work};
 
 /// Quiet time after an edit: then a run that still goes on is replaced, and what is on the screen is called old.
 const QUIET: Duration = Duration::from_millis(30);
 
 /// From this on, counted from its first report, a job is too long to be dropped unasked.
-pub(super) const LONG: Duration = Duration::from_secs(5);
+pub(in crate::tui) const LONG: Duration = Duration::from_secs(5);
 
 /// After an edit: run at once when nothing is in flight, else when the edits have paused.
-pub(super) fn after_edit(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn after_edit(app: &mut App) -> Vec<Effect> {
     app.jobs.serial += 1;
     app.jobs.failure = None;
     app.jobs.cancelled = false;
@@ -36,13 +36,13 @@ pub(super) fn after_edit(app: &mut App) -> Vec<Effect> {
 }
 
 /// Run the scene now, whatever is in flight.
-pub(super) fn run_now(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn run_now(app: &mut App) -> Vec<Effect> {
     app.jobs.serial += 1;
     submit_now(app)
 }
 
 /// Submit the scene, with the moment after which the old result is called old.
-pub(super) fn submit_now(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn submit_now(app: &mut App) -> Vec<Effect> {
     app.jobs.overdue = false;
     app.jobs.failure = None;
     app.jobs.cancelled = false;
@@ -52,39 +52,78 @@ pub(super) fn submit_now(app: &mut App) -> Vec<Effect> {
 }
 
 fn submit(app: &mut App) -> Vec<Effect> {
-    let id = app.jobs.next_id();
-    app.jobs.current =
-        Some(InFlight { id, scene: Arc::clone(&app.scene), reached: None, long: false });
-    vec![Effect::Submit(Job { id, slot: Slot::Current, scene: Arc::clone(&app.scene) })]
+    let (id, scene) = (app.jobs.next_id(), Arc::clone(&app.scene));
+    app.jobs.current = Some(InFlight { id, scene: Arc::clone(&scene), reached: None });
+    vec![Effect::Submit(Task { id, threads: 1, work: Work::Run(Slot::Current, scene) })]
 }
 
 /// Submit every pin that has neither result nor job.
-pub(super) fn submit_pins(app: &mut App) -> Vec<Effect> {
+pub(in crate::tui) fn submit_pins(app: &mut App) -> Vec<Effect> {
     let mut effects = Vec::new();
     for pin in &mut app.pins {
         if pin.run.is_none() && pin.job.is_none() {
             let id = app.jobs.next_id();
             pin.job = Some(id);
-            effects.push(Effect::Submit(Job {
-                id,
-                slot: Slot::Pin(pin.letter),
-                scene: Arc::clone(&pin.scene),
-            }));
+            let work = Work::Run(Slot::Pin(pin.letter), Arc::clone(&pin.scene));
+            effects.push(Effect::Submit(Task { id, threads: 1, work }));
         }
     }
     effects
 }
 
-/// Ask for a study of a scene; what is to be kept of it while it runs, and the effects.
-pub(super) fn study(app: &mut App, kind: StudyKind, scene: Arc<Scene>) -> (Measuring, Vec<Effect>) {
+/// Submit a study of a scene; gives what its page keeps of it while it runs, and the effects.
+pub(in crate::tui) fn study(
+    app: &mut App,
+    kind: StudyKind,
+    scene: Arc<Scene>,
+) -> (Running, Vec<Effect>) {
     let (id, threads) = (app.jobs.next_id(), app.crew());
-    let measuring = Measuring { id, scene: Arc::clone(&scene), points: None, long: false };
-    let study = Study { id, scene, kind, threads };
-    (measuring, vec![Effect::Study(study), Effect::After(LONG, Message::LongJob(id))])
+    let running = Running { id, scene: Arc::clone(&scene), points: None };
+    let task = Task { id, threads, work: Work::Study(scene, kind) };
+    (running, vec![Effect::Submit(task), Effect::After(LONG, Message::LongJob(id))])
+}
+
+/// What a report of a study brings to its page.
+pub(in crate::tui) struct Found {
+    /// The study, as far as it was.
+    pub running: Running,
+    /// What it found, or has so far.
+    pub finding: Finding,
+    /// Nothing follows.
+    pub is_last: bool,
+}
+
+/// Note the progress of a study and show why it failed; gives what it brings.
+pub(in crate::tui) fn found(
+    app: &mut App,
+    body: ReportBody,
+    place: fn(&mut App) -> &mut Option<Running>,
+) -> Option<Found> {
+    match body {
+        ReportBody::Progress { progress, .. } => {
+            if let (Some(running), Progress::Points(done, total)) = (place(app), progress) {
+                running.points = Some((done, total));
+            }
+            None
+        }
+        ReportBody::Part(finding) => {
+            let running = place(app).clone()?;
+            Some(Found { running, finding, is_last: false })
+        }
+        ReportBody::Ended { found, .. } => {
+            let running = place(app).take()?;
+            Some(Found { running, finding: found?, is_last: true })
+        }
+        ReportBody::Failed(text) => {
+            *place(app) = None;
+            app.say(Severity::Error, text);
+            None
+        }
+    }
 }
 
 /// The quiet time after an edit is over.
-pub(super) fn run_due(app: &mut App, serial: u64) -> Vec<Effect> {
+pub(in crate::tui) fn run_due(app: &mut App, serial: u64) -> Vec<Effect> {
     let Some(job) = app.jobs.current.as_ref().filter(|_| serial == app.jobs.serial) else {
         return Vec::new();
     };
@@ -92,80 +131,52 @@ pub(super) fn run_due(app: &mut App, serial: u64) -> Vec<Effect> {
     if job.scene == app.scene { Vec::new() } else { submit(app) }
 }
 
-/// A job has been running for a long time; of one that has ended nothing is said.
-pub(super) fn long(app: &mut App, id: u64) {
-    if let Some(job) = app.jobs.current.as_mut().filter(|job| job.id == id) {
-        job.long = true;
+/// A report of a run; those of replaced ones are dropped before.
+pub(in crate::tui) fn report(app: &mut App, report: Report) -> Vec<Effect> {
+    if let Slot::Pin(letter) = report.slot {
+        pin(app, letter, report.body);
+        return Vec::new();
     }
-    if let Some(sweep) = app.sweeping.computing.as_mut().filter(|sweep| sweep.id == id) {
-        sweep.long = true;
-    }
-    let (accuracy, stability) = (&mut app.accuracy, &mut app.stability);
-    let (thesis, limit) = (&mut app.thesis.running, &mut app.limit.finding);
-    let (mapping, battery) = (&mut stability.mapping, &mut stability.running);
-    let search = &mut app.searching.running;
-    for study in [&mut accuracy.measuring, mapping, battery, thesis, limit, search] {
-        if let Some(study) = study.as_mut().filter(|study| study.id == id) {
-            study.long = true;
-        }
-    }
-}
-
-/// A report from the worker; those of replaced jobs are dropped.
-pub(super) fn report(app: &mut App, report: Report) -> Vec<Effect> {
-    match report.slot {
-        Slot::Current if app.jobs.is_newest(report.slot, report.id) => current(app, report.body),
-        Slot::Current => Vec::new(),
-        Slot::Pin(letter) => {
-            pin(app, letter, report.id, report.body);
-            Vec::new()
-        }
-    }
-}
-
-fn current(app: &mut App, body: ReportBody) -> Vec<Effect> {
-    match body {
-        ReportBody::Started => {
-            let job = app.jobs.current.as_ref();
-            return job
-                .map(|job| Effect::After(LONG, Message::LongJob(job.id)))
-                .into_iter()
-                .collect();
-        }
-        ReportBody::Progress { t_s, elapsed } => {
-            if let Some(job) = &mut app.jobs.current {
+    match report.body {
+        ReportBody::Progress { progress: Progress::Time(t_s), elapsed } => {
+            // The first report says that the run takes a while.
+            let begins = t_s == 0.0;
+            if let Some(job) = app.jobs.current.as_mut().filter(|_| !begins) {
                 job.reached = Some((t_s, elapsed));
             }
-            return Vec::new();
+            let id = report.id;
+            let long = begins.then(|| Effect::After(LONG, Message::LongJob(id)));
+            return long.into_iter().collect();
         }
-        ReportBody::Part(run) => {
+        ReportBody::Part(Finding::Run(run)) => {
             app.note_run(&run);
             app.shown = Some(Shown { run, took: None });
             return Vec::new();
         }
-        ReportBody::Done { run, took } => show(app, run, Some(took)),
+        ReportBody::Ended { found: Some(Finding::Run(run)), took } => ended(app, run, took),
         ReportBody::Failed(text) => {
             app.jobs.failure = Some(text.clone());
             app.say(Severity::Error, text);
         }
-        ReportBody::Cancelled { partial } => {
+        ReportBody::Ended { .. } => {
             app.jobs.cancelled = true;
-            app.say(
-                Severity::Note,
-                match partial {
-                    Some(_) => "cancelled: what was finished is shown",
-                    None => "cancelled: r runs again",
-                },
-            );
-            if let Some(run) = partial {
-                show(app, run, None);
-            }
+            app.say(Severity::Note, "cancelled: r runs again");
         }
+        ReportBody::Progress { .. } | ReportBody::Part(_) => return Vec::new(),
     }
     let finished = app.jobs.current.take();
     app.jobs.overdue = false;
     let outdated = finished.is_some_and(|job| job.scene != app.scene);
     if outdated && app.auto_run { submit_now(app) } else { Vec::new() }
+}
+
+fn ended(app: &mut App, run: Arc<Run>, took: Duration) {
+    if run.end != EndReason::Cancelled {
+        return show(app, run, Some(took));
+    }
+    app.jobs.cancelled = true;
+    app.say(Severity::Note, "cancelled: what was finished is shown");
+    show(app, run, None);
 }
 
 fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
@@ -191,28 +202,19 @@ fn show(app: &mut App, run: Arc<Run>, took: Option<Duration>) {
     app.shown = Some(Shown { run, took });
 }
 
-fn pin(app: &mut App, letter: char, id: u64, body: ReportBody) {
-    let found = app.pins.iter_mut().find(|pin| pin.letter == letter && pin.job == Some(id));
-    let Some(pin) = found else {
-        return;
-    };
+fn pin(app: &mut App, letter: char, body: ReportBody) {
+    let Some(pin) = app.pins.iter_mut().find(|pin| pin.letter == letter) else { return };
+    if body.is_last() {
+        pin.job = None;
+    }
     match body {
-        ReportBody::Started | ReportBody::Progress { .. } | ReportBody::Part(_) => {}
-        ReportBody::Done { run, .. } => {
+        ReportBody::Ended { found: Some(Finding::Run(run)), .. } => {
             pin.run = Some(Arc::clone(&run));
-            pin.job = None;
             app.note_run(&run);
         }
         ReportBody::Failed(text) => {
-            pin.job = None;
             app.say(Severity::Error, format!("pinned run {letter}: {text}"));
         }
-        ReportBody::Cancelled { partial } => {
-            pin.run.clone_from(&partial);
-            pin.job = None;
-            if let Some(run) = &partial {
-                app.note_run(run);
-            }
-        }
+        ReportBody::Progress { .. } | ReportBody::Part(_) | ReportBody::Ended { .. } => {}
     }
 }

@@ -1,18 +1,19 @@
 //! The mouse, where the person has let the program have it: a click selects what it hits, a click on what is selected does
 //! what Enter does there, and the wheel moves what it is over.
 
-use super::{act, dialogs, sweep};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::{Effect, Target};
-use crate::tui::pages;
+use crate::tui::pages::explore;
+use crate::tui::update::act;
+use crate::tui::{dialogs, pages};
 
 /// A click.
-pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
+pub(in crate::tui) fn click(app: &mut App, target: Target) -> Vec<Effect> {
     app.notice = None;
     if app.dialog.is_some() {
-        return dialogs::click(app, target);
+        return dialogs::keys::click(app, target);
     }
     if is_typing(app) {
         app.say(Severity::Note, "a field is open: Enter takes it, Esc leaves it as it was");
@@ -43,7 +44,7 @@ pub(super) fn click(app: &mut App, target: Target) -> Vec<Effect> {
         Target::Setup(_) | Target::SearchSetup(_) => return in_form(app, target),
         Target::Point(point) => {
             app.focus_on(Pane::Explore);
-            sweep::jump(app, point);
+            explore::keys::jump(app, point);
         }
         Target::RunTime(run_time_s) => app.accuracy.place_cursor(run_time_s),
         Target::Method(method) => {
@@ -115,7 +116,7 @@ fn pick(app: &mut App, row: usize) -> Vec<Effect> {
 }
 
 /// The wheel, upward or downward, over something or over nothing in particular.
-pub(super) fn wheel(app: &mut App, up: bool, target: Option<Target>) -> Vec<Effect> {
+pub(in crate::tui) fn wheel(app: &mut App, up: bool, target: Option<Target>) -> Vec<Effect> {
     if is_typing(app) {
         return Vec::new();
     }

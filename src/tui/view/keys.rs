@@ -1,25 +1,24 @@
 //! The keys row: what can be pressed here, from the key table; the most important is dropped last.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 use tui_input::Input;
 
-use super::Cursor;
-use super::text::{columns, put, put_line, window};
 use crate::tui::app::App;
-use crate::tui::app::dialog::Dialog;
-use crate::tui::app::search::Page;
-use crate::tui::app::sweep::{Picture, SetupRow, has_family};
+use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::{Action, PANE_KEYS, Pane};
+use crate::tui::pages::explore::state::{Picture, SetupRow, has_family};
+use crate::tui::pages::search::state::Page;
 use crate::tui::theme::Role;
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{columns, put, put_line, window};
 
 type Keys = &'static [(&'static str, &'static str)];
 
 /// Draw it.
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
+pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     if let Some(field) = app.find.field.as_ref().filter(|_| app.dialog.is_none()) {
-        return find(app, field, area, buffer, cursor);
+        return find(app, field, area, canvas);
     }
     let entries = match special(app) {
         Some(list) => {
@@ -38,20 +37,20 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer, cursor: &mut Cu
         spans.push(Span::styled(key, app.theme.style(Role::Key)));
         spans.push(Span::raw(format!(" {what}  ")));
     }
-    put_line(buffer, area, 0, &Line::from(spans));
+    put_line(canvas, area, 0, &Line::from(spans));
 }
 
 /// The field of `/`, and what ends it.
-fn find(app: &App, field: &Input, area: Rect, buffer: &mut Buffer, cursor: &mut Cursor) {
+fn find(app: &App, field: &Input, area: Rect, canvas: &mut Canvas<'_>) {
     let lead = format!("/ find in {}: ", app.pane().label());
-    let start = put(buffer, area, (1, 0), &lead, app.theme.style(Role::Key));
+    let start = put(canvas, area, (1, 0), &lead, app.theme.style(Role::Key));
     let hint = "Enter keep  Esc all";
     let room = area.width.saturating_sub(start + columns(hint) + 2);
     let (shown, at) = window(field, room);
-    put(buffer, area, (start, 0), &shown, app.theme.style(Role::Text));
+    put(canvas, area, (start, 0), &shown, app.theme.style(Role::Text));
     let hint_at = area.width.saturating_sub(columns(hint) + 1);
-    put(buffer, area, (hint_at, 0), hint, app.theme.style(Role::Dim));
-    *cursor = Some((area.x + start + at, area.y));
+    put(canvas, area, (hint_at, 0), hint, app.theme.style(Role::Dim));
+    canvas.cursor = Some((area.x + start + at, area.y));
 }
 
 /// While a quantity is typed.

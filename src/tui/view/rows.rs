@@ -1,17 +1,18 @@
 //! The title row, the message row and the status row.
 
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
 
-use super::text::{columns, put, put_line};
 use crate::tui::app::layout::SMALLEST;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
 use crate::tui::app::{App, Tab};
+use crate::tui::message::Target;
 use crate::tui::pages;
 use crate::tui::theme::Role;
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{columns, put, put_line};
 
 /// From this width on the title row has the name of the program.
 const ROOMY: u16 = 100;
@@ -26,16 +27,19 @@ fn role(severity: Severity) -> Role {
 }
 
 /// Tabs at the left; preset, whether it is modified, and auto-run at the right.
-pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
+pub(in crate::tui) fn title(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let style = |role| app.theme.style(role);
     let (named, titles) = tabs(app, area.width);
     let mut column = lead(area.width);
     if named {
-        column = put(buffer, area, (1, 0), "cmra", style(Role::Title)) + 2;
+        column = put(canvas, area, (1, 0), "cmra", style(Role::Title)) + 2;
     }
     for (tab, text) in Tab::ALL.into_iter().zip(&titles) {
         let role = if tab == app.tab { Role::Selection } else { Role::Text };
-        column = put(buffer, area, (column, 0), text, style(role)) + 1;
+        let start = column;
+        column = put(canvas, area, (column, 0), text, style(role)) + 1;
+        let title = Rect { x: area.x + start, width: columns(text), ..area };
+        canvas.hit(title, |_| Some(Target::Tab(tab)));
     }
     let room = usize::from(area.width.saturating_sub(column + 2));
     if room < 6 {
@@ -59,24 +63,12 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     let name = clip(&app.base.name, room.saturating_sub(usize::from(fixed)).max(6));
     let text = format!("{preset}{name}{changed}{auto}{mouse}");
     let start = area.width.saturating_sub(columns(&text) + 1).max(column);
-    put(buffer, area, (start, 0), &text, style(Role::Text));
+    put(canvas, area, (start, 0), &text, style(Role::Text));
 }
 
 /// The first column of the tabs: none is left free on the narrowest screen.
 fn lead(width: u16) -> u16 {
     u16::from(width > SMALLEST.0)
-}
-
-/// The tab whose title is at a column of the title row.
-pub(super) fn tab_at(app: &App, width: u16, column: u16) -> Option<Tab> {
-    let (named, titles) = tabs(app, width);
-    let mut start = if named { 7 } else { lead(width) };
-    Tab::ALL.into_iter().zip(&titles).find_map(|(tab, title)| {
-        let end = start + columns(title);
-        let hit = (start..end).contains(&column);
-        start = end + 1;
-        hit.then_some(tab)
-    })
 }
 
 /// Whether the program's name is shown, and the titles of the tabs, the one shown in brackets.
@@ -89,64 +81,50 @@ fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
 }
 
 /// The names of the tab's pages, the one shown in brackets, and how to get to the next.
-pub(super) fn pages(app: &App, area: Rect, buffer: &mut Buffer) {
+pub(in crate::tui) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
-    for (at, name) in page_names(app).iter().enumerate() {
-        let is_shown = at == pages::of(app.tab).shown(app);
+    let page = pages::of(app.tab);
+    for (at, name) in page.names().iter().enumerate() {
+        let is_shown = at == page.shown(app);
+        let text = if is_shown { format!("[{name}]") } else { (*name).to_owned() };
         let role = if is_shown { Role::Selection } else { Role::Text };
-        column = put(buffer, area, (column, 0), name, app.theme.style(role)) + 2;
+        let start = area.x + column;
+        column = put(canvas, area, (column, 0), &text, app.theme.style(role)) + 2;
+        let name = Rect { x: start, width: columns(&text), ..area };
+        canvas.hit(name, |_| Some(Target::Page(at)));
     }
     let number = app.tab.index() + 1;
     let hint = format!("{number}: next page");
     let start = area.width.saturating_sub(columns(&hint) + 1);
     if start > column {
-        put(buffer, area, (start, 0), &hint, app.theme.style(Role::Dim));
+        put(canvas, area, (start, 0), &hint, app.theme.style(Role::Dim));
     }
-}
-
-fn page_names(app: &App) -> Vec<String> {
-    let page = pages::of(app.tab);
-    let name = |(at, name): (usize, &&str)| {
-        if at == page.shown(app) { format!("[{name}]") } else { (*name).to_owned() }
-    };
-    page.names().iter().enumerate().map(name).collect()
-}
-
-/// The page whose name is at a column of the row of names.
-pub(super) fn page_at(app: &App, column: u16) -> Option<usize> {
-    let mut start = 1;
-    page_names(app).iter().position(|name| {
-        let end = start + columns(name);
-        let hit = (start..end).contains(&column);
-        start = end + 2;
-        hit
-    })
 }
 
 /// What stands under the cursor and the newest message, each with its mark. What has no room in the area covers what stands above
 /// it: the panes keep their places.
-pub(super) fn message(app: &App, area: Rect, buffer: &mut Buffer) {
+pub(in crate::tui) fn message(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let lines = app.message_lines(usize::from(area.width));
     let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);
     let above = count.saturating_sub(area.height).min(area.y);
     let area = Rect { y: area.y - above, height: area.height + above, ..area };
     if above > 0 {
-        Clear.render(area, buffer);
+        Clear.render(area, canvas);
     }
     let mut before = None;
     for (row, (severity, text)) in (0..area.height).zip(&lines) {
         let style = app.theme.style(role(*severity));
         if before != Some(*severity) {
-            put(buffer, area, (1, row), severity.mark(), style);
+            put(canvas, area, (1, row), severity.mark(), style);
         }
         before = Some(*severity);
         let column = if *severity == Severity::Note { 1 } else { 3 };
-        put(buffer, area, (column, row), text, style);
+        put(canvas, area, (column, row), text, style);
     }
 }
 
 /// What the run is and cost; the parts at the right go first when there is little room.
-pub(super) fn status(app: &App, area: Rect, buffer: &mut Buffer) {
+pub(in crate::tui) fn status(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let parts = app.status();
     let room = usize::from(area.width.saturating_sub(2));
     let total = |texts: &[&str]| texts.iter().map(|text| text.chars().count() + 3).sum::<usize>();
@@ -163,5 +141,5 @@ pub(super) fn status(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         spans.push(Span::styled((*text).to_owned(), app.theme.style(role(part.0))));
     }
-    put_line(buffer, area, 0, &Line::from(spans));
+    put_line(canvas, area, 0, &Line::from(spans));
 }

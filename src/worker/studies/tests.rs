@@ -1,63 +1,82 @@
 //! Studies replace, stop and pass each other as they should.
 
-use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{self, Receiver};
+use std::time::Duration;
 
 use super::*;
+use crate::worker::{Report, Task, Work, Worker};
 
 const PATIENCE: Duration = Duration::from_secs(60);
 
-fn study(id: u64) -> Study {
-    Study { id, scene: Arc::default(), kind: StudyKind::Accuracy(Effort::QUICK), threads: 2 }
+fn study(id: u64, kind: StudyKind) -> Task {
+    Task { id, threads: 2, work: Work::Study(Arc::default(), kind) }
 }
 
-/// The studies' threads, and what they report.
-fn spawned() -> (Studies, Receiver<StudyReport>) {
+/// The threads, and what they report.
+fn spawned() -> (Worker, Receiver<Report>) {
     let (send, reports) = mpsc::channel();
-    let studies = Studies::spawn(&Quiet::default(), move |report| {
+    let worker = Worker::spawn(move |report| {
         // The test may be over.
         let _ = send.send(report);
     });
-    (studies.unwrap(), reports)
+    (worker.unwrap(), reports)
+}
+
+/// The next report that ends a study, and what it found.
+fn ended(reports: &Receiver<Report>) -> (u64, Option<Finding>) {
+    loop {
+        let report = reports.recv_timeout(PATIENCE).expect("a report in time");
+        match report.body {
+            ReportBody::Ended { found, .. } => return (report.id, found),
+            ReportBody::Failed(text) => panic!("{text}"),
+            ReportBody::Progress { .. } | ReportBody::Part(_) => {}
+        }
+    }
+}
+
+/// A reporter that nobody listens to, and that is cancelled once it was asked so often.
+fn with_reporter<T>(asked_most: usize, work: impl FnOnce(&Reporter<'_>) -> T) -> T {
+    let (asked, cancel) = (AtomicUsize::new(0), Arc::new(AtomicBool::new(false)));
+    let send = |_| {
+        if asked.fetch_add(1, Ordering::Relaxed) >= asked_most {
+            cancel.store(true, Ordering::Relaxed);
+        }
+    };
+    work(&Reporter::eager(&send, &cancel))
 }
 
 #[test]
 fn a_newer_study_stops_the_older_and_each_ends_once() {
-    let (studies, reports) = spawned();
-    studies.submit(study(1));
-    studies.submit(study(2));
-    let mut ended = Vec::new();
-    while ended.len() < 2 {
-        let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-        if let StudyBody::Ended(Finding::Accuracy(found)) = report.body {
-            ended.push((report.id, found.is_complete));
-        }
-    }
-    assert_eq!(ended[1], (2, true));
-    assert_eq!(ended[0].0, 1);
+    let (worker, reports) = spawned();
+    worker.submit(study(1, StudyKind::Accuracy(Effort::QUICK)));
+    worker.submit(study(2, StudyKind::Accuracy(Effort::QUICK)));
+    let first = ended(&reports).0;
+    let (second, found) = ended(&reports);
+    assert_eq!((first, second), (1, 2));
+    assert!(matches!(found, Some(Finding::Accuracy(report)) if report.is_complete));
 }
 
 #[test]
 fn a_cancelled_study_keeps_what_it_has() {
-    let (studies, reports) = spawned();
-    let full = StudyKind::Accuracy(Effort::FULL);
-    studies.submit(Study { kind: full, ..study(7) });
-    studies.cancel(7);
-    let found = loop {
-        let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-        if let StudyBody::Ended(Finding::Accuracy(found)) = report.body {
-            break found;
-        }
-    };
-    assert!(!found.is_complete);
+    let (worker, reports) = spawned();
+    worker.submit(study(7, StudyKind::Accuracy(Effort::FULL)));
+    while !matches!(
+        reports.recv_timeout(PATIENCE).expect("a report in time").body,
+        ReportBody::Progress { .. }
+    ) {}
+    worker.cancel(7);
+    let (_, found) = ended(&reports);
+    assert!(matches!(found, Some(Finding::Accuracy(report)) if !report.is_complete));
 }
 
 #[test]
 fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
-    let go_on = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| ControlFlow::Continue(());
     // The other methods are left out: their time is past.
+    let late = || 2.0 * battery::OTHERS_UNTIL_S;
     let found =
-        battery(2, (&|| 2.0 * battery::OTHERS_UNTIL_S, &AtomicBool::new(false)), go_on).unwrap();
-    let Finding::Battery(rows, true) = found else { panic!("not the whole battery") };
+        with_reporter(usize::MAX, |reporter| battery(2, (&late, reporter.cancel()), reporter));
+    let Ok(Finding::Battery(rows, true)) = found else { panic!("not the whole battery") };
     let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
     let cases: Vec<&str> = stability::battery(false).iter().map(|case| case.name).collect();
     assert_eq!(names, cases);
@@ -65,15 +84,10 @@ fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
 
 #[test]
 fn a_stopped_battery_keeps_what_it_has() {
-    let mut asked = 0;
-    let stop = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| {
-        asked += 1;
-        if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let found =
-        battery(2, (&|| 2.0 * battery::OTHERS_UNTIL_S, &AtomicBool::new(false)), stop).unwrap();
-    let Finding::Battery(rows, false) = found else { panic!("the whole battery") };
-    assert!(rows.len() >= 3 && rows.len() < stability::battery(false).len());
+    let late = || 2.0 * battery::OTHERS_UNTIL_S;
+    let found = with_reporter(6, |reporter| battery(2, (&late, reporter.cancel()), reporter));
+    let Ok(Finding::Battery(rows, false)) = found else { panic!("the whole battery") };
+    assert!(rows.len() < stability::battery(false).len());
 }
 
 /// Not only between two scenes: one may take seconds.
@@ -92,44 +106,39 @@ fn a_battery_is_stopped_within_a_scene() {
 /// Not only between two claims: the longest take most of a second.
 #[test]
 fn the_claims_are_stopped_within_a_claim() {
-    let stop = Arc::new(AtomicBool::new(false));
-    let mut asked = 0;
     // Several are checked side by side: those that run when it is stopped are left out, and none is begun after them.
-    let tell = &mut |_: usize, _: usize, _: &dyn Fn() -> Finding| {
-        asked += 1;
-        stop.store(asked > 3, Ordering::Relaxed);
-        ControlFlow::Continue(())
-    };
-    let Finding::Thesis(rows, false) = claims(tell, &stop) else { panic!("all the claims") };
+    let Finding::Thesis(rows, false) = with_reporter(6, claims) else { panic!("all the claims") };
     let all = thesis::claims().len();
     assert!(rows.len() < all / 2, "{} of {all}", rows.len());
 }
 
 #[test]
 fn an_impossible_scene_is_refused_in_words() {
-    let (studies, reports) = spawned();
+    let (worker, reports) = spawned();
     let mut scene = Scene::default();
     scene.projectile.mass_kg = -1.0;
-    studies.submit(Study { scene: Arc::new(scene), ..study(1) });
+    let work = Work::Study(Arc::new(scene), StudyKind::Accuracy(Effort::QUICK));
+    worker.submit(Task { id: 1, threads: 1, work });
     let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-    assert!(matches!(report.body, StudyBody::Failed(text) if text.contains("m_p")));
+    assert!(matches!(report.body, ReportBody::Failed(text) if text.contains("m_p")));
 }
 
 #[test]
 fn a_limit_is_found_and_a_stopped_one_says_so() {
-    let (studies, reports) = spawned();
-    let kind =
-        StudyKind::Limit(limit::Effort { criterion: limit::Criterion::Passage, scattering: None });
-    let found = || loop {
-        let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-        if let StudyBody::Ended(Finding::Limit(Some(found))) = report.body {
-            break found;
-        }
+    let (worker, reports) = spawned();
+    let passage = |scattering| {
+        let criterion = limit::Criterion::Passage;
+        StudyKind::Limit(limit::Effort { criterion, scattering })
+    };
+    let found = || match ended(&reports).1 {
+        Some(Finding::Limit(found)) => found,
+        other => panic!("no limit: {other:?}"),
     };
     // A rigid mount has its limit in closed form (model page, section 2).
     let mut scene = Scene::default();
     scene.plate.mount = crate::model::scene::Mount::Rigid;
-    studies.submit(Study { scene: Arc::new(scene), kind, ..study(1) });
+    let work = Work::Study(Arc::new(scene), passage(None));
+    worker.submit(Task { id: 1, threads: 1, work });
     let limit_m_s = found().limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
     let scattering = limit::scatter::Scattering {
@@ -138,50 +147,37 @@ fn a_limit_is_found_and_a_stopped_one_says_so() {
         seed: 1,
         model: limit::scatter::ModelError::default(),
     };
-    let kind = StudyKind::Limit(limit::Effort {
-        criterion: limit::Criterion::Passage,
-        scattering: Some(scattering),
-    });
-    studies.submit(Study { kind, ..study(2) });
-    studies.cancel(2);
+    worker.submit(study(2, passage(Some(scattering))));
+    while !matches!(
+        reports.recv_timeout(PATIENCE).expect("a report in time").body,
+        ReportBody::Progress { .. }
+    ) {}
+    worker.cancel(2);
     assert!(!found().is_complete);
 }
 
 #[test]
 fn studies_of_different_kinds_do_not_stop_each_other() {
-    let (studies, reports) = spawned();
-    studies.submit(study(1));
-    let kind = StudyKind::Map(map::Method::Rk4, map::Axis::K);
-    studies.submit(Study { kind, ..study(2) });
-    let (mut measured, mut mapped) = (None, None);
-    while measured.is_none() || mapped.is_none() {
-        let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-        match report.body {
-            StudyBody::Ended(Finding::Accuracy(found)) => measured = Some(found.is_complete),
-            StudyBody::Ended(Finding::Map(map)) => {
-                mapped = Some((map.values.len(), map.dt_s.len()));
-            }
-            StudyBody::Ended(_) | StudyBody::Part { .. } => {}
-            StudyBody::Failed(text) => panic!("{text}"),
+    let (worker, reports) = spawned();
+    worker.submit(study(1, StudyKind::Accuracy(Effort::QUICK)));
+    worker.submit(study(2, StudyKind::Map(map::Method::Rk4, map::Axis::K)));
+    for _ in 0..2 {
+        match ended(&reports).1 {
+            Some(Finding::Accuracy(report)) => assert!(report.is_complete),
+            Some(Finding::Map(map)) => assert!(map.is_complete()),
+            other => panic!("{other:?}"),
         }
     }
-    assert_eq!((measured, mapped), (Some(true), Some(map::CELLS)));
 }
 
 /// The battery goes on while a limit is found.
 #[test]
-fn who_asks_for_a_limit_does_not_wait_for_the_battery() {
-    let (studies, reports) = spawned();
-    studies.submit(Study { kind: StudyKind::Battery, ..study(1) });
-    let kind =
-        StudyKind::Limit(limit::Effort { criterion: limit::Criterion::Passage, scattering: None });
-    studies.submit(Study { kind, ..study(2) });
-    let first = loop {
-        let report = reports.recv_timeout(PATIENCE).expect("a report in time");
-        if let StudyBody::Ended(_) = report.body {
-            break report.id;
-        }
-    };
-    assert_eq!(first, 2);
-    studies.cancel(1);
+fn a_limit_does_not_wait_for_the_battery() {
+    let (worker, reports) = spawned();
+    worker.submit(study(1, StudyKind::Battery));
+    let criterion = limit::Criterion::Passage;
+    let kind = StudyKind::Limit(limit::Effort { criterion, scattering: None });
+    worker.submit(study(2, kind));
+    assert_eq!(ended(&reports).0, 2);
+    worker.cancel(1);
 }

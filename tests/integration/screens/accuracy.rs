@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::bench::Bench;
+use super::bench::{Bench, ended};
 use cmra::model::contact_phase::{Answer, Ending, Refusal};
 use cmra::model::scene::Scene;
 use cmra::study::accuracy::method::{Knob, Ladder, Method};
@@ -13,7 +13,7 @@ use cmra::tui::app::Tab;
 use cmra::tui::chart::ViewRange;
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{Finding, Study, StudyBody, StudyReport};
+use cmra::worker::{Finding, ReportBody};
 
 /// When the made-up contact ends, s, and how deep it is then, m.
 const END: (f64, f64) = (113.6e-6, 4.571_788_754e-3);
@@ -93,28 +93,14 @@ fn measured(scene: &Arc<Scene>, methods: usize) -> Report {
     }
 }
 
-/// The studies that have been asked for and not been looked at.
-pub(super) fn studies(bench: &mut Bench) -> Vec<Study> {
-    let mut found = Vec::new();
-    bench.effects.retain(|effect| match effect {
-        Effect::Study(study) => {
-            found.push(study.clone());
-            false
-        }
-        _ => true,
-    });
-    found
-}
-
 pub(super) fn answer(bench: &mut Bench, methods: usize) {
-    for study in studies(bench) {
-        let found = Arc::new(measured(&study.scene, methods));
-        let body = if methods == Method::ALL.len() {
-            StudyBody::Ended(Finding::Accuracy(found))
+    for study in bench.studies() {
+        let found = Finding::Accuracy(Arc::new(measured(&study.scene, methods)));
+        if methods == Method::ALL.len() {
+            bench.reply(study.id, ended(found));
         } else {
-            StudyBody::Part { done: 30, total: 79, part: Finding::Accuracy(found) }
-        };
-        bench.send(Message::Study(StudyReport { id: study.id, body }));
+            bench.part(study.id, (30, 79), found);
+        }
     }
 }
 
@@ -131,24 +117,24 @@ fn opening_the_tab_measures_once_a_scene() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     assert_eq!(bench.app.tab, Tab::Numerics);
     bench.keys("15");
-    assert!(studies(&mut bench).is_empty());
+    assert!(bench.studies().is_empty());
     // Another scene is measured again; what belongs to the old one says so meanwhile.
     bench.keys("1jjl5");
-    assert_eq!(studies(&mut bench).len(), 1);
+    assert_eq!(bench.studies().len(), 1);
     assert!(bench.screen().contains("of another scene"));
     // And by r at any time.
     bench.keys("r");
-    assert_eq!(studies(&mut bench)[0].scene, bench.app.scene);
+    assert_eq!(bench.studies()[0].scene, bench.app.scene);
 }
 
 #[test]
 fn reports_of_replaced_studies_are_dropped() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("5");
-    let first = studies(&mut bench).remove(0);
+    let first = bench.studies().remove(0);
     bench.keys("r");
-    let body = StudyBody::Failed("no longer wanted".to_owned());
-    bench.send(Message::Study(StudyReport { id: first.id, body }));
+    let body = ReportBody::Failed("no longer wanted".to_owned());
+    bench.reply(first.id, body);
     assert!(bench.app.accuracy.measuring.is_some());
     assert!(!bench.message().contains("no longer wanted"));
 }
@@ -157,14 +143,11 @@ fn reports_of_replaced_studies_are_dropped() {
 fn escape_stops_and_what_there_is_stays() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("5");
-    let study = studies(&mut bench).remove(0);
+    let study = bench.studies().remove(0);
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
+    assert!(bench.has_cancelled());
     let found = Arc::new(measured(&study.scene, 3));
-    bench.send(Message::Study(StudyReport {
-        id: study.id,
-        body: StudyBody::Ended(Finding::Accuracy(found)),
-    }));
+    bench.reply(study.id, ended(Finding::Accuracy(found)));
     assert!(bench.message().contains("Partial results are shown"), "{}", bench.message());
     assert!(bench.screen().contains("cancelled after"));
 }
@@ -214,7 +197,7 @@ fn the_table_is_written_and_never_over_a_file_unasked() {
 fn leaving_asks_while_a_study_has_been_going_on_for_long() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("5");
-    let study = studies(&mut bench).remove(0);
+    let study = bench.studies().remove(0);
     bench.send(Message::LongJob(study.id));
     bench.keys("q");
     assert!(bench.message().contains("q again quits"), "{}", bench.message());

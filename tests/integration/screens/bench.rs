@@ -16,7 +16,8 @@ use cmra::tui::message::{Effect, EffectReport, Message, PresetEntry};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::update::{start, update};
 use cmra::tui::view::view;
-use cmra::worker::{Job, Report, ReportBody, Slot};
+use cmra::worker::studies::StudyKind;
+use cmra::worker::{Finding, Progress, Report, ReportBody, Slot, Task, Work};
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
@@ -26,13 +27,32 @@ pub(crate) struct Bench {
     pub(crate) app: App,
     /// Effects nobody has looked at yet.
     pub(crate) effects: Vec<Effect>,
+    /// The slots of the tasks submitted, by their numbers.
+    slots: Vec<(u64, Slot)>,
+}
+
+/// A run that was submitted.
+#[derive(Clone)]
+pub(crate) struct Job {
+    pub(crate) id: u64,
+    pub(crate) slot: Slot,
+    pub(crate) scene: Arc<Scene>,
+}
+
+/// A study that was submitted.
+#[derive(Clone)]
+pub(crate) struct Study {
+    pub(crate) id: u64,
+    pub(crate) scene: Arc<Scene>,
+    pub(crate) kind: StudyKind,
 }
 
 impl Bench {
     /// Open on the baseline, with its run on the screen.
     pub(crate) fn open(glyphs: GlyphSet, size: (u16, u16)) -> Self {
         let mut bench = Self::closed(glyphs, size);
-        bench.effects = start(&mut bench.app);
+        let effects = start(&mut bench.app);
+        bench.keep(effects);
         bench.send(Message::Resize(size.0, size.1));
         bench.send(Message::Done(EffectReport::Presets(presets())));
         bench.answer();
@@ -49,7 +69,12 @@ impl Bench {
         let theme = Theme { glyphs, depth: ColourDepth::None };
         let mut app = App::new(base, theme, "/home/ada/work".into());
         app.size = size;
-        Self { app, effects: Vec::new() }
+        Self { app, effects: Vec::new(), slots: Vec::new() }
+    }
+
+    /// The same state, with no effects.
+    pub(crate) fn copy(&self) -> Self {
+        Self { app: self.app.clone(), effects: Vec::new(), slots: self.slots.clone() }
     }
 
     pub(crate) fn ascii(columns: u16, rows: u16) -> Self {
@@ -58,7 +83,58 @@ impl Bench {
 
     pub(crate) fn send(&mut self, message: Message) {
         let effects = update(&mut self.app, message);
+        self.keep(effects);
+    }
+
+    fn keep(&mut self, effects: Vec<Effect>) {
+        self.slots.extend(effects.iter().filter_map(|effect| match effect {
+            Effect::Submit(task) => Some((task.id, task.slot())),
+            _ => None,
+        }));
         self.effects.extend(effects);
+    }
+
+    /// Take out the tasks of a kind that have been submitted and not been looked at.
+    pub(crate) fn tasks<T>(&mut self, of: impl Fn(&Task) -> Option<T>) -> Vec<T> {
+        let mut found = Vec::new();
+        self.effects.retain(|effect| match effect {
+            Effect::Submit(task) => of(task).map(|one| found.push(one)).is_none(),
+            _ => true,
+        });
+        found
+    }
+
+    /// The studies that have been submitted and not been looked at.
+    pub(crate) fn studies(&mut self) -> Vec<Study> {
+        self.tasks(|task| match &task.work {
+            Work::Study(scene, kind) => {
+                Some(Study { id: task.id, scene: Arc::clone(scene), kind: kind.clone() })
+            }
+            _ => None,
+        })
+    }
+
+    /// Report on a task, as its thread would.
+    pub(crate) fn reply(&mut self, id: u64, body: ReportBody) {
+        let slot = self.slots.iter().find(|(one, _)| *one == id).expect("a task").1;
+        self.send(Message::Report(Report { id, slot, body }));
+    }
+
+    /// Report that a task has done so many points.
+    pub(crate) fn progress(&mut self, id: u64, done: usize, total: usize) {
+        let (progress, elapsed) = (Progress::Points(done, total), Duration::from_millis(600));
+        self.reply(id, ReportBody::Progress { progress, elapsed });
+    }
+
+    /// Report what a task has so far.
+    pub(crate) fn part(&mut self, id: u64, (done, total): (usize, usize), part: Finding) {
+        self.progress(id, done, total);
+        self.reply(id, ReportBody::Part(part));
+    }
+
+    /// Whether a task was cancelled.
+    pub(crate) fn has_cancelled(&self) -> bool {
+        self.effects.iter().any(|effect| matches!(effect, Effect::Cancel(_)))
     }
 
     /// Press keys: single characters, or names in angle brackets: `jj<Enter>1.25<C-r>`. Jobs stay unanswered.
@@ -88,15 +164,12 @@ impl Bench {
 
     /// The jobs that have been submitted and not answered.
     pub(crate) fn jobs(&mut self) -> Vec<Job> {
-        let mut jobs = Vec::new();
-        self.effects.retain(|effect| match effect {
-            Effect::Submit(job) => {
-                jobs.push(job.clone());
-                false
+        self.tasks(|task| match &task.work {
+            Work::Run(slot, scene) => {
+                Some(Job { id: task.id, slot: *slot, scene: Arc::clone(scene) })
             }
-            _ => true,
-        });
-        jobs
+            _ => None,
+        })
     }
 
     /// Answer every job with a made-up run, as the worker would.
@@ -107,13 +180,9 @@ impl Bench {
                 return;
             }
             for job in jobs {
-                self.report(job.id, job.slot, done(made(&job.scene)));
+                self.reply(job.id, done(made(&job.scene)));
             }
         }
-    }
-
-    pub(crate) fn report(&mut self, id: u64, slot: Slot, body: ReportBody) {
-        self.send(Message::Report(Report { id, slot, body }));
     }
 
     /// The newest message, or what stands in its place.
@@ -135,7 +204,13 @@ impl Bench {
 }
 
 pub(crate) fn done(run: Run) -> ReportBody {
-    ReportBody::Done { run: Arc::new(run), took: Duration::from_micros(210) }
+    let found = Some(Finding::Run(Arc::new(run)));
+    ReportBody::Ended { found, took: Duration::from_micros(210) }
+}
+
+/// The last report of a task.
+pub(crate) fn ended(found: Finding) -> ReportBody {
+    ReportBody::Ended { found: Some(found), took: Duration::from_millis(8) }
 }
 
 fn named(name: &str) -> KeyEvent {

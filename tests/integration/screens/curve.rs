@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cmra::model::scene::SpringKind;
 use cmra::model::variables::VARIABLES;
-use cmra::tui::app::dialog::Dialog;
+use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{Effect, EffectReport, Message};
 
 use super::bench::Bench;

@@ -1,6 +1,6 @@
 //! What was found wrong while trying the workbench: each with the keys that showed it.
 
-use super::accuracy::{self, studies};
+use super::accuracy;
 use super::bench::Bench;
 use super::{limit, search, stability, sweep};
 use cmra::study::stability::map::{Axis, Cell, Method};
@@ -8,8 +8,8 @@ use cmra::tui::app::Tab;
 use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Effect, Message, PresetEntry};
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::pointer::plot_columns;
-use cmra::worker::studies::{Finding, StudyBody, StudyReport};
+use cmra::tui::view::plot_columns;
+use cmra::worker::{Finding, Work};
 use std::sync::Arc;
 
 /// A name that nothing has matches nothing; a name that something has opens it, and nothing else is loaded.
@@ -124,7 +124,7 @@ fn a_preset_of_a_figure_opens_its_sweep() {
     assert!(bench.screen().contains("shows on 2:Explore"), "{}", bench.screen());
     bench.press("<Enter>");
     assert_eq!(bench.app.tab, Tab::Explore);
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::Sweep(_))));
+    assert_eq!(bench.tasks(|task| matches!(task.work, Work::Sweep(_)).then_some(())).len(), 1);
 }
 
 #[test]
@@ -175,7 +175,7 @@ fn escape_leaves_the_jobs_of_other_tabs_alone() {
     assert!(bench.effects.is_empty(), "{:?}", bench.effects);
     assert!(bench.message().contains("4:Search"), "{}", bench.message());
     bench.press("4<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
+    assert!(bench.has_cancelled());
 }
 
 /// On a logarithmic time axis zoom and pan go by ratios: the middle of the view stays the middle in decades.
@@ -314,12 +314,11 @@ fn a_goal_line_stands_at_its_value() {
 fn the_map_of_stability_grows_and_its_labels_are_regular() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("55");
-    let study = studies(&mut bench).pop().expect("a map");
+    let study = bench.studies().pop().expect("a map");
     let mut map = stability::map(Method::Thesis, Axis::K);
     let columns = map.dt_s.len();
     map.cells.iter_mut().skip(10 * columns).for_each(|cell| *cell = Cell::Waiting);
-    let body = StudyBody::Part { done: 10, total: 19, part: Finding::Map(Arc::new(map)) };
-    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    bench.part(study.id, (10, 19), Finding::Map(Arc::new(map)));
     let screen = bench.screen();
     assert!(screen.contains("computing the map: 10 of 19 rows"), "{screen}");
     assert!(screen.contains("SSSS") && screen.contains("k [N/m^n]"), "{screen}");
@@ -392,15 +391,13 @@ fn the_crosshair_goes_column_by_column() {
 fn counters_do_not_pass_their_totals() {
     let mut bench = Bench::ascii(120, 36);
     bench.press("3");
-    let study = studies(&mut bench).remove(0);
-    let body = StudyBody::Part { done: 90, total: 80, part: Finding::Limit(None) };
-    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    let study = bench.studies().remove(0);
+    bench.progress(study.id, 90, 80);
     assert!(bench.screen().contains("80 of about 80 shots"), "{}", bench.screen());
     let mut bench = Bench::ascii(120, 36);
     bench.press("44");
-    let study = studies(&mut bench).pop().expect("a search");
-    let body = StudyBody::Part { done: 2500, total: 2400, part: Finding::Search(None) };
-    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    let study = bench.studies().pop().expect("a search");
+    bench.progress(study.id, 2500, 2400);
     assert!(bench.screen().contains("2400 of 2400 runs"), "{}", bench.screen());
 }
 
@@ -437,11 +434,8 @@ fn threads_are_chosen_in_the_options_and_used() {
     bench.press("ojjjjl<Esc>");
     assert_eq!(bench.app.threads, Some(1));
     bench.press("2");
-    let threads = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Sweep(job) => Some(job.threads),
-        _ => None,
-    });
-    assert_eq!(threads, Some(1));
+    let threads = bench.tasks(|task| matches!(task.work, Work::Sweep(_)).then_some(task.threads));
+    assert_eq!(threads, [1]);
     bench.press("ojjjjh<Esc>");
     assert_eq!(bench.app.threads, None);
 }

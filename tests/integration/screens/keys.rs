@@ -11,13 +11,13 @@ use cmra::files::export::Meta;
 use cmra::files::style::Style;
 use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
 use cmra::tui::app::Tab;
-use cmra::tui::app::charts::Window;
-use cmra::tui::app::dialog::Dialog;
 use cmra::tui::app::notice::Severity;
-use cmra::tui::app::quantity::Quantity;
+use cmra::tui::dialogs::Dialog;
 use cmra::tui::keymap::{LINES, PANE_KEYS, Pane};
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
-use cmra::worker::{ReportBody, Slot};
+use cmra::tui::pages::run::charts::Window;
+use cmra::tui::pages::run::quantity::Quantity;
+use cmra::worker::{Progress, ReportBody};
 use crossterm::event::KeyEvent;
 
 fn bench() -> Bench {
@@ -273,9 +273,9 @@ fn while_a_run_goes_on_the_newest_edit_wins_after_a_pause() {
     assert_eq!(second.scene, bench.app.scene);
     assert!(bench.app.shows_old());
     // The replaced job's report is dropped.
-    bench.report(first.id, Slot::Current, done(made(&first.scene)));
+    bench.reply(first.id, done(made(&first.scene)));
     assert!(bench.app.is_stale());
-    bench.report(second.id, Slot::Current, done(made(&second.scene)));
+    bench.reply(second.id, done(made(&second.scene)));
     assert!(!bench.app.is_stale());
 }
 
@@ -286,7 +286,7 @@ fn a_result_that_lands_while_the_scene_goes_on_asks_for_the_next() {
     bench.press("l");
     let first = bench.jobs().remove(0);
     bench.press("l");
-    bench.report(first.id, Slot::Current, done(made(&first.scene)));
+    bench.reply(first.id, done(made(&first.scene)));
     let next = bench.jobs().remove(0);
     assert_eq!(next.scene, bench.app.scene);
 }
@@ -309,14 +309,14 @@ fn a_cancelled_job_keeps_its_part_and_a_failed_one_says_why() {
     select(&mut bench, "v_i");
     bench.press("l");
     bench.press("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelJob)));
+    assert!(bench.has_cancelled());
     let job = bench.jobs().remove(0);
-    let partial = Some(Arc::new(made(&job.scene)));
-    bench.report(job.id, Slot::Current, ReportBody::Cancelled { partial });
+    let partial = Run { end: EndReason::Cancelled, ..made(&job.scene) };
+    bench.reply(job.id, done(partial));
     assert!(bench.app.shown.as_ref().unwrap().took.is_none());
     bench.press("r");
     let job = bench.jobs().remove(0);
-    bench.report(job.id, Slot::Current, ReportBody::Failed("internal error".to_owned()));
+    bench.reply(job.id, ReportBody::Failed("internal error".to_owned()));
     assert_eq!(bench.message(), "internal error");
     assert!(bench.app.shown.is_some(), "the last good result stays");
 }
@@ -539,8 +539,7 @@ fn an_action_of_another_tab_enters_it() {
         let mut bench = bench();
         bench.press(&format!(":{typed}<Enter>"));
         assert_eq!(bench.app.tab, tab, "{typed}");
-        let asked = bench.effects.iter().any(|effect| matches!(effect, Effect::Study(_)));
-        assert!(asked, "{typed}: nothing is computed");
+        assert!(!bench.studies().is_empty(), "{typed}: nothing is computed");
     }
 }
 
@@ -656,11 +655,12 @@ fn leaving_asks_only_while_a_run_has_been_going_on_for_long() {
     bench.press("jjl");
     let job = bench.jobs().remove(0);
     // Not long yet: the session is safe, so nothing is asked.
-    let mut quick = Bench { app: bench.app.clone(), effects: Vec::new() };
+    let mut quick = bench.copy();
     quick.press("q");
     assert!(quits(&quick));
+    let elapsed = std::time::Duration::from_millis(20);
     // Its first report sets the clock; a job that ends in time is forgotten.
-    bench.report(job.id, Slot::Current, ReportBody::Started);
+    bench.reply(job.id, ReportBody::Progress { progress: Progress::Time(0.0), elapsed });
     let due = bench.effects.iter().find_map(|effect| match effect {
         Effect::After(delay, message @ Message::LongJob(id)) if *id == job.id => {
             Some((*delay, message.clone()))
@@ -686,7 +686,7 @@ fn a_run_that_goes_on_says_how_far_it_is() {
     bench.press("jjl");
     let job = bench.jobs().remove(0);
     let elapsed = std::time::Duration::from_millis(2500);
-    bench.report(job.id, Slot::Current, ReportBody::Progress { t_s: 1e-3, elapsed });
+    bench.reply(job.id, ReportBody::Progress { progress: Progress::Time(1e-3), elapsed });
     let serial = bench.app.jobs.serial;
     bench.send(Message::RunDue(serial));
     let screen = bench.screen();

@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use super::accuracy::studies;
-use super::bench::Bench;
+use super::bench::{Bench, ended};
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
 use cmra::study::limit::scatter::Scatter;
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
-use cmra::tui::app::limit::SCATTERING;
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::pages::limit::state::SCATTERING;
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
+use cmra::worker::studies::StudyKind;
+use cmra::worker::{Finding, ReportBody};
 use insta::assert_snapshot;
 
 /// The made-up limit, m/s.
@@ -57,12 +57,12 @@ fn plain() -> Effort {
 }
 
 fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
-    for study in studies(bench) {
+    for study in bench.studies() {
         let StudyKind::Limit(effort) = study.kind else { continue };
         let mut report = found(&study.scene, effort);
         change(&mut report);
-        let body = StudyBody::Ended(Finding::Limit(Some(Arc::new(report))));
-        bench.send(Message::Study(StudyReport { id: study.id, body }));
+        let body = ended(Finding::Limit(Arc::new(report)));
+        bench.reply(study.id, body);
     }
 }
 
@@ -119,16 +119,16 @@ fn the_limit_is_found_once_a_scene_and_again_when_asked() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     assert!(bench.screen().contains("v_bl 232.300 m/s, margin +132.3 %: 100 m/s is stopped"));
     bench.keys("13");
-    assert!(studies(&mut bench).is_empty());
+    assert!(bench.studies().is_empty());
     // An edit from within the tab makes it old; r finds the new scene's.
     bench.keys(":switch the interface<Enter>");
     assert!(bench.screen().contains("another scene's results: press r"), "{}", bench.screen());
     bench.keys("r");
-    let asked = studies(&mut bench);
+    let asked = bench.studies();
     assert_eq!((asked.len(), &asked[0].scene), (1, &bench.app.scene));
     // Leaving and coming back does not ask twice.
     bench.keys("13");
-    let again = studies(&mut bench);
+    let again = bench.studies();
     assert!(again.iter().all(|study| !matches!(study.kind, StudyKind::Limit(_))));
 }
 
@@ -136,20 +136,16 @@ fn the_limit_is_found_once_a_scene_and_again_when_asked() {
 fn progress_is_shown_and_a_stopped_search_keeps_what_it_has() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("3");
-    let study = studies(&mut bench).remove(0);
-    let send = |bench: &mut Bench, body| {
-        bench.send(Message::Study(StudyReport { id: study.id, body }));
-    };
-    let part = Finding::Limit(None);
-    send(&mut bench, StudyBody::Part { done: 12, total: 111, part });
+    let study = bench.studies().remove(0);
+    bench.progress(study.id, 12, 111);
     assert!(bench.screen().contains("finding the limit: 12 of about 111 shots (Esc cancels)"));
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
+    assert!(bench.has_cancelled());
     let mut report = found(&bench.app.scene, plain());
     report.is_complete = false;
     report.limit = Limit::Unknown;
     report.shots.clear();
-    send(&mut bench, StudyBody::Ended(Finding::Limit(Some(Arc::new(report)))));
+    bench.reply(study.id, ended(Finding::Limit(Arc::new(report))));
     assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
     bench.keys("e");
     assert!(bench.message().contains("nothing to export yet"), "{}", bench.message());
@@ -159,10 +155,10 @@ fn progress_is_shown_and_a_stopped_search_keeps_what_it_has() {
 fn v_asks_for_the_scatter_and_takes_it_away_again() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
-    let asked = studies(&mut bench).remove(0).kind;
+    let asked = bench.studies().remove(0).kind;
     assert_eq!(asked, StudyKind::Limit(Effort { scattering: Some(SCATTERING), ..plain() }));
     bench.keys("v");
-    let asked = studies(&mut bench).remove(0).kind;
+    let asked = bench.studies().remove(0).kind;
     assert_eq!(asked, StudyKind::Limit(plain()));
 }
 

@@ -7,12 +7,12 @@ use super::{limit, search, stability, sweep};
 use cmra::model::run::{EndReason, Outcome, Warning};
 use cmra::study::screening::WEIGHTS_PERCENT;
 use cmra::tui::app::Tab;
-use cmra::tui::app::search::Page;
-use cmra::tui::app::sweep::{Picture, Spread};
 use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Effect, Message, Target};
+use cmra::tui::pages::explore::state::{Picture, Spread};
+use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::pointer::target;
+use cmra::tui::view::target;
 use std::sync::Arc;
 
 fn in_search(size: (u16, u16)) -> Bench {

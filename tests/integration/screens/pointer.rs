@@ -7,11 +7,11 @@ use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
 use cmra::study::principles::PRINCIPLES;
 use cmra::tui::app::Tab;
-use cmra::tui::app::dialog::Dialog;
+use cmra::tui::dialogs::Dialog;
 use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Message, Target};
 use cmra::tui::theme::GlyphSet;
-use cmra::tui::view::pointer::target;
+use cmra::tui::view::target;
 
 /// Where a text stands on the screen.
 pub(super) fn find(bench: &Bench, text: &str) -> (u16, u16) {

@@ -4,8 +4,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::accuracy::studies;
-use super::bench::Bench;
+use super::bench::{Bench, ended};
 use cmra::model::scene::{InterfaceLaw, Scene};
 use cmra::study::compare::map::{Map, usual_axis};
 use cmra::study::compare::{self, Hardware};
@@ -15,12 +14,13 @@ use cmra::study::sensitivity;
 use cmra::study::sweep::Fate;
 use cmra::study::sweep::crew::Crew;
 use cmra::tui::app::Tab;
-use cmra::tui::app::search::Page;
 use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Content, Effect, Message};
+use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::searches::{Answer, Comparison, Request};
-use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
+use cmra::worker::studies::StudyKind;
+use cmra::worker::{Finding, ReportBody};
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
@@ -88,10 +88,10 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
 
 /// Answer what was asked for.
 pub(super) fn answer(bench: &mut Bench) {
-    for study in studies(bench) {
+    for study in bench.studies() {
         let StudyKind::Search(request) = &study.kind else { continue };
-        let body = StudyBody::Ended(Finding::Search(Some(made(&study.scene, request))));
-        bench.send(Message::Study(StudyReport { id: study.id, body }));
+        let body = ended(Finding::Search(made(&study.scene, request)));
+        bench.reply(study.id, body);
     }
 }
 
@@ -160,7 +160,7 @@ fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
     bench.keys("<Tab>j<Enter>k<Down>");
     assert_eq!(bench.app.searching.setup.seek.name, "k");
     // A goal seek takes less than a second: it follows every edit of its setup.
-    assert_eq!(studies(&mut bench).len(), 1);
+    assert_eq!(bench.studies().len(), 1);
     bench.keys("<Enter>-3<Enter>");
     assert!(bench.message().contains("-3 N/m^n, which is impossible"), "{}", bench.message());
     bench.keys("<C-u>1e5<Down>");
@@ -184,33 +184,32 @@ fn esc_stops_what_the_tab_says_it_stops_before_the_run() {
     assert!(bench.app.jobs.current.is_some());
     bench.press("4");
     bench.press("4");
-    assert_eq!(studies(&mut bench).len(), 1);
+    assert_eq!(bench.studies().len(), 1);
     assert!(bench.screen().contains("(Esc cancels)"), "{}", bench.screen());
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
-    assert!(!bench.effects.iter().any(|effect| matches!(effect, Effect::CancelJob)));
+    assert!(bench.has_cancelled());
+    assert!(bench.app.jobs.current.is_some());
 }
 
 #[test]
 fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("4");
-    let study = studies(&mut bench).remove(0);
+    let study = bench.studies().remove(0);
     let StudyKind::Search(request) = &study.kind else { panic!("no search") };
     let Answer::Front(whole) = made(&study.scene, request) else { panic!("no front") };
     let mut front = (*whole).clone();
     (front.is_complete, front.generations) = (false, 7);
     front.candidates.clear();
     let answer = Answer::Front(Arc::new(front));
-    let part = Finding::Search(Some(answer.clone()));
-    let body = StudyBody::Part { done: 480, total: 2460, part };
-    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    let part = Finding::Search(answer.clone());
+    bench.part(study.id, (480, 2460), part);
     let screen = bench.screen();
     assert!(screen.contains("searching: about 480 of 2460 runs (Esc cancels)"), "{screen}");
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
-    let body = StudyBody::Ended(Finding::Search(Some(answer)));
-    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    assert!(bench.has_cancelled());
+    let body = ended(Finding::Search(answer));
+    bench.reply(study.id, body);
     assert!(bench.screen().contains("Cancelled. Showing partial results."), "{}", bench.screen());
 }
 

@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use super::accuracy::studies;
-use super::bench::{Bench, made};
+use super::bench::{Bench, ended, made};
 use cmra::model::scene::Scene;
 use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, Map, Method};
@@ -11,7 +10,8 @@ use cmra::study::stability::others::Verdict;
 use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
 use cmra::tui::message::{Content, Effect, Message};
 use cmra::tui::theme::GlyphSet;
-use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
+use cmra::worker::studies::StudyKind;
+use cmra::worker::{Finding, ReportBody};
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: Method, axis: Axis) -> Map {
@@ -61,7 +61,7 @@ pub(super) fn rows(count: usize) -> Vec<Row> {
 
 /// Answer what was asked for.
 pub(super) fn answer(bench: &mut Bench) {
-    for study in studies(bench) {
+    for study in bench.studies() {
         let found = match study.kind {
             StudyKind::Map(method, axis) => Finding::Map(Arc::new(map(method, axis))),
             StudyKind::Battery => Finding::Battery(Arc::new(rows(12)), true),
@@ -70,7 +70,7 @@ pub(super) fn answer(bench: &mut Bench) {
             | StudyKind::Limit(_)
             | StudyKind::Search(_) => continue,
         };
-        bench.send(Message::Study(StudyReport { id: study.id, body: StudyBody::Ended(found) }));
+        bench.reply(study.id, ended(found));
     }
 }
 
@@ -96,41 +96,40 @@ fn the_crosshair_starts_at_the_present_point_and_tells_each_cell() {
 fn variable_and_method_are_chosen_and_mapped_anew() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("v");
-    assert_eq!(studies(&mut bench)[0].kind, StudyKind::Map(Method::Thesis, Axis::N));
+    assert_eq!(bench.studies()[0].kind, StudyKind::Map(Method::Thesis, Axis::N));
     bench.keys("vv");
-    assert_eq!(studies(&mut bench)[1].kind, StudyKind::Map(Method::Rk4, Axis::K));
+    assert_eq!(bench.studies()[1].kind, StudyKind::Map(Method::Rk4, Axis::K));
     // A map that came back belongs to what was asked for last.
     bench.app.stability.mapping = None;
     bench.keys("1");
     bench.effects.clear();
     bench.keys("5");
-    assert_eq!(studies(&mut bench)[0].kind, StudyKind::Map(Method::Rk4, Axis::K));
+    assert_eq!(bench.studies()[0].kind, StudyKind::Map(Method::Rk4, Axis::K));
 }
 
 #[test]
 fn an_edited_scene_is_mapped_when_the_tab_opens() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("15");
-    assert!(studies(&mut bench).is_empty());
+    assert!(bench.studies().is_empty());
     bench.keys("1jjl5");
     assert!(bench.screen().contains("computing the map"), "{}", bench.screen());
-    assert_eq!(studies(&mut bench)[0].scene, bench.app.scene);
+    assert_eq!(bench.studies()[0].scene, bench.app.scene);
 }
 
 #[test]
 fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("<Tab>");
-    let study = studies(&mut bench).remove(0);
+    let study = bench.studies().remove(0);
     assert_eq!(study.kind, StudyKind::Battery);
     let part = Finding::Battery(Arc::new(rows(4)), false);
-    let body = StudyBody::Part { done: 4, total: 62, part };
-    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    bench.part(study.id, (4, 62), part);
     assert!(bench.screen().contains("running the battery: 4 of 62 (Esc cancels)"));
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
-    let body = StudyBody::Ended(Finding::Battery(Arc::new(rows(5)), false));
-    bench.send(Message::Study(StudyReport { id: study.id, body }));
+    assert!(bench.has_cancelled());
+    let body = ended(Finding::Battery(Arc::new(rows(5)), false));
+    bench.reply(study.id, body);
     assert!(bench.screen().contains("cancelled: press r to run all | 4 of 5 scenes pass"));
     bench.keys("jj");
     assert!(bench.message().contains("fails: energy"), "{}", bench.message());
@@ -138,7 +137,7 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
     bench.keys("<Tab><Tab>");
     answer(&mut bench);
     bench.keys("<Tab><Tab>");
-    assert!(studies(&mut bench).is_empty());
+    assert!(bench.studies().is_empty());
 }
 
 /// The table written last, and its path.

@@ -5,37 +5,39 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-use super::bench::Bench;
+use super::bench::{Bench, ended};
 use cmra::files::preset;
+use cmra::study::sweep::Plan;
 use cmra::study::sweep::crew::Crew;
 use cmra::study::sweep::grid::Grid;
-use cmra::tui::app::dialog::Dialog;
-use cmra::tui::app::sweep::{Picture, SetupRow};
 use cmra::tui::app::{Base, Origin, Tab};
+use cmra::tui::dialogs::Dialog;
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::pages::explore::state::{Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
-use cmra::worker::sweeps::{SweepBody, SweepJob, SweepReport};
+use cmra::worker::{Finding, Progress, ReportBody, Work};
 use insta::assert_snapshot;
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::style::Color;
 
+/// A sweep that was asked for.
+struct Job {
+    id: u64,
+    plan: Arc<Plan>,
+}
+
 /// The sweeps asked for and not answered.
-fn jobs(bench: &mut Bench) -> Vec<SweepJob> {
-    let mut jobs = Vec::new();
-    bench.effects.retain(|effect| match effect {
-        Effect::Sweep(job) => {
-            jobs.push(job.clone());
-            false
-        }
-        _ => true,
-    });
-    jobs
+fn jobs(bench: &mut Bench) -> Vec<Job> {
+    bench.tasks(|task| match &task.work {
+        Work::Sweep(plan) => Some(Job { id: task.id, plan: Arc::clone(plan) }),
+        _ => None,
+    })
 }
 
 /// A grid of the job, filled until so many points are done.
-fn grid(job: &SweepJob, points: usize) -> Arc<Grid> {
+fn grid(job: &Job, points: usize) -> Arc<Grid> {
     let stop = AtomicBool::new(false);
     let crew = Crew { threads: 1, piece: 1 };
     let grid = Grid::new(Arc::clone(&job.plan)).unwrap();
@@ -44,15 +46,11 @@ fn grid(job: &SweepJob, points: usize) -> Arc<Grid> {
     }))
 }
 
-fn say(bench: &mut Bench, job: &SweepJob, body: SweepBody) {
-    bench.send(Message::Sweep(SweepReport { id: job.id, body }));
-}
-
 /// Answer every sweep with its grid, as the thread would.
 pub(super) fn answer(bench: &mut Bench) {
     for job in jobs(bench) {
         let grid = grid(&job, usize::MAX);
-        say(bench, &job, SweepBody::Ended { grid, took: Duration::from_millis(8) });
+        bench.reply(job.id, ended(Finding::Grid(grid)));
     }
 }
 
@@ -209,17 +207,17 @@ fn a_held_variable_redraws_at_once_coarse_first() {
     assert_eq!(job.plan.base().projectile.velocity_m_s.to_bits(), 101f64.to_bits());
     let part = grid(&job, 36);
     assert!(!part.is_complete());
-    say(&mut bench, &job, SweepBody::Part { grid: part, elapsed: Duration::from_millis(40) });
+    bench.part(job.id, (36, 441), Finding::Grid(part));
     assert!(bench.screen().contains("sweeping: 36 of 441 points"), "{}", bench.screen());
     assert_snapshot!("surface_coarse", bench.screen());
     // A newer edit: what the older sweep still says is dropped.
     bench.keys("l");
     let newer = jobs(&mut bench).remove(0);
     let late = grid(&job, usize::MAX);
-    say(&mut bench, &job, SweepBody::Ended { grid: late, took: Duration::from_millis(8) });
+    bench.reply(job.id, ended(Finding::Grid(late)));
     assert!(bench.app.sweeping.computing.is_some());
     let found = grid(&newer, usize::MAX);
-    say(&mut bench, &newer, SweepBody::Ended { grid: found, took: Duration::from_millis(8) });
+    bench.reply(newer.id, ended(Finding::Grid(found)));
     assert!(bench.screen().contains("441 points in 8.0 ms"), "{}", bench.screen());
 }
 
@@ -228,13 +226,13 @@ fn a_stopped_sweep_keeps_its_part_and_says_so() {
     let mut bench = open_map("figure-9.7", 21, GlyphSet::Ascii, (80, 24));
     bench.keys("2");
     let job = jobs(&mut bench).remove(0);
-    let progress = SweepBody::Progress { done: 10, total: 441, elapsed: Duration::from_secs(5) };
-    say(&mut bench, &job, progress);
+    let (progress, elapsed) = (Progress::Points(10, 441), Duration::from_secs(5));
+    bench.reply(job.id, ReportBody::Progress { progress, elapsed });
     assert!(bench.message().contains("will take about 4 min more"), "{}", bench.message());
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelSweep)));
+    assert!(bench.has_cancelled());
     let found = grid(&job, 100);
-    say(&mut bench, &job, SweepBody::Ended { grid: found, took: Duration::from_millis(8) });
+    bench.reply(job.id, ended(Finding::Grid(found)));
     assert!(bench.message().contains("Partial results are shown"));
     assert!(bench.screen().contains("cancelled after 100 of 441 points: press r"));
     bench.keys("r");

@@ -6,9 +6,9 @@ use super::bench::Bench;
 use super::{limit, search, sweep};
 use cmra::study::accuracy::method::Method;
 use cmra::tui::app::Tab;
-use cmra::tui::app::search::Page;
 use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Effect, PresetEntry};
+use cmra::tui::pages::search::state::Page;
 
 /// A bench that counts.
 struct Counted {

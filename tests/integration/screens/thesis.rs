@@ -2,34 +2,28 @@
 
 use std::sync::Arc;
 
-use super::bench::Bench;
+use super::bench::{Bench, ended};
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
 use cmra::tui::app::Tab;
 use cmra::tui::message::{Content, Effect, Message, PresetEntry};
-use cmra::worker::studies::{Finding, StudyBody, StudyKind, StudyReport};
+use cmra::worker::studies::StudyKind;
+use cmra::worker::{Finding, Work};
 use insta::assert_snapshot;
 
 /// The tab with the quick claims of the first chapters answered.
 fn bench(columns: u16, rows: u16) -> Bench {
     let mut bench = Bench::ascii(columns, rows);
     bench.keys("6");
-    let id = asked(&bench).expect("the claims are asked for");
+    let id = asked(&mut bench).expect("the claims are asked for");
     let rows: Vec<Row> = claims().iter().take(24).map(check).collect();
-    send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(rows), true)));
+    bench.reply(id, ended(Finding::Thesis(Arc::new(rows), true)));
     bench
 }
 
 /// The number of the study of the claims that was asked for.
-fn asked(bench: &Bench) -> Option<u64> {
-    bench.effects.iter().rev().find_map(|effect| match effect {
-        Effect::Study(study) if study.kind == StudyKind::Thesis => Some(study.id),
-        _ => None,
-    })
-}
-
-fn send(bench: &mut Bench, id: u64, body: StudyBody) {
-    bench.send(Message::Study(StudyReport { id, body }));
+fn asked(bench: &mut Bench) -> Option<u64> {
+    bench.studies().iter().rev().find(|it| it.kind == StudyKind::Thesis).map(|study| study.id)
 }
 
 #[test]
@@ -53,14 +47,14 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys("6");
     assert!(bench.screen().contains("checking the first claims"));
-    let id = asked(&bench).unwrap();
+    let id = asked(&mut bench).unwrap();
     let some: Vec<Row> = claims().iter().take(2).map(check).collect();
     let part = Finding::Thesis(Arc::new(some.clone()), false);
-    send(&mut bench, id, StudyBody::Part { done: 2, total: 114, part });
+    bench.part(id, (2, 114), part);
     assert!(bench.screen().contains("checking the claims: 2 of 114 (Esc cancels)"));
     bench.keys("<Esc>");
-    assert!(bench.effects.iter().any(|effect| matches!(effect, Effect::CancelStudy(_))));
-    send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(some), false)));
+    assert!(bench.has_cancelled());
+    bench.reply(id, ended(Finding::Thesis(Arc::new(some), false)));
     assert!(bench.screen().contains("cancelled: press r to check all"));
 }
 
@@ -98,18 +92,18 @@ fn enter_on_a_claim_of_a_figure_opens_its_sweep() {
             problem: None,
         });
         bench.keys("6");
-        let id = asked(&bench).expect("the claims are asked for");
+        let id = asked(&mut bench).expect("the claims are asked for");
         let rows =
             claims().iter().find(|it| matches!(it.opens, Opens::Preset(name) if name == preset));
         let rows: Vec<Row> = rows.into_iter().map(check).collect();
-        send(&mut bench, id, StudyBody::Ended(Finding::Thesis(Arc::new(rows), true)));
+        bench.reply(id, ended(Finding::Thesis(Arc::new(rows), true)));
         bench.press("<Enter>");
         assert_eq!((bench.app.tab, bench.app.base.name.as_str()), (tab, preset));
-        let asked = bench.effects.iter().rev().find_map(|effect| match effect {
-            Effect::Sweep(job) => Some(Arc::clone(&job.plan)),
+        let mut swept = bench.tasks(|task| match &task.work {
+            Work::Sweep(plan) => Some(Arc::clone(plan)),
             _ => None,
         });
-        let plan = asked.expect("a sweep");
+        let plan = swept.pop().expect("a sweep");
         let along: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
         assert_eq!(along, names);
         bench.press("u6");

@@ -1,0 +1,296 @@
+//! What lies on top of the panes: help, palette, preset picker, list of edits, saving, exporting.
+
+pub(in crate::tui) mod curve;
+pub(in crate::tui) mod export;
+pub(in crate::tui) mod help;
+pub(in crate::tui) mod history;
+pub(in crate::tui) mod keys;
+pub mod options;
+pub mod palette;
+pub(in crate::tui) mod path;
+pub(in crate::tui) mod popup;
+pub(in crate::tui) mod presets;
+pub(in crate::tui) mod save;
+pub(in crate::tui) mod table;
+pub(in crate::tui) mod words;
+
+use tui_input::Input;
+
+use crate::files::export::Meta;
+use crate::files::style::Style;
+use crate::tui::app::App;
+use crate::tui::app::find::{rank, ranked};
+use crate::tui::keymap::{Action, LINES, PANE_KEYS, Scope};
+use crate::tui::message::PresetEntry;
+
+/// The dialog on top.
+#[derive(Clone, Debug)]
+pub enum Dialog {
+    /// Keys, and what the selected variable means.
+    Help(Picker),
+    /// Every action by name.
+    Palette(Picker),
+    /// Presets to load.
+    Presets(Picker),
+    /// The edits of this session.
+    History(Picker),
+    /// The words the selected variable can be.
+    Words(Picker),
+    /// A name to save under.
+    Save(Save),
+    /// What to export and where.
+    Export(Box<Export>),
+    /// The options.
+    Options(Picker),
+    /// Where to write a table: a path.
+    ExportTable(Table, Save),
+    /// Which file a spring's measured curve is in (of the second spring: true): a path.
+    Curve(bool, Save),
+}
+
+/// A table that a tab writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Table {
+    /// What Explore shows.
+    Explore,
+    /// What was measured of the methods.
+    Accuracy,
+    /// The shots of the Limit tab.
+    Limit,
+    /// Its comparison at equal areal mass.
+    Comparison,
+    /// Its map of mass efficiency.
+    EfficiencyMap,
+    /// The map of stability.
+    Map,
+    /// The stiff scenes.
+    Battery,
+    /// What the Search tab shows.
+    Search,
+    /// The page of the Thesis tab.
+    Thesis,
+}
+
+impl Table {
+    /// What is written, for the dialog's frame.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Explore => "Export the sweep to CSV",
+            Self::Accuracy => "Export the measurements to CSV",
+            Self::Limit => "Export the shots to CSV",
+            Self::Comparison => "Export the comparison to CSV",
+            Self::EfficiencyMap | Self::Map => "Export the map to CSV",
+            Self::Battery => "Export the stiff scenes to CSV",
+            Self::Search => "Export the results to CSV",
+            Self::Thesis => "Export this page to CSV",
+        }
+    }
+}
+
+/// A list with a filter.
+#[derive(Clone, Debug, Default)]
+pub struct Picker {
+    /// The filter's text.
+    pub filter: Input,
+    /// Characters go into the filter.
+    pub typing: bool,
+    /// The selected row of those that pass the filter.
+    pub selected: usize,
+}
+
+impl Picker {
+    /// A list whose filter takes characters at once.
+    pub fn typing() -> Self {
+        Self { typing: true, ..Self::default() }
+    }
+
+    /// A list with a row selected.
+    pub fn at(selected: usize) -> Self {
+        Self { selected, ..Self::default() }
+    }
+}
+
+/// A dialog for one text: a preset's name, or a path.
+#[derive(Clone, Debug)]
+pub struct Save {
+    /// The text.
+    pub input: Input,
+    /// The text is the proposed one: the first character replaces it.
+    pub all_selected: bool,
+    /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
+    pub question: bool,
+    /// Why the text is no good, or saving failed.
+    pub error: Option<String>,
+}
+
+/// The rows of the export dialog.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ExportRow {
+    /// Which rows: four kinds.
+    What,
+    /// How the table is spelt.
+    Style,
+    /// Where the scene goes.
+    Meta,
+    /// Number of rows of a uniform grid.
+    GridRows,
+    /// A run, by its row in the table of runs.
+    Run(usize),
+    /// A column, by index.
+    Column(usize),
+    /// The file.
+    Path,
+}
+
+/// The kinds of export.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    /// The solver's steps and enough between them.
+    Series,
+    /// A uniform grid.
+    Grid,
+    /// One row a run.
+    Results,
+    /// The events.
+    Events,
+}
+
+impl What {
+    /// All kinds, in order.
+    pub const ALL: [Self; 4] = [Self::Series, Self::Grid, Self::Results, Self::Events];
+
+    /// What it is, in words.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Series => "time series: solver steps and points between",
+            Self::Grid => "time series on a uniform grid",
+            Self::Results => "results: one row per run",
+            Self::Events => "events with their times",
+        }
+    }
+}
+
+/// The export dialog.
+#[derive(Clone, Debug)]
+pub struct Export {
+    /// Which rows.
+    pub what: What,
+    /// Rows of a uniform grid, as typed.
+    pub grid: Input,
+    /// The runs: name, and whether it goes along.
+    pub runs: Vec<(String, bool)>,
+    /// The columns of a series: name, and whether it goes along.
+    pub columns: Vec<(&'static str, bool)>,
+    /// The file.
+    pub path: Input,
+    /// How the table is spelt.
+    pub style: Style,
+    /// Where the scene goes.
+    pub meta: Meta,
+    /// The selected row.
+    pub row: ExportRow,
+    /// The file exists: the answer to "overwrite?" is awaited.
+    pub question: bool,
+    /// Names that complete the path.
+    pub completions: Vec<String>,
+    /// Why it cannot be done.
+    pub error: Option<String>,
+}
+
+impl Export {
+    /// The rows there are now, in order: the grid's number only for a grid, columns only for a series.
+    pub fn rows(&self) -> Vec<ExportRow> {
+        let mut rows = vec![ExportRow::Path, ExportRow::What];
+        if self.what == What::Grid {
+            rows.push(ExportRow::GridRows);
+        }
+        rows.extend((0..self.runs.len()).map(ExportRow::Run));
+        if matches!(self.what, What::Series | What::Grid) {
+            rows.extend((0..self.columns.len()).map(ExportRow::Column));
+        }
+        rows.extend([ExportRow::Style, ExportRow::Meta]);
+        rows
+    }
+
+    /// Change what the selected row chooses, round and round; whether it chooses anything.
+    pub fn choose(&mut self, by: isize) -> bool {
+        match self.row {
+            ExportRow::What => self.what = around(&What::ALL, self.what, by),
+            ExportRow::Style => self.style = around(&Style::ALL, self.style, by),
+            ExportRow::Meta => self.meta = around(&Meta::ALL, self.meta, by),
+            ExportRow::GridRows | ExportRow::Run(_) | ExportRow::Column(_) | ExportRow::Path => {
+                return false;
+            }
+        }
+        self.error = None;
+        true
+    }
+
+    /// Move the selection, stopping at the ends.
+    pub fn move_by(&mut self, by: isize) {
+        let rows = self.rows();
+        let here = rows.iter().position(|row| *row == self.row).unwrap_or(0);
+        self.row = rows[here.saturating_add_signed(by).min(rows.len() - 1)];
+    }
+}
+
+/// The one by this many places further on, round and round.
+fn around<T: Copy + PartialEq>(all: &[T], one: T, by: isize) -> T {
+    let at = all.iter().position(|other| *other == one).unwrap_or(0);
+    all[wrap(at, by, all.len())]
+}
+
+/// `at` moved by `by` within `0..count`, round and round.
+pub fn wrap(at: usize, by: isize, count: usize) -> usize {
+    let count = isize::try_from(count.max(1)).unwrap_or(1);
+    let at = isize::try_from(at).unwrap_or(0);
+    usize::try_from((at + by).rem_euclid(count)).unwrap_or(0)
+}
+
+/// A row of help.
+#[derive(Clone, Debug)]
+pub struct HelpRow {
+    /// Its keys.
+    pub keys: String,
+    /// The pane they belong to; empty where they work everywhere.
+    pub pane: &'static str,
+    /// What they do.
+    pub help: &'static str,
+    /// What Enter calls.
+    pub action: Action,
+}
+
+/// What help lists: the keys of the focused pane first, with what they do there, then those that work everywhere.
+pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
+    let pane = app.pane();
+    let own = PANE_KEYS.iter().filter(|row| row.pane == pane).map(|row| HelpRow {
+        keys: app.keymap.label(row.action),
+        pane: pane.label(),
+        help: row.help,
+        action: row.action,
+    });
+    let in_scope = |wanted: bool| {
+        LINES.iter().filter(move |line| match line.scope {
+            Scope::Everywhere => !wanted,
+            Scope::Panes(panes) => wanted && panes.contains(&pane),
+        })
+    };
+    let line = |label: &'static str| {
+        move |line: &'static crate::tui::keymap::Line| HelpRow {
+            keys: app.keymap.line_label(line),
+            pane: label,
+            help: line.meaning,
+            action: line.keys[0].0,
+        }
+    };
+    let rows =
+        own.chain(in_scope(true).map(line(pane.label()))).chain(in_scope(false).map(line("")));
+    ranked(rows, |row| rank(typed, &[&row.keys], row.help))
+}
+
+/// The presets that match, best first; all of them in their order when nothing is typed.
+pub fn preset_rows<'a>(presets: &'a [PresetEntry], typed: &str) -> Vec<&'a PresetEntry> {
+    ranked(presets.iter(), |entry| {
+        rank(typed, &[&entry.name], &format!("{} {}", entry.origin, entry.scene.title))
+    })
+}

@@ -1,0 +1,118 @@
+//! The help overlay, which lists the key table, and the palette.
+
+use ratatui::layout::Rect;
+
+use crate::model::variables::Kind;
+use crate::tui::app::App;
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::dialogs::popup::{filter, frame};
+use crate::tui::dialogs::{HelpRow, Picker, help_rows};
+use crate::tui::keymap::Pane;
+use crate::tui::message::Target;
+use crate::tui::theme::Role;
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{first_row, paint_row, put};
+
+/// Where the sentence of a row begins.
+const SENTENCE: u16 = 14;
+
+/// Keys: what the selected variable means on top, then the keys of the focused pane, then the others.
+pub(in crate::tui) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+    let title = format!("Keys of {}, then of every pane", app.pane().label());
+    let inner = frame(app, screen, (92, 48), (title.as_str(), "q closes"), canvas);
+    let about = about(app, usize::from(inner.width));
+    let mut top = 0;
+    for (text, role) in &about {
+        put(canvas, inner, (0, top), text, app.theme.style(*role));
+        top += 1;
+    }
+    let rest = Rect {
+        y: inner.y + top.min(inner.height),
+        height: inner.height.saturating_sub(top),
+        ..inner
+    };
+    filter(app, picker, rest, canvas);
+    let rows = help_rows(app, picker.filter.value());
+    list(app, &rows, picker.selected, below(rest), canvas)
+}
+
+/// What `:` finds, and what Enter does with the selected one.
+pub(in crate::tui) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+    let titles = ("Find an action, preset, variable or page", "Esc closes");
+    let inner = frame(app, screen, (76, 20), titles, canvas);
+    filter(app, picker, inner, canvas);
+    let list = below(inner);
+    let list = Rect { height: list.height.saturating_sub(DOES), ..list };
+    let found = app.palette(picker.filter.value());
+    if found.is_empty() {
+        put(canvas, list, (0, 0), "nothing has this name", app.theme.style(Role::Dim));
+    }
+    let first = first_row(picker.selected, usize::from(list.height), found.len());
+    for (row, (index, item)) in (0..list.height).zip(found.iter().enumerate().skip(first)) {
+        let mark = if item.kind() == "broken" { "!" } else { " " };
+        put(canvas, list, (0, row), mark, app.theme.style(Role::Warning));
+        put(canvas, list, (2, row), &clip(item.name(), 40), app.theme.style(Role::Text));
+        let kind = list.width.saturating_sub(10);
+        put(canvas, list, (kind, row), item.kind(), app.theme.style(Role::Dim));
+        if index == picker.selected {
+            paint_row(canvas, list, row, app.theme.style(Role::Selection));
+        }
+    }
+    let does = found.get(picker.selected).map_or_else(String::new, |item| app.palette_does(item));
+    let foot = Rect { y: list.bottom(), height: DOES, ..list };
+    for (row, line) in (0..DOES).zip(wrap(&does, usize::from(foot.width))) {
+        put(canvas, foot, (0, row), &line, app.theme.style(Role::Title));
+    }
+    canvas.rows(list, (first, found.len()), |row| Some(Target::DialogRow(row)));
+}
+
+/// Rows that say what Enter does.
+const DOES: u16 = 2;
+
+fn below(area: Rect) -> Rect {
+    Rect { y: area.y + area.height.min(1), height: area.height.saturating_sub(1), ..area }
+}
+
+fn list(app: &App, rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut Canvas<'_>) {
+    if rows.is_empty() {
+        put(canvas, area, (0, 0), "nothing matches", app.theme.style(Role::Dim));
+    }
+    let room = usize::from(area.width.saturating_sub(SENTENCE));
+    let first = first_row(selected, usize::from(area.height), rows.len());
+    for (row, (index, line)) in (0..area.height).zip(rows.iter().enumerate().skip(first)) {
+        let keys = clip(&line.keys, usize::from(SENTENCE) - 2);
+        put(canvas, area, (0, row), &keys, app.theme.style(Role::Key));
+        let role = if line.pane.is_empty() { Role::Dim } else { Role::Text };
+        put(canvas, area, (SENTENCE, row), &clip(line.help, room), app.theme.style(role));
+        if index == selected {
+            paint_row(canvas, area, row, app.theme.style(Role::Selection));
+        }
+    }
+    canvas.rows(area, (first, rows.len()), |row| Some(Target::DialogRow(row)));
+}
+
+/// Meaning, allowed values, range and source of the selected variable, while the list of variables has the keys.
+fn about(app: &App, width: usize) -> Vec<(String, Role)> {
+    if app.pane() != Pane::Variables {
+        return Vec::new();
+    }
+    let variable = app.editor.variable();
+    let mut lines = vec![(format!("{}  {}", variable.symbol, variable.key), Role::Title)];
+    let mut text = |text: String| {
+        for line in wrap(&text, width.saturating_sub(2)) {
+            lines.push((format!("  {line}"), Role::Text));
+        }
+    };
+    text(variable.meaning.to_owned());
+    let range = match &variable.kind {
+        Kind::Number(number) => number.thesis_range.map_or_else(String::new, |(low, high)| {
+            let show = crate::model::units::shortest;
+            format!("; the thesis searched {} to {}", show(low), show(high))
+        }),
+        Kind::Choice(_) | Kind::Switch { .. } => String::new(),
+    };
+    text(format!("now {}; allowed: {}{range}", variable.show(&app.scene), variable.allowed()));
+    text(format!("default: {}", variable.source));
+    lines.push((String::new(), Role::Text));
+    lines
+}

@@ -1,0 +1,115 @@
+//! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym, and what Enter does with each.
+
+pub(in crate::tui) mod keys;
+
+use crate::model::variables::{VARIABLES, is_offered};
+use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::{App, Tab};
+use crate::tui::keymap::{COMMANDS, Command};
+use crate::tui::message::PresetEntry;
+use crate::tui::pages::explore::state::numeric;
+
+/// Something that can be called by name.
+#[derive(Clone, Copy)]
+pub enum Item<'a> {
+    /// An action or a page.
+    Command(&'static Command),
+    /// A variable, by index into the table.
+    Variable(usize),
+    /// A preset or a part of a library.
+    Preset(&'a PresetEntry),
+}
+
+impl Item<'_> {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Command(command) => command.name,
+            Self::Variable(index) => VARIABLES[*index].symbol,
+            Self::Preset(entry) => &entry.name,
+        }
+    }
+
+    /// What it is, in a word or two.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Command(_) => "action",
+            Self::Variable(_) => "variable",
+            Self::Preset(entry) if entry.problem.is_some() => "broken",
+            Self::Preset(entry) => match (&entry.part, entry.origin) {
+                (Some(_), origin) => origin,
+                (None, _) => "preset",
+            },
+        }
+    }
+
+    fn rank(&self, typed: &str) -> Option<usize> {
+        match self {
+            Self::Command(command) => rank(typed, &[command.name], command.synonyms),
+            Self::Variable(index) => {
+                let variable = &VARIABLES[*index];
+                let mut names = vec![variable.symbol, variable.key];
+                names.extend(variable.aliases);
+                rank(typed, &names, variable.meaning)
+            }
+            Self::Preset(entry) => rank(typed, &[&entry.name], &entry.scene.title),
+        }
+    }
+}
+
+impl App {
+    /// What matches, best first; with nothing typed, the pages and actions.
+    pub fn palette(&self, typed: &str) -> Vec<Item<'_>> {
+        let commands = COMMANDS.iter().map(Item::Command);
+        if typed.trim().is_empty() {
+            return commands.collect();
+        }
+        let offered = VARIABLES.iter().enumerate();
+        let variables = offered
+            .filter(|(_, variable)| is_offered(variable, &self.scene))
+            .map(|(index, _)| Item::Variable(index));
+        let presets = self.presets.iter().map(Item::Preset);
+        ranked(commands.chain(variables).chain(presets), |item| item.rank(typed))
+    }
+
+    /// What Enter does with it.
+    pub fn palette_does(&self, item: &Item<'_>) -> String {
+        match item {
+            Item::Command(command) => {
+                let key = self.keymap.label(command.action);
+                let key = if key.is_empty() { String::new() } else { format!(" (key {key})") };
+                format!("Enter: {}{key}", lower(command.name))
+            }
+            Item::Variable(index) => {
+                let variable = &VARIABLES[*index];
+                let verb =
+                    if numeric().any(|one| one.key == variable.key) { "type" } else { "choose" };
+                let (symbol, now) = (variable.symbol, variable.show(&self.scene));
+                format!("Enter: {verb} {symbol}, now {now}: {}", variable.meaning)
+            }
+            Item::Preset(entry) => match (&entry.problem, &entry.part) {
+                (Some(problem), _) => format!("cannot be loaded: {problem}"),
+                (None, Some(part)) => {
+                    format!("Enter: put this {} into the scene", part.library.word())
+                }
+                (None, None) => {
+                    format!("Enter: load it and show it in {}", shown_in(entry).title())
+                }
+            },
+        }
+    }
+}
+
+/// The tab that shows what a preset is about: a sweep in Explore, else its run.
+pub fn shown_in(entry: &PresetEntry) -> Tab {
+    let swept = entry.scene.sweep.as_ref().is_some_and(|sweep| !sweep.axes.is_empty());
+    if swept && entry.part.is_none() { Tab::Explore } else { Tab::Run }
+}
+
+fn lower(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or_else(String::new, |first| {
+        // A name such as "V50" or "Monte Carlo" keeps its capitals after the first letter.
+        first.to_lowercase().chain(letters).collect()
+    })
+}

@@ -1,0 +1,153 @@
+//! The preset picker: names at the left, what a preset is and would change at the right.
+
+use ratatui::layout::Rect;
+
+use crate::model::scene::Scene;
+use crate::model::variables::{VARIABLES, Variable};
+use crate::tui::app::App;
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::dialogs::palette::shown_in;
+use crate::tui::dialogs::popup::{filter, frame};
+use crate::tui::dialogs::{Picker, preset_rows};
+use crate::tui::message::{PresetEntry, Target};
+use crate::tui::pages::run::editor::shown_value;
+use crate::tui::theme::Role;
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{first_row, paint_row, put};
+
+/// Columns of the list of names.
+const NAMES: u16 = 32;
+
+/// Draw it.
+pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+    let inner = frame(
+        app,
+        screen,
+        (110, 40),
+        ("Presets, threats, materials, absorbers", "Enter loads, Space pins only"),
+        canvas,
+    );
+    filter(app, picker, inner, canvas);
+    let body =
+        Rect { y: inner.y + inner.height.min(2), height: inner.height.saturating_sub(2), ..inner };
+    let rows = preset_rows(&app.presets, picker.filter.value());
+    let left = Rect { width: NAMES.min(body.width), ..body };
+    let right = Rect {
+        x: body.x + left.width + 2,
+        width: body.width.saturating_sub(left.width + 2),
+        ..body
+    };
+    if rows.is_empty() {
+        let text = "none; Enter opens a file by its path";
+        put(canvas, body, (0, 0), text, app.theme.style(Role::Dim));
+    }
+    let first = first_row(picker.selected, usize::from(left.height), rows.len());
+    for (row, (index, entry)) in (0..left.height).zip(rows.iter().enumerate().skip(first)) {
+        let room = usize::from(left.width.saturating_sub(11));
+        let (mark, role) = match entry.problem {
+            Some(_) => ("!", Role::Warning),
+            None => (" ", Role::Text),
+        };
+        put(canvas, left, (0, row), mark, app.theme.style(role));
+        put(canvas, left, (1, row), &clip(&entry.name, room), app.theme.style(role));
+        let at = left.width.saturating_sub(8);
+        put(canvas, left, (at, row), entry.origin, app.theme.style(Role::Dim));
+        if index == picker.selected {
+            paint_row(canvas, left, row, app.theme.style(Role::Selection));
+        }
+    }
+    if let Some(entry) = rows.get(picker.selected) {
+        about(app, entry, right, canvas);
+    }
+    canvas.rows(left, (first, rows.len()), |row| Some(Target::DialogRow(row)));
+}
+
+/// Title, changes, then comment and notes as far as there is room.
+fn about(app: &App, entry: &PresetEntry, area: Rect, canvas: &mut Canvas<'_>) {
+    let width = usize::from(area.width);
+    let mut lines: Vec<(String, Role)> = Vec::new();
+    if let Some(problem) = &entry.problem {
+        lines.push((format!("{} cannot be loaded:", entry.name), Role::Warning));
+        lines.extend(wrap(problem, width).into_iter().map(|line| (line, Role::Text)));
+        lines.push(("correct its file, or delete it".to_owned(), Role::Dim));
+        for (row, (text, role)) in (0..area.height).zip(&lines) {
+            put(canvas, area, (0, row), text, app.theme.style(*role));
+        }
+        return;
+    }
+    let title = if entry.scene.title.is_empty() { &entry.name } else { &entry.scene.title };
+    lines.extend(wrap(title, width).into_iter().map(|line| (line, Role::Title)));
+    if entry.part.is_none() {
+        let tab = shown_in(entry);
+        let text = format!("shows on {}", tab.title());
+        lines.push((text, Role::Dim));
+    }
+    lines.push((String::new(), Role::Text));
+    lines.extend(changes(app, entry, width));
+    for text in [&entry.comment, &entry.scene.notes] {
+        if !text.is_empty() {
+            lines.push((String::new(), Role::Text));
+        }
+        for paragraph in paragraphs(text) {
+            lines.extend(wrap(&paragraph, width).into_iter().map(|line| (line, Role::Dim)));
+        }
+    }
+    for (row, (text, role)) in (0..area.height).zip(&lines) {
+        put(canvas, area, (0, row), text, app.theme.style(*role));
+    }
+}
+
+/// The variables it would change, old and new; a long list in as many columns as needed.
+fn changes(app: &App, entry: &PresetEntry, width: usize) -> Vec<(String, Role)> {
+    let scene = match entry.scene_on(&app.scene) {
+        Ok(scene) => scene,
+        Err(error) => {
+            let lines = wrap(&error.to_string(), width);
+            return lines.into_iter().map(|line| (line, Role::Text)).collect();
+        }
+    };
+    let differing = App::differing(&app.scene, &scene);
+    if differing.is_empty() {
+        let same = if entry.scene.sweep == app.scene.sweep {
+            "changes nothing: the same scene"
+        } else {
+            "the same variables; its own sweep"
+        };
+        return vec![(same.to_owned(), Role::Text)];
+    }
+    let mut lines = vec![("would change:".to_owned(), Role::Text)];
+    for index in differing {
+        let variable = &VARIABLES[index];
+        let (old, new) = (brief(variable, &app.scene), brief(variable, &scene));
+        let unit = variable.unit().trim_matches('-');
+        let text = format!("  {:<9} {old} -> {new} {unit}", variable.symbol);
+        lines.push((clip(&text, width), Role::Text));
+    }
+    lines
+}
+
+/// A value in at most six digits.
+fn brief(variable: &Variable, scene: &Scene) -> String {
+    shown_value(variable, scene, 24)
+}
+
+/// Paragraphs of a comment that was broken into lines for a file: a blank line or a line such as `Expect: ...` begins one.
+fn paragraphs(text: &str) -> Vec<String> {
+    let begins = |line: &str| {
+        let word = line.split_once(':').map(|(word, _)| word);
+        word.is_some_and(|word| !word.is_empty() && word.chars().all(char::is_alphabetic))
+    };
+    let mut paragraphs: Vec<String> = Vec::new();
+    let mut begins_anew = true;
+    for line in text.lines().map(str::trim) {
+        match paragraphs.last_mut() {
+            Some(last) if !begins_anew && !line.is_empty() && !begins(line) => {
+                last.push(' ');
+                last.push_str(line);
+            }
+            _ => paragraphs.push(line.to_owned()),
+        }
+        begins_anew = line.is_empty();
+    }
+    paragraphs
+}

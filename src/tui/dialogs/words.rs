@@ -1,0 +1,64 @@
+//! The words a variable can be, one a row; below them what the variable means, or why the selected word is refused here.
+
+use ratatui::layout::Rect;
+
+use crate::model::variables::{self, Value};
+use crate::tui::app::App;
+use crate::tui::app::status::wrap;
+use crate::tui::dialogs::Picker;
+use crate::tui::dialogs::popup::frame;
+use crate::tui::message::Target;
+use crate::tui::theme::Role;
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{first_row, paint_row, put};
+
+/// Columns of the dialog.
+const WIDTH: u16 = 58;
+/// Rows for what is said below the words.
+const SAID: u16 = 3;
+
+/// Draw it.
+pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+    let variable = app.editor.variable();
+    let words = variable.words();
+    let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
+    let size = (WIDTH, count.saturating_add(SAID + 3));
+    let inner = frame(app, screen, size, (variable.symbol, "Enter takes it"), canvas);
+    let list = Rect { height: inner.height.saturating_sub(SAID + 1).min(count), ..inner };
+    let now = variable.value(&app.scene);
+    let first = first_row(picker.selected, usize::from(list.height), words.len());
+    for (row, (index, word)) in (0..list.height).zip(words.iter().enumerate().skip(first)) {
+        let is_now = now == Value::Word(word);
+        let mark = if is_now { "> " } else { "  " };
+        let role = if refusal(app, word).is_some() { Role::Dim } else { Role::Text };
+        put(canvas, list, (0, row), mark, app.theme.style(Role::Title));
+        let end = put(canvas, list, (2, row), word, app.theme.style(role));
+        if is_now {
+            put(canvas, list, (end + 2, row), "now", app.theme.style(Role::Dim));
+        }
+        if index == picker.selected {
+            paint_row(canvas, list, row, app.theme.style(Role::Selection));
+        }
+    }
+    let refused = words.get(picker.selected).and_then(|word| refusal(app, word));
+    let (text, role) = match refused {
+        Some(text) => (text, Role::Warning),
+        None => (variable.meaning.to_owned(), Role::Dim),
+    };
+    let below = Rect {
+        y: list.y + list.height + 1,
+        height: inner.height.saturating_sub(list.height + 1),
+        ..inner
+    };
+    for (row, line) in (0..below.height).zip(wrap(&text, usize::from(below.width))) {
+        put(canvas, below, (0, row), &line, app.theme.style(role));
+    }
+    canvas.rows(list, (first, words.len()), |row| Some(Target::DialogRow(row)));
+}
+
+/// Why the scene makes no sense with this word; `None` where it does.
+fn refusal(app: &App, word: &'static str) -> Option<String> {
+    let mut scene = (*app.scene).clone();
+    let set = app.editor.variable().set(&mut scene, Value::Word(word));
+    set.and_then(|()| variables::validate(&scene)).err().map(|error| error.to_string())
+}

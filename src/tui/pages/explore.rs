@@ -1,0 +1,69 @@
+//! The Explore tab: curves or a map of a quantity over one variable or two.
+
+pub(in crate::tui) mod curves;
+pub(in crate::tui) mod gaps;
+pub(in crate::tui) mod keys;
+pub(in crate::tui) mod layout;
+pub(in crate::tui) mod map;
+pub(in crate::tui) mod plan;
+pub(in crate::tui) mod progress;
+pub mod setup;
+pub mod state;
+
+use ratatui::layout::Rect;
+
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::Effect;
+use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
+use crate::tui::widgets::Canvas;
+use crate::worker::Report;
+
+/// See the module.
+pub(in crate::tui) struct Tab;
+
+impl Page for Tab {
+    fn panes(&self, _app: &App) -> &'static [Pane] {
+        &[Pane::ExploreSetup, Pane::Explore]
+    }
+
+    fn enter(&self, app: &mut App) -> Vec<Effect> {
+        keys::enter(app)
+    }
+
+    fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>> {
+        keys::act(app, action)
+    }
+
+    fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
+        note(match app.pane() {
+            Pane::ExploreSetup => Some(app.setup_readout(app.picture())),
+            _ => app.sweep_readout(room),
+        })
+    }
+
+    fn status(&self, app: &App) -> Vec<StatusPart> {
+        app.sweep_status(app.picture())
+    }
+
+    fn running(&self, app: &App) -> Vec<Job> {
+        jobs("2:Explore", [app.sweeping.computing.as_ref().map(|job| job.id)])
+    }
+
+    fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
+        keys::report(app, report.body);
+        Vec::new()
+    }
+
+    fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
+        let panes = layout::panes(app, body);
+        if let Some(area) = panes.setup {
+            setup::draw::render(app, app.picture(), area, canvas);
+        }
+        match app.picture() {
+            Picture::Line => curves::render(app, &panes, canvas),
+            Picture::Surface => map::render(app, &panes, canvas),
+        }
+    }
+}

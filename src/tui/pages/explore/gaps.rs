@@ -1,0 +1,63 @@
+//! Why a picture is empty, in words: no point has a value of the output shown.
+
+use crate::study::sweep::Fate;
+use crate::study::sweep::grid::{Cell, Grid};
+
+/// Why no point of a picture has a value of an output that can be drawn, and what to do about it, in a few lines.
+pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
+    let column = grid.plan().outputs()[output];
+    let name = column.title();
+    let (done, _) = grid.progress();
+    if done == 0 {
+        return vec!["sweeping the first points".to_owned()];
+    }
+    let (along, up) = grid.counts();
+    let mut points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+    if points.any(|(x, y)| matches!(grid.cell(x, y, output), Cell::Value(_))) {
+        return said(&format!("no {name} above 0: a log scale shows none"), &["Y: linear scale"]);
+    }
+    let census = grid.census();
+    let [arrested, perforated, separated, moving, failed] = census;
+    let other = "v, or Show in the setup (Tab): another output";
+    if perforated == done {
+        let instead = "or show residual_velocity_m_s (Tab, Show)";
+        let cure = ["lower v_i, or raise h or S_y (Tab, Hold)", instead];
+        return said(&format!("every point perforates: no {name}"), &cure);
+    }
+    if arrested + separated == done {
+        let why = match column.name {
+            "residual_velocity_m_s" | "exit_time_s" => "every point is stopped",
+            _ => Fate::Arrested.without_value(column),
+        };
+        return said(&format!("no {name}: {why}"), &[other]);
+    }
+    if moving == done {
+        let cure = ["a longer horizon decides them (Tab, Hold)", other];
+        return said(&format!("every point still moves at the end: no {name}"), &cure);
+    }
+    if failed == done {
+        return said("every point failed", &["Enter opens one in the Run tab, and 6:Log says why"]);
+    }
+    let words = ["arrested", "perforated", "separated", "moving", "failed"];
+    let counts = census.into_iter().zip(words).filter(|(count, _)| *count > 0);
+    let counts: Vec<String> = counts.map(|(count, word)| format!("{count} {word}")).collect();
+    said(&format!("no point has a {name}"), &[&counts.join(", "), other])
+}
+
+/// How many points came to rest and still have no value of an output, with the letter of these gaps and what it means.
+pub(in crate::tui) fn at_rest(grid: &Grid, output: usize) -> Option<String> {
+    let (along, up) = grid.counts();
+    let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+    let rested = |(x, y): (usize, usize)| match grid.fate(x, y)? {
+        fate @ (Fate::Arrested | Fate::Separated) => Some((fate, grid.value(x, y, output))),
+        Fate::Perforated | Fate::Moving | Fate::Failed(_) => None,
+    };
+    let mut without = points.filter_map(rested).filter(|point| point.1.is_none());
+    let (fate, _) = without.next()?;
+    let why = fate.without_value(grid.plan().outputs()[output]);
+    Some(format!("{} {}: {why}", 1 + without.count(), fate.letter()))
+}
+
+fn said(what: &str, cures: &[&str]) -> Vec<String> {
+    std::iter::once(what).chain(cures.iter().copied()).map(str::to_owned).collect()
+}

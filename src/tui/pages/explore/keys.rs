@@ -1,0 +1,273 @@
+//! The Explore tab: asking for sweeps, moving the cursor, loading the design under it.
+
+use std::sync::Arc;
+
+use crate::study::sweep::grid::Grid;
+use crate::study::sweep::{Axis, Spacing};
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::dialogs::{Table, table};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::{Effect, Message};
+use crate::tui::pages::explore::setup;
+use crate::tui::pages::explore::state::{Computing, Contour, Found, Picture};
+use crate::tui::pages::run::runs;
+use crate::tui::update::act::cursor_moved;
+use crate::tui::update::{edit, jobs};
+use crate::worker::{Finding, Progress, ReportBody, Task, Work};
+
+/// Far along a picture, in points.
+const FAR: isize = 10;
+/// One pan step, as a fraction of the view.
+const PAN: f64 = 0.25;
+/// A sweep that will take longer says so.
+const LONG_S: u64 = 60;
+
+/// The picture is computed, unless it is there.
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
+    app.sweeping.field = None;
+    refresh(app)
+}
+
+/// After an edit of the scene: a picture on the screen follows at once.
+pub(in crate::tui) fn after_edit(app: &mut App) -> Vec<Effect> {
+    let shown = app.tab == crate::tui::app::Tab::Explore;
+    if app.auto_run && shown { refresh(app) } else { Vec::new() }
+}
+
+fn refresh(app: &mut App) -> Vec<Effect> {
+    let picture = app.picture();
+    let plan = app.sweep_plan(picture);
+    let wanted = plan.as_ref().ok();
+    let coming = app.sweeping.computing.as_ref().map(|it| (it.picture, &*it.plan));
+    if coming.is_some_and(|(of, plan)| of == picture && Some(plan) == wanted) {
+        return Vec::new();
+    }
+    let there = app
+        .sweeping
+        .found(picture)
+        .is_some_and(|found| Some(&**found.grid.plan()) == wanted && found.grid.is_complete());
+    if there && app.sweeping.computing.is_none() {
+        app.sweeping.problem = None;
+        return Vec::new();
+    }
+    if there { Vec::new() } else { compute(app) }
+}
+
+/// Compute what Explore shows.
+pub(in crate::tui) fn compute(app: &mut App) -> Vec<Effect> {
+    let picture = app.picture();
+    if let Some(horizon_s) = app.scene.run.horizon_s {
+        let horizon = crate::tui::pages::run::runs::engineering(horizon_s, "s");
+        app.say(
+            Severity::Warning,
+            format!("horizon is set by hand: every point is simulated to {horizon}, which takes long; `auto` stops at the result"),
+        );
+    }
+    match app.sweep_plan(picture) {
+        Err(error) => {
+            let before = app.sweeping.computing.take();
+            app.sweeping.problem =
+                Some("these axes cannot be swept: press r to see why".to_owned());
+            app.say(Severity::Error, error.to_string());
+            before.map(|job| Effect::Cancel(job.id)).into_iter().collect()
+        }
+        Ok(plan) => {
+            app.sweeping.problem = None;
+            let id = app.jobs.next_id();
+            let plan = Arc::new(plan);
+            app.sweeping.computing = Some(Computing {
+                id,
+                picture,
+                plan: Arc::clone(&plan),
+                points: None,
+                elapsed: std::time::Duration::ZERO,
+                warned: false,
+            });
+            let task = Task { id, threads: app.crew(), work: Work::Sweep(plan) };
+            vec![Effect::Submit(task), Effect::After(jobs::LONG, Message::LongJob(id))]
+        }
+    }
+}
+
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Run => return Some(compute(app)),
+        Action::Export => {
+            table::open(app, Table::Explore);
+            return Some(Vec::new());
+        }
+        Action::Copy => return Some(table::copy(app, Table::Explore)),
+        Action::Mark => return Some(pin(app)),
+        Action::Contour => {
+            app.sweeping.contour = match app.sweeping.contour {
+                Contour::Cursor => Contour::Off,
+                Contour::Off => Contour::Cursor,
+            };
+            return Some(Vec::new());
+        }
+        Action::FitResiduals => {
+            app.sweeping.residuals = !app.sweeping.residuals;
+            return Some(Vec::new());
+        }
+        _ if app.pane() == Pane::ExploreSetup => return setup::keys::act(app, action),
+        Action::View => app.sweeping.output = next_output(app),
+        Action::LogY => app.sweeping.log_values = !app.sweeping.log_values,
+        Action::LogX => return Some(setup::keys::toggle_spacing(app)),
+        Action::ZoomIn => zoom(app, |view, scale, about| view.zoomed(scale, about, 2.0)),
+        Action::ZoomOut => zoom(app, |view, scale, about| view.zoomed(scale, about, 0.5)),
+        Action::PanLeft => zoom(app, |view, scale, _| view.panned(scale, -PAN)),
+        Action::PanRight => zoom(app, |view, scale, _| view.panned(scale, PAN)),
+        Action::ZoomFit => app.sweeping.zoom[app.picture() as usize] = None,
+        Action::Enter => return Some(load(app)),
+        _ => move_cursor(app, cursor_moved(action, FAR)?),
+    }
+    Some(Vec::new())
+}
+
+fn next_output(app: &App) -> usize {
+    let count = crate::tui::pages::explore::state::sweep_of(&app.scene).outputs.len().max(1);
+    (app.sweeping.output + 1) % count
+}
+
+/// Change the part of the variable along that curves show.
+fn zoom(app: &mut App, change: impl FnOnce(ViewRange, Scale, f64) -> ViewRange) {
+    let picture = app.picture();
+    let Some(found) = app.sweeping.found(picture).filter(|_| picture == Picture::Line) else {
+        app.say(Severity::Note, "a map shows all of its axes: change their ends in the setup");
+        return;
+    };
+    let grid = &found.grid;
+    let axis = &grid.plan().axes()[0];
+    let (from, to) = axis.ends();
+    let whole = ViewRange::new(from, to);
+    let scale = match axis.spacing() {
+        Spacing::Linear | Spacing::Listed => Scale::Linear,
+        Spacing::Log => Scale::Log10,
+    };
+    let about = grid.coordinate(app.cursor_point(grid), 0);
+    let view = change(app.sweeping.zoom[picture as usize].unwrap_or(whole), scale, about);
+    let inside = ViewRange::new(view.lo().max(whole.lo()), view.hi().min(whole.hi()));
+    let all = inside.lo() <= whole.lo() && inside.hi() >= whole.hi();
+    app.sweeping.zoom[picture as usize] = (!all).then_some(inside);
+}
+
+/// Move the cursor by points; the scene stays as it is.
+fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
+    let picture = app.picture();
+    let Some(found) = app.sweeping.found(picture) else {
+        app.say(Severity::Note, "no results yet: press r to sweep");
+        return;
+    };
+    let grid = Arc::clone(&found.grid);
+    let at = app.cursor_point(&grid);
+    let next = if grid.is_full() {
+        let (across, up) = grid.counts();
+        let axes = grid.plan().axes();
+        let moved = |at: usize, by: isize, count: usize, axis: Option<&Axis>| {
+            // Right and up lead to greater values, also on an axis that runs downward.
+            let down = axis.is_some_and(|axis| axis.ends().0 > axis.ends().1);
+            at.saturating_add_signed(if down { -by } else { by }).min(count - 1)
+        };
+        (moved(at.0, x, across, axes.first()), moved(at.1, y, up, axes.get(1)))
+    } else {
+        let upward = x == 0 && picture == Picture::Surface;
+        (neighbour(&grid, at.0, usize::from(upward), x + y), 0)
+    };
+    app.sweeping.cursor[picture as usize] = Some(next);
+}
+
+/// Another point of a design, in the order of one of its axes.
+fn neighbour(grid: &Grid, here: usize, axis: usize, by: isize) -> usize {
+    let mut order: Vec<usize> = (0..grid.counts().0).collect();
+    let axis = axis.min(grid.plan().axes().len() - 1);
+    let along = |x: &usize| grid.coordinate((*x, 0), axis);
+    order.sort_by(|a, b| along(a).total_cmp(&along(b)));
+    let at = order.iter().position(|x| *x == here).unwrap_or(0);
+    order[at.saturating_add_signed(by).min(order.len() - 1)]
+}
+
+/// Put the cursor on a point.
+pub(in crate::tui) fn jump(app: &mut App, point: (usize, usize)) {
+    app.sweeping.cursor[app.picture() as usize] = Some(point);
+}
+
+/// Load the design under the cursor into the scene, as one edit.
+fn load(app: &mut App) -> Vec<Effect> {
+    match app.sweep_design() {
+        Ok((scene, _)) if scene == *app.scene => {
+            app.say(Severity::Note, "the scene is this design already: 1 shows its run");
+            Vec::new()
+        }
+        Ok((scene, words)) => {
+            let effects = edit::commit_scene(app, scene, format!("load {words}"), None);
+            app.say(Severity::Note, format!("loaded {words}: 1 shows its run, u undoes"));
+            effects
+        }
+        Err(why) => {
+            app.say(Severity::Error, why);
+            Vec::new()
+        }
+    }
+}
+
+/// Pin the design under the cursor.
+fn pin(app: &mut App) -> Vec<Effect> {
+    match app.sweep_design() {
+        Ok((scene, words)) => runs::keys::pin(app, words, Arc::new(scene)),
+        Err(why) => {
+            app.say(Severity::Error, why);
+            Vec::new()
+        }
+    }
+}
+
+/// A report of the sweep.
+pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
+    let Some(computing) = app.sweeping.computing.as_mut() else { return };
+    let picture = computing.picture;
+    match body {
+        ReportBody::Progress { progress: Progress::Points(done, total), elapsed } => {
+            computing.points = Some((done, total));
+            computing.elapsed = elapsed;
+        }
+        ReportBody::Part(Finding::Grid(grid)) => {
+            app.sweeping.show(picture, Found { grid, took: None });
+        }
+        ReportBody::Ended { found, took } => {
+            app.sweeping.computing = None;
+            let Some(Finding::Grid(grid)) = found else { return };
+            let stopped = !grid.is_complete();
+            app.sweeping.show(picture, Found { grid, took: Some(took) });
+            if stopped {
+                let text = "Cancelled. Partial results are shown; press r to sweep again.";
+                app.say(Severity::Note, text);
+            }
+        }
+        ReportBody::Failed(text) => {
+            app.sweeping.computing = None;
+            app.sweeping.problem = Some("this cannot be swept: press r to see why".to_owned());
+            app.say(Severity::Error, text);
+        }
+        ReportBody::Progress { .. } | ReportBody::Part(_) => {}
+    }
+    warn_if_long(app);
+}
+
+fn warn_if_long(app: &mut App) {
+    let Some(computing) = &mut app.sweeping.computing else { return };
+    let Some(left) = computing.left().filter(|left| left.as_secs() >= LONG_S) else { return };
+    if computing.warned {
+        return;
+    }
+    computing.warned = true;
+    let minutes = left.as_secs().div_ceil(60);
+    app.say(
+        Severity::Warning,
+        format!(
+            "this sweep will take about {minutes} min more: Esc stops it and keeps what is finished"
+        ),
+    );
+}

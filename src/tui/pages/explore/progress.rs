@@ -1,0 +1,68 @@
+//! How far a sweep is and what it found, for the status row. No drawing.
+
+use crate::model::units;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::{App, show_duration};
+use crate::tui::pages::explore::gaps;
+use crate::tui::pages::explore::state::{Picture, quadratic};
+
+impl App {
+    /// The parts of the status row in this tab.
+    pub fn sweep_status(&self, picture: Picture) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let mut parts = Vec::new();
+        let found = self.sweeping.found(picture);
+        if let Some(computing) = self.sweeping.computing.as_ref().filter(|it| it.picture == picture)
+        {
+            let points = computing
+                .points
+                .map_or_else(String::new, |(done, total)| format!(": {done} of {total} points"));
+            let left = computing.left().filter(|left| left.as_secs() > 0);
+            let left =
+                left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
+            parts.push(same(Severity::Note, format!("sweeping{points}{left} (Esc stops)")));
+        } else if let Some(problem) = &self.sweeping.problem {
+            parts.push(same(Severity::Error, problem.clone()));
+        } else if self.sweep_is_old(picture) {
+            parts.push(same(Severity::Warning, "another scene's results: press r".to_owned()));
+        } else if let Some(found) = found {
+            let (done, total) = found.grid.progress();
+            match found.took.filter(|_| found.grid.is_complete()) {
+                Some(took) => {
+                    let text = format!("{total} points in {}", show_duration(took));
+                    parts.push(same(Severity::Note, text));
+                }
+                None => parts.push(same(
+                    Severity::Warning,
+                    format!("cancelled after {done} of {total} points: press r"),
+                )),
+            }
+        } else {
+            parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
+        }
+        if let Some(found) = found {
+            let words = ["", "perforated", "separated", "moving", "failed"];
+            for (count, word) in found.grid.census().into_iter().zip(words) {
+                if count > 0 && !word.is_empty() {
+                    let severity =
+                        if word == "separated" { Severity::Note } else { Severity::Warning };
+                    parts.push(same(severity, format!("{count} {word}")));
+                }
+            }
+            let output = self.shown_output(&found.grid).0;
+            parts.extend(gaps::at_rest(&found.grid, output).map(|text| same(Severity::Note, text)));
+        }
+        if let Some(found) =
+            found.filter(|_| picture == Picture::Surface && self.sweeping.residuals)
+        {
+            let (output, _) = self.shown_output(&found.grid);
+            let text = quadratic(&found.grid, output).map_or_else(
+                || "no quadratic fits".to_owned(),
+                |fit| format!("quadratic fit: R2 {}", units::fixed_significant(fit.r_squared, 4)),
+            );
+            parts.push(same(Severity::Note, text));
+        }
+        parts.extend(self.validity_part());
+        parts
+    }
+}

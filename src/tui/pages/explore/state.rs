@@ -1,0 +1,460 @@
+//! The Explore tab: what is swept, what was found, where the cursor stands, and all of it in words. No drawing.
+//!
+//! Axes and outputs are the scene's own `[sweep]`, so that they are undone, saved and exported with it; where the scene has
+//! none, usual ones stand in until something is changed. The cursor is the scene itself: moving it changes the variables
+//! on the axes, and the grid point nearest to them is marked.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use crate::model::results::ResultColumn;
+use crate::model::scene::{Scene, Sweep, SweepAxis};
+use crate::model::units::{self, Engineering};
+use crate::model::variables::{self, Kind as VariableKind};
+use crate::study::sweep::grid::{Cell, Grid};
+use crate::study::sweep::quadratic::Quadratic;
+use crate::study::sweep::{Axis, Design, Fate, Plan, USUAL_OUTPUTS};
+use crate::tui::app::App;
+use crate::tui::chart::scale::ViewRange;
+
+pub use crate::tui::pages::explore::gaps::no_value;
+pub use crate::tui::pages::explore::setup::SetupField;
+pub use crate::tui::pages::explore::setup::SetupRow;
+
+/// Curves of a family unless another number is chosen.
+const CURVES: u64 = 5;
+/// The axes that stand in where a scene has none: those of Figure 9.7, 9.10 and 9.11.
+const USUAL_AXES: [(&str, f64, f64, usize); 3] =
+    [("gamma", 0.8, 7.0, 101), ("k", 0.0, 7.5e6, 41), ("d", 0.0, 0.5, 41)];
+
+/// How a sweep is shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Picture {
+    /// One axis, with a family of curves or without.
+    #[default]
+    Line,
+    /// Two axes: a map.
+    Surface,
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The grid, filled as far as it is.
+    pub grid: Arc<Grid>,
+    /// Time taken; `None` while it grows.
+    pub took: Option<Duration>,
+}
+
+/// A sweep that has not ended.
+#[derive(Clone, Debug)]
+pub struct Computing {
+    /// Its number.
+    pub id: u64,
+    /// For which picture.
+    pub picture: Picture,
+    /// What is swept.
+    pub plan: Arc<Plan>,
+    /// Points done and in all, once told.
+    pub points: Option<(usize, usize)>,
+    /// Time gone when that was told.
+    pub elapsed: Duration,
+    /// It was said that it will take more than a minute.
+    pub warned: bool,
+}
+
+impl Computing {
+    /// The time left, by the points done so far.
+    pub fn left(&self) -> Option<Duration> {
+        let (done, total) = self.points.filter(|points| points.0 > 0)?;
+        let share = (total - done) as f64 / done as f64;
+        Duration::try_from_secs_f64(self.elapsed.as_secs_f64() * share).ok()
+    }
+}
+
+/// Which points a picture visits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spread {
+    /// Every combination: curves.
+    #[default]
+    Grid,
+    /// A Latin hypercube: dots.
+    Hypercube,
+    /// Sobol's sequence: dots.
+    Sobol,
+}
+
+impl Spread {
+    /// All, in order.
+    pub const ALL: [Self; 3] = [Self::Grid, Self::Hypercube, Self::Sobol];
+
+    /// Its word in the setup.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Grid => "grid",
+            Self::Hypercube => "lhs",
+            Self::Sobol => "sobol",
+        }
+    }
+
+    /// The design of so many points.
+    fn design(self, points: u64) -> Design {
+        match self {
+            Self::Grid => Design::Factorial,
+            Self::Hypercube => Design::LatinHypercube { points, seed: 0 },
+            Self::Sobol => Design::Sobol { points, seed: 0 },
+        }
+    }
+}
+
+/// How a sweep is shown, how many points it visits, and which.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Visits {
+    /// Curves of a family.
+    pub curves: u64,
+    /// Which points each picture visits: curves, map.
+    pub spreads: [Spread; 2],
+    /// Curves or a map.
+    pub picture: Picture,
+}
+
+impl Default for Visits {
+    fn default() -> Self {
+        Self { curves: CURVES, spreads: [Spread::Grid; 2], picture: Picture::Line }
+    }
+}
+
+/// Which contour is drawn over a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Contour {
+    /// Through the point under the cursor: all designs as good as this one.
+    #[default]
+    Cursor,
+    /// None.
+    Off,
+}
+
+/// The state of the tab.
+#[derive(Clone, Debug)]
+pub struct Sweeping {
+    /// Curves over one axis.
+    pub line: Option<Found>,
+    /// A surface over two.
+    pub surface: Option<Found>,
+    /// What is being computed.
+    pub computing: Option<Computing>,
+    /// Why the present axes cannot be swept.
+    pub problem: Option<String>,
+    /// The selected row of the setup.
+    pub row: SetupRow,
+    /// The point under the cursor, by picture; `None`: the one nearest to the scene.
+    pub cursor: [Option<(usize, usize)>; 2],
+    /// The part of the variable along that is in view, by picture; `None`: all of it.
+    pub zoom: [Option<ViewRange>; 2],
+    /// The open field.
+    pub field: Option<SetupField>,
+    /// The output shown, of those computed.
+    pub output: usize,
+    /// Values on a logarithmic scale.
+    pub log_values: bool,
+    /// The contour.
+    pub contour: Contour,
+    /// The surface shows what a fitted quadratic leaves over.
+    pub residuals: bool,
+    /// Curves of a family, and which points are visited.
+    pub visits: Visits,
+}
+
+impl Default for Sweeping {
+    fn default() -> Self {
+        Self {
+            line: None,
+            surface: None,
+            computing: None,
+            problem: None,
+            row: SetupRow::Name(0),
+            cursor: [None; 2],
+            zoom: [None; 2],
+            field: None,
+            output: 0,
+            log_values: false,
+            contour: Contour::Cursor,
+            residuals: false,
+            visits: Visits::default(),
+        }
+    }
+}
+
+impl Sweeping {
+    /// What was found for a picture.
+    pub fn found(&self, picture: Picture) -> Option<&Found> {
+        match picture {
+            Picture::Line => self.line.as_ref(),
+            Picture::Surface => self.surface.as_ref(),
+        }
+    }
+
+    /// Which points a picture visits.
+    pub fn spread(&self, picture: Picture) -> Spread {
+        self.visits.spreads[picture as usize]
+    }
+
+    /// Let a picture visit other points.
+    pub fn set_spread(&mut self, picture: Picture, spread: Spread) {
+        self.visits.spreads[picture as usize] = spread;
+    }
+
+    /// Show what was found; over other axes the cursor begins anew.
+    pub fn show(&mut self, picture: Picture, found: Found) {
+        let before = self.found(picture).map(|found| found.grid.plan());
+        if before.is_none_or(|plan| plan.axes() != found.grid.plan().axes()) {
+            self.cursor[picture as usize] = None;
+            self.zoom[picture as usize] = None;
+        }
+        match picture {
+            Picture::Line => self.line = Some(found),
+            Picture::Surface => self.surface = Some(found),
+        }
+    }
+}
+
+/// The quadratic that fits an output of a grid of two axes; `None` where there is none.
+pub fn quadratic(grid: &Grid, output: usize) -> Option<Quadratic> {
+    let (along, up) = grid.counts();
+    let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
+    Quadratic::through(points.map(|(x, y)| {
+        let value = match grid.cell(x, y, output) {
+            Cell::Value(value) => value,
+            Cell::Fate(_) | Cell::Waiting => f64::NAN,
+        };
+        let (u, v) = place(grid, (x, y));
+        (u, v, value)
+    }))
+}
+
+/// A point of a grid or a design in shares of its axes, -1 to 1.
+pub fn place(grid: &Grid, (x, y): (usize, usize)) -> (f64, f64) {
+    if !grid.is_full() {
+        let axes = grid.plan().axes();
+        let share = |at: usize| {
+            let share = axes.get(at).and_then(|axis| axis.share(grid.coordinate((x, y), at)));
+            2.0 * share.unwrap_or(0.5) - 1.0
+        };
+        return (share(0), share(1));
+    }
+    let share = |at: usize, count: usize| 2.0 * at as f64 / (count.max(2) - 1) as f64 - 1.0;
+    let (along, up) = grid.counts();
+    (share(x, along), share(y, up))
+}
+
+/// The sweep of a scene, with usual axes and outputs where it has none; always two axes.
+pub fn sweep_of(scene: &Scene) -> Sweep {
+    let mut sweep = scene.sweep.clone().unwrap_or_default();
+    let key = |name: &str| variables::find(name).map(|variable| variable.key).ok();
+    for (name, from, to, count) in USUAL_AXES {
+        let taken = sweep.axes.iter().any(|axis| key(&axis.name) == key(name));
+        if sweep.axes.len() < 2 && !taken {
+            sweep.axes.push(SweepAxis {
+                name: name.to_owned(),
+                from,
+                to,
+                count,
+                log: false,
+                values: Vec::new(),
+            });
+        }
+    }
+    if sweep.outputs.is_empty() {
+        sweep.outputs = USUAL_OUTPUTS.map(str::to_owned).to_vec();
+    }
+    sweep
+}
+
+/// Whether curves are repeated for the values of a second axis.
+pub fn has_family(scene: &Scene) -> bool {
+    scene.sweep.as_ref().is_some_and(|sweep| sweep.axes.len() >= 2)
+}
+
+impl App {
+    /// What Explore shows: curves or a map.
+    pub fn picture(&self) -> Picture {
+        self.sweeping.visits.picture
+    }
+
+    /// Whether the picture belongs to other axes or held variables than those on the screen.
+    pub fn sweep_is_old(&self, picture: Picture) -> bool {
+        let wanted = self.sweep_plan(picture).ok();
+        let shown = self.sweeping.found(picture).map(|found| &**found.grid.plan());
+        shown.is_some() && shown != wanted.as_ref()
+    }
+
+    /// The output shown of a grid, and its place.
+    pub fn shown_output(&self, grid: &Grid) -> (usize, &'static ResultColumn) {
+        let outputs = grid.plan().outputs();
+        let at = self.sweeping.output.min(outputs.len().saturating_sub(1));
+        (at, outputs[at])
+    }
+
+    /// The grid point under the cursor: the one it was moved to, or the one nearest to the scene.
+    pub fn cursor_point(&self, grid: &Grid) -> (usize, usize) {
+        let (across, up) = grid.counts();
+        let kept = self.sweeping.cursor[self.picture() as usize];
+        if let Some(at) = kept.filter(|(x, y)| *x < across && *y < up) {
+            return at;
+        }
+        if !grid.is_full() {
+            return (self.nearest_point(grid), 0);
+        }
+        let along = |axis: Option<&Axis>| {
+            let axis = axis?;
+            let value = (axis.number().get)(&self.scene)?;
+            usize::try_from(axis.nearest(value)).ok()
+        };
+        let axes = grid.plan().axes();
+        (along(axes.first()).unwrap_or(0), along(axes.get(1)).unwrap_or(0))
+    }
+
+    /// The point of a design nearest to the scene, each axis by its length.
+    fn nearest_point(&self, grid: &Grid) -> usize {
+        let axes = grid.plan().axes();
+        let away = |x: usize| -> f64 {
+            let one = |(at, axis): (usize, &Axis)| {
+                let here = (axis.number().get)(&self.scene).and_then(|value| axis.share(value));
+                let there = axis.share(grid.coordinate((x, 0), at));
+                (here.unwrap_or(0.0) - there.unwrap_or(0.0)).powi(2)
+            };
+            axes.iter().enumerate().map(one).sum()
+        };
+        let points = 0..grid.counts().0;
+        points.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0)
+    }
+
+    /// What is under the cursor, in at most this many columns: units and long names go first.
+    pub fn sweep_readout(&self, width: usize) -> Option<String> {
+        for words in [Words::Long, Words::Short] {
+            let text = self.readout_with(words)?;
+            if text.chars().count() <= width {
+                return Some(text);
+            }
+        }
+        self.readout_with(Words::Least)
+    }
+
+    fn readout_with(&self, words: Words) -> Option<String> {
+        let picture = self.picture();
+        let grid = &self.sweeping.found(picture)?.grid;
+        let (x, y) = self.cursor_point(grid);
+        let axes = grid.plan().axes();
+        let at = |(place, axis): (usize, &Axis)| {
+            let value = grid.coordinate((x, y), place);
+            let shown = match words {
+                Words::Long => axis_value(axis, value),
+                Words::Short => units::significant(value, 5),
+                Words::Least => units::significant(value, 4),
+            };
+            format!("{} {shown}", axis.symbol())
+        };
+        let mut parts: Vec<String> = axes.iter().enumerate().map(at).collect();
+        let away = axes.iter().enumerate().any(|(place, axis)| {
+            let value = grid.coordinate((x, y), place);
+            (axis.number().get)(&self.scene).is_none_or(|now| now.to_bits() != value.to_bits())
+        });
+        let place = if away { "near " } else { "" }.to_owned() + &parts.join(" ");
+        parts.clear();
+        let (shown, _) = self.shown_output(grid);
+        for (index, output) in grid.plan().outputs().iter().enumerate() {
+            if words == Words::Least && index != shown {
+                continue;
+            }
+            let name = words.of(output);
+            let text = match grid.cell(x, y, index) {
+                Cell::Value(value) if output.unit() == "%" => {
+                    format!("{} of baseline", output_value(output, value))
+                }
+                Cell::Value(value) => format!("{name} {}", output_value(output, value)),
+                // The whole point is so, whatever the output.
+                Cell::Fate(fate @ (Fate::Perforated | Fate::Moving | Fate::Failed(_))) => {
+                    fate.without_value(output).to_owned()
+                }
+                Cell::Fate(fate) => format!("{name}: {}", fate.without_value(output)),
+                Cell::Waiting => "not computed yet".to_owned(),
+            };
+            if !parts.contains(&text) {
+                parts.push(text);
+            }
+        }
+        Some(format!("{place}: {}", parts.join(", ")))
+    }
+
+    /// The design under the cursor as a scene, with the values of the axes in words.
+    ///
+    /// # Errors
+    /// Why there is none: nothing computed yet, or what is shown belongs to another scene.
+    pub fn sweep_design(&self) -> Result<(Scene, String), String> {
+        let picture = self.picture();
+        let Some(found) = self.sweeping.found(picture) else {
+            return Err("nothing computed yet: press r to sweep".to_owned());
+        };
+        if self.sweep_is_old(picture) {
+            return Err("these results belong to another setup: press r to sweep again".to_owned());
+        }
+        let grid = &found.grid;
+        let point = self.cursor_point(grid);
+        let mut scene = (*self.scene).clone();
+        let mut words = Vec::new();
+        for (place, axis) in grid.plan().axes().iter().enumerate() {
+            let value = grid.coordinate(point, place);
+            (axis.number().set)(&mut scene, Some(value));
+            words.push(format!("{} = {}", axis.symbol(), axis_value(axis, value)));
+        }
+        Ok((scene, words.join(", ")))
+    }
+}
+
+/// How much room a readout has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Words {
+    Long,
+    Short,
+    /// Only the output that is shown.
+    Least,
+}
+
+impl Words {
+    /// The name of an output.
+    fn of(self, output: &ResultColumn) -> String {
+        match (self, output.name) {
+            (Self::Short | Self::Least, "max_plate_displacement_m") => "plate".to_owned(),
+            (Self::Short | Self::Least, "final_penetration_m" | "first_arrest_penetration_m") => {
+                "depth".to_owned()
+            }
+            (Self::Long | Self::Short | Self::Least, _) => output.title(),
+        }
+    }
+}
+
+/// Give a scene the value of an axis that another scene has.
+pub fn copy_value(axis: &Axis, from: &Scene, to: &mut Scene) {
+    (axis.number().set)(to, (axis.number().get)(from));
+}
+
+/// A value of an axis with its unit, short: `0.24 m`, `1.5e6 N/m^n`.
+pub fn axis_value(axis: &Axis, value: f64) -> String {
+    let unit = axis.variable().unit().trim_matches('-');
+    let text = units::significant(value, 5);
+    if unit.is_empty() { text } else { format!("{text} {unit}") }
+}
+
+/// An output with its unit: `64.27 %`, `37.98 mm`.
+pub fn output_value(output: &ResultColumn, value: f64) -> String {
+    match output.unit() {
+        "" => units::significant(value, 5),
+        "%" => format!("{} %", units::fixed_significant(value, 4)),
+        unit => Engineering { value, unit, digits: 4 }.to_string(),
+    }
+}
+
+/// The numeric variables, in the order of the editor: what an axis can be.
+pub fn numeric() -> impl Iterator<Item = &'static variables::Variable> {
+    variables::VARIABLES.iter().filter(|variable| matches!(variable.kind, VariableKind::Number(_)))
+}

@@ -1,0 +1,83 @@
+//! The comparison at equal areal mass: its verdict and figures, and the map of mass efficiency.
+
+use ratatui::layout::Rect;
+
+use crate::model::units::significant;
+use crate::tui::app::App;
+use crate::tui::app::status::clip;
+use crate::tui::chart::{Heatmap, heatmap};
+use crate::tui::keymap::Pane;
+use crate::tui::message::Target;
+use crate::tui::pages::limit::efficiency_map::{levels, with_heatmap};
+use crate::tui::theme::{PaneFrame, Role};
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{columns, put, text_role};
+
+/// The verdict first, then the figures beside each other; scrolled by j and k.
+pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    canvas.pane(area, Pane::Comparison);
+    let focused = app.has_focus(Pane::Comparison);
+    let old = if app.comparison_is_old() { ", of another scene: press r" } else { "" };
+    let with = app.absorber().map_or_else(String::new, |one| format!(" with {}", one.name));
+    let title = format!("Does moving armour pay?{with}{old}");
+    let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
+    let height = usize::from(area.height.saturating_sub(2));
+    let more = lines.len() > height;
+    let right = if focused && more { "j/k scrolls" } else { "" };
+    let frame = PaneFrame::new(title).right(right).focused(focused);
+    let inner = frame.render(area, canvas, app.theme);
+    if lines.is_empty() {
+        nothing(app, inner, canvas);
+    }
+    let first = app.limit.scrolled.min(lines.len().saturating_sub(height));
+    for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
+        let role = text_role(*severity);
+        let text = clip(text, usize::from(inner.width));
+        put(canvas, inner, (0, row), &text, app.theme.style(role));
+    }
+}
+
+fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let text = match app.limit.comparing {
+        Some(_) => "comparing with a rigid mount and a solid plate of the same areal mass",
+        None => "no results yet: press r",
+    };
+    let column = area.width.saturating_sub(columns(text)) / 2;
+    put(canvas, area, (column, area.height / 2), text, app.theme.style(Role::Dim));
+}
+
+/// The map of mass efficiency with the line of 1, and below it what its colours mean.
+pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    canvas.pane(area, Pane::EfficiencyMap);
+    let focused = app.has_focus(Pane::EfficiencyMap);
+    let map = app.comparison().and_then(|found| found.map.as_ref());
+    let Some((map, levels)) = map.and_then(|map| Some((map, levels(map)?))) else {
+        let frame = PaneFrame::new("Mass efficiency").focused(focused);
+        let inner = frame.render(area, canvas, app.theme);
+        let text = match (app.limit.comparing.is_some(), map) {
+            (true, _) => "computing the map",
+            (false, Some(_)) => "no point has a mass efficiency",
+            (false, None) => "no map: press r",
+        };
+        let column = inner.width.saturating_sub(columns(text)) / 2;
+        put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+        return;
+    };
+    let above = Rect { height: area.height.saturating_sub(1), ..area };
+    let cursor = app.efficiency_cursor();
+    let layout = with_heatmap(map, &levels, |drawn| {
+        Heatmap { cursor, focused, ..drawn.clone() }.render(above, canvas, app.theme)
+    });
+    let mut column =
+        put(canvas, area, (1, above.height), "O line of 1 ", app.theme.style(Role::Text));
+    for band in 0..levels.bands() {
+        let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
+        column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
+        let from = format!(" {}", significant(levels.band(band).0, 3));
+        column = put(canvas, area, (column, above.height), &from, app.theme.style(Role::Text));
+    }
+    canvas.plot(&layout, |x, y| {
+        let nearest = |axis: &Axis, value: f64| usize::try_from(axis.nearest(value)).ok();
+        Some(Target::Efficiency(nearest(map.x(), x)?, nearest(map.y(), y)?))
+    });
+}

@@ -1,0 +1,214 @@
+//! The Limit tab: asking for the limit and for the comparison at equal areal mass, moving along the curve and over the map.
+
+use std::sync::Arc;
+
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::dialogs::{Table, table, wrap};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::Effect;
+use crate::tui::pages::run::runs;
+use crate::tui::update::act::{cursor_moved, rows_moved};
+use crate::tui::update::jobs::Found;
+use crate::tui::update::{edit, jobs};
+use crate::worker::searches::{Answer, Request};
+use crate::worker::studies::StudyKind;
+use crate::worker::{Finding, ReportBody};
+
+/// Far along the curve, in shots, and over the map, in cells.
+const FAR: isize = 5;
+const FAR_CELLS: isize = 10;
+
+/// The tab is shown: find the limit, and compare, unless this scene's results are there or are being computed.
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
+    let tab = &app.limit;
+    let found = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
+    let under_way = tab.finding.as_ref().is_some_and(|study| study.scene == app.scene);
+    let mut effects = if found || under_way { Vec::new() } else { find(app) };
+    let comparing = app
+        .limit
+        .comparing
+        .as_ref()
+        .is_some_and(|study| app.compared_scene().is_ok_and(|wanted| *study.scene == wanted));
+    let compared = app.limit.comparison.is_some() && !app.comparison_is_old();
+    if !comparing && !compared {
+        effects.extend(compare(app));
+    }
+    effects
+}
+
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let table = match app.pane() {
+        Pane::Comparison => Table::Comparison,
+        Pane::EfficiencyMap => Table::EfficiencyMap,
+        _ => Table::Limit,
+    };
+    match action {
+        Action::Export => {
+            table::open(app, table);
+            return Some(Vec::new());
+        }
+        Action::Copy => return Some(table::copy(app, table)),
+        Action::Run if table == Table::Limit => return Some(find(app)),
+        Action::Run => return Some(compare(app)),
+        _ => {}
+    }
+    match app.pane() {
+        Pane::Comparison => in_comparison(app, action),
+        Pane::EfficiencyMap => in_map(app, action),
+        _ => in_curve(app, action),
+    }
+}
+
+fn in_curve(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::View => {
+            app.limit.scattered = !app.limit.scattered;
+            return Some(find(app));
+        }
+        Action::Down | Action::PageDown => turn(app, 1),
+        Action::Up | Action::PageUp => turn(app, -1),
+        Action::Left => app.limit.move_cursor(-1),
+        Action::Right => app.limit.move_cursor(1),
+        Action::FarLeft => app.limit.move_cursor(-FAR),
+        Action::FarRight => app.limit.move_cursor(FAR),
+        Action::First => app.limit.cursor = (!app.limit.shots().is_empty()).then_some(0),
+        Action::Last => app.limit.cursor = app.limit.shots().len().checked_sub(1),
+        Action::ZoomIn => app.limit.zoom(2.0),
+        Action::ZoomOut => app.limit.zoom(0.5),
+        Action::ZoomFit => app.limit.zoomed = None,
+        Action::PanLeft => app.limit.pan(-0.25),
+        Action::PanRight => app.limit.pan(0.25),
+        Action::LogX => app.limit.log.0 = !app.limit.log.0,
+        Action::LogY => app.limit.log.1 = !app.limit.log.1,
+        Action::Enter => return Some(load_shot(app)),
+        _ => return None,
+    }
+    Some(Vec::new())
+}
+
+fn load_shot(app: &mut App) -> Vec<Effect> {
+    if app.limit_is_old() {
+        app.say(
+            Severity::Error,
+            "these results belong to another scene: press r to find its limit",
+        );
+        return Vec::new();
+    }
+    let Some(velocity_m_s) = app.limit.shot().map(|shot| shot.impact_m_s) else {
+        app.say(Severity::Note, "no shot under the cursor: h and l move it");
+        return Vec::new();
+    };
+    let mut scene = (*app.scene).clone();
+    scene.projectile.velocity_m_s = velocity_m_s;
+    let text = format!("v_i = {} m/s", crate::model::units::significant(velocity_m_s, 4));
+    loaded(app, scene, &text)
+}
+
+/// Make a scene the current one, as one edit, and say so.
+fn loaded(app: &mut App, scene: crate::model::scene::Scene, what: &str) -> Vec<Effect> {
+    let effects = edit::commit_scene(app, scene, format!("load {what}"), None);
+    app.say(Severity::Note, format!("loaded {what}: 1 shows its run, u undoes"));
+    effects
+}
+
+fn in_comparison(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::View => {
+            app.limit.absorber = wrap(app.limit.absorber, 1, app.absorbers().len() + 1);
+            Some(compare(app))
+        }
+        Action::Enter => Some(match (app.compared_scene(), app.absorber()) {
+            (_, None) => {
+                app.say(Severity::Note, "the scene's own spring: v takes one of the library");
+                Vec::new()
+            }
+            (Ok(scene), Some(absorber)) => {
+                let name = format!("absorber {}", absorber.name);
+                app.limit.absorber = 0;
+                loaded(app, scene, &name)
+            }
+            (Err(why), _) => {
+                app.say(Severity::Error, why);
+                Vec::new()
+            }
+        }),
+        _ => {
+            let rows = rows_moved(action, 8)?;
+            app.limit.scrolled = app.limit.scrolled.saturating_add_signed(rows).min(100);
+            Some(Vec::new())
+        }
+    }
+}
+
+fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    if matches!(action, Action::Enter | Action::Mark) {
+        return Some(match app.efficiency_design() {
+            Ok((scene, words)) if action == Action::Enter => loaded(app, scene, &words),
+            Ok((scene, words)) => runs::keys::pin(app, words, Arc::new(scene)),
+            Err(why) => {
+                app.say(Severity::Error, why);
+                Vec::new()
+            }
+        });
+    }
+    let (x, y) = cursor_moved(action, FAR_CELLS)?;
+    let map = app.comparison().and_then(|found| found.map.as_ref());
+    let counts = map.map(|map| (map.x().count(), map.y().count()));
+    if let (Some((across, up)), Some(at)) = (counts, app.efficiency_cursor()) {
+        let moved = |at: usize, by: isize, count: u64| {
+            let last = usize::try_from(count.saturating_sub(1)).unwrap_or(usize::MAX);
+            at.saturating_add_signed(by).min(last)
+        };
+        app.limit.map_cursor = Some((moved(at.0, x, across), moved(at.1, y, up)));
+    }
+    Some(Vec::new())
+}
+
+fn compare(app: &mut App) -> Vec<Effect> {
+    let scene = match app.compared_scene() {
+        Ok(scene) => Arc::new(scene),
+        Err(why) => {
+            app.say(Severity::Error, why);
+            return Vec::new();
+        }
+    };
+    let kind = StudyKind::Search(Arc::new(Request::Compare));
+    let (comparing, effects) = jobs::study(app, kind, scene);
+    app.limit.comparing = Some(comparing);
+    effects
+}
+
+/// A report of the comparison.
+pub(in crate::tui) fn report_comparison(app: &mut App, body: ReportBody) {
+    let found = jobs::found(app, body, |app| &mut app.limit.comparing);
+    if let Some(Found { running, finding: Finding::Search(Answer::Compare(found)), .. }) = found {
+        app.limit.comparison = Some((running.scene, found));
+    }
+}
+
+/// Turn from the curve through the pages of words, in a circle.
+fn turn(app: &mut App, by: isize) {
+    let pages = app.limit_pages().map_or(0, |(_, pages)| pages);
+    app.limit.page = wrap(app.limit.page.min(pages), by, pages + 1);
+}
+
+fn find(app: &mut App) -> Vec<Effect> {
+    let (kind, scene) = (StudyKind::Limit(app.limit.effort()), Arc::clone(&app.scene));
+    let (finding, effects) = jobs::study(app, kind, scene);
+    app.limit.finding = Some(finding);
+    effects
+}
+
+/// A report of the limit.
+pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
+    let found = jobs::found(app, body, |app| &mut app.limit.finding);
+    if let Some(Found { finding: Finding::Limit(report), .. }) = found {
+        // Another curve has its shots elsewhere.
+        if app.limit.shots() != report.shots {
+            app.limit.cursor = None;
+        }
+        app.limit.report = Some(report);
+    }
+}

@@ -1,0 +1,379 @@
+//! The Limit tab: what was found, which shot is selected, and both in words. No drawing.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use crate::model::run::Outcome;
+use crate::model::scene::Scene;
+use crate::model::units::{fixed_significant, significant};
+use crate::study::limit::scatter::{ModelError, Scatter, Scattering};
+use crate::study::limit::{Criterion, Effort, Limit, Report, Shot, words};
+use crate::tui::app::App;
+use crate::tui::app::layout::CHART_ROWS;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::status::wrap;
+use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::pages::app::jobs::Running;
+use crate::tui::pages::limit::layout::panes;
+use crate::worker::searches::Comparison;
+
+/// The scatter of the inputs that is asked for here.
+pub const SCATTERING: Scattering = Scattering {
+    deviation: 0.02,
+    samples: 200,
+    seed: 1,
+    model: ModelError { bias: 0.0, spread: 0.0 },
+};
+/// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
+const CARRIED: f64 = 0.2;
+
+/// From this width on the facts stand beside the chart.
+pub const BESIDE: u16 = 100;
+/// Columns of the facts beside the chart, frame included.
+pub const FACTS: u16 = 40;
+/// Columns of a fact's label where it stands before the words.
+pub const LABEL: u16 = 15;
+
+/// The state of the tab.
+#[derive(Clone, Debug, Default)]
+pub struct Ballistic {
+    /// What was found.
+    pub report: Option<Arc<Report>>,
+    /// What is being looked for.
+    pub finding: Option<Running>,
+    /// V50 and spread are asked for, too.
+    pub scattered: bool,
+    /// The shot the crosshair stands on, by its place in the curve.
+    pub cursor: Option<usize>,
+    /// The part of the impact velocities in view; `None`: all of them.
+    pub zoomed: Option<ViewRange>,
+    /// Logarithmic axes: impact velocity, residual velocity.
+    pub log: (bool, bool),
+    /// The comparison at equal areal mass, with the scene it belongs to.
+    pub comparison: Option<(Arc<Scene>, Arc<Comparison>)>,
+    /// The comparison that is being computed.
+    pub comparing: Option<Running>,
+    /// The absorber it is made with: 0 the scene's own, then those of the library.
+    pub absorber: usize,
+    /// The first line shown of the comparison.
+    pub scrolled: usize,
+    /// The cell under the cursor of the map of mass efficiency; `None`: the scene's.
+    pub map_cursor: Option<(usize, usize)>,
+    /// Where curve and words have no room together: the page of words that is shown, 0 for the curve.
+    pub page: usize,
+}
+
+/// Something to be said of a report: what of, how it is meant, the words.
+pub type Fact = (&'static str, Severity, String);
+
+impl Ballistic {
+    /// What is asked for.
+    pub fn effort(&self) -> Effort {
+        Effort { criterion: Criterion::Passage, scattering: self.scattered.then_some(SCATTERING) }
+    }
+
+    /// The shots there are.
+    pub fn shots(&self) -> &[Shot] {
+        self.report.as_ref().map_or(&[], |report| &report.shots)
+    }
+
+    /// The shot the crosshair stands on.
+    pub fn shot(&self) -> Option<&Shot> {
+        self.shots().get(self.cursor?)
+    }
+
+    /// Move the crosshair by shots; its first move sets it on the first shot that goes through.
+    pub fn move_cursor(&mut self, by: isize) {
+        let Some(last) = self.shots().len().checked_sub(1) else { return };
+        let first = || self.shots().iter().position(|shot| shot.residual_m_s.is_some());
+        let at =
+            self.cursor.map_or_else(|| first().unwrap_or(0), |at| at.saturating_add_signed(by));
+        self.cursor = Some(at.min(last));
+    }
+
+    /// All impact velocities, and those in view.
+    fn views(&self) -> Option<(ViewRange, ViewRange)> {
+        let whole = ViewRange::of(self.scale(), self.shots().iter().map(|shot| shot.impact_m_s))?;
+        Some((whole, self.zoomed.unwrap_or(whole)))
+    }
+
+    fn scale(&self) -> Scale {
+        if self.log.0 { Scale::Log10 } else { Scale::Linear }
+    }
+
+    /// Zoom the impact velocity about the cursor.
+    pub fn zoom(&mut self, factor: f64) {
+        let Some((whole, view)) = self.views() else { return };
+        let middle = 0.5 * (view.lo() + view.hi());
+        let about = self.shot().map_or(middle, |shot| shot.impact_m_s);
+        self.keep_view(whole, view.zoomed(self.scale(), about, factor));
+    }
+
+    /// Move the view by a fraction of its span.
+    pub fn pan(&mut self, fraction: f64) {
+        let Some((whole, view)) = self.views() else { return };
+        self.keep_view(whole, view.panned(self.scale(), fraction));
+    }
+
+    fn keep_view(&mut self, whole: ViewRange, view: ViewRange) {
+        let all = view.lo() <= whole.lo() && view.hi() >= whole.hi();
+        self.zoomed = (!all).then_some(view);
+    }
+
+    /// Everything but the limit itself, in words.
+    pub fn facts(&self) -> Vec<Fact> {
+        let Some(report) = &self.report else { return Vec::new() };
+        let mut facts: Vec<Fact> = Vec::new();
+        let mut add = |label, text: String| facts.push((label, Severity::Note, text));
+        if let Some(load) = report.load.as_ref().and_then(words::load) {
+            add("at the limit", load);
+        }
+        if let Some(closures) = &report.closures {
+            add("closure band", words::closures(closures));
+        }
+        if let Some(law) = report.recht_ipson {
+            let (a, misfit) = (fixed_significant(law.a, 4), significant(law.misfit_m_s, 2));
+            add("Recht-Ipson", format!("a {a}, p 2, this v_bl; RMS error {misfit} m/s"));
+        }
+        if let Some(law) = report.lambert_jonas {
+            let (a, p) = (fixed_significant(law.a, 4), fixed_significant(law.p, 4));
+            let (limit, misfit) = (velocity(law.limit_m_s), significant(law.misfit_m_s, 2));
+            add("Lambert-Jonas", format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s"));
+        }
+        match report.scatter {
+            Some(found) => facts.extend(scattered(&found, report)),
+            None if report.limit.velocity_m_s().is_some() && report.is_complete => {
+                let percent = significant(100.0 * SCATTERING.deviation, 2);
+                let text = format!("v: V50 and spread with every input scattered by {percent} %");
+                add("V50", text);
+            }
+            None => {}
+        }
+        facts.extend(report.caution().map(|text| ("caution", Severity::Warning, text)));
+        facts.extend(carried(report).map(|text| ("note", Severity::Note, text)));
+        if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
+            let again = velocity(again);
+            let text = format!("no single limit: {again} is stopped again; the lowest is given");
+            facts.insert(0, ("warning", Severity::Warning, text));
+        }
+        facts
+    }
+}
+
+/// The facts as lines of so many columns; labels stand before their words, or above them. Above, there is room to say what
+/// the laws are.
+fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
+    let room = if labels_before { width.saturating_sub(LABEL) } else { width };
+    let mut lines: Vec<Fact> = Vec::new();
+    for (label, severity, text) in facts {
+        let wrapped = wrap(text, usize::from(room).max(10));
+        if !labels_before {
+            if !lines.is_empty() {
+                lines.push(("", *severity, String::new()));
+            }
+            lines.push((label, *severity, String::new()));
+            lines.extend(wrapped.into_iter().map(|line| ("", *severity, line)));
+            continue;
+        }
+        for (index, line) in wrapped.into_iter().enumerate() {
+            lines.push((if index == 0 { label } else { "" }, *severity, line));
+        }
+    }
+    lines
+}
+
+/// The plate carries the projectile along: what neither law knows.
+fn carried(report: &Report) -> Option<String> {
+    report.limit.velocity_m_s()?;
+    let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
+    let (_, residual) = first.filter(|(impact, residual)| *residual > CARRIED * impact)?;
+    let residual = velocity(residual);
+    Some(format!(
+        "Just above the limit the residual velocity is {residual}, the common velocity of projectile and plate."
+    ))
+}
+
+fn scattered(found: &Scatter, report: &Report) -> Vec<Fact> {
+    let asked = found.scattering;
+    let percent = |part: f64| significant(100.0 * part, 3);
+    let (low, high) = found.range90_m_s;
+    let mut text = format!(
+        "{}, spread {}; 90 % in {} to {}",
+        velocity(found.v50_m_s),
+        velocity(found.deviation_m_s),
+        fixed_significant(low, 4),
+        velocity(high),
+    );
+    if found.without > 0 {
+        let _ = write!(text, "; {} samples have no limit near", found.without);
+    }
+    let through = format!(
+        "{} % of shots at the scene's {} (95 %: {} to {} %)",
+        percent(found.perforated),
+        velocity(report.scene.projectile.velocity_m_s),
+        percent(found.perforated95.0.max(0.0)),
+        percent(found.perforated95.1),
+    );
+    let inputs = format!(
+        "inputs +-{} % (standard deviation), {} samples, seed {}",
+        percent(asked.deviation),
+        asked.samples,
+        asked.seed
+    );
+    [("V50", text), ("goes through", through), ("scatter", inputs)]
+        .map(|(label, text)| (label, Severity::Note, text))
+        .into()
+}
+
+/// A velocity with its unit, to four digits.
+fn velocity(value_m_s: f64) -> String {
+    format!("{} m/s", fixed_significant(value_m_s, 4))
+}
+
+/// How a shot ends, in words.
+fn ends(shot: &Shot) -> String {
+    match (shot.outcome, shot.residual_m_s) {
+        (Outcome::Perforated, Some(left)) => {
+            format!("through, {} left", fixed_significant(left, 4))
+        }
+        (Outcome::Perforated, None) => "through".to_owned(),
+        (Outcome::Arrested | Outcome::Separated, _) => "stopped".to_owned(),
+        (Outcome::Moving, _) => "still moving at the end of the run".to_owned(),
+    }
+}
+
+impl App {
+    /// The lines of the facts for a body of this width.
+    pub fn limit_lines(&self, width: u16) -> Vec<Fact> {
+        let mut facts = self.limit.facts();
+        if width >= BESIDE {
+            if facts.iter().any(|fact| fact.0 == "Lambert-Jonas") {
+                let law = "left of v: v_r = a (v^p - v_bl^p)^(1/p)".to_owned();
+                facts.insert(0, ("laws", Severity::Note, law));
+            }
+            lines(&facts, FACTS - 2, false)
+        } else {
+            lines(&facts, width.saturating_sub(2), true)
+        }
+    }
+
+    /// Where the curve and all that is to be said have no room together: the rows of a page of words, and how many pages
+    /// they take. Then Tab turns from the curve through them.
+    pub fn limit_pages(&self) -> Option<(usize, usize)> {
+        let area = panes(self, self.layout().body?).residual?;
+        let lines = self.limit_lines(area.width).len();
+        // The first row of the body is the limit itself; a frame takes two.
+        let room = usize::from(area.height).saturating_sub(3);
+        let chart = if area.width >= BESIDE { 0 } else { usize::from(CHART_ROWS) };
+        let is_crowded = lines > 0 && room > 0 && lines + chart > room;
+        is_crowded.then(|| (room, lines.div_ceil(room)))
+    }
+
+    /// The page of words that is shown in place of the curve, from 1, and whether it is the last one.
+    pub fn limit_page(&self) -> Option<(usize, bool)> {
+        let (_, pages) = self.limit_pages()?;
+        let page = self.limit.page.min(pages);
+        (page > 0).then_some((page, page == pages))
+    }
+
+    /// Whether what was found belongs to another scene than the one on the screen.
+    pub fn limit_is_old(&self) -> bool {
+        self.limit.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
+    }
+
+    /// The limit and the margin of the scene it belongs to, in one line.
+    pub fn limit_headline(&self) -> Option<String> {
+        let report = self.limit.report.as_ref()?;
+        let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = report.limit else {
+            return report.limit.absence();
+        };
+        let margin = report.margin()?;
+        let own = significant(report.scene.projectile.velocity_m_s, 4);
+        // Where a faster shot is stopped again, being beyond the limit tells nothing.
+        let ends = match (margin < 0.0, stopped_at_m_s) {
+            (false, _) => format!(": {own} m/s is stopped"),
+            (true, None) => format!(": {own} m/s goes through"),
+            (true, Some(_)) => format!(" at {own} m/s"),
+        };
+        Some(format!(
+            "v_bl {} m/s, margin {:+.1} %{ends}",
+            fixed_significant(velocity_m_s, 6),
+            100.0 * margin
+        ))
+    }
+
+    /// The shot at the crosshair in words, with what the laws say there.
+    pub fn limit_readout(&self) -> Option<(Severity, String)> {
+        let report = self.limit.report.as_ref()?;
+        let Some(shot) = self.limit.shot() else {
+            let hint = match self.limit_page() {
+                None => "j: laws",
+                Some((_, false)) => "j: more",
+                Some((_, true)) => "k: curve",
+            };
+            let mut parts = Vec::new();
+            if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
+                parts.push(format!("no single limit: {} is stopped again", velocity(again)));
+            }
+            parts.extend(report.caution());
+            let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
+            if let Some(found) = &report.scatter {
+                let (v50, spread) = (velocity(found.v50_m_s), velocity(found.deviation_m_s));
+                parts.push(format!("V50 {v50}, spread {spread}"));
+            }
+            let crowded = self.limit_pages().is_some();
+            parts.extend(crowded.then(|| hint.to_owned()));
+            // Where there is one row, the pane itself has the limit in full.
+            if self.layout().message.height > 1 {
+                let at = usize::from(severity == Severity::Warning);
+                parts.insert(at.min(parts.len()), self.limit_headline()?);
+            }
+            return Some((severity, parts.join("; ")));
+        };
+        let v = shot.impact_m_s;
+        let laws = [
+            ("Recht-Ipson", report.recht_ipson.map(|law| law.residual_m_s(v))),
+            ("Lambert-Jonas", report.lambert_jonas.map(|law| law.residual_m_s(v))),
+        ];
+        let mut text = format!("{}: {}", velocity(v), ends(shot));
+        for (name, left) in laws {
+            if let Some(left) = left.filter(|_| shot.residual_m_s.is_some()) {
+                let _ = write!(text, "; {name} {}", fixed_significant(left, 4));
+            }
+        }
+        Some((Severity::Note, text))
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn limit_status(&self) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let tab = &self.limit;
+        let mut parts = vec![match (&tab.finding, &tab.report) {
+            (Some(finding), _) => {
+                let of = finding.points.map_or_else(String::new, |(done, total)| {
+                    format!(": {} of about {total} shots", done.min(total))
+                });
+                same(Severity::Note, format!("finding the limit{of} (Esc cancels)"))
+            }
+            (None, None) => same(Severity::Note, "no results yet: press r".to_owned()),
+            (None, Some(_)) if self.limit_is_old() => {
+                same(Severity::Warning, "another scene's results: press r".to_owned())
+            }
+            (None, Some(report)) if !report.is_complete => {
+                same(Severity::Warning, "cancelled: press r".to_owned())
+            }
+            (None, Some(_)) => same(Severity::Note, "done".to_owned()),
+        }];
+        if let Some(report) = &tab.report {
+            if let Limit::Found { basis, .. } = report.limit {
+                parts.push(same(Severity::Note, format!("by {}", basis.words())));
+            }
+            parts.extend(tab.comparing.as_ref().map(|comparing| {
+                same(Severity::Note, format!("comparing{} (Esc cancels)", comparing.counted()))
+            }));
+            parts.push(same(Severity::Note, format!("curve of {} shots", report.shots.len())));
+            parts.extend(self.validity_part());
+        }
+        parts
+    }
+}

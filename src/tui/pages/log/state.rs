@@ -1,0 +1,251 @@
+//! What the Log tab says about the run on the screen and about this session, as lines with a meaning. No drawing.
+
+use crate::model::run::{EnergyLedger, EstimateBasis, Run, envelope};
+use crate::tui::app::App;
+use crate::tui::app::notice::{Notice, Severity};
+use crate::tui::app::status::wrap;
+use crate::tui::pages::run::runs::engineering;
+use crate::tui::theme;
+
+/// Messages that stand before what is said of the run.
+const NEWEST: usize = 5;
+
+/// What a line of the Log tab is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineKind {
+    /// A heading.
+    Heading,
+    /// Ordinary text.
+    Text,
+    /// Nothing to report.
+    Dim,
+    /// A warning.
+    Warning,
+    /// An error.
+    Error,
+}
+
+/// A line of the Log tab.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LogLine {
+    /// What it is.
+    pub kind: LineKind,
+    /// Its text.
+    pub text: String,
+}
+
+impl App {
+    /// Keep a line of the program's own log; it does not show in the message row.
+    pub fn note(&mut self, level: log::Level, text: String) {
+        let severity = match level {
+            log::Level::Error => Severity::Error,
+            log::Level::Warn => Severity::Warning,
+            log::Level::Info | log::Level::Debug | log::Level::Trace => Severity::Note,
+        };
+        self.keep(Notice { severity, text });
+    }
+
+    /// Everything the Log tab says, from top to bottom, wrapped for a screen of this many columns.
+    pub fn log_lines(&self, columns: usize) -> Vec<LogLine> {
+        // Two borders, and three columns of indent with one of air.
+        let room = columns.saturating_sub(6).max(10);
+        let wanted = self.find.log.trim().to_lowercase();
+        let matches = |line: &LogLine| line.text.to_lowercase().contains(&wanted);
+        let mut lines = self.whole_lines();
+        lines.retain(|line| wanted.is_empty() || matches(line));
+        let lines = lines.into_iter();
+        lines
+            .flat_map(|line| {
+                let kind = line.kind;
+                let parts = if theme::columns(&line.text) > room {
+                    wrap(&line.text, room)
+                } else {
+                    vec![line.text]
+                };
+                parts.into_iter().map(move |text| LogLine { kind, text })
+            })
+            .collect()
+    }
+
+    fn whole_lines(&self) -> Vec<LogLine> {
+        let mut lines = Vec::new();
+        heading(&mut lines, "Messages of this session, newest first");
+        if self.log.is_empty() {
+            push(&mut lines, LineKind::Dim, "none".to_owned());
+        }
+        let (newest, older): (Vec<_>, Vec<_>) =
+            self.log.iter().rev().enumerate().partition(|(at, _)| *at < NEWEST);
+        let message = |lines: &mut Vec<LogLine>, notice: &Notice| {
+            let kind = match notice.severity {
+                Severity::Note => LineKind::Text,
+                Severity::Warning => LineKind::Warning,
+                Severity::Error => LineKind::Error,
+            };
+            push(lines, kind, format!("{:<8} {}", notice.severity.word(), notice.text));
+        };
+        for (_, notice) in newest {
+            message(&mut lines, notice);
+        }
+        if let Some(shown) = &self.shown {
+            let which = if self.is_stale() { " (of another scene: press r)" } else { "" };
+            warnings(&mut lines, &shown.run, which);
+            stack(&mut lines, &shown.run);
+            events(&mut lines, &shown.run);
+            energy(&mut lines, &shown.run.ledger);
+            cost(&mut lines, &shown.run);
+        } else {
+            heading(&mut lines, "Run");
+            push(&mut lines, LineKind::Dim, "no run yet".to_owned());
+        }
+        if !older.is_empty() {
+            heading(&mut lines, "Older messages");
+        }
+        for (_, notice) in older {
+            message(&mut lines, notice);
+        }
+        lines
+    }
+}
+
+fn push(lines: &mut Vec<LogLine>, kind: LineKind, text: String) {
+    lines.push(LogLine { kind, text });
+}
+
+fn heading(lines: &mut Vec<LogLine>, text: &str) {
+    if !lines.is_empty() {
+        push(lines, LineKind::Text, String::new());
+    }
+    push(lines, LineKind::Heading, text.to_owned());
+}
+
+fn warnings(lines: &mut Vec<LogLine>, run: &Run, which: &str) {
+    heading(lines, &format!("Warnings of the run{which}"));
+    let warnings = envelope::warnings(run);
+    if warnings.is_empty() {
+        push(lines, LineKind::Dim, "none".to_owned());
+    }
+    for warning in warnings {
+        push(lines, LineKind::Warning, format!("! {warning}"));
+    }
+}
+
+fn stack(lines: &mut Vec<LogLine>, run: &Run) {
+    if let Some(stack) = &run.stack {
+        heading(lines, "Stack: plate by plate");
+        for line in crate::study::stack::table(run, stack) {
+            push(lines, LineKind::Text, line);
+        }
+    }
+}
+
+fn events(lines: &mut Vec<LogLine>, run: &Run) {
+    heading(lines, "Events");
+    if run.events.is_empty() {
+        push(lines, LineKind::Dim, "none".to_owned());
+    }
+    for line in event_lines(run) {
+        push(lines, LineKind::Text, line);
+    }
+}
+
+/// The letter an event goes by in charts and lists: `a` to `z`, later ones have none.
+pub fn event_tag(index: usize) -> &'static str {
+    const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
+    LETTERS.get(index..=index).unwrap_or("")
+}
+
+/// The events with their times, one a line.
+pub fn event_lines(run: &Run) -> Vec<String> {
+    run.events
+        .iter()
+        .enumerate()
+        .map(|(index, event)| {
+            let (tag, time) = (event_tag(index), engineering(event.t_s, "s"));
+            format!("{tag:<2}{time:>10}  {}", event.kind.words())
+        })
+        .collect()
+}
+
+fn energy(lines: &mut Vec<LogLine>, ledger: &EnergyLedger) {
+    heading(lines, "Energy: where it was at the start, and where it went");
+    for line in energy_lines(ledger) {
+        push(lines, LineKind::Text, line);
+    }
+}
+
+/// The energy ledger, one term a line, with its share of the energy at the start.
+pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
+    let start = ledger.initial_j();
+    let term = |name: &str, value: f64| {
+        let percent = if start == 0.0 { 0.0 } else { 100.0 * value / start };
+        format!(
+            "{name:<13}{:>10}  {:>5} %",
+            engineering(value, "J"),
+            crate::model::units::decimals(percent, 1)
+        )
+    };
+    let residual = match ledger.residual() {
+        0.0 => "0".to_owned(),
+        other => crate::model::units::scientific(other, 1),
+    };
+    let mut lines = vec![term("at the start", start)];
+    if ledger.initial_spring_j != 0.0 {
+        lines.push(term(" in motion", ledger.initial_kinetic_j));
+        lines.push(term(" in spring", ledger.initial_spring_j));
+    }
+    lines.extend([term("projectile", ledger.projectile_j), term("plate", ledger.plate_j)]);
+    if ledger.inertia_j != 0.0 {
+        lines.push(term("its mechanism", ledger.inertia_j));
+    }
+    lines.push(term("spring", ledger.spring_j));
+    if ledger.crush_j != 0.0 {
+        lines.push(term("crushed", ledger.crush_j));
+    }
+    lines.extend([
+        term("damper", ledger.damper_j),
+        term("penetration", ledger.penetration_j),
+        term("stop", ledger.stop_j),
+        term("at the end", ledger.final_j()),
+        format!("{:<13}{:>10}  of the start", "residual", residual),
+    ]);
+    lines
+}
+
+fn cost(lines: &mut Vec<LogLine>, run: &Run) {
+    heading(lines, "Computation");
+    let estimate = run.error_estimate.map_or_else(
+        || "not estimated".to_owned(),
+        |estimate| match estimate.basis {
+            EstimateBasis::ClosedForm => {
+                format!("{:.1e} (closed form: only rounding is left)", estimate.relative)
+            }
+            EstimateBasis::SecondComputation => {
+                format!("{:.1e} (difference to a second, tighter computation)", estimate.relative)
+            }
+            EstimateBasis::HalfStep => {
+                format!("{:.1e} (twice the difference to half the step)", estimate.relative)
+            }
+            EstimateBasis::OutcomeDiffers(other) => {
+                format!("unknown: outcome differs (a tighter computation ends {other})")
+            }
+        },
+    );
+    let omitted: Vec<&str> = run.omitted.iter().map(|one| one.words()).collect();
+    let omitted = if omitted.is_empty() { "nothing".to_owned() } else { omitted.join(", ") };
+    let cost = &run.cost;
+    for (name, text) in [
+        ("method", format!("{}: {}", cost.method, cost.reason)),
+        (
+            "steps",
+            format!(
+                "{} accepted, {} rejected, {} evaluations",
+                cost.steps, cost.rejected, cost.rhs_evaluations
+            ),
+        ),
+        ("end", run.end.words().to_owned()),
+        ("error", estimate),
+        ("omitted", omitted),
+    ] {
+        push(lines, LineKind::Text, format!("{name:<13}{text}"));
+    }
+}

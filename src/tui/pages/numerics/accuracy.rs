@@ -1,0 +1,403 @@
+//! The Accuracy tab: what was measured, what is selected, and its rows and readouts in words. No drawing.
+
+pub(in crate::tui) mod draw;
+pub(in crate::tui) mod keys;
+
+use std::sync::Arc;
+
+use crate::model::contact_phase::Ending;
+use crate::model::scene::Scene;
+use crate::model::units::Engineering;
+use crate::study::accuracy::method::{Knob, Method};
+use crate::study::accuracy::{Cheapest, Measured, MethodReport, Report};
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
+
+/// The accuracies asked for in the table and in the answers.
+pub const TARGETS: [f64; 2] = [1e-6, 1e-9];
+
+/// What a judge cannot tell from zero is shown where it is at least this part of the least error drawn.
+const FLOOR_NEAR: f64 = 1e-4;
+
+/// The state of the tab.
+#[derive(Clone, Debug, Default)]
+pub struct Accuracy {
+    /// What was measured so far.
+    pub report: Option<Arc<Report>>,
+    /// What is being measured.
+    pub measuring: Option<Running>,
+    /// Row of the selected method in [`Method::ALL`]; `None`: the one that reaches the first target at least cost.
+    pub selected: Option<usize>,
+    /// Methods that are not drawn.
+    pub hidden: Vec<Method>,
+    /// Where the crosshair stands: a run time, s.
+    pub cursor_s: Option<f64>,
+    /// How the chart is looked at.
+    pub view: ChartView,
+    /// Points of the study asked for last, once known.
+    pub points_in_all: usize,
+    /// The page of the table's columns.
+    pub table_page: usize,
+}
+
+/// How the chart is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChartView {
+    /// The run times in view, s; `None`: all.
+    pub times: Option<ViewRange>,
+    /// The axis of run time.
+    pub time_scale: Scale,
+    /// The axis of error.
+    pub error_scale: Scale,
+    /// Lines of the slopes that orders make are drawn.
+    pub guides: bool,
+    /// The spread of the timings is drawn.
+    pub bars: bool,
+}
+
+impl Default for ChartView {
+    fn default() -> Self {
+        let (time_scale, error_scale) = (Scale::Log10, Scale::Log10);
+        Self { times: None, time_scale, error_scale, guides: false, bars: false }
+    }
+}
+
+impl Accuracy {
+    /// The row of the selected method.
+    pub fn selected_row(&self) -> usize {
+        let cheapest = || {
+            let method = self.report.as_ref()?.cheapest(TARGETS[0])?.method;
+            Method::ALL.iter().position(|one| *one == method)
+        };
+        self.selected.or_else(cheapest).unwrap_or(0).min(Method::ALL.len() - 1)
+    }
+
+    /// The selected method.
+    pub fn method(&self) -> Method {
+        Method::ALL[self.selected_row()]
+    }
+
+    /// The loosest tolerance at which a method keeps an error; that of the default where it has no knob.
+    pub fn tolerance_for(&self, method: Method, error: f64) -> Option<f64> {
+        let report = self.of(method)?;
+        let good = report.measured().filter(|(_, it)| it.error() <= error);
+        good.filter_map(|(knob, _)| match knob {
+            Knob::Tolerance(tolerance) => Some(tolerance),
+            Knob::None => Some(Scene::default().run.tolerance),
+            Knob::Step(_) => None,
+        })
+        .max_by(f64::total_cmp)
+    }
+
+    /// What was measured of a method.
+    pub fn of(&self, method: Method) -> Option<&MethodReport> {
+        self.report.as_ref()?.methods.iter().find(|one| one.method == method)
+    }
+
+    /// Run time and error of every drawn point, s and relative, method by method.
+    pub fn curves(&self) -> Vec<(Method, Vec<(f64, f64)>)> {
+        let methods = self.report.iter().flat_map(|report| &report.methods);
+        methods
+            .filter(|one| !self.hidden.contains(&one.method))
+            .map(|one| {
+                let points = one.measured().map(|(_, it)| (it.timing.min_s, it.error())).collect();
+                (one.method, points)
+            })
+            .collect()
+    }
+
+    /// The least and greatest run time of all that is drawn, s.
+    pub fn times_s(&self) -> Option<(f64, f64)> {
+        let curves = self.curves();
+        let mut times: Vec<f64> = curves.iter().flat_map(|one| &one.1).map(|it| it.0).collect();
+        times.retain(|time| time.is_finite() && *time > 0.0);
+        times.sort_by(f64::total_cmp);
+        Some((*times.first()?, *times.last()?))
+    }
+
+    /// The run times in view.
+    pub fn times(&self) -> Option<ViewRange> {
+        let scale = self.view.time_scale;
+        let all = || {
+            let (least, most) = self.times_s()?;
+            Some(ViewRange::new(least, most).rounded(scale))
+        };
+        self.view.times.map(|times| times.on(scale)).or_else(all)
+    }
+
+    /// The errors of what is in view, and what the judge of the selected method cannot tell from zero where that is near.
+    pub fn errors(&self) -> Option<ViewRange> {
+        let (times, scale) = (self.times()?, self.view.error_scale);
+        let curves = self.curves();
+        let seen = || {
+            let points = curves.iter().flat_map(|(_, points)| points);
+            points.filter(|point| times.contains(point.0)).map(|point| point.1)
+        };
+        let least = seen().min_by(f64::total_cmp)?;
+        let floor = self.floor().filter(|floor| *floor > FLOOR_NEAR * least);
+        ViewRange::of(scale, seen().chain(floor)).map(|range| range.rounded(scale))
+    }
+
+    /// What the judge of the selected method cannot tell from zero.
+    pub fn floor(&self) -> Option<f64> {
+        let own = self.of(self.method()).and_then(|report| report.reference);
+        let first = || self.report.as_ref()?.references.first().copied();
+        own.or_else(first)?.uncertainty
+    }
+
+    /// Zoom about the crosshair: `factor` 2 shows half the span.
+    pub fn zoom(&mut self, factor: f64) {
+        let Some(times) = self.times() else { return };
+        let middle = (times.lo() * times.hi()).sqrt();
+        let about = self.cursor_s.unwrap_or(middle);
+        self.view.times = Some(times.zoomed(self.view.time_scale, about, factor));
+    }
+
+    /// Move the view by a share of its span.
+    pub fn pan(&mut self, share: f64) {
+        let Some(times) = self.times() else { return };
+        self.view.times = Some(times.panned(self.view.time_scale, share));
+    }
+
+    /// Put the crosshair on a run time, s, or on the nearest there is.
+    pub fn place_cursor(&mut self, run_time_s: f64) {
+        if let Some((least, most)) = self.times_s() {
+            self.cursor_s = Some(run_time_s.clamp(least, most));
+        }
+    }
+
+    /// Move the crosshair by columns of a plot so wide; it starts in the middle.
+    pub fn move_cursor(&mut self, columns: i32, width: u16) {
+        let (Some((least, most)), Some(view)) = (self.times_s(), self.times()) else {
+            return;
+        };
+        let view = Mapping::new(self.view.time_scale, view, width);
+        let here = self.cursor_s.unwrap_or_else(|| view.value(width / 2));
+        self.cursor_s = Some(view.stepped(here, columns).clamp(least, most));
+    }
+
+    /// The spread of the timings as strokes with gaps between, method by method: from the least time to the median and its
+    /// deviation, s, at the point's error.
+    pub fn spreads(&self) -> Vec<(Method, Vec<(f64, f64)>)> {
+        let methods = self.report.iter().flat_map(|report| &report.methods);
+        let stroke = |it: &Measured| {
+            let most = it.timing.median_s + it.timing.mad_s.unwrap_or(0.0);
+            [(it.timing.min_s, it.error()), (most, it.error()), (f64::NAN, f64::NAN)]
+        };
+        methods
+            .filter(|one| !self.hidden.contains(&one.method))
+            .map(|one| (one.method, one.measured().flat_map(|(_, it)| stroke(it)).collect()))
+            .collect()
+    }
+
+    /// The best a method gives within a run time.
+    pub fn best_within(&self, method: Method, time_s: f64) -> Option<(Knob, &Measured)> {
+        let report = self.of(method)?;
+        let affordable = report.measured().filter(|(_, it)| it.timing.min_s <= time_s);
+        affordable.min_by(|a, b| a.1.error().total_cmp(&b.1.error()))
+    }
+
+    /// What is to be shown of the selected method: the best within the crosshair's time, or its quickest where that is too
+    /// short; without a crosshair its most accurate point.
+    pub fn example(&self) -> Option<(Knob, &Measured)> {
+        let method = self.method();
+        let time_s = self.cursor_s.unwrap_or(f64::INFINITY);
+        self.best_within(method, time_s).or_else(|| {
+            let all = self.of(method)?.measured();
+            all.min_by(|a, b| a.1.timing.min_s.total_cmp(&b.1.timing.min_s))
+        })
+    }
+}
+
+impl App {
+    /// Whether what was measured belongs to another scene than the one on the screen.
+    pub fn accuracy_is_old(&self) -> bool {
+        self.accuracy.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
+    }
+
+    /// What every method gives at the crosshair, in one line.
+    pub fn accuracy_readout(&self) -> Option<String> {
+        let time_s = self.accuracy.cursor_s?;
+        let shown = Method::ALL.into_iter().filter(|one| !self.accuracy.hidden.contains(one));
+        let values: Vec<String> = shown
+            .filter_map(|method| {
+                let (_, best) = self.accuracy.best_within(method, time_s)?;
+                Some(format!("{}={:.0e}", method.letter(), best.error()))
+            })
+            .collect();
+        Some(format!("within {}: {}", seconds(time_s), values.join("  ")))
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn accuracy_status(&self) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let tab = &self.accuracy;
+        let count = tab
+            .report
+            .as_ref()
+            .map_or(0, |report| report.methods.iter().map(|one| one.points.len()).sum());
+        let mut parts = Vec::new();
+        if let Some(measuring) = &tab.measuring {
+            let (done, total) = measuring.points.unwrap_or_default();
+            let text = match total {
+                0 => "measuring (Esc cancels)".to_owned(),
+                _ => format!("measuring: {} of {total} points (Esc cancels)", done.min(total)),
+            };
+            parts.push(same(Severity::Note, text));
+        } else if self.accuracy_is_old() {
+            let text = "another scene's results: press r".to_owned();
+            parts.push(same(Severity::Warning, text));
+        } else if let Some(report) = &tab.report {
+            parts.push(same(
+                if report.is_complete { Severity::Note } else { Severity::Warning },
+                format!(
+                    "{} {count} points",
+                    if report.is_complete { "measured" } else { "cancelled after" }
+                ),
+            ));
+        } else if self.needs_single_plate() {
+            parts.push(same(Severity::Note, "nothing to measure".to_owned()));
+        } else {
+            parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
+        }
+        if let Some(first) = tab.report.as_ref().and_then(|report| report.references.first()) {
+            let sure = first.uncertainty.map_or_else(
+                || "uncertainty unknown".to_owned(),
+                |uncertainty| format!("good to {uncertainty:.0e}"),
+            );
+            let words = first.basis.words();
+            parts.push((
+                Severity::Note,
+                format!("reference {words}, {sure}"),
+                format!("by {words}"),
+            ));
+            parts.push(same(
+                Severity::Note,
+                match first.ending {
+                    Ending::Arrest => format!("{} deep", engineering(first.depth_m, "m", 7)),
+                    Ending::Perforation => "perforated".to_owned(),
+                },
+            ));
+        }
+        if let Some(unsteady) =
+            tab.report.as_ref().map(|report| report.unsteady()).filter(|it| *it > 0)
+        {
+            parts.push(same(
+                Severity::Warning,
+                format!(
+                    "{unsteady} timing{} unsteady: busy machine",
+                    if unsteady == 1 { "" } else { "s" }
+                ),
+            ));
+        }
+        parts
+    }
+
+    /// Which method `auto` uses for this scene, and why.
+    pub fn auto_sentence(&self) -> Option<String> {
+        let cost = &self.shown.as_ref().filter(|_| !self.is_stale())?.run.cost;
+        Some(format!("auto uses {} for this scene: {}", cost.method, cost.reason))
+    }
+
+    /// What `auto` uses, and what some accuracies cost here, one line each.
+    pub fn accuracy_answers(&self) -> Vec<String> {
+        self.auto_sentence().into_iter().chain(self.costs()).collect()
+    }
+
+    fn costs(&self) -> Vec<String> {
+        let Some(report) = &self.accuracy.report else {
+            return Vec::new();
+        };
+        TARGETS
+            .iter()
+            .map(|target| match report.cheapest(*target) {
+                Some(found) => {
+                    let full = report.cheapest_in_full(*target);
+                    let other = full.filter(|full| full.method != found.method);
+                    let full = other.map_or_else(String::new, |full| {
+                        format!("; {} with no term omitted", seconds(full.min_s))
+                    });
+                    format!("error {target:.0e}: {} {}{full}", seconds(found.min_s), by(&found))
+                }
+                None if !report.is_complete => {
+                    let (done, total) =
+                        self.accuracy.measuring.as_ref().and_then(|it| it.points).unwrap_or_else(
+                            || {
+                                let points =
+                                    report.methods.iter().map(|one| one.points.len()).sum();
+                                (points, self.accuracy.points_in_all.max(points))
+                            },
+                        );
+                    format!("error {target:.0e}: not computed yet ({done} of {total})")
+                }
+                None => format!("error {target:.0e}: no method reaches it"),
+            })
+            .collect()
+    }
+
+    /// All about the selected method: its example point, then what it refused and why.
+    pub fn accuracy_details(&self) -> Vec<(Severity, String)> {
+        let method = self.accuracy.method();
+        let mut lines = vec![(Severity::Note, format!("{} {}", method.letter(), method.name()))];
+        let mut add = |severity, text: String| lines.push((severity, text));
+        let Some(report) = self.accuracy.of(method) else {
+            add(Severity::Note, "not measured yet".to_owned());
+            return lines;
+        };
+        if let Some((knob, it)) = self.accuracy.example() {
+            let floor = if it.is_at_floor() { " (floor)" } else { "" };
+            let knob = knob.to_string();
+            let lead = if knob.is_empty() { String::new() } else { format!("{knob}: ") };
+            add(Severity::Note, format!("{lead}error {:.1e}{floor}", it.error()));
+        }
+        let mut reasons: Vec<(&str, usize)> = Vec::new();
+        for refusal in report.points.iter().filter_map(|point| point.result.err()) {
+            match reasons.iter_mut().find(|(words, _)| *words == refusal.words()) {
+                Some((_, count)) => *count += 1,
+                None => reasons.push((refusal.words(), 1)),
+            }
+        }
+        let total = report.points.len();
+        for (words, count) in reasons {
+            add(Severity::Warning, format!("{count} of {total}: {words}"));
+        }
+        if let Some((_, it)) = self.accuracy.example() {
+            let spread = it
+                .timing
+                .spread()
+                .map_or_else(|| "run once".to_owned(), |spread| format!("+-{}", percent(spread)));
+            let steps = it.answer.steps;
+            add(Severity::Note, format!("{} {spread}, {steps} steps", seconds(it.timing.min_s)));
+        }
+        lines
+    }
+}
+
+/// By what a result was got: the method and its knob.
+pub fn by(found: &Cheapest) -> String {
+    let knob = found.knob.to_string();
+    let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };
+    format!("by {}{with}", found.method.name())
+}
+
+/// A method's observed order.
+pub fn order(report: &MethodReport) -> String {
+    // Adding zero takes the sign off a negative zero.
+    let shown = |order: f64| format!("{:.1}", (10.0 * order).round() / 10.0 + 0.0);
+    report.observed_order().map_or_else(|| "-".to_owned(), shown)
+}
+
+/// A share in whole percent.
+pub fn percent(share: f64) -> String {
+    format!("{:.0} %", 100.0 * share)
+}
+
+/// A run time, in a few characters.
+pub fn seconds(value: f64) -> String {
+    engineering(value, "s", 2)
+}
+
+fn engineering(value: f64, unit: &'static str, digits: usize) -> String {
+    Engineering { value, unit, digits }.to_string()
+}

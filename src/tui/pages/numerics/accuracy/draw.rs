@@ -1,0 +1,222 @@
+//! The Accuracy tab: error against run time as a chart with a letter for each method, their table, and what it means here.
+
+use ratatui::layout::Rect;
+
+use crate::study::accuracy::MethodReport;
+use crate::study::accuracy::method::Method;
+use crate::tui::app::App;
+use crate::tui::app::layout::{WIDE, split_bottom, split_left};
+use crate::tui::app::status::{clip, wrap};
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend, Level, Scale, Unit, ViewRange};
+use crate::tui::message::Target;
+use crate::tui::pages::numerics::accuracy::{TARGETS, order, percent, seconds};
+use crate::tui::theme::{PaneFrame, Role};
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::table::{Column, Page};
+use crate::tui::widgets::text::{NEEDS_SINGLE, columns, first_row, paint_row, put, text_role};
+
+/// Columns of a method's letter and name in the table.
+const NAME: u16 = 19;
+
+/// The colour of slope guides: that of no method.
+const GUIDE_COLOUR: usize = 9;
+/// Points of a slope guide.
+const GUIDE_POINTS: usize = 90;
+
+const TABLE: [Column<MethodReport>; 6] = [
+    ("order", 6, order),
+    ("t(1e-6)", 8, |report| time(report, TARGETS[0])),
+    ("t(1e-9)", 8, |report| time(report, TARGETS[1])),
+    ("least", 6, |report| {
+        report.least_error().map_or_else(|| "-".to_owned(), |error| format!("{error:.0e}"))
+    }),
+    ("spread", 7, |report| report.spread().map_or_else(|| "-".to_owned(), percent)),
+    ("floor", 6, |report| {
+        let floor = report.reference.and_then(|reference| reference.uncertainty);
+        floor.map_or_else(|| "-".to_owned(), |floor| format!("{floor:.0e}"))
+    }),
+];
+
+fn time(report: &MethodReport, target: f64) -> String {
+    report.cheapest(target).map_or_else(|| "-".to_owned(), |found| seconds(found.min_s))
+}
+
+/// The panes of the page.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct AccuracyPanes {
+    /// Error against run time.
+    chart: Rect,
+    /// The methods, and what is to be said of the selected one.
+    methods: Rect,
+    /// What some accuracies cost here.
+    answers: Rect,
+}
+
+/// Rows of what `auto` uses and what two accuracies cost.
+const ANSWER_ROWS: u16 = 3;
+
+/// The chart beside the methods, or alone, and a row for each answer below.
+fn panes(body: Rect, alone: bool) -> AccuracyPanes {
+    let (top, answers) = split_bottom(body, ANSWER_ROWS);
+    let wanted = match body.width {
+        _ if alone => 0,
+        0..72 => 29,
+        72..WIDE => 35,
+        WIDE..116 => 54,
+        116.. => 63,
+    };
+    let (chart, methods) = split_left(top, top.width - wanted.min(top.width));
+    AccuracyPanes { chart, methods, answers }
+}
+
+/// Draw the page.
+pub(in crate::tui) fn render(app: &App, body: Rect, canvas: &mut Canvas<'_>) {
+    let panes = panes(body, app.is_full());
+    chart(app, panes.chart, canvas);
+    methods(app, panes.methods, canvas);
+    let answers = panes.answers;
+    for (row, line) in (0..answers.height).zip(app.accuracy_answers()) {
+        let room = usize::from(answers.width.saturating_sub(2));
+        // The cost with nothing left out goes before it is cut in two.
+        let brief = line.split(';').next().filter(|_| line.chars().count() > room);
+        let line = clip(brief.unwrap_or(&line), room);
+        put(canvas, answers, (1, row), &line, app.theme.style(Role::Title));
+    }
+}
+
+fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let tab = &app.accuracy;
+    let curves = tab.curves();
+    let title = "Relative error";
+    let (Some(times), Some(errors)) = (tab.times(), tab.errors()) else {
+        let inner = PaneFrame::new(title).render(area, canvas, app.theme);
+        let text = match (&tab.measuring, &tab.report) {
+            (Some(_), _) => "measuring the first points",
+            (None, Some(_)) if tab.view.times.is_some() => "nothing in view: 0 shows everything",
+            (None, Some(_)) => "nothing to draw: no point, or all are hidden (V)",
+            (None, None) if app.needs_single_plate() => NEEDS_SINGLE,
+            (None, None) => "not measured yet: r measures",
+        };
+        let column = inner.width.saturating_sub(columns(text)) / 2;
+        put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+        return;
+    };
+    let old = app.accuracy_is_old();
+    let emphasis = |method: Method| {
+        if old {
+            Emphasis::Stale
+        } else if method == tab.method() {
+            Emphasis::Selected
+        } else {
+            Emphasis::Normal
+        }
+    };
+    let drawn = curves.iter().map(|(method, points)| {
+        Curve::new(method.letter(), method.name(), points)
+            .colour(colour(*method))
+            .emphasis(emphasis(*method))
+    });
+    let (guides, bars) =
+        (guides(app, times, errors), if tab.view.bars { tab.spreads() } else { Vec::new() });
+    let slopes = guides.iter().map(|(marker, points)| {
+        Curve::new(*marker, "slope", points).colour(GUIDE_COLOUR).emphasis(Emphasis::Stale)
+    });
+    let spreads = bars.iter().map(|(method, points)| {
+        Curve::new('-', "spread", points).colour(colour(*method)).emphasis(Emphasis::Normal)
+    });
+    let x = Axis::new("run time", times).scale(tab.view.time_scale).unit(Unit::scaled(1e6, "µs"));
+    let y = Axis::new("", errors).scale(tab.view.error_scale);
+    let title = if old { "Relative error, of another scene" } else { title };
+    let targets = TARGETS.iter().map(|y| Level { y: *y, tag: "".into() });
+    // In a small chart the curves would run through the words.
+    let floor = if area.width < 44 { "floor" } else { "reference's floor" };
+    let floor = tab.floor().map(|y| Level { y, tag: floor.into() });
+    let chart = Chart {
+        legend: Legend::Hidden,
+        levels: targets.chain(floor).collect(),
+        crosshair: tab.cursor_s,
+        focused: app.dialog.is_none(),
+        ..Chart::new(title, x, y, slopes.chain(spreads).chain(drawn).collect())
+    };
+    let layout = chart.render(area, canvas, app.theme).layout;
+    canvas.plot_columns = Some(layout.plot.width);
+    canvas.plot(&layout, |time_s, _| Some(Target::RunTime(time_s)));
+}
+
+fn colour(method: Method) -> usize {
+    Method::ALL.iter().position(|one| *one == method).unwrap_or(0)
+}
+
+/// Points of a line.
+type Line = Vec<(f64, f64)>;
+
+/// Dashed lines of the slopes that orders make, from the upper left corner, each drawn with its order.
+fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
+    let view = app.accuracy.view;
+    let logarithmic = view.time_scale == Scale::Log10 && view.error_scale == Scale::Log10;
+    if !(view.guides && logarithmic) {
+        return Vec::new();
+    }
+    let span = times.hi() / times.lo();
+    let line = |order: i32| {
+        let point = |i: usize| {
+            let share = i as f64 / GUIDE_POINTS as f64;
+            // Every third point is a gap: a dash.
+            let gap = if i % 3 == 2 { f64::NAN } else { 1.0 };
+            (times.lo() * span.powf(share), gap * errors.hi() * span.powf(share).powi(-order))
+        };
+        (0..=GUIDE_POINTS)
+            .map(point)
+            .filter(|point| point.1.is_nan() || point.1 >= errors.lo())
+            .collect()
+    };
+    [('1', 1), ('2', 2), ('4', 4), ('8', 8)].map(|(marker, order)| (marker, line(order))).into()
+}
+
+/// The table, and below it what is to be said of the selected method.
+fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let tab = &app.accuracy;
+    let room = area.width.saturating_sub(2 + NAME);
+    let page = Page::of(&TABLE, room, tab.table_page);
+    let hint = page.hint().unwrap_or_else(|| "V hides".to_owned());
+    let inner = PaneFrame::new("Methods").right(hint).render(area, canvas, app.theme);
+    page.headings(canvas, inner, NAME, app.theme.style(Role::Dim));
+    let count = Method::ALL.len();
+    let height = usize::from(inner.height.saturating_sub(1));
+    let first = first_row(tab.selected_row(), height, count);
+    for (row, (index, method)) in (1..inner.height).zip(Method::ALL.iter().enumerate().skip(first))
+    {
+        let hidden = tab.hidden.contains(method);
+        let role = if hidden { Role::Dim } else { Role::Curve(index) };
+        let letter = if hidden { ' ' } else { method.letter() };
+        put(canvas, inner, (0, row), &letter.to_string(), app.theme.style(role));
+        let style = app.theme.style(if hidden { Role::Dim } else { Role::Text });
+        put(canvas, inner, (2, row), method.name(), style);
+        if let Some(report) = tab.of(*method) {
+            page.values(canvas, inner, (NAME, row), (report, style));
+        }
+        if index == tab.selected_row() && app.dialog.is_none() {
+            paint_row(canvas, inner, row, app.theme.style(Role::Selection));
+        }
+    }
+    details(app, inner, canvas);
+    let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
+    let list = Rect { y: inner.y + 1, height, ..inner };
+    canvas.rows(list, (first, count), |method| Some(Target::Method(method)));
+}
+
+/// What is to be said of the selected method, below all of them.
+fn details(app: &App, inner: Rect, canvas: &mut Canvas<'_>) {
+    let mut lines = Vec::new();
+    for (index, (severity, text)) in app.accuracy_details().into_iter().enumerate() {
+        let role = if index == 0 { Role::Title } else { text_role(severity) };
+        lines.extend(wrap(&text, usize::from(inner.width)).into_iter().map(|line| (role, line)));
+    }
+    let from = 1 + Method::ALL.len();
+    let room = usize::from(inner.height).saturating_sub(from);
+    let blank = usize::from(lines.len() < room);
+    for (index, (role, line)) in lines.iter().enumerate().take(room) {
+        let row = u16::try_from(from + blank + index).unwrap_or(u16::MAX);
+        put(canvas, inner, (0, row), line, app.theme.style(*role));
+    }
+}

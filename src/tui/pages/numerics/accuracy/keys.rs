@@ -1,0 +1,178 @@
+//! Accuracy: asking for measurements, moving about in them, using a method for the scene.
+
+use std::sync::Arc;
+
+use crate::model::scene::ContactModel;
+use crate::study::accuracy::Effort;
+use crate::study::accuracy::method::Method;
+use crate::tui::app::App;
+use crate::tui::app::jobs::Running;
+use crate::tui::app::notice::Severity;
+use crate::tui::chart::scale::Scale;
+use crate::tui::dialogs::{Table, table};
+use crate::tui::keymap::Action;
+use crate::tui::message::{Effect, Message};
+use crate::tui::pages::numerics::accuracy::TARGETS;
+use crate::tui::update::act::rows_moved;
+use crate::tui::update::{edit, jobs};
+use crate::tui::view::plot_columns;
+use crate::worker::studies::StudyKind;
+use crate::worker::{Finding, ReportBody};
+
+/// Columns of a plot that is not drawn.
+const FEW_COLUMNS: u16 = 40;
+/// One zoom step.
+const ZOOM: f64 = 2.0;
+/// One pan step, as a share of the span.
+const PAN: f64 = 0.25;
+
+/// The tab is shown: measure, unless this scene has been or is being measured.
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
+    let tab = &app.accuracy;
+    let measured = tab.report.as_ref().is_some_and(|report| *report.scene == *app.scene);
+    let under_way = tab.measuring.as_ref().is_some_and(|study| study.scene == app.scene);
+    if measured || under_way { Vec::new() } else { measure(app) }
+}
+
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let columns = plot_columns(app).unwrap_or(FEW_COLUMNS);
+    match action {
+        Action::Run => return Some(measure(app)),
+        Action::Enter => return Some(use_method(app)),
+        Action::Export => table::open(app, Table::Accuracy),
+        Action::Copy => return Some(table::copy(app, Table::Accuracy)),
+        Action::Left => app.accuracy.move_cursor(-1, columns),
+        Action::Right => app.accuracy.move_cursor(1, columns),
+        Action::FarLeft => app.accuracy.move_cursor(-10, columns),
+        Action::FarRight => app.accuracy.move_cursor(10, columns),
+        Action::ZoomIn => app.accuracy.zoom(ZOOM),
+        Action::ZoomOut => app.accuracy.zoom(1.0 / ZOOM),
+        Action::ZoomFit => app.accuracy.view.times = None,
+        Action::PanLeft => app.accuracy.pan(-PAN),
+        Action::PanRight => app.accuracy.pan(PAN),
+        Action::View => app.accuracy.table_page += 1,
+        Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
+        Action::ShowHide | Action::Mark => show_or_hide(app),
+        _ => {
+            let by = rows_moved(action, 8)?;
+            let last = Method::ALL.len() - 1;
+            let here = app.accuracy.selected_row();
+            app.accuracy.selected = Some(here.saturating_add_signed(by).min(last));
+        }
+    }
+    Some(Vec::new())
+}
+
+/// Set the scene to the selected method at the accuracy asked for first: its tolerance, or the thesis's listing.
+fn use_method(app: &mut App) -> Vec<Effect> {
+    let method = app.accuracy.method();
+    let refuse = |app: &mut App, text: String| {
+        app.say(Severity::Error, text);
+        Vec::new()
+    };
+    if app.accuracy_is_old() || app.accuracy.report.is_none() {
+        return refuse(app, "no results of this scene: press r to measure".to_owned());
+    }
+    let mut scene = (*app.scene).clone();
+    let what = match method {
+        Method::ThesisPrinted => {
+            scene.contact.model = ContactModel::Appendix;
+            "the listing of the thesis (contact model appendix)".to_owned()
+        }
+        Method::Taylor
+        | Method::ContactKernel
+        | Method::Full
+        | Method::Auto
+        | Method::ClosedForm => {
+            let Some(tolerance) = app.accuracy.tolerance_for(method, TARGETS[0]) else {
+                let text = format!("{} does not reach an error of 1e-6 here", method.name());
+                return refuse(app, text);
+            };
+            scene.run.tolerance = tolerance;
+            format!("{}: tolerance {tolerance:.0e} gives 1e-6", method.name())
+        }
+        _ => {
+            let text = format!(
+                "{} is here for comparison: a scene is run by auto, which chooses the method",
+                method.name()
+            );
+            return refuse(app, text);
+        }
+    };
+    if scene == *app.scene {
+        app.say(Severity::Note, format!("the scene has this already: {what}"));
+        return Vec::new();
+    }
+    let effects = edit::commit_scene(app, scene, format!("use {what}"), None);
+    app.say(Severity::Note, format!("{what} (u undoes)"));
+    effects
+}
+
+/// Another way to look at the chart.
+fn look(app: &mut App, action: Action) {
+    let view = &mut app.accuracy.view;
+    let word = |scale| match scale {
+        Scale::Linear => "linear",
+        Scale::Log10 => "logarithmic",
+    };
+    let text = match action {
+        Action::LogX => {
+            view.time_scale = view.time_scale.toggled();
+            format!("run time: {}", word(view.time_scale))
+        }
+        Action::LogY => {
+            view.error_scale = view.error_scale.toggled();
+            format!("error: {}", word(view.error_scale))
+        }
+        Action::SlopeGuides => {
+            view.guides = !view.guides;
+            let logarithmic = (view.time_scale, view.error_scale) == (Scale::Log10, Scale::Log10);
+            match (view.guides, logarithmic) {
+                (true, true) => "slopes of orders 1, 2, 4 and 8, from the upper left".to_owned(),
+                (true, false) => "slopes of orders show where both axes are logarithmic".to_owned(),
+                (false, _) => "no slopes".to_owned(),
+            }
+        }
+        _ => {
+            view.bars = !view.bars;
+            if view.bars {
+                "bars: from the least of the timings to their median and its deviation".to_owned()
+            } else {
+                "no bars".to_owned()
+            }
+        }
+    };
+    app.say(Severity::Note, text);
+}
+
+fn measure(app: &mut App) -> Vec<Effect> {
+    let scene = Arc::clone(&app.scene);
+    let (measuring, effects) = jobs::study(app, StudyKind::Accuracy(Effort::FULL), scene);
+    app.accuracy.measuring = Some(measuring);
+    effects
+}
+
+fn show_or_hide(app: &mut App) {
+    let tab = &mut app.accuracy;
+    let method = tab.method();
+    if tab.hidden.contains(&method) {
+        tab.hidden.retain(|hidden| *hidden != method);
+    } else {
+        tab.hidden.push(method);
+    }
+}
+
+/// A report of the measurements.
+pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
+    let Some(found) = jobs::found(app, body, |app| &mut app.accuracy.measuring) else { return };
+    let Finding::Accuracy(report) = found.finding else { return };
+    if let Some((_, total)) = found.running.points {
+        app.accuracy.points_in_all = total;
+    }
+    if found.is_last && !report.is_complete {
+        let text = "Cancelled. Partial results are shown; press r to measure again.";
+        app.say(Severity::Note, text);
+    }
+    app.accuracy.report = Some(report);
+}

@@ -1,0 +1,232 @@
+//! The Stability tab: the map and the battery, what is selected in them, and both in words. No drawing.
+
+pub(in crate::tui) mod draw;
+pub(in crate::tui) mod keys;
+
+use std::sync::Arc;
+
+use crate::model::scene::Scene;
+use crate::model::units::significant;
+use crate::study::stability::Row;
+use crate::study::stability::map::{Axis, Map, Method};
+use crate::tui::app::App;
+use crate::tui::app::jobs::Running;
+use crate::tui::app::notice::Severity;
+use crate::tui::keymap::Pane;
+use crate::tui::pages::numerics::accuracy::seconds;
+
+/// What the battery's columns of other methods are, in full and where there is less room.
+const COLUMNS: &str =
+    "expl: DOP853, impl: Radau IIA, th-6 and th-7: the thesis's scheme at dt 1e-6 and 1e-7 s";
+const COLUMNS_BRIEF: &str = "expl: DOP853, impl: Radau IIA";
+
+/// How the table of stiff scenes is sorted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Order {
+    /// As the scenes are listed.
+    #[default]
+    Listed,
+    /// Failures first.
+    Failures,
+    /// By name.
+    Name,
+}
+
+/// The state of the tab.
+#[derive(Clone, Debug)]
+pub struct Stability {
+    /// The method of the map.
+    pub method: Method,
+    /// Its variable.
+    pub axis: Axis,
+    /// The map with the scene it belongs to.
+    pub map: Option<(Arc<Scene>, Arc<Map>)>,
+    /// The map that is being drawn up.
+    pub mapping: Option<Running>,
+    /// The crosshair: row and column of the map; `None` at the present point.
+    pub cursor: Option<(usize, usize)>,
+    /// The order of the stiff scenes: as they are, failures first, by name.
+    pub order: Order,
+    /// The rows of the battery, and whether these are all.
+    pub battery: Option<(Arc<Vec<Row>>, bool)>,
+    /// The battery that is being run.
+    pub running: Option<Running>,
+    /// The selected row of the battery.
+    pub selected: usize,
+    /// The page of its columns.
+    pub table_page: usize,
+}
+
+impl Default for Stability {
+    fn default() -> Self {
+        Self {
+            method: Method::Thesis,
+            axis: Axis::K,
+            map: None,
+            mapping: None,
+            cursor: None,
+            order: Order::default(),
+            battery: None,
+            running: None,
+            selected: 0,
+            table_page: 0,
+        }
+    }
+}
+
+impl Stability {
+    /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
+    pub fn present(&self) -> Option<(usize, usize)> {
+        let (row, column) = self.map.as_ref()?.1.present_at();
+        row.zip(column)
+    }
+
+    /// Where the crosshair stands: the middle of the map where nothing else is known.
+    pub fn cursor(&self) -> Option<(usize, usize)> {
+        let (_, map) = self.map.as_ref()?;
+        let middle = (map.values.len() / 2, map.dt_s.len() / 2);
+        self.cursor.or_else(|| self.present()).or(Some(middle))
+    }
+
+    /// Move the crosshair by rows (up is positive) and columns.
+    pub fn move_cursor(&mut self, rows: isize, columns: isize) {
+        if let (Some((row, column)), Some((_, map))) = (self.cursor(), &self.map) {
+            let row = row.saturating_add_signed(rows).min(map.values.len().saturating_sub(1));
+            let column =
+                column.saturating_add_signed(columns).min(map.dt_s.len().saturating_sub(1));
+            self.cursor = Some((row, column));
+        }
+    }
+
+    /// Show a map; one of another variable has its cursor elsewhere.
+    pub fn show_map(&mut self, scene: Arc<Scene>, map: Arc<Map>) {
+        if self.map.as_ref().is_some_and(|(_, old)| old.axis != map.axis) {
+            self.cursor = None;
+        }
+        self.map = Some((scene, map));
+    }
+
+    /// Sort the table in the next order.
+    pub fn sort_next(&mut self) {
+        self.order = match self.order {
+            Order::Listed => Order::Failures,
+            Order::Failures => Order::Name,
+            Order::Name => Order::Listed,
+        };
+        self.selected = 0;
+    }
+
+    /// The rows in the order they are shown in.
+    pub fn sorted(&self) -> Vec<&Row> {
+        let mut rows: Vec<&Row> = self.rows().iter().collect();
+        match self.order {
+            Order::Listed => {}
+            Order::Failures => rows.sort_by_key(|row| row.shortfall.is_none()),
+            Order::Name => rows.sort_by_key(|row| row.case.name.to_string()),
+        }
+        rows
+    }
+
+    /// The rows of the battery there are.
+    pub fn rows(&self) -> &[Row] {
+        self.battery.as_ref().map_or(&[], |(rows, _)| rows)
+    }
+}
+
+/// A size in five characters: `2e-13`.
+pub fn brief(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
+}
+
+impl App {
+    /// Whether the map belongs to another scene than the one on the screen.
+    pub fn map_is_old(&self) -> bool {
+        self.stability.map.as_ref().is_some_and(|(scene, _)| **scene != *self.scene)
+    }
+
+    /// The cell at the crosshair in words.
+    pub fn map_readout(&self) -> Option<String> {
+        let (_, map) = self.stability.map.as_ref()?;
+        let (row, column) = self.stability.cursor()?;
+        let here = if self.stability.present() == Some((row, column)) {
+            // In one row of 80 columns: a second one would move the map.
+            "; the scene"
+        } else {
+            ""
+        };
+        let limit = map.limit_s[row]
+            .map_or_else(|| "none".to_owned(), |limit_s| significant(limit_s, 2) + " s");
+        Some(format!(
+            "dt {} s, {} {}: {}; analytic limit {limit}{here}",
+            significant(map.dt_s[column], 2),
+            map.axis.symbol(),
+            significant(map.values[row], 2),
+            map.cell(row, column).words(),
+        ))
+    }
+
+    /// The selected row of the battery in words.
+    pub fn battery_readout(&self) -> Option<(Severity, String)> {
+        let row = *self.stability.sorted().get(self.stability.selected)?;
+        Some(match row.shortfall {
+            None => (Severity::Note, format!("{}: {}", row.case.name, row.case.why)),
+            Some(shortfall) => (
+                Severity::Error,
+                format!("{}: fails: {}; {}", row.case.name, shortfall.words(), row.run.end.words()),
+            ),
+        })
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn stability_status(&self) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let tab = &self.stability;
+        let mut parts = Vec::new();
+        if self.pane() == Pane::Battery {
+            let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
+            let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
+            let severity = if short > 0 { Severity::Warning } else { Severity::Note };
+            match (&tab.running, &tab.battery) {
+                (Some(running), _) => {
+                    let text = format!("running the battery{} (Esc cancels)", running.counted());
+                    parts.push(same(Severity::Note, text));
+                }
+                (None, None) => {
+                    parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
+                }
+                (None, Some((_, false))) => {
+                    parts.push(same(Severity::Warning, "cancelled: press r to run all".to_owned()));
+                }
+                (None, Some((_, true))) => {}
+            }
+            if tab.battery.is_some() {
+                parts.push(same(severity, holds));
+                parts.push((Severity::Note, COLUMNS.to_owned(), COLUMNS_BRIEF.to_owned()));
+            }
+            return parts;
+        }
+        let complete = tab.map.as_ref().is_none_or(|(_, map)| map.is_complete());
+        if let Some(mapping) = &tab.mapping {
+            let of = mapping.points.map_or_else(String::new, |(done, total)| {
+                format!(": {} of {total} rows", done.min(total))
+            });
+            let text = format!("computing the map{of} (Esc cancels)");
+            parts.push(same(Severity::Note, text));
+        } else if self.map_is_old() {
+            parts.push(same(Severity::Warning, "another scene's map: press r".to_owned()));
+        } else if !complete {
+            parts.push(same(Severity::Warning, "cancelled: press r".to_owned()));
+        }
+        if let Some((_, map)) = &tab.map {
+            parts.push(same(
+                Severity::Note,
+                match map.largest_stable_dt_s {
+                    Some(dt_s) => format!("largest stable dt of this scene: {}", seconds(dt_s)),
+                    None => "largest stable dt of this scene: nothing limits it".to_owned(),
+                },
+            ));
+            parts.push(same(Severity::Note, map.method.name().to_owned()));
+        }
+        parts
+    }
+}

@@ -1,0 +1,143 @@
+//! The Stability tab: asking for the map and the battery, and moving about in them.
+
+use std::sync::Arc;
+
+use crate::model::units::significant;
+use crate::model::variables::{VARIABLES, Value};
+use crate::study::stability::map::{Axis, Method};
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::dialogs::{Table, table};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::Effect;
+use crate::tui::update::act::{cursor_moved, rows_moved};
+use crate::tui::update::jobs::Found;
+use crate::tui::update::{edit, jobs};
+use crate::worker::studies::StudyKind;
+use crate::worker::{Finding, ReportBody};
+
+/// Far along the map.
+const FAR: isize = 10;
+
+/// What is shown is computed, unless it has been or is being.
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
+    let tab = &app.stability;
+    if app.pane() == Pane::Battery {
+        let there = tab.battery.as_ref().is_some_and(|(_, all)| *all) || tab.running.is_some();
+        return if there { Vec::new() } else { battery(app) };
+    }
+    let there = tab.map.as_ref().is_some_and(|(scene, map)| {
+        let is_wanted = map.method == tab.method && map.axis == tab.axis;
+        *scene == app.scene && is_wanted && map.is_complete()
+    });
+    let coming = tab.mapping.as_ref().is_some_and(|study| study.scene == app.scene);
+    if there || coming { Vec::new() } else { map(app) }
+}
+
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let table = if app.pane() == Pane::Battery { Table::Battery } else { Table::Map };
+    match action {
+        Action::Export => {
+            table::open(app, table);
+            Some(Vec::new())
+        }
+        Action::Copy => Some(table::copy(app, table)),
+        _ if table == Table::Battery => in_battery(app, action),
+        _ => in_map(app, action),
+    }
+}
+
+fn in_battery(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Run => return Some(battery(app)),
+        Action::View => app.stability.table_page += 1,
+        Action::Sort => app.stability.sort_next(),
+        _ => {
+            let by = rows_moved(action, app.list_rows())?;
+            let last = app.stability.rows().len().saturating_sub(1);
+            let selected = app.stability.selected;
+            app.stability.selected = selected.saturating_add_signed(by).min(last);
+        }
+    }
+    Some(Vec::new())
+}
+
+fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    let tab = &mut app.stability;
+    match action {
+        Action::Run => return Some(map(app)),
+        Action::View => {
+            // Three variables, then the same with the other method.
+            (tab.axis, tab.method) = match (tab.axis, tab.method) {
+                (Axis::K, method) => (Axis::N, method),
+                (Axis::N, method) => (Axis::B, method),
+                (Axis::B, Method::Thesis) => (Axis::K, Method::Rk4),
+                (Axis::B, Method::Rk4) => (Axis::K, Method::Thesis),
+            };
+            return Some(map(app));
+        }
+        Action::Enter => return Some(load(app)),
+        _ => {
+            let (columns, rows) = cursor_moved(action, FAR)?;
+            tab.move_cursor(rows.clamp(-100, 100), columns.clamp(-1000, 1000));
+        }
+    }
+    Some(Vec::new())
+}
+
+/// Load the value of the row under the cursor into the scene.
+fn load(app: &mut App) -> Vec<Effect> {
+    if app.map_is_old() || app.stability.map.is_none() {
+        app.say(Severity::Error, "no map of this scene: press r to compute it");
+        return Vec::new();
+    }
+    let found = app.stability.map.as_ref().zip(app.stability.cursor());
+    let Some(((_, map), (row, _))) = found else { return Vec::new() };
+    let (symbol, value) = (map.axis.symbol(), map.values[row]);
+    let Some(index) = VARIABLES.iter().position(|one| one.symbol == symbol) else {
+        return Vec::new();
+    };
+    match edit::set(app, index, Value::Number(value), None) {
+        Ok(effects) => {
+            let text = format!("loaded {symbol} = {} (u undoes)", significant(value, 4));
+            app.say(Severity::Note, text);
+            effects
+        }
+        Err(error) => {
+            app.say(Severity::Error, error);
+            Vec::new()
+        }
+    }
+}
+
+fn map(app: &mut App) -> Vec<Effect> {
+    let kind = StudyKind::Map(app.stability.method, app.stability.axis);
+    let scene = Arc::clone(&app.scene);
+    let (mapping, effects) = jobs::study(app, kind, scene);
+    app.stability.mapping = Some(mapping);
+    effects
+}
+
+fn battery(app: &mut App) -> Vec<Effect> {
+    let scene = Arc::clone(&app.scene);
+    let (running, effects) = jobs::study(app, StudyKind::Battery, scene);
+    app.stability.running = Some(running);
+    effects
+}
+
+/// A report of the map.
+pub(in crate::tui) fn report_map(app: &mut App, body: ReportBody) {
+    let found = jobs::found(app, body, |app| &mut app.stability.mapping);
+    if let Some(Found { running, finding: Finding::Map(map), .. }) = found {
+        app.stability.show_map(running.scene, map);
+    }
+}
+
+/// A report of the battery.
+pub(in crate::tui) fn report_battery(app: &mut App, body: ReportBody) {
+    let found = jobs::found(app, body, |app| &mut app.stability.running);
+    if let Some(Found { finding: Finding::Battery(rows, all), .. }) = found {
+        app.stability.battery = Some((rows, all));
+    }
+}

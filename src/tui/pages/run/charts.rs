@@ -1,0 +1,340 @@
+//! What the charts show: quantities, the time range, the crosshair, and the points of every curve. No drawing.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::model::run::Run;
+use crate::tui::app::App;
+use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
+use crate::tui::pages::run::layout::panes;
+use crate::tui::pages::run::quantity::Quantity;
+use crate::tui::pages::run::runs::RunView;
+use coarse::Coarse;
+
+pub mod coarse;
+pub(in crate::tui) mod draw;
+pub(in crate::tui) mod keys;
+
+/// Which part of the time is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Window {
+    /// From first contact to a little after the first arrest (or perforation).
+    Contact,
+    /// The whole run.
+    Whole,
+}
+
+/// What the vertical axis is fitted to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fit {
+    /// The part of the curves in view.
+    View,
+    /// The whole curves.
+    Everything,
+}
+
+/// The state of the three charts.
+#[derive(Clone, Debug)]
+pub struct Charts {
+    /// What each shows, from top to bottom.
+    pub quantities: [Quantity; 3],
+    /// What each shows on a second axis at the right, if anything.
+    pub second: [Option<Quantity>; 3],
+    /// The chart the keys act on.
+    pub selected: usize,
+    /// The crosshair, s since first contact.
+    pub cursor_s: Option<f64>,
+    /// Contact window or whole response.
+    pub window: Window,
+    /// A time range chosen by zooming or panning, s; `None`: all of the window.
+    pub zoom_s: Option<(f64, f64)>,
+    /// What the vertical axes are fitted to.
+    pub fit: Fit,
+    /// The time axis.
+    pub time_scale: Scale,
+    /// The vertical axes.
+    pub value_scales: [Scale; 3],
+    /// Curves are differences to the first pinned run.
+    pub difference: bool,
+    /// What the curves of runs with long series are drawn from.
+    pub coarse: Vec<Coarse>,
+}
+
+impl Default for Charts {
+    fn default() -> Self {
+        Self {
+            quantities: [
+                Quantity::Penetration,
+                Quantity::PlateDisplacement,
+                Quantity::ContactForce,
+            ],
+            second: [None; 3],
+            selected: 0,
+            cursor_s: None,
+            window: Window::Contact,
+            zoom_s: None,
+            fit: Fit::View,
+            time_scale: Scale::Linear,
+            value_scales: [Scale::Linear; 3],
+            difference: false,
+            coarse: Vec::new(),
+        }
+    }
+}
+
+/// The points of one run, SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// The pin's letter; `None` for the current run.
+    pub letter: Option<char>,
+    /// Row in the table of runs.
+    pub index: usize,
+    /// It belongs to an older scene.
+    pub old: bool,
+    /// Time, s, and value; a gap where the value is not a number.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// How far beyond the range in view curves are given, as a share of it.
+const BEYOND: f64 = 0.02;
+
+/// How far the zoom goes in.
+const NARROWEST_S: f64 = 1e-12;
+
+impl App {
+    /// The time range of the window without zoom, s.
+    pub fn window_s(&self) -> (f64, f64) {
+        let of = |run: &Run| match self.charts.window {
+            Window::Contact => 1.1 * run.contact_end_s(),
+            Window::Whole => run.series.last().map_or(0.0, |sample| sample.t_s),
+        };
+        let end = self
+            .visible_runs()
+            .iter()
+            .map(|view| of(view.run))
+            .filter(|end| end.is_finite() && *end > 0.0)
+            .fold(0.0f64, |most, end| if end > most { end } else { most });
+        (0.0, if end > 0.0 { end } else { 1e-3 })
+    }
+
+    /// The time range on the screen, s; begins above zero on a logarithmic axis.
+    pub fn time_range_s(&self) -> (f64, f64) {
+        let (from, to) = self.charts.zoom_s.unwrap_or_else(|| self.window_s());
+        match self.charts.time_scale {
+            Scale::Log10 if from <= 0.0 => (to * 1e-4, to),
+            Scale::Log10 | Scale::Linear => (from, to),
+        }
+    }
+
+    /// Every visible curve of a quantity.
+    pub fn curves(&self, quantity: Quantity) -> Vec<Curve> {
+        let reference = self
+            .reference_pin()
+            .filter(|_| self.charts.difference)
+            .and_then(|pin| pin.run.as_deref());
+        self.visible_runs().iter().map(|view| self.curve(view, quantity, reference)).collect()
+    }
+
+    /// The points of a run that are in view, and one on either side of it; of a long series no more than a screen can show.
+    fn curve(&self, view: &RunView<'_>, quantity: Quantity, reference: Option<&Run>) -> Curve {
+        let seen = self.samples_seen(view.run);
+        let point = |index: usize| {
+            let sample = &view.run.series[index];
+            let value = quantity.drawn(sample);
+            let value = reference
+                .map_or(value, |run| value - quantity.at(run, sample.t_s).unwrap_or(f64::NAN));
+            let across = if quantity == Quantity::MountForce {
+                sample.plate_displacement_m
+            } else {
+                sample.t_s
+            };
+            (across, value)
+        };
+        // What is extreme in a run need not be so in its difference to another.
+        let coarse = self.charts.coarse.iter().find(|one| one.is_of(view.run));
+        let few = coarse
+            .filter(|_| reference.is_none() && quantity != Quantity::MountForce)
+            .and_then(|coarse| coarse.of_those(quantity, &seen));
+        let points = match few {
+            Some(indices) => indices.iter().copied().map(point).collect(),
+            None => seen.map(point).collect(),
+        };
+        Curve { letter: view.letter, index: view.index, old: view.old, points }
+    }
+
+    /// Which samples of a run its curves are drawn from.
+    fn samples_seen(&self, run: &Run) -> Range<usize> {
+        let all = 0..run.series.len();
+        if self.charts.fit == Fit::Everything {
+            return all;
+        }
+        let (from, to) = self.time_range_s();
+        // The outermost dots of a chart stand for times a little beyond its range.
+        let beyond = BEYOND * (to - from);
+        let (from, to) = (from - beyond, to + beyond);
+        let before = run.series.partition_point(|sample| sample.t_s < from);
+        let within = run.series.partition_point(|sample| sample.t_s <= to);
+        before.saturating_sub(1)..all.end.min(within + 1)
+    }
+
+    /// A result has landed: from here on its curves cost a frame little, however long its series.
+    pub fn note_run(&mut self, run: &Arc<Run>) {
+        let coarse = &mut self.charts.coarse;
+        coarse.retain(Coarse::is_wanted);
+        if !coarse.iter().any(|one| one.is_of(run)) {
+            coarse.extend(Coarse::of(run));
+        }
+    }
+
+    /// The curve of the second axis of a chart: the current run's where it is drawn, else the last visible one's.
+    pub fn second_curve(&self, chart: usize) -> Option<(Quantity, Curve)> {
+        let quantity = self.charts.second[chart]?;
+        Some((quantity, self.curves(quantity).pop()?))
+    }
+
+    /// Put the next quantity on the second axis of the selected chart, at last none; gives what is there now.
+    pub fn next_second(&mut self) -> Option<Quantity> {
+        let chart = self.charts.selected;
+        let first = self.charts.quantities[chart];
+        let next = self.charts.second[chart].unwrap_or(first).next();
+        // Force over displacement has no time axis to share.
+        let next = if next == Quantity::MountForce { next.next() } else { next };
+        self.charts.second[chart] = (next != first).then_some(next);
+        self.charts.second[chart]
+    }
+
+    /// The range of values to show, over the curves; a little room is left to the chart itself.
+    pub fn value_range(&self, curves: &[Curve], scale: Scale) -> (f64, f64) {
+        let (from, to) = self.time_range_s();
+        let seen = |t: f64| self.charts.fit == Fit::Everything || (from..=to).contains(&t);
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for &(t, value) in curves.iter().flat_map(|curve| &curve.points) {
+            if seen(t) && value.is_finite() && (scale == Scale::Linear || value > 0.0) {
+                if value < low {
+                    low = value;
+                }
+                if value > high {
+                    high = value;
+                }
+            }
+        }
+        match (low < high, low.is_finite(), scale) {
+            (true, _, _) => (low, high),
+            (false, true, Scale::Linear) if low == 0.0 => (0.0, 1.0),
+            (false, true, Scale::Linear) => (low - 0.1 * low.abs(), high + 0.1 * high.abs()),
+            (false, true, Scale::Log10) => (low / 10.0, high * 10.0),
+            (false, false, _) => (0.1, 1.0),
+        }
+    }
+
+    /// Move the crosshair by columns of a plot so wide; it starts in the middle and stays in the range.
+    pub fn move_cursor(&mut self, columns: i32, width: u16) {
+        let (from, to) = self.time_range_s();
+        let view = Mapping::new(self.charts.time_scale, ViewRange::new(from, to), width);
+        let middle = || view.value(width / 2);
+        let moved = self.charts.cursor_s.map_or_else(middle, |here| view.stepped(here, columns));
+        self.charts.cursor_s = Some(moved);
+    }
+
+    /// Move the crosshair to the next or previous event of the current run and bring it into view; gives its name.
+    pub fn move_to_event(&mut self, forward: bool) -> Option<&'static str> {
+        let events = &self.shown.as_ref()?.run.events;
+        let here = self.charts.cursor_s;
+        let event = if forward {
+            let start = here.unwrap_or(f64::NEG_INFINITY);
+            events.iter().find(|event| event.t_s > start)
+        } else {
+            let start = here.unwrap_or(f64::INFINITY);
+            events.iter().rev().find(|event| event.t_s < start)
+        }?;
+        let (t_s, words) = (event.t_s, event.kind.words());
+        self.bring_into_view(t_s);
+        Some(words)
+    }
+
+    /// Move the crosshair to an event of the current run, by its place, and bring it into view.
+    pub fn place_at_event(&mut self, event: usize) {
+        let events = self.shown.as_ref().map(|shown| &shown.run.events);
+        if let Some(t_s) = events.and_then(|events| events.get(event)).map(|event| event.t_s) {
+            self.bring_into_view(t_s);
+        }
+    }
+
+    fn bring_into_view(&mut self, t_s: f64) {
+        self.charts.cursor_s = Some(t_s);
+        let (from, to) = self.time_range_s();
+        if t_s < from || t_s > to {
+            let width = to - from;
+            self.charts.zoom_s = Some(((t_s - 0.5 * width).max(0.0), t_s + 0.5 * width));
+        }
+    }
+
+    /// Columns of a chart that stand for time, about.
+    fn chart_columns(&self) -> u16 {
+        let body = self.layout().body;
+        let chart = body.and_then(|body| panes(self, body).charts.first().copied());
+        chart.map_or(40, |area| area.width.saturating_sub(12)).max(10)
+    }
+
+    /// The event of the current run under the crosshair.
+    pub fn event_at_cursor(&self) -> Option<&'static str> {
+        let cursor = self.charts.cursor_s?;
+        let run = &self.shown.as_ref()?.run;
+        let (from, to) = self.time_range_s();
+        let near = 0.5 * (to - from) / f64::from(self.chart_columns());
+        run.events
+            .iter()
+            .filter(|event| (event.t_s - cursor).abs() <= near)
+            .min_by(|a, b| {
+                let distance = |t: f64| (t - cursor).abs();
+                distance(a.t_s).total_cmp(&distance(b.t_s))
+            })
+            .map(|event| event.kind.words())
+    }
+
+    /// Zoom by a factor about the crosshair (the middle without one); at most to the whole window.
+    pub fn zoom(&mut self, factor: f64) {
+        let (from, to) = self.time_range_s();
+        let centre =
+            self.charts.cursor_s.filter(|t| (from..=to).contains(t)).unwrap_or(0.5 * (from + to));
+        let view = ViewRange::new(from, to).zoomed(self.charts.time_scale, centre, 1.0 / factor);
+        self.set_zoom(view.lo(), view.hi());
+    }
+
+    /// Move the range by a share of its width.
+    pub fn pan(&mut self, share: f64) {
+        let (from, to) = self.time_range_s();
+        let (begin, end) = self.whole_s();
+        if self.charts.time_scale == Scale::Log10 {
+            let view = ViewRange::new(from, to).panned(Scale::Log10, share);
+            if view.lo() > 0.0 && view.hi() <= end {
+                self.set_zoom(view.lo().max(begin), view.hi());
+            }
+            return;
+        }
+        let shift = (share * (to - from)).clamp((-from).min(0.0), (end - to).max(0.0));
+        self.set_zoom(from + shift, to + shift);
+    }
+
+    fn set_zoom(&mut self, low: f64, high: f64) {
+        let (begin, end) = self.whole_s();
+        let (low, high) = (low.max(begin), high.min(end));
+        if high - low > NARROWEST_S {
+            let all = (low, high) == self.window_s();
+            self.charts.zoom_s = (!all).then_some((low, high));
+        }
+    }
+
+    /// From first contact to the end of the longest visible run (or of the window, where that is later), s.
+    fn whole_s(&self) -> (f64, f64) {
+        let (begin, mut end) = self.window_s();
+        for view in self.visible_runs() {
+            if let Some(last) = view.run.series.last()
+                && last.t_s > end
+            {
+                end = last.t_s;
+            }
+        }
+        (begin, end)
+    }
+}

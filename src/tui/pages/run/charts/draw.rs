@@ -1,0 +1,288 @@
+//! The charts of the Run tab: one or three on a common time axis, with readouts below a single one.
+
+use ratatui::layout::Rect;
+use ratatui::text::{Line, Span};
+
+use crate::model::mechanism::load::yields_at_m;
+use crate::model::run::Run;
+use crate::tui::app::App;
+use crate::tui::app::status::{clip, short_name, value_at};
+use crate::tui::chart::{
+    self, Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Side,
+    Unit, ViewRange, align_gutters,
+};
+use crate::tui::message::Target;
+use crate::tui::pages::log::state::event_tag;
+use crate::tui::pages::run::charts::{Curve as Data, Window};
+use crate::tui::pages::run::quantity::Quantity;
+use crate::tui::pages::run::runs::{RunView, engineering};
+use crate::tui::theme::{PaneFrame, Role};
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{put, put_line};
+
+/// Rows of readout below a single chart, without the line that closes the box.
+const READOUT_ROWS: u16 = 2;
+/// How the curve of a second axis is told from the runs.
+const SECOND: char = '~';
+const SECOND_COLOUR: usize = 9;
+/// Where the readouts of further runs have no room.
+const MORE: &str = "  ..";
+/// Most event lines in one chart.
+const EVENT_LINES: usize = 24;
+
+/// Draw the charts, one an area.
+pub(in crate::tui) fn render(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
+    match areas {
+        [] => {}
+        [area] => single(app, *area, focused, canvas),
+        _ => stacked(app, areas, focused, canvas),
+    }
+}
+
+/// Say what the areas of a chart are to the mouse.
+fn hits(app: &App, chart: usize, (area, layout): (Rect, &chart::Layout), canvas: &mut Canvas<'_>) {
+    canvas.pane(area, Pane::Charts);
+    canvas.plot_columns.get_or_insert(layout.plot.width);
+    if app.charts.quantities[chart] != Quantity::MountForce {
+        canvas.plot(layout, |t_s, _| Some(Target::Time { chart, t_s }));
+    }
+}
+
+fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
+    let inner = PaneFrame::new("").focused(focused).render(area, canvas, app.theme);
+    let data = app.curves(app.charts.quantities[app.charts.selected]);
+    let below = if area.height >= 12 { READOUT_ROWS } else { 0 };
+    let second = app.second_curve(app.charts.selected);
+    let mut chart = chart(app, app.charts.selected, (&data, second.as_ref()));
+    chart.frame = Frame::OpenBelow;
+    chart.focused = focused;
+    let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
+    let drawn = chart.render(upper, canvas, app.theme);
+    hits(app, app.charts.selected, (area, &drawn.layout), canvas);
+    nothing_yet(app, upper, canvas);
+    if below > 0 {
+        let rows = Rect { y: inner.bottom() - below, height: below, ..inner };
+        readout(app, rows, canvas);
+    }
+}
+
+fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
+    let data: Vec<Vec<Data>> =
+        (0..areas.len()).map(|index| app.curves(app.charts.quantities[index])).collect();
+    let second: Vec<Option<(Quantity, Data)>> =
+        (0..areas.len()).map(|index| app.second_curve(index)).collect();
+    let both = data.iter().zip(&second).enumerate();
+    let mut charts: Vec<Chart<'_>> =
+        both.map(|(index, (data, second))| chart(app, index, (data, second.as_ref()))).collect();
+    let last = charts.len() - 1;
+    for (index, chart) in charts.iter_mut().enumerate() {
+        chart.focused = focused && app.charts.selected == index;
+        if index > 0 && second[index].is_none() {
+            chart.legend = Legend::Hidden;
+        }
+        if index < last && areas[index].height < 11 {
+            chart.x.labels = Labels::Hidden;
+        }
+    }
+    align_gutters(&mut charts, areas);
+    for (index, (chart, area)) in charts.iter().zip(areas).enumerate() {
+        let drawn = chart.render(*area, canvas, app.theme);
+        hits(app, index, (*area, &drawn.layout), canvas);
+        nothing_yet(app, *area, canvas);
+    }
+}
+
+/// Where there is no curve: say why.
+fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    if !app.visible_runs().is_empty() || area.height < 3 {
+        return;
+    }
+    let text = match (&app.shown, &app.jobs.current) {
+        (Some(_), _) => "all runs are hidden: V in the pane Runs shows them",
+        (None, Some(_)) => "running the first time",
+        (None, None) => "no run yet: r runs the scene",
+    };
+    let column = area.width.saturating_sub(crate::tui::widgets::text::columns(text)) / 2;
+    put(canvas, area, (column, area.height / 2), text, app.theme.style(Role::Dim));
+}
+
+/// The curves of a chart, and the quantity and curve of its second axis.
+type Drawn<'a> = (&'a [Data], Option<&'a (Quantity, Data)>);
+
+fn chart<'a>(app: &'a App, index: usize, (data, second): Drawn<'a>) -> Chart<'a> {
+    let quantity = app.charts.quantities[index];
+    if quantity == Quantity::MountForce {
+        return force_over_displacement(app, data);
+    }
+    let (from, to) = app.time_range_s();
+    let scale = app.charts.value_scales[index];
+    let time = ViewRange::new(from, to);
+    let x = Axis::new("t", time).unit(Unit::with_prefix(time, "s")).scale(app.charts.time_scale);
+    let y = value_axis(app, data, (quantity, scale)).scale(scale);
+    let right = second.map(|(quantity, curve)| {
+        let axis = value_axis(app, std::slice::from_ref(curve), (*quantity, Scale::Linear));
+        Axis { label: quantity.symbol().into(), ..axis }
+    });
+    let views = app.visible_runs();
+    let curves = data.iter().zip(&views).map(|(curve, view)| {
+        Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
+            .colour(curve.index)
+            .emphasis(match (curve.old, curve.letter) {
+                (true, _) => Emphasis::Stale,
+                (false, None) => Emphasis::Selected,
+                (false, Some(_)) => Emphasis::Normal,
+            })
+    });
+    let overlay = second.map(|(quantity, curve)| {
+        let run = curve.letter.map_or_else(|| "now".to_owned(), String::from);
+        Curve::new(SECOND, format!("{} {run}", quantity.symbol()), &curve.points)
+            .colour(SECOND_COLOUR)
+            .emphasis(if curve.old { Emphasis::Stale } else { Emphasis::Normal })
+            .side(Side::Right)
+    });
+    let events = app
+        .shown
+        .iter()
+        .filter(|_| app.current_visible)
+        .flat_map(|shown| event_lines(&shown.run, (from, to)));
+    Chart {
+        events: events.collect(),
+        crosshair: app.charts.cursor_s,
+        right,
+        ..Chart::new(title(app, quantity), x, y, overlay.into_iter().chain(curves).collect())
+    }
+}
+
+/// The force on the mount over the plate's displacement, with the displacement at which the spring yields, and its stop.
+fn force_over_displacement<'a>(app: &'a App, data: &'a [Data]) -> Chart<'a> {
+    let quantity = Quantity::MountForce;
+    let points = || data.iter().flat_map(|curve| curve.points.iter().copied());
+    let mechanism = &app.scene.mechanism;
+    let yields = yields_at_m(&mechanism.spring).map(|at| (at, "yield"));
+    let marks = yields.into_iter().chain(mechanism.stop.position_m.map(|at| (at, "stop")));
+    let x = ViewRange::of(Scale::Linear, points().map(|point| point.0)).unwrap_or_default();
+    let y = ViewRange::of(Scale::Linear, points().map(|point| point.1).chain([0.0]));
+    let (x, y) = (x.padded(Scale::Linear, 0.04), y.unwrap_or_default().padded(Scale::Linear, 0.04));
+    let marks: Vec<EventLine<'static>> = marks
+        .filter(|(at, _)| x.contains(*at))
+        .map(|(at, tag)| EventLine { x: at, tag: tag.into() })
+        .collect();
+    let views = app.visible_runs();
+    let curves = data.iter().zip(&views).map(|(curve, view)| {
+        Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
+            .colour(curve.index)
+            .emphasis(if curve.old { Emphasis::Stale } else { Emphasis::Normal })
+    });
+    let run = app.shown.as_ref().map(|shown| &shown.run);
+    let crosshair = run
+        .zip(app.charts.cursor_s)
+        .and_then(|(run, t_s)| Quantity::PlateDisplacement.at(run, t_s));
+    let x = Axis::new("x", x).unit(Unit::with_prefix(x, "m"));
+    let y = Axis::new("", y).unit(Unit::with_prefix(y, quantity.unit()));
+    Chart { events: marks, crosshair, ..Chart::new(title(app, quantity), x, y, curves.collect()) }
+}
+
+/// A vertical axis that shows all of some curves.
+fn value_axis(app: &App, data: &[Data], (quantity, scale): (Quantity, Scale)) -> Axis<'static> {
+    let (low, high) = app.value_range(data, scale);
+    let values = match scale {
+        Scale::Linear => ViewRange::new(low, high).padded(scale, 0.04),
+        Scale::Log10 => ViewRange::new(low, high).on(scale),
+    };
+    // Rates at or above zero begin at zero: the eye takes the axis for it.
+    let values = if scale == Scale::Linear && low >= 0.0 && low < 0.5 * high {
+        ViewRange::new(0.0, values.hi())
+    } else {
+        values
+    };
+    Axis::new("", values).unit(Unit::with_prefix(values, quantity.unit()))
+}
+
+/// The events in view with their letters; of very many (a plate rattling on its stop) only the first ones.
+fn event_lines(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = EventLine<'static>> + '_ {
+    let events = run.events.iter().enumerate();
+    let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
+    seen.take(EVENT_LINES)
+        .map(|(index, event)| EventLine { x: event.t_s, tag: event_tag(index).into() })
+}
+
+/// `now`, or letter and name of a pin, kept short.
+fn label(view: &RunView<'_>) -> String {
+    view.letter
+        .map_or_else(|| "now".to_owned(), |letter| format!("{letter} {}", clip(view.name, 16)))
+}
+
+fn title(app: &App, quantity: Quantity) -> String {
+    let reference = app.reference_pin().filter(|_| app.charts.difference);
+    match reference {
+        Some(pin) => format!("{} {} minus {}'s", quantity.title(), quantity.symbol(), pin.letter),
+        None => format!("{} {}", quantity.title(), quantity.symbol()),
+    }
+}
+
+/// Two rows: the values at the crosshair, and those at the first arrest (or what the window shows).
+fn readout(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let quantity = app.charts.quantities[app.charts.selected];
+    let views = app.visible_runs();
+    let line = |lead: String, value: &dyn Fn(&RunView<'_>) -> String| {
+        let mut spans = vec![Span::styled(format!(" {lead}"), app.theme.style(Role::Text))];
+        let mut left = usize::from(area.width).saturating_sub(lead.chars().count() + 1);
+        for (place, view) in views.iter().rev().enumerate() {
+            let (name, value) = (format!("  {} ", short_name(view)), value(view));
+            let width = name.chars().count() + value.chars().count();
+            let room = if place + 1 < views.len() { MORE.len() } else { 0 };
+            if width + room > left {
+                spans.push(Span::styled(MORE, app.theme.style(Role::Dim)));
+                break;
+            }
+            left -= width;
+            spans.push(Span::styled(name, app.theme.style(Role::Curve(view.index))));
+            spans.push(Span::raw(value));
+        }
+        Line::from(spans)
+    };
+    let first = if let Some(t_s) = app.charts.cursor_s {
+        let name = app.event_at_cursor().map_or_else(String::new, |words| format!(" {words}"));
+        line(format!("t {}{name}", engineering(t_s, "s")), &|view| {
+            let second = app.charts.second[app.charts.selected];
+            let second = second.filter(|_| view.letter.is_none()).map_or_else(String::new, |one| {
+                format!("  {} {}", one.symbol(), value_at(view.run, one, t_s))
+            });
+            value_at(view.run, quantity, t_s) + &second
+        })
+    } else {
+        let text = events_in_view(app, usize::from(area.width.saturating_sub(1)));
+        Line::from(Span::styled(format!(" {text}"), app.theme.style(Role::Dim)))
+    };
+    put_line(canvas, area, 0, &first);
+    if views.is_empty() {
+        return;
+    }
+    let arrest = line("first arrest".to_owned(), &|view| {
+        view.run
+            .first_arrest
+            .map_or_else(|| "-".to_owned(), |arrest| value_at(view.run, quantity, arrest.t_s))
+    });
+    put_line(canvas, area, 1, &arrest);
+}
+
+/// What the letters of the event lines mean, and, where there is room, how to see the other part of the time.
+fn events_in_view(app: &App, width: usize) -> String {
+    let (from, to) = app.time_range_s();
+    let run = app.shown.as_ref().map(|shown| &shown.run);
+    let events = run.into_iter().flat_map(|run| run.events.iter().enumerate());
+    let words: Vec<String> = events
+        .filter(|(_, event)| (from..=to).contains(&event.t_s))
+        .take(EVENT_LINES)
+        .map(|(index, event)| format!("{} {}", event_tag(index), event.kind.words()))
+        .collect();
+    let text = words.join("  ");
+    let hint = match app.charts.window {
+        Window::Contact => "(key c: whole response)",
+        Window::Whole => "(key c: contact only)",
+    };
+    if run.is_some() && text.chars().count() + hint.chars().count() + 2 <= width {
+        return format!("{text}  {hint}").trim_start().to_owned();
+    }
+    clip(&text, width)
+}

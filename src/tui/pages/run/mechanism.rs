@@ -1,0 +1,90 @@
+//! A small drawing of projectile, plate, spring, damper and stop at the cursor's time: it moves with the crosshair.
+
+use ratatui::layout::Rect;
+
+use crate::model::run::Run;
+use crate::model::scene::Mount;
+use crate::tui::app::App;
+use crate::tui::pages::run::quantity::Quantity;
+use crate::tui::pages::run::runs::engineering;
+use crate::tui::theme::{PaneFrame, Role};
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::put;
+
+/// The projectile, its nose at the right; the plate.
+const PROJECTILE: &str = "===)";
+const PLATE: &str = "|###|";
+/// Columns left of the plate where it stands farthest to the left, and those that a spring keeps.
+const LEFT: u16 = 8;
+const SPRING: u16 = 10;
+
+/// Draw it in a frame that says when, how deep and how far.
+pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let Some(shown) = &app.shown else {
+        PaneFrame::new("Mechanism").render(area, canvas, app.theme);
+        return;
+    };
+    let run = &shown.run;
+    let t_s = app.charts.cursor_s.unwrap_or_else(|| run.contact_end_s());
+    let title = format!("Mechanism at {}", engineering(t_s, "s"));
+    let at = |quantity: Quantity| quantity.at(run, t_s).unwrap_or(0.0);
+    let (depth_m, plate_m) = (at(Quantity::Penetration), at(Quantity::PlateDisplacement));
+    let right = format!("p {}  x {}", engineering(depth_m, "m"), engineering(plate_m, "m"));
+    let inner = PaneFrame::new(title).right(right).render(area, canvas, app.theme);
+    let mount = inner.width.saturating_sub(2);
+    let room = mount.saturating_sub(LEFT + columns(PLATE) + SPRING);
+    if room < 2 || inner.height < 2 {
+        return;
+    }
+    let plate = LEFT + cells(share(app, run, plate_m), room.min(inner.width / 3));
+    let style = |role| app.theme.style(role);
+    let face = plate + columns(PLATE);
+    let rows = inner.height.min(3);
+    for row in 0..rows {
+        put(canvas, inner, (mount, row), "|", style(Role::Text));
+        put(canvas, inner, (plate, row), PLATE, style(Role::Curve(1)));
+    }
+    let scene = &run.scene;
+    let held = scene.plate.mount == Mount::Sprung;
+    let gap = usize::from(mount.saturating_sub(face));
+    let spring = if held { "/\\".repeat(gap.div_ceil(2)) } else { "=".repeat(gap) };
+    let spring: String = spring.chars().take(gap).collect();
+    put(canvas, inner, (face, 0), &spring, style(Role::Text));
+    if held && scene.mechanism.damper.coefficient > 0.0 && rows > 1 {
+        let piston = format!("{:-^gap$}", "[=]");
+        put(canvas, inner, (face, 1), &piston, style(Role::Text));
+    }
+    if let (true, Some(stop_m)) = (held, scene.mechanism.stop.position_m) {
+        let at = LEFT + columns(PLATE) + cells(share(app, run, stop_m), room.min(inner.width / 3));
+        put(canvas, inner, (at.min(mount - 1), rows - 1), "]", style(Role::Warning));
+    }
+    // The nose by its depth in the plate: at the front face when it is not in, beyond the rear face after perforation.
+    let thickness = scene.target.thickness_m;
+    let depth = if thickness > 0.0 { (depth_m / thickness).clamp(0.0, 1.5) } else { 0.0 };
+    let nose = plate + cells(depth, columns(PLATE));
+    let start = nose.saturating_sub(columns(PROJECTILE));
+    put(canvas, inner, (start, rows / 2), PROJECTILE, style(Role::Title));
+}
+
+fn columns(text: &str) -> u16 {
+    crate::tui::widgets::text::columns(text)
+}
+
+/// Where a displacement stands between the least and the greatest of those in view.
+fn share(app: &App, run: &Run, plate_m: f64) -> f64 {
+    let (_, to_s) = app.time_range_s();
+    let end_m = Quantity::PlateDisplacement.at(run, to_s);
+    let end_m = end_m.or_else(|| run.series.last().map(|last| last.plate_displacement_m));
+    let cocked_m = -run.scene.plate.cocking_m;
+    let known = [Some(0.0), Some(cocked_m), end_m, Some(plate_m)];
+    let known = || known.iter().flatten().copied();
+    let least = known().fold(0.0_f64, |a, b| if b < a { b } else { a });
+    let most = known().fold(0.0_f64, |a, b| if b > a { b } else { a });
+    if most > least { (plate_m - least) / (most - least) } else { 0.0 }
+}
+
+/// A fraction of so many cells, to the nearest one.
+fn cells(fraction: f64, of: u16) -> u16 {
+    let wanted = fraction * f64::from(of);
+    (0..=2 * of).find(|cell| f64::from(*cell) + 0.5 > wanted).unwrap_or(2 * of)
+}

@@ -1,0 +1,200 @@
+//! How the arrow keys step a number: by the last shown figure, or by a factor of 10^0.1, never into the impossible.
+
+use crate::model::units::Quantity;
+use crate::model::variables::{Number, Step};
+use crate::tui::pages::run::editor::shown_number;
+
+/// How far one press goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Size {
+    /// A tenth of a step.
+    Fine,
+    /// One step.
+    Plain,
+    /// Ten steps.
+    Coarse,
+}
+
+impl Size {
+    fn decade(self) -> i32 {
+        match self {
+            Self::Fine => -1,
+            Self::Plain => 0,
+            Self::Coarse => 1,
+        }
+    }
+}
+
+/// The decade of a plain linear step from this value: the last figure shown, made finer where that is a fifth of it or more.
+pub fn decade(number: &Number, value: f64) -> i32 {
+    if value == 0.0 {
+        return decade_at_zero(number);
+    }
+    let text = shown_number(value.abs(), 8);
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((text.as_str(), "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let places = mantissa.split_once('.').map_or(0, |(_, tail)| tail.len());
+    let last = exponent - i32::try_from(places).unwrap_or(0);
+    if 10f64.powi(last) >= 0.2 * value.abs() { last - 1 } else { last }
+}
+
+fn decade_at_zero(number: &Number) -> i32 {
+    match (number.thesis_range, number.quantity) {
+        (Some((_, high)), _) => whole((0.02 * high).log10().floor()),
+        (None, Quantity::Angle | Quantity::Velocity | Quantity::Density) => 0,
+        (None, Quantity::Length | Quantity::Mass | Quantity::Time) => -3,
+        (None, Quantity::Pressure) => 6,
+        (
+            None,
+            Quantity::Number
+            | Quantity::Force
+            | Quantity::Energy
+            | Quantity::SpecificEnergy
+            | Quantity::Stiffness
+            | Quantity::Damping
+            | Quantity::SpringCoefficient
+            | Quantity::DamperCoefficient,
+        ) => -1,
+    }
+}
+
+/// The value one press away, `None` where that would make no physical sense.
+///
+/// `stride` is the decade of a plain linear step ([`decade`]); up and down by the same stride come back to the same value.
+pub fn stepped(number: &Number, value: f64, up: bool, size: Size, stride: i32) -> Option<f64> {
+    let next = match number.step {
+        Step::Linear => linear(value, up, stride + size.decade()),
+        Step::Log => logarithmic(number, value, up, size),
+    };
+    let next = clamp(number, value, next);
+    (number.allowed.contains(next) && next.to_bits() != value.to_bits()).then_some(next)
+}
+
+/// A value to begin with where there was none.
+pub fn first_value(number: &Number) -> f64 {
+    match number.quantity {
+        Quantity::Length | Quantity::Time => 0.01,
+        Quantity::Number
+        | Quantity::Mass
+        | Quantity::Velocity
+        | Quantity::Angle
+        | Quantity::Density
+        | Quantity::Pressure
+        | Quantity::Force
+        | Quantity::Energy
+        | Quantity::SpecificEnergy
+        | Quantity::Stiffness
+        | Quantity::Damping
+        | Quantity::SpringCoefficient
+        | Quantity::DamperCoefficient => 1.0,
+    }
+}
+
+fn linear(value: f64, up: bool, decade: i32) -> f64 {
+    let step = 10f64.powi(decade);
+    let raw = if up { value + step } else { value - step };
+    if decade >= 0 {
+        return (raw / step).round() * step;
+    }
+    // Rounded as text, so that 0.3 + 0.1 is 0.4 and not 0.4000000000000001.
+    let places = usize::try_from(-decade).unwrap_or(0) + 1;
+    let rounded: f64 = format!("{raw:.places$}").parse().unwrap_or(raw);
+    if rounded == 0.0 { 0.0 } else { rounded }
+}
+
+fn logarithmic(number: &Number, value: f64, up: bool, size: Size) -> f64 {
+    let smallest = smallest(number);
+    if value == 0.0 {
+        return if up { smallest } else { 0.0 };
+    }
+    if !up && value <= smallest * 1.001 && number.allowed.contains(0.0) {
+        return 0.0;
+    }
+    let tenths = match size {
+        Size::Fine => 0.1,
+        Size::Plain => 1.0,
+        Size::Coarse => 10.0,
+    };
+    let exponent = value.log10() * 10.0 + if up { tenths } else { -tenths };
+    // Near a tenth (or hundredth) of a decade: exactly there, so that up and down meet again.
+    let grid = if size == Size::Fine { 10.0 } else { 1.0 };
+    let snapped = (exponent * grid).round() / grid;
+    let exponent = if (exponent - snapped).abs() < 0.05 / grid { snapped } else { exponent };
+    let exact = 10f64.powf(exponent / 10.0);
+    format!("{exact:.2e}").parse().unwrap_or(exact)
+}
+
+/// The first value above zero.
+fn smallest(number: &Number) -> f64 {
+    let high = number.thesis_range.map_or(1e6, |(_, high)| high);
+    10f64.powf((high * 1e-3).log10().floor())
+}
+
+/// A step over the edge of a closed range ends on the edge.
+fn clamp(number: &Number, value: f64, next: f64) -> f64 {
+    use crate::model::variables::Allowed;
+    match number.allowed {
+        Allowed::Between(low, high) => next.clamp(low, high),
+        Allowed::Below(low, _) if next < low => low,
+        Allowed::NonNegative if next < 0.0 && value > 0.0 => 0.0,
+        Allowed::Positive | Allowed::NonNegative | Allowed::Any | Allowed::Below(..) => next,
+    }
+}
+
+fn whole(value: f64) -> i32 {
+    format!("{value:.0}").parse().unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::variables::{self, Kind};
+
+    fn number(symbol: &str) -> &'static Number {
+        match &variables::find(symbol).unwrap().kind {
+            Kind::Number(number) => number,
+            Kind::Choice(_) | Kind::Switch { .. } => panic!("{symbol} is no number"),
+        }
+    }
+
+    fn up(symbol: &str, value: f64, size: Size) -> Option<f64> {
+        let number = number(symbol);
+        stepped(number, value, true, size, decade(number, value))
+    }
+
+    #[test]
+    fn linear_steps_follow_the_last_figure_shown() {
+        assert_eq!(up("m_p", 0.0295, Size::Plain), Some(0.0296));
+        assert_eq!(up("v_i", 100.0, Size::Plain), Some(101.0));
+        assert_eq!(up("v_i", 100.0, Size::Coarse), Some(110.0));
+        assert_eq!(up("v_i", 100.0, Size::Fine), Some(100.1));
+        assert_eq!(up("S_y", 1.52e8, Size::Plain), Some(1.53e8));
+        assert_eq!(up("gamma", 1.0, Size::Plain), Some(1.1));
+        assert_eq!(up("theta", 0.0, Size::Plain), Some(1.0));
+        assert_eq!(up("d", 0.0, Size::Plain), Some(0.01));
+    }
+
+    #[test]
+    fn logarithmic_steps_keep_to_tenths_of_a_decade() {
+        let k = number("k");
+        let mut value = 1e5;
+        for expected in [1.26e5, 1.58e5, 2e5, 2.51e5, 3.16e5] {
+            value = stepped(k, value, true, Size::Plain, 0).unwrap();
+            assert_eq!(value.to_bits(), f64::to_bits(expected));
+        }
+        assert_eq!(stepped(k, 0.0, true, Size::Plain, 0), Some(1e3));
+        assert_eq!(stepped(k, 1e3, false, Size::Plain, 0), Some(0.0));
+        assert_eq!(stepped(k, 0.0, false, Size::Plain, 0), None);
+    }
+
+    #[test]
+    fn no_step_leads_to_an_impossible_value() {
+        let theta = number("theta");
+        assert_eq!(stepped(theta, 89.5, true, Size::Plain, 0), None);
+        assert_eq!(stepped(theta, 0.5, false, Size::Plain, 0), Some(0.0));
+        let gamma = number("gamma");
+        assert_eq!(stepped(gamma, 0.1, false, Size::Plain, -1), None);
+        let restitution = number("e");
+        assert_eq!(stepped(restitution, 0.95, true, Size::Plain, -1), Some(1.0));
+    }
+}

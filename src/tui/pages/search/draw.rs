@@ -1,0 +1,347 @@
+//! The Search tab: the setup, a chart where there is one to draw, and what was found in words.
+
+use ratatui::layout::Rect;
+
+use crate::model::results::ResultColumn;
+use crate::study::search::front::{Candidate, Design};
+use crate::study::search::seek;
+use crate::study::sweep::Fate;
+use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::status::clip;
+use crate::tui::chart::{
+    Axis, Chart, Curve, Emphasis, EventLine, Legend, Level, Mapping, Scale, Unit, ViewRange,
+};
+use crate::tui::keymap::Pane;
+use crate::tui::message::Target;
+use crate::tui::pages::search::lines::LETTERS;
+use crate::tui::pages::search::setup::brief;
+use crate::tui::pages::search::state::{Page, Row, SearchField};
+use crate::tui::theme::{PaneFrame, Role};
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{columns, first_row, paint_row, put, text_role, window};
+use crate::worker::searches::Answer;
+
+/// Where a row's label and value begin.
+const LABEL: u16 = 2;
+const VALUE: u16 = 12;
+/// Columns of the histogram's bins.
+const BINS: usize = 40;
+
+/// Draw setup and findings.
+pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mut Canvas<'_>) {
+    canvas.pane(right, Pane::Search);
+    setup(app, left, canvas);
+    let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
+    let Some(found) = app.searching.shown() else {
+        nothing(app, right, canvas);
+        return;
+    };
+    let below = app.searching.words_height(right.height, lines.len());
+    if below == right.height {
+        words(app, &lines, right, canvas);
+        return;
+    }
+    let top = Rect { height: right.height - below, ..right };
+    let focused = below == 0 && app.has_focus(Pane::Search);
+    match &found.answer {
+        Answer::Seek(report) => sought(app, report, (top, focused), canvas),
+        Answer::Front(_) => front(app, (top, focused), canvas),
+        Answer::Scatter(_) => histogram(app, (top, focused), canvas),
+        Answer::Sensitivity(_) | Answer::Compare(_) => {}
+    }
+    if below == 0 {
+        turn(app, top, canvas);
+    } else {
+        let rest = Rect { y: right.y + top.height, height: below, ..right };
+        words(app, &lines, rest, canvas);
+    }
+}
+
+/// Where else to look, in the lower line of a chart that stands alone.
+fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let hint = if app.pane() == Pane::SearchSetup { " Tab " } else { " z: in words " };
+    let column = area.width.saturating_sub(columns(hint) + 1);
+    put(canvas, area, (column, area.height - 1), hint, app.theme.style(Role::Dim));
+}
+
+fn setup(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let on = app.pane() == Pane::SearchSetup;
+    let hint = if on { "" } else { "Tab" };
+    let focused = app.has_focus(Pane::SearchSetup);
+    let inner =
+        PaneFrame::new("Setup").right(hint).focused(focused).render(area, canvas, app.theme);
+    let rows = app.search_rows();
+    let selected = app.search_row();
+    let here = rows.iter().position(|row| *row == selected).unwrap_or(0);
+    let height = usize::from(inner.height);
+    let first = if on { first_row(here, height, rows.len()) } else { 0 };
+    canvas.pane(area, Pane::SearchSetup);
+    canvas.rows(inner, (first, rows.len()), |at| match rows[at] {
+        Row::Heading(_) => None,
+        row => Some(Target::SearchSetup(row)),
+    });
+    for (at, row) in (0..inner.height).zip(rows.iter().skip(first)) {
+        let (label, value) = app.search_shown(*row);
+        if matches!(row, Row::Heading(_)) {
+            put(canvas, inner, (0, at), &label, app.theme.style(Role::Title));
+            continue;
+        }
+        let role = if value == "held" || value == "no" { Role::Dim } else { Role::Text };
+        let room = usize::from(inner.width.saturating_sub(LABEL));
+        put(canvas, inner, (LABEL, at), &clip(&label, room), app.theme.style(role));
+        let start = VALUE.max(LABEL + columns(&label) + 1);
+        // A long value moves to the left, up to its name.
+        let start =
+            start.min(inner.width.saturating_sub(columns(&value))).max(LABEL + columns(&label) + 1);
+        let room = usize::from(inner.width.saturating_sub(start));
+        put(canvas, inner, (start, at), &clip(&value, room), app.theme.style(role));
+        if on && *row == selected {
+            put(canvas, inner, (0, at), ">", app.theme.style(Role::Title));
+            match app.searching.field.as_ref().filter(|field| field.row == *row) {
+                Some(field) => open(app, field, (inner, at), canvas),
+                None => paint_row(canvas, inner, at, app.theme.style(Role::Selection)),
+            }
+        }
+    }
+}
+
+/// The field over the row, to the end of the pane.
+fn open(app: &App, field: &SearchField, (area, at): (Rect, u16), canvas: &mut Canvas<'_>) {
+    let wide = matches!(field.row, Row::Result | Row::Output);
+    let start = if wide { LABEL } else { VALUE };
+    let room = area.width.saturating_sub(start + 1);
+    let (shown, place) = window(&field.input, room);
+    let style = app.theme.style(match (field.error.is_some(), field.all_selected) {
+        (true, _) => Role::Error,
+        (false, true) => Role::Selection,
+        (false, false) => Role::Text,
+    });
+    put(canvas, area, (start, at), &" ".repeat(usize::from(room)), app.theme.style(Role::Text));
+    put(canvas, area, (start - 1, at), "[", app.theme.style(Role::Focus));
+    put(canvas, area, (start, at), &shown, style);
+    put(canvas, area, (start + room, at), "]", app.theme.style(Role::Focus));
+    canvas.cursor = Some((area.x + start + place, area.y + at));
+}
+
+/// What stands where nothing has been found yet.
+fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
+    let title = app.searching.page.title();
+    let alone = area.width == app.size.0 && !app.is_full();
+    let hint = if alone { "Tab: setup" } else { "" };
+    let inner = PaneFrame::new(title).right(hint).render(area, canvas, app.theme);
+    let text = match (&app.searching.running, &app.searching.problem) {
+        (Some(_), _) => "searching",
+        (None, Some(_)) => "see the message below",
+        (None, None) => "No results yet. Press r to search.",
+    };
+    let column = inner.width.saturating_sub(columns(text)) / 2;
+    put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+}
+
+fn words(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut Canvas<'_>) {
+    let old = if app.search_is_old() { ", of another setup: press r" } else { "" };
+    let title = format!("{}{old}", app.searching.page.title());
+    let focused = app.has_focus(Pane::Search);
+    let height = usize::from(area.height.saturating_sub(2));
+    let (has_choices, more) = (app.searching.choices() > 0, lines.len() > height);
+    let hint = if more && !has_choices { "j/k: more" } else { "" };
+    // Where the setup has no room beside, nothing else tells of it.
+    let alone = area.width == app.size.0 && !app.is_full();
+    let hint = if alone { format!("Tab: setup  {hint}") } else { hint.to_owned() };
+    let inner = PaneFrame::new(title).right(hint).focused(focused).render(area, canvas, app.theme);
+    // The heading of a table stays.
+    let is_table = app.searching.page == Page::Front && has_choices;
+    let (head, lines) =
+        if is_table { lines.split_at(1.min(lines.len())) } else { (&[][..], lines) };
+    let height = height.saturating_sub(head.len());
+    let selected = app.searching.selected();
+    let first = match (more, has_choices) {
+        (false, _) => 0,
+        (true, true) => first_row(selected.min(lines.len()), height, lines.len()),
+        (true, false) => app.searching.scrolled().min(lines.len().saturating_sub(height)),
+    };
+    if let Some((_, text)) = head.first() {
+        put(
+            canvas,
+            inner,
+            (0, 0),
+            &clip(text, usize::from(inner.width)),
+            app.theme.style(Role::Title),
+        );
+    }
+    let top = u16::try_from(head.len()).unwrap_or(0);
+    let inner = Rect { y: inner.y + top, height: inner.height.saturating_sub(top), ..inner };
+    for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
+        let role = text_role(*severity);
+        let text = clip(text, usize::from(inner.width));
+        put(canvas, inner, (0, row), &text, app.theme.style(role));
+        if has_choices && first + usize::from(row) == selected {
+            paint_row(canvas, inner, row, app.theme.style(Role::Selection));
+        }
+    }
+}
+
+/// An axis of a measure over values.
+fn measure_axis(
+    column: &ResultColumn,
+    values: impl Iterator<Item = f64> + Clone,
+    log: bool,
+    label: String,
+) -> Option<Axis<'static>> {
+    let scale = if log { Scale::Log10 } else { Scale::Linear };
+    let range = ViewRange::of(scale, values)?;
+    let view = if log { range.rounded(scale) } else { range.padded(scale, 0.05) };
+    // Grams take prefixes, kilograms do not.
+    let unit = if column.unit() == "kg" {
+        Unit::new("kg")
+    } else {
+        Unit::with_prefix(range, column.unit())
+    };
+    Some(Axis::new(label, view).scale(scale).unit(unit))
+}
+
+fn sought(
+    app: &App,
+    report: &seek::Report,
+    (area, focused): (Rect, bool),
+    canvas: &mut Canvas<'_>,
+) {
+    let points: Vec<(f64, f64)> =
+        report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
+    let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
+    let y = measure_axis(report.measure, values, app.searching.log.1, String::new());
+    let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
+        return words(app, &[(Severity::Warning, "no point has a value".to_owned())], area, canvas);
+    };
+    let x = crate::tui::pages::explore::curves::chart_axis(&report.axis);
+    let x = Axis { view: app.searching.zoomed.unwrap_or(x.view), ..x };
+    let old = app.search_is_old();
+    let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
+    let curve = Curve::new('*', "", &points).emphasis(emphasis);
+    let selected = report.solutions.get(app.searching.selected());
+    let lines =
+        report.solutions.iter().map(|found| EventLine { x: found.place.at, tag: "".into() });
+    let chart = Chart {
+        legend: Legend::Hidden,
+        focused,
+        events: lines.collect(),
+        levels: vec![Level {
+            y: report.target,
+            tag: format!("goal {}", report.measure.show(report.target, 4)).into(),
+        }],
+        crosshair: selected.map(|found| found.place.at),
+        ..Chart::new(report.measure.title(), x, y, vec![curve])
+    };
+    let layout = chart.render(area, canvas, app.theme).layout;
+    for (x, value) in &report.scan {
+        let fate = report.gaps.iter().find(|gap| {
+            let (a, b) = if gap.from < gap.to { (gap.from, gap.to) } else { (gap.to, gap.from) };
+            (a..=b).contains(x)
+        });
+        let fate: Option<Fate> = fate.map(|gap| gap.fate).filter(|_| value.is_none());
+        let Some((fate, cell)) = fate.zip(layout.x.cell(*x)) else { continue };
+        let foot = (cell, layout.plot.height.saturating_sub(1));
+        put(canvas, layout.plot, foot, &fate.letter().to_string(), app.theme.style(Role::Warning));
+    }
+}
+
+/// Designs as points, the scene and the thesis's designs as letters.
+fn front(app: &App, (area, focused): (Rect, bool), canvas: &mut Canvas<'_>) {
+    let tab = &app.searching;
+    let Some((found, task)) = tab.front() else { return };
+    let (across, up) = tab.across(task);
+    let measures = task.measures();
+    let value = |list: &[Option<f64>], at: usize| list.get(at).copied().flatten();
+    let designs = tab.designs();
+    let all = |at: usize| {
+        let own = designs.iter().filter_map(move |design| value(&design.measures, at));
+        own.collect::<Vec<f64>>()
+    };
+    let (xs, ys) = (all(across), all(up));
+    let label = brief(measures[across]);
+    let x = measure_axis(measures[across], xs.into_iter(), tab.log.0, label);
+    let y = measure_axis(measures[up], ys.into_iter(), tab.log.1, String::new());
+    let Some((x, y)) = x.zip(y) else {
+        let text = "no design keeps every constraint".to_owned();
+        return words(app, &[(Severity::Warning, text)], area, canvas);
+    };
+    let x = Axis { view: tab.zoomed.unwrap_or(x.view), ..x };
+    let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
+    let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
+    let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
+    let chart = Chart {
+        legend: Legend::Hidden,
+        focused,
+        crosshair: selected,
+        ..Chart::new(title, x, y, Vec::new())
+    };
+    let layout = chart.render(area, canvas, app.theme).layout;
+    let plot = (layout.plot, layout.x, layout.y);
+    let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
+    for design in &designs {
+        mark(app, place(&design.measures), ("o", Role::Curve(1)), plot, canvas);
+    }
+    for (letter, candidate) in LETTERS.iter().zip(&found.candidates) {
+        let candidate: &Candidate = candidate;
+        let role = (letter.to_string(), Role::Curve(3));
+        mark(app, place(&candidate.measures), (&role.0, role.1), plot, canvas);
+    }
+    if let Some(design) = designs.get(tab.selected()) {
+        let design: &Design = design;
+        mark(app, place(&design.measures), ("X", Role::Crosshair), plot, canvas);
+    }
+    canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), Target::Design);
+}
+
+fn mark(
+    app: &App,
+    at: Option<(f64, f64)>,
+    (text, role): (&str, Role),
+    (plot, x, y): (Rect, Mapping, Mapping),
+    canvas: &mut Canvas<'_>,
+) {
+    let Some((across, up)) = at else { return };
+    let Some((column, row)) = x.cell(across).zip(y.cell(up)) else { return };
+    let row = plot.height.saturating_sub(row + 1);
+    put(canvas, plot, (column, row), text, app.theme.style(role));
+}
+
+/// How often a value falls into each of some bins, as steps.
+fn histogram(app: &App, (area, focused): (Rect, bool), canvas: &mut Canvas<'_>) {
+    let Some((_, summary)) = app.scattered() else { return };
+    let sorted = &summary.sorted;
+    let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
+        let text = "no sample has this result: Tab, then another one under Show".to_owned();
+        return words(app, &[(Severity::Warning, text)], area, canvas);
+    };
+    let width = (most - least) / BINS as f64;
+    let mut steps = Vec::new();
+    for bin in 0..BINS {
+        let (from, to) = (least + width * bin as f64, least + width * (bin + 1) as f64);
+        let below = |value: f64| sorted.partition_point(|other| *other < value);
+        let until = if bin + 1 == BINS { sorted.len() } else { below(to) };
+        let percent = 100.0 * (until - below(from)) as f64 / sorted.len() as f64;
+        steps.extend([(from, percent), (to, percent)]);
+    }
+    // Room above for the tags.
+    let highest = steps.iter().map(|step| 1.3 * step.1);
+    let label = summary.measure.title();
+    let x = measure_axis(summary.measure, sorted.iter().copied(), false, label);
+    let y = ViewRange::of(Scale::Linear, highest.chain([0.0]));
+    let Some((x, y)) = x.zip(y) else { return };
+    let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));
+    let at = |share: f64, tag: &'static str| {
+        summary.quantile(share).map(|quantile| EventLine { x: quantile.value, tag: tag.into() })
+    };
+    let chart = Chart {
+        legend: Legend::Hidden,
+        focused,
+        events: [at(0.05, "5 %"), at(0.5, "median"), at(0.95, "95 %")]
+            .into_iter()
+            .flatten()
+            .collect(),
+        ..Chart::new("samples a bin", x, y, vec![Curve::new('*', "", &steps)])
+    };
+    chart.render(area, canvas, app.theme);
+}

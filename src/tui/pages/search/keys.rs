@@ -1,0 +1,452 @@
+//! The Search tab: searching, moving through designs, editing the setup, loading a design.
+
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+use std::sync::Arc;
+
+use crossterm::event::{KeyCode, KeyEvent};
+use tui_input::Input;
+
+use crate::model::results::RESULTS;
+use crate::study::quantities::{parse_value, quantity};
+use crate::study::search::seek::SCAN;
+use crate::tui::app::App;
+use crate::tui::app::find::quantity_called;
+use crate::tui::app::history::{Edit, Setting};
+use crate::tui::app::notice::Severity;
+use crate::tui::dialogs::{Table, table, wrap};
+use crate::tui::keymap::{Action, Pane};
+use crate::tui::message::Effect;
+use crate::tui::pages::explore::state::numeric;
+use crate::tui::pages::search::bounds::{bound, read_bound, read_end};
+use crate::tui::pages::search::setup::Setup;
+use crate::tui::pages::search::state;
+use crate::tui::pages::search::state::{Page, Row, SearchField};
+use crate::tui::update::act::rows_moved;
+use crate::tui::update::jobs::Found;
+use crate::tui::update::{edit, jobs};
+use crate::tui::widgets::input;
+use crate::worker::studies::StudyKind;
+use crate::worker::{Finding, ReportBody};
+
+/// Far along a front, in designs.
+const FAR: isize = 10;
+/// Steps in a row of the setup that belong to one edit carry this, the page and the row in place of a variable.
+const STEPPING: usize = usize::MAX / 2;
+/// Steps of numbers that are not typed.
+const POPULATIONS: (usize, usize, usize) = (20, 400, 20);
+const GENERATIONS: (usize, usize, usize) = (10, 1000, 10);
+const SAMPLES: [usize; 7] = [100, 1000, 3000, 10_000, 30_000, 100_000, 1_000_000];
+
+/// The tab is shown: search, unless there are results or a search is running.
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
+    let tab = &app.searching;
+    let there = tab.shown().is_some() || tab.running.is_some();
+    if there { Vec::new() } else { look(app) }
+}
+
+/// What an action does here; `None` where it means nothing of its own.
+pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    match action {
+        Action::Run => return Some(look(app)),
+        Action::Export => {
+            table::open(app, Table::Search);
+            return Some(Vec::new());
+        }
+        Action::Copy => return Some(table::copy(app, Table::Search)),
+        _ if app.pane() == Pane::SearchSetup => return in_setup(app, action),
+        Action::Enter => return Some(load(app)),
+        Action::Mark => return Some(pin(app)),
+        Action::View => return Some(view(app)),
+        Action::Sort => app.searching.sort_next(),
+        Action::LogX if app.searching.page != Page::Front => {
+            app.say(
+                Severity::Note,
+                "only the chart of the Pareto front has a scale across to choose",
+            );
+        }
+        Action::LogY if !matches!(app.searching.page, Page::Front | Page::Seek) => {
+            app.say(
+                Severity::Note,
+                "no scale to choose here: goal seek and the Pareto front have one",
+            );
+        }
+        Action::LogX => app.searching.log.0 = !app.searching.log.0,
+        Action::LogY => app.searching.log.1 = !app.searching.log.1,
+        Action::ZoomIn => app.searching.zoom(2.0),
+        Action::ZoomOut => app.searching.zoom(0.5),
+        Action::ZoomFit => app.searching.zoomed = None,
+        Action::PanLeft => app.searching.pan(-0.25),
+        Action::PanRight => app.searching.pan(0.25),
+        _ => {
+            let by = match action {
+                Action::Left => -1,
+                Action::Right => 1,
+                Action::FarLeft => -FAR,
+                Action::FarRight => FAR,
+                _ => rows_moved(action, app.list_rows())?,
+            };
+            walk(app, by);
+        }
+    }
+    Some(Vec::new())
+}
+
+fn in_setup(app: &mut App, action: Action) -> Option<Vec<Effect>> {
+    if let Some(by) = rows_moved(action, app.list_rows()) {
+        app.move_in_search(by);
+        return Some(Vec::new());
+    }
+    match action {
+        Action::Right | Action::FarRight | Action::FineMore => Some(step(app, 1)),
+        Action::Left | Action::FarLeft | Action::FineLess => Some(step(app, -1)),
+        Action::Enter => Some(open_field(app)),
+        _ => None,
+    }
+}
+
+/// Another page, which searches at once unless it has something to show.
+pub(in crate::tui) fn turn_to(app: &mut App, page: usize) -> Vec<Effect> {
+    app.searching.page = Page::ALL[page.min(Page::ALL.len() - 1)];
+    app.searching.problem = None;
+    app.searching.field = None;
+    app.searching.row = app.search_row();
+    if app.searching.shown().is_some() { Vec::new() } else { look(app) }
+}
+
+/// The next pair of objectives on the axes of a front.
+fn view(app: &mut App) -> Vec<Effect> {
+    if app.searching.page != Page::Front {
+        app.say(Severity::Note, "one view here: only the Pareto front has axes to choose");
+        return Vec::new();
+    }
+    let count = app.chosen_objectives().len();
+    let before = app.searching.setup.clone();
+    let setup = &mut app.searching.setup;
+    let (across, up) = setup.axes;
+    setup.axes = if up + 1 < count { (across, up + 1) } else { (across + 1, across + 2) };
+    if setup.axes.1 >= count {
+        setup.axes = (0, 1.min(count.saturating_sub(1)));
+    }
+    app.searching.zoomed = None;
+    note(app, Row::Up, before, false);
+    Vec::new()
+}
+
+fn walk(app: &mut App, by: isize) {
+    let choices = app.searching.choices();
+    let (at, last) = if choices == 0 {
+        (app.searching.scrolled(), hidden_lines(app))
+    } else {
+        (app.searching.selected(), choices - 1)
+    };
+    let at = at.min(last).saturating_add_signed(by).min(last);
+    app.searching.select(at);
+}
+
+/// Lines of the words that have no room; none where the chart stands alone.
+fn hidden_lines(app: &App) -> usize {
+    let Some(body) = app.layout().body else { return 0 };
+    let (_, area) = search::panes(app, body);
+    let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
+    match app.searching.words_height(area.height, lines) {
+        0 => 0,
+        below => lines.saturating_sub(usize::from(below.saturating_sub(2))),
+    }
+}
+
+fn look(app: &mut App) -> Vec<Effect> {
+    let page = app.searching.page;
+    let request = match app.search_request(page) {
+        Ok(request) => Arc::new(request),
+        Err(problem) => {
+            app.say(Severity::Error, problem.clone());
+            app.searching.problem = Some(problem);
+            return Vec::new();
+        }
+    };
+    app.searching.problem = None;
+    app.searching.asked = Some((page, Arc::clone(&request)));
+    let scene = Arc::clone(&app.scene);
+    let (running, effects) = jobs::study(app, StudyKind::Search(request), scene);
+    app.searching.running = Some(running);
+    effects
+}
+
+/// Load the design under the cursor into the scene.
+fn load(app: &mut App) -> Vec<Effect> {
+    match app.search_design() {
+        Ok((scene, _)) if scene == *app.scene => {
+            app.say(Severity::Note, "the scene is this design already: 1 shows its run");
+            Vec::new()
+        }
+        Ok((scene, label)) => {
+            let effects = edit::commit_scene(app, scene, format!("load {label}"), None);
+            app.say(Severity::Note, format!("loaded {label}: 1 shows its run, u undoes"));
+            effects
+        }
+        Err(why) => {
+            app.say(Severity::Error, why);
+            Vec::new()
+        }
+    }
+}
+
+fn pin(app: &mut App) -> Vec<Effect> {
+    match app.search_design() {
+        Ok((scene, label)) => crate::tui::pages::run::runs::keys::pin(app, label, Arc::new(scene)),
+        Err(why) => {
+            app.say(Severity::Error, why);
+            Vec::new()
+        }
+    }
+}
+
+/// A report of the search.
+pub(in crate::tui) fn report(app: &mut App, body: ReportBody) {
+    if let ReportBody::Failed(text) = &body {
+        app.searching.problem = Some(text.clone());
+    }
+    let found = jobs::found(app, body, |app| &mut app.searching.running);
+    let asked = app.searching.asked.clone();
+    if app.searching.running.is_none() {
+        app.searching.asked = None;
+    }
+    let Some((Found { running, finding: Finding::Search(answer), .. }, (page, request))) =
+        found.zip(asked)
+    else {
+        return;
+    };
+    let found = state::Found { scene: running.scene, request, answer };
+    app.searching.found[page.index()] = Some(found);
+}
+
+/// The next value of the selected row, as one edit with the steps just before.
+fn step(app: &mut App, by: isize) -> Vec<Effect> {
+    let row = app.search_row();
+    app.searching.row = row;
+    let before = app.searching.setup.clone();
+    change(app, row, by);
+    note(app, row, before, true);
+    after_edit(app)
+}
+
+/// After an edit of the setup: a search that takes less than a second follows at once.
+fn after_edit(app: &mut App) -> Vec<Effect> {
+    let quick = app.searching.page == Page::Seek && app.auto_run;
+    if quick && app.search_is_old() { look(app) } else { Vec::new() }
+}
+
+/// Note what was changed in a row of the setup, as one edit; nothing where nothing was.
+fn note(app: &mut App, row: Row, before: Setup, stepped: bool) {
+    if app.searching.setup == before {
+        return;
+    }
+    let at = app.search_rows().iter().position(|one| *one == row).unwrap_or(0);
+    let stepping = stepped.then_some(STEPPING + 100 * app.searching.page.index() + at);
+    // Held arrows: from where they began.
+    let first = match app.history.edits.last() {
+        Some(Edit { stepping: last, setting: Some((Setting::Search(first), _)), .. })
+            if stepped && *last == stepping =>
+        {
+            Setup::clone(first)
+        }
+        Some(_) | None => before.clone(),
+    };
+    let after = std::mem::replace(&mut app.searching.setup, first);
+    let old = app.search_shown(row);
+    app.searching.setup = after.clone();
+    let new = app.search_shown(row);
+    let label = match (old.1.is_empty(), new.1.is_empty()) {
+        // A result stands in the place of its label.
+        (true, true) => format!("search: {} -> {}", old.0, new.0),
+        (_, _) => format!("search: {} {} -> {}", new.0, old.1, new.1),
+    };
+    let setting = (Setting::Search(Box::new(before)), Setting::Search(Box::new(after)));
+    edit::note_setting(app, setting, label, stepping);
+}
+
+fn change(app: &mut App, row: Row, by: isize) {
+    let bounds = app.search_bounds();
+    let objectives = app.chosen_objectives().len().max(1);
+    let setup = &mut app.searching.setup;
+    let within = |value: usize, (least, most, each): (usize, usize, usize)| {
+        let moved = if by > 0 { value + each } else { value.saturating_sub(each) };
+        moved.clamp(least, most)
+    };
+    let measures = || RESULTS.iter().map(|column| column.name);
+    let next = |name: &str| {
+        let all: Vec<&'static str> = measures().collect();
+        let at = all.iter().position(|other| *other == name).unwrap_or(0);
+        all[wrap(at, by, all.len())]
+    };
+    match row {
+        Row::Name => {
+            let names: Vec<&'static str> = numeric().map(|variable| variable.symbol).collect();
+            let at = names.iter().position(|name| *name == setup.seek.name).unwrap_or(0);
+            if let Ok(chosen) = bound(&app.scene, names[wrap(at, by, names.len())]) {
+                setup.seek = chosen;
+            }
+        }
+        Row::Spacing => setup.seek.log = !setup.seek.log,
+        Row::Result => {
+            setup.goal.0 = next(setup.goal.0);
+        }
+        Row::Output => setup.output = next(setup.output),
+        Row::Bound(at) => {
+            setup.bounds = bounds;
+            if let Some(bound) = setup.bounds.get_mut(at) {
+                bound.on = by > 0;
+            }
+        }
+        Row::Objective(at) => setup.objectives[at] = by > 0,
+        Row::Stroke => {
+            setup.stroke_m = if by > 0 { Some(setup.stroke_m.unwrap_or(1.0)) } else { None }
+        }
+        Row::Feasible => setup.feasible = by > 0,
+        Row::Population => setup.effort.0 = within(setup.effort.0, POPULATIONS),
+        Row::Generations => setup.effort.1 = within(setup.effort.1, GENERATIONS),
+        Row::Across => setup.axes.0 = wrap(setup.axes.0.min(objectives - 1), by, objectives),
+        Row::Up => setup.axes.1 = wrap(setup.axes.1.min(objectives - 1), by, objectives),
+        Row::Percent => {
+            setup.percent = (setup.percent + if by > 0 { 0.5 } else { -0.5 }).clamp(0.5, 50.0);
+        }
+        Row::Samples => {
+            let at = SAMPLES.iter().position(|count| *count >= setup.samples).unwrap_or(0);
+            setup.samples = SAMPLES[at.saturating_add_signed(by).min(SAMPLES.len() - 1)];
+        }
+        Row::From | Row::To | Row::Goal | Row::Points | Row::Heading(_) => {
+            app.say(Severity::Note, "Enter types a value here");
+        }
+    }
+}
+
+fn open_field(app: &mut App) -> Vec<Effect> {
+    let row = app.search_row();
+    app.searching.row = row;
+    match row {
+        Row::Spacing | Row::Across | Row::Up => return step(app, 1),
+        Row::Objective(at) => {
+            let before = app.searching.setup.clone();
+            app.searching.setup.objectives[at] = !before.objectives[at];
+            note(app, row, before, false);
+        }
+        Row::Feasible => {
+            let before = app.searching.setup.clone();
+            app.searching.setup.feasible = !before.feasible;
+            note(app, row, before, false);
+        }
+        Row::Heading(_) => {}
+        _ => {
+            let input = Input::new(app.search_text(row));
+            app.searching.field = Some(SearchField { row, input, all_selected: true, error: None });
+        }
+    }
+    Vec::new()
+}
+
+/// A key while a field of the setup is open.
+pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
+    match key.code {
+        KeyCode::Esc => app.searching.field = None,
+        KeyCode::Enter | KeyCode::Tab | KeyCode::BackTab => return commit(app, 0),
+        KeyCode::Down => return commit(app, 1),
+        KeyCode::Up => return commit(app, -1),
+        _ => {
+            if let Some(field) = &mut app.searching.field
+                && input::press(&mut field.input, &mut field.all_selected, key)
+            {
+                field.error = None;
+            }
+        }
+    }
+    Vec::new()
+}
+
+/// Take the text and go on; a text that is refused stays, with the reason, and nothing else changes.
+fn commit(app: &mut App, then: isize) -> Vec<Effect> {
+    let Some(field) = app.searching.field.take() else { return Vec::new() };
+    let text = field.input.value().trim().to_owned();
+    // The bounds of a held variable are a proposal: typed again they are taken.
+    let same = text == app.search_text(field.row) && !matches!(field.row, Row::Bound(_));
+    let untouched = field.all_selected || same;
+    let before = app.searching.setup.clone();
+    let taken = if untouched { Ok(()) } else { take(app, field.row, &text) };
+    match taken {
+        Ok(()) => {
+            note(app, field.row, before, false);
+            app.move_in_search(then);
+            after_edit(app)
+        }
+        Err(error) => {
+            app.searching.field = Some(SearchField { error: Some(error), ..field });
+            Vec::new()
+        }
+    }
+}
+
+/// A whole number in a range.
+fn count<T: FromStr + PartialOrd + Display>(
+    text: &str,
+    allowed: &RangeInclusive<T>,
+) -> Result<T, String> {
+    let value = text.parse().ok().filter(|value| allowed.contains(value));
+    let (least, most) = (allowed.start(), allowed.end());
+    value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
+}
+
+fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
+    let scene = Arc::clone(&app.scene);
+    let bounds = app.search_bounds();
+    let setup = &mut app.searching.setup;
+    let name = |text: &str| quantity_called(text).map(|column| column.name);
+    match row {
+        Row::Name => setup.seek = bound(&scene, text)?,
+        Row::From | Row::To => setup.seek = read_end(&setup.seek, row == Row::From, text)?,
+        Row::Points => setup.points = count(text, &SCAN)?,
+        Row::Result => setup.goal.0 = name(text)?,
+        Row::Goal => {
+            let column = quantity(setup.goal.0).map_err(|error| error.to_string())?;
+            setup.goal.1 = parse_value(column, text)?;
+        }
+        Row::Bound(at) => {
+            let old = bounds.get(at).ok_or("this variable is not there any more")?;
+            let new = read_bound(old, text)?;
+            setup.bounds.clone_from(&bounds);
+            setup.bounds[at] = new;
+        }
+        Row::Stroke if text == "none" => setup.stroke_m = None,
+        Row::Stroke => {
+            let column = quantity("stroke_m").map_err(|error| error.to_string())?;
+            let value = parse_value(column, text)?;
+            if value <= 0.0 {
+                return Err(format!("`{text}` must be greater than 0, or none"));
+            }
+            setup.stroke_m = Some(value);
+        }
+        Row::Population => {
+            let value = count(text, &(8..=2000))?;
+            if value % 2 == 1 {
+                return Err(format!("`{text}` must be even"));
+            }
+            setup.effort.0 = value;
+        }
+        Row::Generations => setup.effort.1 = count(text, &(1..=100_000))?,
+        Row::Output => setup.output = name(text)?,
+        Row::Percent => {
+            let value = text.trim_end_matches('%').trim().parse::<f64>().ok();
+            setup.percent = value
+                .filter(|value| *value > 0.0 && *value <= 100.0)
+                .ok_or_else(|| format!("`{text}` must be above 0 and at most 100 %"))?;
+        }
+        Row::Samples => setup.samples = count(text, &(2..=1_000_000))?,
+        Row::Heading(_)
+        | Row::Spacing
+        | Row::Objective(_)
+        | Row::Feasible
+        | Row::Across
+        | Row::Up => {}
+    }
+    Ok(())
+}

@@ -1,0 +1,279 @@
+//! What was found, as lines of text. No drawing.
+
+use std::fmt::Write as _;
+
+use crate::model::results::ResultColumn;
+use crate::model::units::significant;
+use crate::study::search::front::{Candidate, Front, Standing, Task};
+use crate::study::search::{scatter, seek};
+use crate::study::sensitivity::{self, indices::Index};
+use crate::study::sweep::Fate;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::status::{clip, fitted, wrap};
+use crate::tui::pages::search::setup::brief;
+use crate::tui::pages::search::state::{Answer, App, Found, Page, Request};
+
+/// A line, and how it is meant.
+pub type Line = (Severity, String);
+
+/// Letters of the scene and the designs of the thesis on a front.
+pub const LETTERS: [char; 6] = ['S', 'A', 'B', 'C', 'D', 'E'];
+
+fn note(text: String) -> Line {
+    (Severity::Note, text)
+}
+
+impl App {
+    /// The lines of the page shown; with what is drawn beside them left out.
+    pub fn search_lines(&self, width: usize) -> Vec<Line> {
+        let Some(found) = self.searching.shown() else { return Vec::new() };
+        match (&found.answer, &*found.request) {
+            (Answer::Seek(report), _) => wrapped(sought(report, self.searching.selected()), width),
+            (Answer::Front(front), Request::Front(task)) => {
+                let mut lines = self.designs_table(task, width);
+                lines.extend(wrapped(candidates(front, task, width), width));
+                lines
+            }
+            (Answer::Front(_) | Answer::Compare(_), _) => Vec::new(),
+            (Answer::Sensitivity(report), _) if is_empty(report) => {
+                wrapped(matters(report, width), width)
+            }
+            (Answer::Sensitivity(report), _) => matters(report, width),
+            (Answer::Scatter(report), _) => scattered(report, self.searching.setup.output, width),
+        }
+    }
+
+    /// The measure that the scatter page draws, with its values.
+    pub fn scattered(&self) -> Option<(&scatter::Report, &scatter::Summary)> {
+        let Some(Found { answer: Answer::Scatter(report), .. }) =
+            self.searching.found[Page::MonteCarlo.index()].as_ref()
+        else {
+            return None;
+        };
+        let name = self.searching.setup.output;
+        let summary = report.summaries.iter().find(|summary| summary.measure.name == name)?;
+        Some((report, summary))
+    }
+}
+
+impl App {
+    /// The designs of the front as a table: a heading, then a row a design; `*` marks the column it is sorted by.
+    fn designs_table(&self, task: &Task, width: usize) -> Vec<Line> {
+        let tab = &self.searching;
+        let measures = task.measures();
+        let sorted = tab.sorted_by.unwrap_or_else(|| tab.across(task).0);
+        let cell = 11;
+        let shown_measures = measures.len().min(width.saturating_sub(8) / cell);
+        let room = width.saturating_sub(8 + shown_measures * cell);
+        let shown_axes = task.axes.len().min(room / cell);
+        let mut head = format!("{:7}", "  no.");
+        for (at, measure) in measures.iter().enumerate().take(shown_measures) {
+            let mark = if at == sorted { "*" } else { "" };
+            let _ = write!(head, "{:>cell$}", format!("{mark}{}", clip(&brief(measure), cell - 2)));
+        }
+        for axis in task.axes.iter().take(shown_axes) {
+            let _ = write!(head, "{:>cell$}", axis.symbol());
+        }
+        let mut lines = vec![note(head)];
+        let knee = tab.knee();
+        for (at, design) in tab.designs().into_iter().enumerate() {
+            let mark = if at == tab.selected() { ">" } else { " " };
+            let name = if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };
+            let mut row = format!("{mark} {name:<5}");
+            for (measure, value) in measures.iter().zip(&design.measures).take(shown_measures) {
+                let _ = write!(row, "{:>cell$}", shown(measure, *value));
+            }
+            for value in design.values.iter().take(shown_axes) {
+                let _ = write!(row, "{:>cell$}", significant(*value, 4));
+            }
+            lines.push(note(row));
+        }
+        lines.push(note("X cursor, o design; and for comparison:".to_owned()));
+        lines
+    }
+}
+
+/// Sentences over as many lines as they need.
+pub(in crate::tui) fn wrapped(lines: Vec<Line>, width: usize) -> Vec<Line> {
+    let split = |(severity, text): Line| {
+        let lines = if text.chars().count() <= width { vec![text] } else { wrap(&text, width) };
+        lines.into_iter().map(move |line| (severity, line))
+    };
+    lines.into_iter().flat_map(split).collect()
+}
+
+fn sought(report: &seek::Report, selected: usize) -> Vec<Line> {
+    let axis = &report.axis;
+    let at = |value: f64| crate::tui::pages::explore::state::axis_value(axis, value);
+    let value = |value: f64| report.measure.show(value, 5);
+    let mut lines = Vec::new();
+    for (index, found) in report.solutions.iter().enumerate() {
+        let mark = if index == selected { ">" } else { " " };
+        let touch = if found.touches { " (least or greatest)" } else { "" };
+        let until = found.until.map_or_else(String::new, |until| format!(" to {}", at(until)));
+        let fate = found.fate.map_or("", Fate::word);
+        let place = at(found.place.at);
+        lines.push(note(format!("{mark} {} = {place}{until}  {fate}{touch}", axis.symbol())));
+    }
+    if report.solutions.is_empty() {
+        let text = format!("nothing reaches {}", value(report.target));
+        lines.push((Severity::Warning, text));
+        if let Some(nearest) = report.nearest {
+            let (there, at) = (value(nearest.value), at(nearest.at));
+            lines.push(note(format!("nearest: {there} at {} = {at}", axis.symbol())));
+        }
+    }
+    for jump in &report.jumps {
+        let (from, to) = (value(jump.before.value), value(jump.after.value));
+        let at = at(jump.before.at);
+        lines.push((Severity::Warning, format!("a jump at {at}: {from} to {to}")));
+    }
+    for gap in &report.gaps {
+        let why = gap.fate.without_value(report.measure);
+        lines.push(note(format!("no value, {} to {}: {why}", at(gap.from), at(gap.to))));
+    }
+    lines
+}
+
+fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
+    if front.candidates.is_empty() {
+        return vec![note(format!("generation {}: the front so far", front.generations))];
+    }
+    let mut lines = Vec::new();
+    for (letter, candidate) in LETTERS.iter().zip(&front.candidates) {
+        let (severity, words) = standing(candidate, task);
+        let name = format!("{letter} {:18}", candidate.name);
+        let measures = task.measures();
+        let value = |at: usize| {
+            let found = candidate.measures.get(at).copied().flatten();
+            format!("{} {}", brief(measures[at]), shown(measures[at], found))
+        };
+        let found: Vec<String> = task.shown().into_iter().map(value).collect();
+        let values = found.join(", ");
+        let long = format!("{name} {words}; {values}");
+        let text = if long.chars().count() <= width { long } else { format!("{name} {words}") };
+        lines.push((severity, text));
+    }
+    lines
+}
+
+fn standing(candidate: &Candidate, task: &Task) -> Line {
+    match &candidate.standing {
+        Standing::OnFront => note("on the front".to_owned()),
+        Standing::Beaten { .. } => note("off it: dominated".to_owned()),
+        Standing::Breaks(at) => {
+            (Severity::Warning, format!("breaks {}", task.constraints[*at].words()))
+        }
+        Standing::NoValue(Fate::Arrested | Fate::Separated) => {
+            (Severity::Warning, "hits its stop: force unbounded".to_owned())
+        }
+        Standing::NoValue(fate) => (Severity::Warning, fate.word().to_owned()),
+        Standing::Impossible => (Severity::Warning, "cannot be made of this scene".to_owned()),
+    }
+}
+
+fn shown(column: &ResultColumn, value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| column.show(value, 3))
+}
+
+/// Whether neither the scene nor any end of a variable has the result.
+fn is_empty(report: &sensitivity::Report) -> bool {
+    report.own.is_none() && report.bars.iter().all(|bar| bar.swing().is_none())
+}
+
+fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
+    let output = report.output;
+    let own = shown(output, report.own);
+    let mut lines =
+        vec![note(format!("{}; the scene: {own}", output.title())), note(String::new())];
+    lines.push(note("one at a time, low to high end".to_owned()));
+    if is_empty(report) {
+        let text = "nothing to compare: no run of these has this result; Tab, then Of: another one";
+        return vec![lines.remove(0), (Severity::Warning, text.to_owned())];
+    }
+    let widest = report.bars.iter().filter_map(|bar| bar.swing()).fold(0.0, f64::max);
+    let room = width.saturating_sub(34).clamp(4, 40);
+    let mut order: Vec<usize> = (0..report.axes.len()).collect();
+    let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
+    order.sort_by(|a, b| swing(b).total_cmp(&swing(a)));
+    for at in order {
+        let bar = report.bars[at];
+        let share = bar.swing().map_or(0.0, |swing| swing / widest);
+        let cells = (1..=room).filter(|cell| share * room as f64 >= *cell as f64 - 0.5).count();
+        let (low, high) = (shown(output, bar.low), shown(output, bar.high));
+        let name = report.axes[at].symbol();
+        lines.push(note(format!("  {name:6}{low:>10} .. {high:<10} {}", "#".repeat(cells))));
+    }
+    let cell = |index: Option<Index>| {
+        index.map_or_else(
+            || format!("{:>16}", "-"),
+            |index| {
+                let half = 0.5 * (index.range95.1 - index.range95.0);
+                format!("{:>8.3} +-{half:.3}", index.value)
+            },
+        )
+    };
+    lines.push(note(String::new()));
+    lines.push(note(format!("  {:6}{:>10}{:>16}{:>16}", "", "Morris mu*", "Sobol first", "total")));
+    for at in report.order() {
+        let effect = report.effects.get(at).copied().unwrap_or_default();
+        let indices = report.sobol.as_ref().map(|sobol| sobol.inputs[at]).unwrap_or_default();
+        let name = report.axes[at].symbol();
+        let mu = shown(output, effect.magnitude);
+        lines.push(note(format!(
+            "  {name:6}{mu:>10}{}{}",
+            cell(indices.first),
+            cell(indices.total)
+        )));
+    }
+    if let Some(sobol) = &report.sobol {
+        let left = sobol.rows - sobol.used;
+        if left > 0 {
+            let text = format!("{left} of {} rows without a value are not drawn", sobol.rows);
+            lines.push((Severity::Warning, text));
+        }
+    }
+    lines
+}
+
+fn scattered(report: &scatter::Report, output: &str, width: usize) -> Vec<Line> {
+    // Four columns of numbers, and what is left for the name.
+    let (cell, digits) = if width < 72 { (9, 3) } else { (11, 4) };
+    let name = width.saturating_sub(4 * cell + 2).clamp(8, 32);
+    let cells = |list: [String; 4]| {
+        list.iter().fold(String::new(), |line, it| line + &format!("{it:>cell$}"))
+    };
+    let mut lines = Vec::new();
+    if let Some((part, (low, high))) = report.perforated {
+        let percent = |share: f64| significant(100.0 * share, 3);
+        lines.push(note(format!(
+            "perforation {} %, with 95 % confidence {} to {} %",
+            percent(part),
+            percent(low),
+            percent(high)
+        )));
+    }
+    let ended =
+        report.census.iter().zip(["arrested", "perforated", "separated", "moving", "failed"]);
+    let ended: Vec<String> = ended
+        .filter(|(count, _)| **count > 0)
+        .map(|(count, word)| format!("{count} {word}"))
+        .collect();
+    let again: usize = report.redrawn.iter().sum();
+    let again =
+        if again > 0 { format!("; {again} impossible draws made again") } else { String::new() };
+    lines.push(note(ended.join(", ") + &again));
+    let heads = cells(["scene", "5 %", "median", "95 %"].map(str::to_owned));
+    lines.push(note(format!("  {:name$}{heads}", "")));
+    for summary in report.summaries.iter().filter(|summary| !summary.quantiles.is_empty()) {
+        let show = |value: Option<f64>| {
+            value.map_or_else(|| "-".to_owned(), |value| summary.measure.show(value, digits))
+        };
+        let at = |share: f64| show(summary.quantile(share).map(|quantile| quantile.value));
+        let mark = if summary.measure.name == output { ">" } else { " " };
+        let title = fitted(&summary.measure.title(), name);
+        let values = cells([show(summary.nominal), at(0.05), at(0.5), at(0.95)]);
+        lines.push(note(format!("{mark} {title:name$}{values}")));
+    }
+    lines
+}

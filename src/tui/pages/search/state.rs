@@ -1,0 +1,495 @@
+//! The Search tab: what is looked for, what was found, which design is selected, and all of it in words. No drawing.
+
+use std::sync::Arc;
+
+use crate::files::error::FileError;
+use crate::files::{compare as compare_file, sensitivity as sensitivity_file};
+use crate::files::{front as front_file, scatter as scatter_file, seek as seek_file};
+use crate::model::scene::Scene;
+use crate::model::units::significant;
+use crate::study::search::front::{Design, Front, Task};
+use crate::study::search::scatter::Summary;
+use crate::study::sweep::Spacing;
+use crate::tui::app::App;
+use crate::tui::app::layout::CHART_ROWS;
+use crate::tui::app::notice::Severity;
+use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::keymap::Pane;
+use crate::tui::pages::app::jobs::Running;
+use crate::tui::pages::explore::state::copy_value;
+pub use crate::tui::pages::search::bounds::Bound;
+pub use crate::tui::pages::search::setup::{Row, SearchField, Setup};
+use crate::worker::searches::{Answer, Request};
+
+/// A page of the tab.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Page {
+    /// Which values of a variable give a wanted result.
+    #[default]
+    Seek,
+    /// The designs that nothing beats.
+    Front,
+    /// Which variables matter.
+    Sensitivity,
+    /// How results spread when inputs do.
+    MonteCarlo,
+}
+
+/// Rows of words that a chart must leave, frame included.
+const LEAST_WORDS: u16 = 6;
+
+impl Page {
+    /// All pages, in order.
+    pub const ALL: [Self; 4] = [Self::Seek, Self::Front, Self::Sensitivity, Self::MonteCarlo];
+
+    /// What it answers, in two or three words.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Seek => "Goal seek",
+            Self::Front => "Pareto front",
+            Self::Sensitivity => "Sensitivity",
+            Self::MonteCarlo => "Monte Carlo",
+        }
+    }
+
+    /// The file proposed for an export.
+    pub fn file(self) -> &'static str {
+        match self {
+            Self::Seek => "seek.csv",
+            Self::Front => "front.csv",
+            Self::Sensitivity => "sensitivity.csv",
+            Self::MonteCarlo => "montecarlo.csv",
+        }
+    }
+
+    /// Its place among the pages, from 0.
+    pub fn index(self) -> usize {
+        Self::ALL.iter().position(|page| *page == self).unwrap_or(0)
+    }
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Of which scene.
+    pub scene: Arc<Scene>,
+    /// What was asked.
+    pub request: Arc<Request>,
+    /// The answer, as far as it is.
+    pub answer: Answer,
+}
+
+/// The state of the tab.
+#[derive(Clone, Debug, Default)]
+pub struct Searching {
+    /// The page shown.
+    pub page: Page,
+    /// The selected row of the setup.
+    pub row: Row,
+    /// The open field.
+    pub field: Option<SearchField>,
+    /// What is looked for.
+    pub setup: Setup,
+    /// What was found, page by page.
+    pub found: [Option<Found>; 4],
+    /// What is being looked for, its page, and the request.
+    pub running: Option<Running>,
+    /// See `running`.
+    pub asked: Option<(Page, Arc<Request>)>,
+    /// Why the present page cannot be computed.
+    pub problem: Option<String>,
+    /// The selected design or solution, page by page.
+    pub cursor: [Option<usize>; 4],
+    /// Where chart and words have no room together, the words are shown.
+    pub in_words: bool,
+    /// Logarithmic axes across and up.
+    pub log: (bool, bool),
+    /// The part of the axis across that is in view; `None`: all of it.
+    pub zoomed: Option<ViewRange>,
+    /// The column of the front that its table is sorted by: an objective by its place; `None`: the one across.
+    pub sorted_by: Option<usize>,
+}
+
+impl Searching {
+    /// What was found on the page shown.
+    pub fn shown(&self) -> Option<&Found> {
+        self.found[self.page.index()].as_ref()
+    }
+
+    /// The front shown, with what was asked.
+    pub fn front(&self) -> Option<(&Front, &Task)> {
+        match self.found[Page::Front.index()].as_ref().map(|found| (&found.answer, &*found.request))
+        {
+            Some((Answer::Front(front), Request::Front(task))) => Some((front, task)),
+            Some(_) | None => None,
+        }
+    }
+
+    /// The designs of the front, by the measure across.
+    pub fn designs(&self) -> Vec<&Design> {
+        let Some((front, task)) = self.front() else { return Vec::new() };
+        let across = self.sorted_by.unwrap_or_else(|| self.across(task).0);
+        let mut designs: Vec<&Design> = front.designs.iter().collect();
+        let value =
+            |design: &Design| design.measures.get(across).copied().flatten().unwrap_or(f64::NAN);
+        designs.sort_by(|a, b| value(a).total_cmp(&value(b)));
+        designs
+    }
+
+    /// The places of the measures drawn across and up.
+    pub fn across(&self, task: &Task) -> (usize, usize) {
+        let last = task.measures().len().saturating_sub(1);
+        let (across, up) = self.setup.axes;
+        (across.min(last), up.min(last))
+    }
+
+    /// How many things the cursor can stand on.
+    pub fn choices(&self) -> usize {
+        match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) => report.solutions.len(),
+            Some(Answer::Front(front)) => front.designs.len(),
+            Some(Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Compare(_)) | None => 0,
+        }
+    }
+
+    /// Whether there is something to draw on the page shown.
+    fn draws(&self) -> bool {
+        match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
+            Some(Answer::Front(front)) => !front.designs.is_empty(),
+            Some(Answer::Scatter(report)) => {
+                let drawn = |it: &&Summary| it.measure.name == self.setup.output;
+                report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
+            }
+            Some(Answer::Compare(found)) => found.map.is_some(),
+            Some(Answer::Sensitivity(_)) | None => false,
+        }
+    }
+
+    /// Whether a right pane so high has no room for a chart and so many lines of words: then Tab turns from one to the other.
+    pub fn is_crowded(&self, height: u16, lines: usize) -> bool {
+        // A chart is drawn where four lines are left below it, or all there are.
+        self.draws() && height < CHART_ROWS + words_rows(lines).min(LEAST_WORDS)
+    }
+
+    /// Of a right pane so high, the rows below the chart, frame included; all of them where there is no chart, none where it
+    /// stands alone.
+    pub fn words_height(&self, height: u16, lines: usize) -> u16 {
+        match (self.draws(), self.is_crowded(height, lines)) {
+            (true, false) => words_rows(lines).min(height - CHART_ROWS).max(3),
+            (true, true) if !self.in_words => 0,
+            (true, true) | (false, _) => height,
+        }
+    }
+
+    /// The first line shown of a page without designs to choose from.
+    pub fn scrolled(&self) -> usize {
+        self.cursor[self.page.index()].unwrap_or(0)
+    }
+
+    /// Select one of them.
+    pub fn select(&mut self, at: usize) {
+        self.cursor[self.page.index()] = Some(at);
+    }
+
+    /// The selected one of them: of a front its knee, until another one is selected.
+    pub fn selected(&self) -> usize {
+        let chosen = self.cursor[self.page.index()];
+        let first = || if self.page == Page::Front { self.knee().unwrap_or(0) } else { 0 };
+        chosen.unwrap_or_else(first).min(self.choices().saturating_sub(1))
+    }
+
+    /// The knee of the front: the design farthest from the line between the ends of the two axes shown, each axis by its
+    /// range on the front; `None` where there is no such line.
+    pub fn knee(&self) -> Option<usize> {
+        let (_, task) = self.front()?;
+        let (across, up) = self.across(task);
+        let designs = self.designs();
+        let place = |design: &Design| {
+            let value = |at: usize| design.measures.get(at).copied().flatten();
+            value(across).zip(value(up))
+        };
+        let places: Vec<Option<(f64, f64)>> = designs.iter().map(|design| place(design)).collect();
+        let shown = || places.iter().flatten();
+        let range = |of: fn(&(f64, f64)) -> f64| {
+            let least = shown().map(of).min_by(f64::total_cmp)?;
+            let most = shown().map(of).max_by(f64::total_cmp)?;
+            (most > least).then_some((least, most - least))
+        };
+        let ((x0, width), (y0, height)) = (range(|it| it.0)?, range(|it| it.1)?);
+        // Both objectives are to be small: the knee is nearest to the corner of both least values, along the diagonal.
+        let depth = |(x, y): (f64, f64)| (x - x0) / width + (y - y0) / height;
+        let known = places.iter().enumerate().filter_map(|(at, place)| Some((at, (*place)?)));
+        known.min_by(|a, b| depth(a.1).total_cmp(&depth(b.1))).map(|(at, _)| at)
+    }
+
+    /// Sort the table of the front by its next objective; the selection stays on its design.
+    pub fn sort_next(&mut self) {
+        let Some((_, task)) = self.front() else { return };
+        let (count, now) =
+            (task.measures().len(), self.sorted_by.unwrap_or_else(|| self.across(task).0));
+        let kept = self.designs().get(self.selected()).map(|design| design.values.clone());
+        self.sorted_by = Some((now + 1) % count.max(1));
+        let at = self.designs().iter().position(|design| Some(&design.values) == kept.as_ref());
+        if let Some(at) = at {
+            self.select(at);
+        }
+    }
+
+    /// The values of the axis across of what is drawn.
+    fn drawn_across(&self) -> Vec<f64> {
+        match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) => report.scan.iter().map(|point| point.0).collect(),
+            Some(Answer::Front(_)) => {
+                let across = self.front().map_or(0, |(_, task)| self.across(task).0);
+                let value = |design: &&Design| design.measures.get(across).copied().flatten();
+                self.designs().iter().filter_map(value).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The scale of the axis across.
+    fn scale_across(&self) -> Scale {
+        match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) if report.axis.spacing() == Spacing::Log => Scale::Log10,
+            Some(Answer::Front(_)) if self.log.0 => Scale::Log10,
+            _ => Scale::Linear,
+        }
+    }
+
+    fn view_across(&self) -> Option<(ViewRange, ViewRange, f64)> {
+        let scale = self.scale_across();
+        let whole = ViewRange::of(scale, self.drawn_across())?;
+        let about = match self.shown().map(|found| &found.answer) {
+            Some(Answer::Seek(report)) => {
+                report.solutions.get(self.selected()).map(|it| it.place.at)
+            }
+            _ => self.drawn_across().get(self.selected()).copied(),
+        };
+        let view = self.zoomed.unwrap_or(whole);
+        Some((whole, view, about.unwrap_or_else(|| 0.5 * (view.lo() + view.hi()))))
+    }
+
+    /// Zoom the axis across about the selected design.
+    pub fn zoom(&mut self, factor: f64) {
+        let Some((whole, view, about)) = self.view_across() else { return };
+        self.keep_view(whole, view.zoomed(self.scale_across(), about, factor));
+    }
+
+    /// Move the view across by a fraction of its span.
+    pub fn pan(&mut self, fraction: f64) {
+        let Some((whole, view, _)) = self.view_across() else { return };
+        self.keep_view(whole, view.panned(self.scale_across(), fraction));
+    }
+
+    fn keep_view(&mut self, whole: ViewRange, view: ViewRange) {
+        let all = view.lo() <= whole.lo() && view.hi() >= whole.hi();
+        self.zoomed = (!all).then_some(view);
+    }
+}
+
+/// Rows of a pane with so many lines, frame included.
+fn words_rows(lines: usize) -> u16 {
+    u16::try_from(lines).unwrap_or(u16::MAX).saturating_add(2)
+}
+
+impl App {
+    /// Whether chart and words have no room together here; see [`Searching::is_crowded`].
+    pub fn search_is_crowded(&self) -> bool {
+        let Some(body) = self.layout().body else { return false };
+        let (_, area) = search::panes(self, body);
+        let lines = self.search_lines(usize::from(area.width.saturating_sub(2))).len();
+        self.searching.is_crowded(area.height, lines)
+    }
+
+    /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do
+    /// not count: a design of the results may be loaded, and the others stay results.
+    pub fn search_is_old(&self) -> bool {
+        let Some(found) = self.searching.shown() else { return false };
+        let request = self.search_request(self.searching.page).ok();
+        let mut scene = (*self.scene).clone();
+        scene.sweep.clone_from(&found.scene.sweep);
+        match &*found.request {
+            Request::Seek(goal) => copy_value(&goal.axis, &found.scene, &mut scene),
+            Request::Front(task) => {
+                task.axes.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
+            }
+            Request::Sensitivity { .. } | Request::Scatter(_) | Request::Compare => {}
+        }
+        *found.scene != scene || request.as_ref() != Some(&*found.request)
+    }
+
+    /// The design under the cursor as a scene, and what it is.
+    ///
+    /// # Errors
+    /// Why there is none to load.
+    pub fn search_design(&self) -> Result<(Scene, String), String> {
+        let tab = &self.searching;
+        let Some(found) = tab.shown() else {
+            return Err("no results yet: press r to search".to_owned());
+        };
+        if self.search_is_old() {
+            return Err("these results belong to another setup: press r to search again".to_owned());
+        }
+        let mut scene = (*self.scene).clone();
+        match (&found.answer, &*found.request) {
+            (Answer::Seek(report), _) => {
+                let Some(solution) = report.solutions.get(tab.selected()) else {
+                    return Err("no solution to load: change the goal or the range".to_owned());
+                };
+                let at = solution.place.at;
+                (report.axis.number().set)(&mut scene, Some(at));
+                Ok((
+                    scene,
+                    format!(
+                        "{} = {}",
+                        report.axis.symbol(),
+                        crate::tui::pages::explore::state::axis_value(&report.axis, at)
+                    ),
+                ))
+            }
+            (Answer::Front(front), Request::Front(task)) => {
+                let designs = tab.designs();
+                let Some(design) = designs.get(tab.selected()) else {
+                    return Err("no design to load: relax a constraint or a bound".to_owned());
+                };
+                scene.interface.law = front.law;
+                for (axis, value) in task.axes.iter().zip(&design.values) {
+                    (axis.number().set)(&mut scene, Some(*value));
+                }
+                Ok((scene, format!("design {} of the front", tab.selected() + 1)))
+            }
+            _ => Err("no design to load here: goal seek and the Pareto front have some".to_owned()),
+        }
+    }
+
+    /// What is selected, in words.
+    pub fn search_readout(&self) -> Option<String> {
+        let tab = &self.searching;
+        if self.pane() == Pane::SearchSetup {
+            return Some(self.search_row_words());
+        }
+        if let Some(problem) = &tab.problem {
+            return Some(problem.clone());
+        }
+        let found = tab.shown()?;
+        match (&found.answer, &*found.request) {
+            (Answer::Seek(report), _) => {
+                let solution = report.solutions.get(tab.selected())?;
+                let at =
+                    crate::tui::pages::explore::state::axis_value(&report.axis, solution.place.at);
+                let value = report.measure.show(solution.place.value, 4);
+                Some(format!("{} {at}: {value}; Enter loads it", report.axis.symbol()))
+            }
+            (Answer::Front(_), Request::Front(task)) => {
+                let design = *tab.designs().get(tab.selected())?;
+                let values = task.axes.iter().zip(&design.values);
+                let values: Vec<String> = values
+                    .map(|(axis, value)| format!("{} {}", axis.symbol(), significant(*value, 3)))
+                    .collect();
+                let results: Vec<String> = design
+                    .measures
+                    .iter()
+                    .zip(task.measures())
+                    .filter_map(|(value, column)| {
+                        Some(format!(
+                            "{} {}",
+                            crate::tui::pages::search::setup::brief(column),
+                            column.show((*value)?, 3)
+                        ))
+                    })
+                    .collect();
+                Some(format!(
+                    "#{}/{} {}: {}",
+                    tab.selected() + 1,
+                    tab.choices(),
+                    values.join(" "),
+                    results.join(", ")
+                ))
+            }
+            (Answer::Sensitivity(_), _) => Some("+- is the 95 % confidence interval".to_owned()),
+            _ => None,
+        }
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn search_status(&self) -> Vec<(Severity, String, String)> {
+        let same = |severity, text: String| (severity, text.clone(), text);
+        let tab = &self.searching;
+        let mine = tab.asked.as_ref().filter(|(page, _)| *page == tab.page);
+        let mut parts = Vec::new();
+        match (&tab.running, mine, tab.shown()) {
+            (Some(running), Some(_), _) => {
+                let of = running.points.map_or_else(String::new, |(done, total)| {
+                    format!(": about {} of {total} runs", done.min(total))
+                });
+                parts.push(same(Severity::Note, format!("searching{of} (Esc cancels)")));
+            }
+            (Some(_), None, _) => {
+                parts.push(same(
+                    Severity::Note,
+                    "another search is running (Esc cancels)".to_owned(),
+                ));
+            }
+            (None, _, None) => match &tab.problem {
+                Some(_) => {
+                    parts.push(same(Severity::Error, "this cannot be searched for".to_owned()));
+                }
+                None => {
+                    parts.push(same(
+                        Severity::Note,
+                        "No results yet. Press r to search.".to_owned(),
+                    ));
+                }
+            },
+            (None, _, Some(_)) if self.search_is_old() => {
+                parts.push(same(Severity::Warning, "another setup's results: press r".to_owned()));
+            }
+            (None, _, Some(found)) => {
+                let (done, runs) = told(&found.answer);
+                let word = if done { "done" } else { "Cancelled. Showing partial results." };
+                let severity = if done { Severity::Note } else { Severity::Warning };
+                parts.push(same(severity, word.to_owned()));
+                if let Some(runs) = runs {
+                    parts.push(same(Severity::Note, runs));
+                }
+            }
+        }
+        parts.extend(self.validity_part());
+        parts
+    }
+
+    /// What is shown as a table; `None` where there is nothing.
+    pub fn search_csv(&self) -> Option<Result<String, FileError>> {
+        let found = self.searching.shown()?;
+        let name =
+            crate::tui::pages::run::runs::name_of(&found.scene, &self.base.name, &self.base.scene);
+        Some(match (&found.answer, &*found.request) {
+            (Answer::Seek(report), _) => seek_file::rows(&name, report).csv(),
+            (Answer::Front(front), Request::Front(task)) => {
+                front_file::rows(&name, task, std::slice::from_ref(&**front)).csv()
+            }
+            (Answer::Front(_), _) => return None,
+            (Answer::Sensitivity(report), _) => sensitivity_file::rows(&name, report).csv(),
+            (Answer::Scatter(report), _) => scatter_file::rows(&name, report).csv(),
+            (Answer::Compare(found), _) => compare_file::rows(&name, &found.report).csv(),
+        })
+    }
+}
+
+/// Whether an answer is whole, and how much went into it.
+fn told(answer: &Answer) -> (bool, Option<String>) {
+    match answer {
+        Answer::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
+        Answer::Front(front) => {
+            let text = format!("{} designs, {} runs", front.designs.len(), front.runs);
+            (front.is_complete, Some(text))
+        }
+        Answer::Sensitivity(report) => (report.sobol.is_some(), None),
+        Answer::Scatter(report) => {
+            (report.is_complete, Some(format!("{} samples", report.samples)))
+        }
+        Answer::Compare(found) => (found.report.is_complete, None),
+    }
+}

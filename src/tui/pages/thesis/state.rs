@@ -1,0 +1,186 @@
+//! The Thesis tab: the reproduction report, the families of principles, the screening matrix, and what is selected in them.
+
+use std::sync::Arc;
+
+use crate::model::units::significant;
+use crate::study::principles::PRINCIPLES;
+use crate::study::screening::{CRITERIA, WEIGHTS_PERCENT};
+use crate::study::thesis::{Opens, Row, Verdict, tally};
+use crate::tui::app::App;
+use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::notice::Severity;
+use crate::tui::keymap::Pane;
+use crate::tui::pages::app::jobs::Running;
+
+/// The state of the tab.
+#[derive(Clone, Debug)]
+pub struct Thesis {
+    /// The rows so far, and whether these are all.
+    pub report: Option<(Arc<Vec<Row>>, bool)>,
+    /// The report that is being made.
+    pub running: Option<Running>,
+    /// Only rows with this verdict are shown.
+    pub filter: Option<Verdict>,
+    /// The rows are sorted by verdict.
+    pub by_verdict: bool,
+    /// The selected one of the rows shown.
+    pub selected: usize,
+    /// The selected principle.
+    pub principle: usize,
+    /// The selected criterion.
+    pub criterion: usize,
+    /// Weights of the criteria, percent.
+    pub weights: [f64; 7],
+}
+
+impl Default for Thesis {
+    fn default() -> Self {
+        Self {
+            report: None,
+            running: None,
+            filter: None,
+            by_verdict: false,
+            selected: 0,
+            principle: 0,
+            criterion: 0,
+            weights: WEIGHTS_PERCENT,
+        }
+    }
+}
+
+impl Thesis {
+    /// All rows there are.
+    pub fn rows(&self) -> &[Row] {
+        self.report.as_ref().map_or(&[], |(rows, _)| rows)
+    }
+
+    /// The next verdict to filter by; after the last one, all rows.
+    pub fn next_filter(&mut self) {
+        let at = self.filter.and_then(|it| Verdict::ALL.iter().position(|other| *other == it));
+        self.filter = match at {
+            None => Verdict::ALL.first().copied(),
+            Some(at) => Verdict::ALL.get(at + 1).copied(),
+        };
+        self.selected = 0;
+    }
+}
+
+impl App {
+    /// The claims shown: of the wanted verdict, and those that match what is looked for, best first.
+    pub fn claims(&self) -> Vec<&Row> {
+        let tab = &self.thesis;
+        let passes = |row: &&Row| tab.filter.is_none_or(|wanted| row.found.verdict == wanted);
+        let mut rows = ranked(tab.rows().iter().filter(passes), |row| {
+            let claim = &row.claim;
+            rank(&self.find.claims, &[claim.id, claim.place], claim.says)
+        });
+        if tab.by_verdict {
+            let order = |row: &&Row| Verdict::ALL.iter().position(|it| *it == row.found.verdict);
+            rows.sort_by_key(order);
+        }
+        rows
+    }
+
+    /// The selected claim.
+    pub fn claim(&self) -> Option<&Row> {
+        self.claims().get(self.thesis.selected).copied()
+    }
+
+    /// Move the selection of the page shown.
+    pub fn move_in_thesis(&mut self, rows: isize) {
+        let count = match self.pane() {
+            Pane::Principles => PRINCIPLES.len(),
+            Pane::Screening => CRITERIA.len(),
+            _ => self.claims().len(),
+        };
+        let last = count.saturating_sub(1);
+        let selected = match self.pane() {
+            Pane::Principles => &mut self.thesis.principle,
+            Pane::Screening => &mut self.thesis.criterion,
+            _ => &mut self.thesis.selected,
+        };
+        *selected = selected.saturating_add_signed(rows).min(last);
+    }
+
+    /// Select a row of the page shown; whether it was selected already.
+    pub fn pick_in_thesis(&mut self, row: usize) -> bool {
+        let state = |app: &Self| {
+            let tab = &app.thesis;
+            (tab.selected, tab.principle, tab.criterion)
+        };
+        let before = state(self);
+        let far = isize::MAX / 2;
+        self.move_in_thesis(-far);
+        self.move_in_thesis(isize::try_from(row).unwrap_or(far));
+        before == state(self)
+    }
+
+    /// What is selected, in words, for the message row.
+    pub fn thesis_readout(&self) -> Option<String> {
+        let tab = &self.thesis;
+        match self.pane() {
+            Pane::Claims => {
+                let row = self.claim()?;
+                let opens = match row.claim.opens {
+                    Opens::Nothing => "no scene shows this".to_owned(),
+                    Opens::Scene(_) => "Enter opens its scene".to_owned(),
+                    Opens::Preset(name) => format!("Enter opens {name}"),
+                };
+                // The cause is in the detail: a line that changes its height here would move the list.
+                Some(format!("{}: {opens}", row.found.verdict.words()))
+            }
+            Pane::Principles => {
+                let principle = &PRINCIPLES[tab.principle];
+                let opens = principle.preset.map_or_else(
+                    || "no preset shows it".to_owned(),
+                    |name| format!("Enter opens {name}"),
+                );
+                // Its name is selected in the list and heads the detail.
+                Some(opens)
+            }
+            _ => {
+                let weight = tab.weights[tab.criterion];
+                // In one row of the narrowest screen: a second one would hide the ranks.
+                Some(format!(
+                    "{}: {} %, printed {} %",
+                    CRITERIA[tab.criterion],
+                    significant(weight, 4),
+                    significant(WEIGHTS_PERCENT[tab.criterion], 4),
+                ))
+            }
+        }
+    }
+
+    /// The parts of the status row in this tab; see [`App::status`].
+    pub fn thesis_status(&self) -> Vec<(Severity, String, String)> {
+        let note = |text: String| (Severity::Note, text.clone(), text);
+        let tab = &self.thesis;
+        let mut parts = Vec::new();
+        match (&tab.running, &tab.report) {
+            (Some(running), _) => {
+                let of = running.counted();
+                parts.push(note(format!("checking the claims{of} (Esc cancels)")));
+            }
+            (None, None) => parts.push(note("no results yet: press r".to_owned())),
+            (None, Some((_, false))) => {
+                parts.push(note("cancelled: press r to check all".to_owned()));
+            }
+            (None, Some((_, true))) => {}
+        }
+        if let Some((rows, _)) = &tab.report {
+            let counts = tally(rows);
+            let listed = |show: fn(Verdict) -> String, gap: &str| {
+                let parts: Vec<String> = Verdict::ALL
+                    .iter()
+                    .zip(counts)
+                    .map(|(verdict, count)| format!("{count} {}", show(*verdict)))
+                    .collect();
+                format!("{} rows: {}", rows.len(), parts.join(gap))
+            };
+            let long = listed(|it| it.words().to_owned(), ", ");
+            let short = listed(|it| format!("{} {}", it.letter(), it.words()), ", ");
+            parts.push((Severity::Note, long, short));
+        }
+        parts
+    }
+}

@@ -1,0 +1,155 @@
+//! Runs of scenes: what has been computed lately is kept, and the run of the screen shows its curve while it grows.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+use super::cache::Cache;
+use super::reporter::{BETWEEN, Reporter};
+use super::{Finding, Progress, ReportBody, Slot};
+use crate::model::impact::window::Window;
+use crate::model::run::{EndReason, Run};
+use crate::model::scene::Scene;
+use crate::model::simulate::{self, Settings};
+
+/// A run that ends before this reports only that it has ended: no frame is spent on its beginning.
+const QUIET: Duration = Duration::from_millis(20);
+
+/// A person waits for the curve of a run that takes so long.
+const SLOW: Duration = Duration::from_millis(200);
+
+/// A curve waits at least this many times as long as the one before took.
+const PART_SHARE: u32 = 20;
+
+/// Steps between two looks at the clock (a look costs about as much as a tenth of a step).
+const STEPS_PER_LOOK: u32 = 8;
+
+/// Computes one scene, asking the observer after every step and showing it what there is so far.
+pub(super) type Compute = Box<
+    dyn Fn(&Arc<Scene>, Settings, simulate::Observer<'_>, &Window) -> Result<Run, String> + Send,
+>;
+
+/// The simulation.
+pub(super) fn simulation() -> Compute {
+    Box::new(|scene, settings, observer, window| {
+        simulate::simulate_openly(scene, &settings, observer, window)
+            .map_err(|error| error.to_string())
+    })
+}
+
+/// Runs scenes.
+pub(super) struct Runs {
+    compute: Compute,
+    cache: Cache,
+}
+
+impl Runs {
+    /// With an empty cache.
+    pub(super) fn new(compute: Compute) -> Self {
+        Self { compute, cache: Cache::default() }
+    }
+
+    /// Run a scene, unless its result is kept.
+    pub(super) fn run(
+        &mut self,
+        slot: Slot,
+        scene: &Arc<Scene>,
+        reporter: &Reporter<'_>,
+    ) -> ReportBody {
+        if let Some((run, took)) = self.cache.find(scene) {
+            return ReportBody::Ended { found: Some(Finding::Run(run)), took };
+        }
+        let (mut pulse, window) = (Pulse::start(), Window::default());
+        let mut observer = |t_s: f64| {
+            reporter.goes_on()?;
+            if let Some(run) = window.take() {
+                pulse.part_came();
+                reporter.report(ReportBody::Part(Finding::Run(Arc::new(run))));
+            }
+            if let Some(t_s) = pulse.beat(t_s) {
+                let (progress, elapsed) = (Progress::Time(t_s), reporter.elapsed());
+                reporter.report(ReportBody::Progress { progress, elapsed });
+            }
+            if slot == Slot::Current && pulse.part_is_due() {
+                window.ask();
+            }
+            ControlFlow::Continue(())
+        };
+        let compute = &self.compute;
+        let ended = reporter.finish(|| {
+            let run = compute(scene, Settings::default(), &mut observer, &window)?;
+            Ok(Finding::Run(Arc::new(run)))
+        });
+        if let ReportBody::Ended { found: Some(Finding::Run(run)), took } = &ended
+            && run.end != EndReason::Cancelled
+            // One that was stopped while its error was estimated is not worth keeping.
+            && !reporter.cancel().load(Ordering::Relaxed)
+        {
+            self.cache.keep(Arc::clone(run), *took);
+        }
+        ended
+    }
+}
+
+/// When a run reports.
+struct Pulse {
+    steps: u32,
+    started: Instant,
+    /// The last look at the clock.
+    seen: Instant,
+    last_progress: Option<Instant>,
+    /// When the curve so far was asked for last, and how long the next one has to wait from then on.
+    last_part: Instant,
+    part_pause: Duration,
+}
+
+impl Pulse {
+    fn start() -> Self {
+        let now = Instant::now();
+        Self {
+            steps: 0,
+            started: now,
+            seen: now,
+            last_progress: None,
+            last_part: now,
+            part_pause: SLOW,
+        }
+    }
+
+    /// Whether it is time, by the last look at the clock, for a person to see the curve so far; it then counts as asked for.
+    fn part_is_due(&mut self) -> bool {
+        let is_due = self.seen.duration_since(self.last_part) >= self.part_pause;
+        if is_due {
+            (self.last_part, self.part_pause) = (self.seen, BETWEEN);
+        }
+        is_due
+    }
+
+    /// The curve that was asked for has come: the run is not to spend more than a small part of its time on them.
+    fn part_came(&mut self) {
+        self.part_pause = BETWEEN.max(PART_SHARE * self.last_part.elapsed());
+    }
+
+    /// After a step that reached `t_s`: the time to report, if any; 0 says that the run takes a moment.
+    fn beat(&mut self, t_s: f64) -> Option<f64> {
+        self.steps = self.steps.wrapping_add(1);
+        if !self.steps.is_multiple_of(STEPS_PER_LOOK) {
+            return None;
+        }
+        let now = Instant::now();
+        self.seen = now;
+        match self.last_progress {
+            None if now.duration_since(self.started) < QUIET => None,
+            None => {
+                self.last_progress = Some(self.started);
+                Some(0.0)
+            }
+            Some(last) if now.duration_since(last) < BETWEEN => None,
+            Some(_) => {
+                self.last_progress = Some(now);
+                Some(t_s)
+            }
+        }
+    }
+}
