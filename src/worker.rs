@@ -30,7 +30,7 @@ use crate::study::{accuracy, limit, stability, thesis};
 use quiet::Quiet;
 use reporter::Reporter;
 use runs::{Compute, Runs};
-use searches::{Answer, Request};
+use searches::Answer;
 use stability::map::Map;
 use studies::StudyKind;
 

@@ -328,7 +328,7 @@ impl App {
     }
 
     /// Keep a message for the Log tab; of very many the oldest go.
-    fn keep(&mut self, notice: Notice) {
+    pub(in crate::tui) fn keep(&mut self, notice: Notice) {
         if self.log.len() >= LOG_MAX {
             self.log.drain(..LOG_MAX / 4);
         }

@@ -6,7 +6,6 @@ use crate::tui::app::App;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::keymap::{Action, Key, Pane, works_in};
 use crate::tui::message::{Effect, Message};
-use crate::tui::pages::app::jobs::Running;
 use crate::tui::widgets::input;
 use crate::tui::{dialogs, pages};
 use crate::worker::Report;

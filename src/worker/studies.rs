@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::time::Instant;
 
 use super::quiet::Quiet;
 use super::reporter::Reporter;
@@ -93,7 +94,8 @@ fn found(study: &Study<'_>, quiet: &Quiet, reporter: &Reporter<'_>) -> Result<Fi
             Ok(Finding::Map(Arc::new(map)))
         }
         StudyKind::Battery => {
-            let now_s = || reporter.elapsed().as_secs_f64();
+            let started = Instant::now();
+            let now_s = || started.elapsed().as_secs_f64();
             battery(study.threads.min(2), (&now_s, cancel), reporter)
         }
         StudyKind::Thesis => Ok(claims(reporter)),

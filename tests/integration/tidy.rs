@@ -18,8 +18,9 @@ const MUST_NOT_KNOW: &[(&str, &[&str])] = &[
     ("model", &["std::fs", "std::time", "std::thread", "std::io", "ratatui", "serde", "toml::"]),
     ("files", &["std::thread", "ratatui", "crossterm", "stdout()", "stderr()"]),
     ("worker", &["ratatui", "crossterm"]),
-    ("tui/app", &["ratatui", "std::fs", "Instant::now"]),
-    ("tui/update", &["ratatui", "std::fs", "Instant::now"]),
+    ("tui/app", &["ratatui::buffer", "ratatui::Frame", "std::fs", "Instant::now"]),
+    ("tui/update", &["ratatui::buffer", "ratatui::Frame", "std::fs", "Instant::now"]),
+    ("tui/pages", &["std::fs", "Instant::now"]),
     ("tui/chart", &["crate::model", "crate::files", "crate::worker"]),
 ];
 

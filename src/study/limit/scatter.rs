@@ -93,7 +93,12 @@ pub(super) fn scatter(
         let mut own = Range::new(&sample, 1, &mut watch);
         own.criterion = range_criterion;
         let around = (nominal_m_s / WITHIN, nominal_m_s * WITHIN);
-        match own.limit(around, POINTS, WIDTH) {
+        let limit = own.limit(around, POINTS, WIDTH);
+        if own.stopped {
+            range.stopped = true;
+            return None;
+        }
+        match limit {
             Limit::Found { velocity_m_s, .. } => {
                 through += usize::from(factor * velocity_m_s < own_m_s);
                 limits.push(factor * velocity_m_s);

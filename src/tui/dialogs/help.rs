@@ -33,7 +33,7 @@ pub(in crate::tui) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mu
     };
     filter(app, picker, rest, canvas);
     let rows = help_rows(app, picker.filter.value());
-    list(app, &rows, picker.selected, below(rest), canvas)
+    list(app, &rows, picker.selected, below(rest), canvas);
 }
 
 /// What `:` finds, and what Enter does with the selected one.

@@ -16,11 +16,12 @@ use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
+use crate::tui::pages::explore::state::Picture;
 use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
 use crate::tui::widgets::Canvas;
 use crate::worker::Report;
 
-/// See the module.
+/// What the workbench asks of this tab.
 pub(in crate::tui) struct Tab;
 
 impl Page for Tab {

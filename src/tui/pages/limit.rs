@@ -17,7 +17,7 @@ use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
 use crate::tui::widgets::Canvas;
 use crate::worker::{Report, Slot};
 
-/// See the module.
+/// What the workbench asks of this tab.
 pub(in crate::tui) struct Tab;
 
 impl Page for Tab {

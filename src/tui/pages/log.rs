@@ -13,7 +13,7 @@ use crate::tui::message::Effect;
 use crate::tui::pages::{Job, Page, StatusPart};
 use crate::tui::widgets::Canvas;
 
-/// See the module.
+/// What the workbench asks of this tab.
 pub(in crate::tui) struct Tab;
 
 impl Page for Tab {

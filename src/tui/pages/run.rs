@@ -22,7 +22,7 @@ use crate::tui::update;
 use crate::tui::widgets::Canvas;
 use crate::worker::Report;
 
-/// See the module.
+/// What the workbench asks of this tab.
 pub(in crate::tui) struct Tab;
 
 impl Page for Tab {

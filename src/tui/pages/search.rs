@@ -33,7 +33,7 @@ pub(in crate::tui) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
 }
 use crate::worker::Report;
 
-/// See the module.
+/// What the workbench asks of this tab.
 pub(in crate::tui) struct Tab;
 
 impl Page for Tab {

@@ -14,7 +14,7 @@ use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
 use crate::tui::widgets::Canvas;
 use crate::worker::Report;
 
-/// See the module.
+/// What the workbench asks of this tab.
 pub(in crate::tui) struct Tab;
 
 /// The panes of the Thesis tab, page by page.

@@ -145,7 +145,7 @@ pub(in crate::tui) fn report(app: &mut App, report: Report) -> Vec<Effect> {
                 job.reached = Some((t_s, elapsed));
             }
             let id = report.id;
-            let long = begins.then(|| Effect::After(LONG, Message::LongJob(id)));
+            let long = begins.then_some(Effect::After(LONG, Message::LongJob(id)));
             return long.into_iter().collect();
         }
         ReportBody::Part(Finding::Run(run)) => {

@@ -35,7 +35,6 @@ pub(crate) struct Bench {
 #[derive(Clone)]
 pub(crate) struct Job {
     pub(crate) id: u64,
-    pub(crate) slot: Slot,
     pub(crate) scene: Arc<Scene>,
 }
 
@@ -165,9 +164,7 @@ impl Bench {
     /// The jobs that have been submitted and not answered.
     pub(crate) fn jobs(&mut self) -> Vec<Job> {
         self.tasks(|task| match &task.work {
-            Work::Run(slot, scene) => {
-                Some(Job { id: task.id, slot: *slot, scene: Arc::clone(scene) })
-            }
+            Work::Run(_, scene) => Some(Job { id: task.id, scene: Arc::clone(scene) }),
             _ => None,
         })
     }

@@ -3,12 +3,12 @@
 #![expect(clippy::float_cmp, reason = "what is typed is stored to the last bit")]
 
 use std::collections::HashSet;
-use std::sync::Arc;
 
 use super::bench::{Bench, done, made};
 use cmra::files::csv::Rows;
 use cmra::files::export::Meta;
 use cmra::files::style::Style;
+use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
 use cmra::tui::app::Tab;
 use cmra::tui::app::notice::Severity;

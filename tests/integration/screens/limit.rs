@@ -11,8 +11,8 @@ use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::limit::state::SCATTERING;
 use cmra::tui::theme::GlyphSet;
+use cmra::worker::Finding;
 use cmra::worker::studies::StudyKind;
-use cmra::worker::{Finding, ReportBody};
 use insta::assert_snapshot;
 
 /// The made-up limit, m/s.

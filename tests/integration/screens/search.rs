@@ -15,12 +15,12 @@ use cmra::study::sweep::Fate;
 use cmra::study::sweep::crew::Crew;
 use cmra::tui::app::Tab;
 use cmra::tui::keymap::Pane;
-use cmra::tui::message::{Content, Effect, Message};
+use cmra::tui::message::{Content, Effect};
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
+use cmra::worker::Finding;
 use cmra::worker::searches::{Answer, Comparison, Request};
 use cmra::worker::studies::StudyKind;
-use cmra::worker::{Finding, ReportBody};
 use insta::assert_snapshot;
 
 /// Depth falls as stroke rises.
@@ -186,7 +186,7 @@ fn esc_stops_what_the_tab_says_it_stops_before_the_run() {
     bench.press("4");
     assert_eq!(bench.studies().len(), 1);
     assert!(bench.screen().contains("(Esc cancels)"), "{}", bench.screen());
-    bench.keys("<Esc>");
+    bench.press("<Esc>");
     assert!(bench.has_cancelled());
     assert!(bench.app.jobs.current.is_some());
 }

@@ -8,10 +8,10 @@ use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, Map, Method};
 use cmra::study::stability::others::Verdict;
 use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
-use cmra::tui::message::{Content, Effect, Message};
+use cmra::tui::message::{Content, Effect};
 use cmra::tui::theme::GlyphSet;
+use cmra::worker::Finding;
 use cmra::worker::studies::StudyKind;
-use cmra::worker::{Finding, ReportBody};
 
 /// A map with a limit that falls with the square root of the value.
 pub(super) fn map(method: Method, axis: Axis) -> Map {

@@ -6,7 +6,7 @@ use super::bench::{Bench, ended};
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
 use cmra::tui::app::Tab;
-use cmra::tui::message::{Content, Effect, Message, PresetEntry};
+use cmra::tui::message::{Content, Effect, PresetEntry};
 use cmra::worker::studies::StudyKind;
 use cmra::worker::{Finding, Work};
 use insta::assert_snapshot;

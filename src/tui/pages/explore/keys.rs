@@ -13,6 +13,7 @@ use crate::tui::message::{Effect, Message};
 use crate::tui::pages::explore::setup;
 use crate::tui::pages::explore::state::{Computing, Contour, Found, Picture};
 use crate::tui::pages::run::runs;
+use crate::tui::pages::run::runs::engineering;
 use crate::tui::update::act::cursor_moved;
 use crate::tui::update::{edit, jobs};
 use crate::worker::{Finding, Progress, ReportBody, Task, Work};
@@ -59,7 +60,7 @@ fn refresh(app: &mut App) -> Vec<Effect> {
 pub(in crate::tui) fn compute(app: &mut App) -> Vec<Effect> {
     let picture = app.picture();
     if let Some(horizon_s) = app.scene.run.horizon_s {
-        let horizon = crate::tui::pages::run::runs::engineering(horizon_s, "s");
+        let horizon = engineering(horizon_s, "s");
         app.say(
             Severity::Warning,
             format!("horizon is set by hand: every point is simulated to {horizon}, which takes long; `auto` stops at the result"),

@@ -9,7 +9,7 @@ use crate::tui::pages::explore::state::Picture;
 
 /// The panes of the Explore tab.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct SweepPanes {
+pub(crate) struct SweepPanes {
     /// Axes, output, held variables.
     pub setup: Option<Rect>,
     /// One chart or two, or the map.
@@ -21,7 +21,7 @@ pub struct SweepPanes {
 }
 
 /// Where they stand on the screen as it is.
-pub fn panes(app: &App, body: Rect) -> SweepPanes {
+pub(crate) fn panes(app: &App, body: Rect) -> SweepPanes {
     match app.picture() {
         Picture::Line => lines(body, app.pane(), app.is_full()),
         Picture::Surface => surface(body, app.pane(), app.is_full()),

@@ -4,6 +4,7 @@ use ratatui::layout::Rect;
 
 use crate::model::results::ResultColumn;
 use crate::model::units::significant;
+use crate::study::sweep::Axis;
 use crate::study::sweep::Fate;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;

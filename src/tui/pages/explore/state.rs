@@ -98,7 +98,7 @@ impl Spread {
     }
 
     /// The design of so many points.
-    fn design(self, points: u64) -> Design {
+    pub fn design(self, points: u64) -> Design {
         match self {
             Self::Grid => Design::Factorial,
             Self::Hypercube => Design::LatinHypercube { points, seed: 0 },

@@ -8,7 +8,7 @@ use crate::tui::keymap::Pane;
 
 /// The panes of the Limit tab: those that have room.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct LimitPanes {
+pub(crate) struct LimitPanes {
     /// The comparison at equal areal mass.
     pub comparison: Option<Rect>,
     /// The residual velocity, and the limit in words.
@@ -18,7 +18,7 @@ pub struct LimitPanes {
 }
 
 /// Where they stand on the screen as it is.
-pub fn panes(app: &App, body: Rect) -> LimitPanes {
+pub(crate) fn panes(app: &App, body: Rect) -> LimitPanes {
     limit(body, app.pane(), app.is_full())
 }
 

@@ -9,11 +9,11 @@ use crate::model::units::{fixed_significant, significant};
 use crate::study::limit::scatter::{ModelError, Scatter, Scattering};
 use crate::study::limit::{Criterion, Effort, Limit, Report, Shot, words};
 use crate::tui::app::App;
+use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
 use crate::tui::chart::scale::{Scale, ViewRange};
-use crate::tui::pages::app::jobs::Running;
 use crate::tui::pages::limit::layout::panes;
 use crate::worker::searches::Comparison;
 

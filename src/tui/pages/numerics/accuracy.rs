@@ -11,6 +11,7 @@ use crate::model::units::Engineering;
 use crate::study::accuracy::method::{Knob, Method};
 use crate::study::accuracy::{Cheapest, Measured, MethodReport, Report};
 use crate::tui::app::App;
+use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
 

@@ -5,7 +5,7 @@ use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
 use crate::tui::pages::run::editor::field;
 use crate::tui::pages::run::steps::Size;
-use crate::tui::pages::run::{charts, runs};
+use crate::tui::pages::run::{charts, layout, runs};
 use crate::tui::update::act::rows_moved;
 use crate::tui::update::{edit, jobs};
 

@@ -13,7 +13,7 @@ const TALL: u16 = 34;
 
 /// The panes of the Run tab.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Panes {
+pub(crate) struct Panes {
     /// The list of variables.
     pub variables: Option<Rect>,
     /// One chart (the selected one) or all three, from top to bottom.
@@ -29,7 +29,7 @@ pub struct Panes {
 }
 
 /// Where they stand on the screen as it is.
-pub fn panes(app: &App, body: Rect) -> Panes {
+pub(crate) fn panes(app: &App, body: Rect) -> Panes {
     let (focus, pins) = (app.pane(), app.pins.len());
     if app.is_full() {
         full(body, focus)
@@ -41,7 +41,7 @@ pub fn panes(app: &App, body: Rect) -> Panes {
 }
 
 /// Rows of the list of variables.
-pub fn variable_rows(app: &App) -> usize {
+pub(crate) fn variable_rows(app: &App) -> usize {
     let variables = app.layout().body.and_then(|body| panes(app, body).variables);
     variables.map_or(10, |area| usize::from(area.height.saturating_sub(3)))
 }

@@ -10,7 +10,6 @@ use crate::model::run::{Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::units::{self, Engineering};
 use crate::model::variables::VARIABLES;
-use crate::worker::Slot;
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];

@@ -19,6 +19,7 @@ use crate::tui::dialogs::{Table, table, wrap};
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::numeric;
+use crate::tui::pages::search;
 use crate::tui::pages::search::bounds::{bound, read_bound, read_end};
 use crate::tui::pages::search::setup::Setup;
 use crate::tui::pages::search::state;

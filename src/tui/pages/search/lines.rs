@@ -8,10 +8,12 @@ use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::search::{scatter, seek};
 use crate::study::sensitivity::{self, indices::Index};
 use crate::study::sweep::Fate;
+use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{clip, fitted, wrap};
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Answer, App, Found, Page, Request};
+use crate::tui::pages::search::state::{Found, Page};
+use crate::worker::searches::{Answer, Request};
 
 /// A line, and how it is meant.
 pub type Line = (Severity, String);

@@ -11,13 +11,15 @@ use crate::study::search::front::{Design, Front, Task};
 use crate::study::search::scatter::Summary;
 use crate::study::sweep::Spacing;
 use crate::tui::app::App;
+use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::{Scale, ViewRange};
 use crate::tui::keymap::Pane;
-use crate::tui::pages::app::jobs::Running;
 use crate::tui::pages::explore::state::copy_value;
+use crate::tui::pages::search;
 pub use crate::tui::pages::search::bounds::Bound;
+use crate::tui::pages::search::setup::brief;
 pub use crate::tui::pages::search::setup::{Row, SearchField, Setup};
 use crate::worker::searches::{Answer, Request};
 
@@ -393,11 +395,7 @@ impl App {
                     .iter()
                     .zip(task.measures())
                     .filter_map(|(value, column)| {
-                        Some(format!(
-                            "{} {}",
-                            crate::tui::pages::search::setup::brief(column),
-                            column.show((*value)?, 3)
-                        ))
+                        Some(format!("{} {}", brief(column), column.show((*value)?, 3)))
                     })
                     .collect();
                 Some(format!(

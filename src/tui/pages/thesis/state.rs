@@ -8,9 +8,9 @@ use crate::study::screening::{CRITERIA, WEIGHTS_PERCENT};
 use crate::study::thesis::{Opens, Row, Verdict, tally};
 use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::Pane;
-use crate::tui::pages::app::jobs::Running;
 
 /// The state of the tab.
 #[derive(Clone, Debug)]

@@ -3,6 +3,7 @@
 use ratatui::layout::Rect;
 
 use crate::model::units::significant;
+use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
 use crate::tui::chart::{Heatmap, heatmap};

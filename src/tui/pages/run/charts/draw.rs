@@ -11,6 +11,7 @@ use crate::tui::chart::{
     self, Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Side,
     Unit, ViewRange, align_gutters,
 };
+use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::log::state::event_tag;
 use crate::tui::pages::run::charts::{Curve as Data, Window};

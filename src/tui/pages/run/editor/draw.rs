@@ -9,6 +9,7 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::save::extent;
+use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::run::editor::{Field, Row, shown_value};
 use crate::tui::theme::{PaneFrame, Role};

@@ -8,6 +8,7 @@ use crate::model::variables::VARIABLES;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::MARKERS;
+use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::run::runs::{Pin, final_depth, millimetres, name_of};
 use crate::tui::pages::run::summary::results;
