@@ -181,7 +181,7 @@ impl Evaluation<'_> {
                     }
                 }
                 let along = setting.variable.map_or("x", |it| it.symbol);
-                Ok(Value::Curve(Curve { points, along, unit: query.quantity.unit }))
+                Ok(Value::Curve(Curve { points, along, unit: query.quantity.unit() }))
             }
         }
     }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Variable};
 use crate::study::thesis::functions::{FUNCTIONS, Function};
-use crate::study::thesis::quantities::{QUANTITIES, Quantity};
+use crate::study::thesis::quantities::Quantity;
 use crate::study::thesis::runs::Method;
 
 /// A parsed expression.
@@ -68,7 +68,7 @@ pub(super) enum Operator {
 /// A quantity of scenes with some variables changed.
 pub(super) struct Query {
     /// Which quantity.
-    pub quantity: &'static Quantity,
+    pub quantity: Quantity,
     /// Of which scenes; one at least.
     pub scenes: Vec<Scene>,
     /// What is changed in them, in order.
@@ -262,12 +262,12 @@ impl<'a> Parser<'a> {
             self.expect(")")?;
             return Ok(Expression::By(method, Box::new(inner)));
         }
-        if let Some(quantity) = QUANTITIES.iter().find(|it| it.name == name) {
-            return self.query(quantity);
+        if let Some(quantity) = Quantity::find(name) {
+            return self.query(name, quantity);
         }
         let Some(function) = FUNCTIONS.iter().find(|it| it.name == name) else {
             return Err(format!(
-                "`{name}` is no function and no quantity: take one of quantities.rs or functions.rs"
+                "`{name}` is no output, no quantity (quantities.rs) and no function (functions.rs)"
             ));
         };
         let arguments = self.until(")", |own| own.level(0))?;
@@ -278,11 +278,11 @@ impl<'a> Parser<'a> {
         Ok(Expression::Call(function, arguments))
     }
 
-    fn query(&mut self, quantity: &'static Quantity) -> Parsed {
+    fn query(&mut self, own_name: &str, quantity: Quantity) -> Parsed {
         let mut query = Query { quantity, scenes: Vec::new(), settings: Vec::new() };
         self.until(")", |own| {
             let Some(Token::Word(name)) = own.tokens.get(own.at).cloned() else {
-                return Err(format!("`{}` takes scenes and NAME=VALUE", quantity.name));
+                return Err(format!("`{own_name}` takes scenes and NAME=VALUE"));
             };
             own.at += 1;
             if own.take("=") {

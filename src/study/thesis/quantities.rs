@@ -1,4 +1,4 @@
-//! The quantities of a scene that expressions of the claims may ask for: a row each.
+//! The quantities of a scene that expressions of the claims may name: the program's outputs, and a row for each other one.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -6,27 +6,36 @@ use std::sync::Arc;
 use crate::model::appendix::Scheme;
 use crate::model::mechanism::load::yields_at_m;
 use crate::model::mechanism::{Mechanism, Spring};
-use crate::model::run::{Arrest, EventKind, Outcome, Run};
+use crate::model::results::{self, ResultColumn};
+use crate::model::run::{EventKind, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::numerics::{larger, root};
 use crate::study::compare::{self, Candidate, Hardware};
 use crate::study::limit;
+use crate::study::quantities::{need_course, value};
 use crate::study::thesis::runs::{Method, Runs, changed};
 use crate::study::thesis::series;
 use crate::study::thesis::value::Value;
 
-/// A quantity by its name.
-#[derive(Debug)]
-pub(super) struct Quantity {
-    /// What claims call it.
-    pub name: &'static str,
+/// A quantity.
+#[derive(Clone, Copy)]
+pub(super) enum Quantity {
+    /// One of the program's outputs.
+    Output(&'static ResultColumn),
+    /// One of this study.
+    Own(&'static Own),
+}
+
+/// A quantity of this study by its name.
+pub(super) struct Own {
+    name: &'static str,
     /// The unit on a curve's ends.
-    pub unit: &'static str,
+    unit: &'static str,
     get: Get,
 }
 
 /// Where a quantity comes from.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 enum Get {
     /// A run without its series; `None` is no number.
     Run(fn(&Run) -> Option<f64>),
@@ -40,12 +49,12 @@ enum Get {
     Several(fn(&Runs<'_>, Method, &Scene) -> Value),
 }
 
-const fn quantity(name: &'static str, unit: &'static str, get: Get) -> Quantity {
-    Quantity { name, unit, get }
+const fn quantity(name: &'static str, unit: &'static str, get: Get) -> Own {
+    Own { name, unit, get }
 }
 
-/// All quantities; SI units but for `percent` and `travel`.
-pub(super) static QUANTITIES: &[Quantity] = &[
+/// The quantities of this study; SI units but for `percent` and `travel`.
+static OWN: &[Own] = &[
     // Depth at the first arrest; infinite for a perforation.
     quantity(
         "depth",
@@ -64,40 +73,15 @@ pub(super) static QUANTITIES: &[Quantity] = &[
         "mm",
         Get::Run(|run| Some(run.max_plate_displacement_m.map_or(f64::INFINITY, |x| 1e3 * x))),
     ),
-    quantity("stroke", "m", Get::Run(Run::stroke_m)),
-    quantity("peak", "N", Get::Run(|run| run.peak_contact_force_n)),
-    quantity("final_depth", "m", Get::Run(|run| run.final_penetration_m)),
-    quantity(
-        "final_percent",
-        "%",
-        Get::Run(|run| Some(run.percent_of_baseline().unwrap_or(f64::INFINITY))),
-    ),
-    quantity("arrest_time", "s", Get::Run(|run| arrest(run, |it| it.t_s))),
-    quantity("arrest_velocity", "m/s", Get::Run(|run| arrest(run, |it| it.plate_velocity_m_s))),
-    quantity("arrest_displacement", "m", Get::Run(|run| arrest(run, |it| it.plate_displacement_m))),
     // When the projectile is at rest: with the plate at its greatest displacement, or where nothing moves at the arrest.
     quantity(
         "rest_time",
         "s",
         Get::Run(|run| {
             let turn = run.events.iter().find(|it| it.kind == EventKind::GreatestDisplacement);
-            turn.map(|it| it.t_s).or_else(|| arrest(run, |it| it.t_s))
+            turn.map(|it| it.t_s).or_else(|| run.first_arrest.map(|it| it.t_s))
         }),
     ),
-    quantity("residual_velocity", "m/s", Get::Run(|run| run.residual_velocity_m_s)),
-    quantity(
-        "separation_velocity",
-        "m/s",
-        Get::Run(|run| run.separation.map(|(_, velocity)| velocity)),
-    ),
-    quantity(
-        "interface_demand",
-        "-",
-        Get::Run(|run| Some(run.interface_demand_ratio.unwrap_or(0.0))),
-    ),
-    quantity("rotation_energy", "J", Get::Run(|run| run.mechanism.rotation_j)),
-    quantity("spring_mass", "kg", Get::Run(|run| run.mechanism.spring_mass_kg)),
-    quantity("stack_depth", "m", Get::Run(|run| run.stack.as_ref()?.penetration_m)),
     quantity("outcome", "-", Get::Word(|run| run.outcome.word())),
     quantity("end_reason", "-", Get::Word(|run| run.end.words())),
     // Velocities behind the plates of a stack.
@@ -174,9 +158,32 @@ pub(super) static QUANTITIES: &[Quantity] = &[
 ];
 
 impl Quantity {
+    /// The quantity of this name.
+    pub(super) fn find(name: &str) -> Option<Self> {
+        let own = OWN.iter().find(|it| it.name == name).map(Self::Own);
+        own.or_else(|| results::find(name).map(Self::Output))
+    }
+
+    /// The unit on a curve's ends.
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Self::Output(column) => column.unit(),
+            Self::Own(own) => own.unit,
+        }
+    }
+
     /// Its value for a scene by a method, at a displacement where it depends on one.
-    pub(super) fn of(&self, runs: &Runs<'_>, method: Method, scene: &Scene, x_m: f64) -> Value {
-        match self.get {
+    pub(super) fn of(self, runs: &Runs<'_>, method: Method, scene: &Scene, x_m: f64) -> Value {
+        let own = match self {
+            Self::Output(column) if need_course(&[column], scene) => {
+                return Value::optional(value(column, &runs.run_with_series(method, scene)));
+            }
+            Self::Output(column) => {
+                return Value::optional(value(column, &runs.run(method, scene)));
+            }
+            Self::Own(own) => own,
+        };
+        match own.get {
             Get::Run(get) => Value::optional(get(&runs.run(method, scene))),
             Get::Word(get) => Value::Text(get(&runs.run(method, scene)).to_owned()),
             Get::Series(get) => get(&runs.run_with_series(method, scene)),
@@ -184,10 +191,6 @@ impl Quantity {
             Get::Several(get) => get(runs, method, scene),
         }
     }
-}
-
-fn arrest(run: &Run, get: fn(&Arrest) -> f64) -> Option<f64> {
-    run.first_arrest.as_ref().map(get)
 }
 
 fn spring(scene: &Scene) -> Spring {
