@@ -4,33 +4,23 @@
 //! written is written whole or not at all. TOML, CSV and serde stay inside this module (and JSON in `cli`): the
 //! model knows none of them. No screen, no thread and no standard output is known here.
 
-pub mod accuracy;
 pub mod atomic;
 pub mod bundled;
 pub mod clean;
-pub mod compare;
 pub mod config;
 pub mod csv;
 pub mod error;
 pub mod export;
-pub mod front;
 pub mod join;
 pub mod library;
-pub mod limit;
 pub mod paths;
 pub mod preset;
 pub mod read;
-pub mod rows;
-pub mod scatter;
-pub mod seek;
-pub mod sensitivity;
 pub mod session;
 pub mod shard;
 pub mod shots;
-pub mod stability;
 pub mod style;
 pub mod sweep;
-pub mod thesis;
 pub mod validation;
 
 pub mod write;

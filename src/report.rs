@@ -2,8 +2,21 @@
 //!
 //! A description knows neither screen nor file; the renderers make SVG, HTML and Markdown of it, `cli::draw` lines of text.
 
+pub mod accuracy;
 pub mod chart;
+pub mod compare;
 pub mod document;
 pub mod figures;
+pub mod fit;
+pub mod front;
+pub mod limit;
 pub mod map;
+pub mod models;
+pub mod monte_carlo;
+pub mod seek;
+pub mod sensitivity;
+pub mod stability;
 pub mod svg;
+pub mod table;
+pub mod thesis;
+pub mod validation;

@@ -5,6 +5,7 @@
 
 pub mod accuracy;
 pub mod compare;
+pub mod context;
 pub mod fit;
 pub mod limit;
 pub mod models;

@@ -12,8 +12,9 @@ use crate::cli::pace::Pace;
 use crate::cli::scene;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
-use crate::files::accuracy::{self as rows, Named};
 use crate::files::bundled;
+use crate::report::accuracy::{self, Named};
+use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{Effort, compare};
 use crate::worker::clock;
 
@@ -60,14 +61,25 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
         }
     }
     pace.clear();
-    let (page, json) = (|| page::text(&reports), || rows::json(&reports));
+    let (page, json) = (|| page::text(&reports), || accuracy::json(&reports));
     let only = scenes.first().filter(|_| scenes.len() == 1);
     let (name, scene) = (only.map_or("", |it| it.name.as_str()), only.map(|it| &it.scene));
     let table = arguments.table.of_scene(name, &arguments.changes, scene);
-    table.deliver_text(page, json, || rows::csv(&reports))?;
-    let failures: Vec<String> = reports.iter().flat_map(rows::auto_failures).collect();
+    table.deliver_report(page, json, &accuracy::table(&reports))?;
+    let failures: Vec<String> = reports.iter().flat_map(auto_failures).collect();
     for failure in &failures {
         output::note(failure);
     }
     Ok(pace.exit_code(failures.is_empty()))
+}
+
+/// Where `auto` gave no answer, in words: the knob, and why.
+fn auto_failures((scene, report): &Named) -> Vec<String> {
+    let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
+    auto.flat_map(|method| &method.points)
+        .filter_map(|point| {
+            let why = point.result.as_ref().err()?.words();
+            Some(format!("{scene}: auto gave no answer at {}: {why}", point.knob))
+        })
+        .collect()
 }

@@ -13,10 +13,10 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
 use crate::cli::table::{TableArguments, at_top};
-use crate::files::compare as files;
 use crate::files::preset::Preset;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity};
+use crate::report::compare as tables;
 use crate::report::figures::efficiency;
 use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
@@ -99,12 +99,11 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     let report = compare(&scene, hardware, watch)?;
     pace.clear();
     let name = preset.name.as_str();
-    let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
-    let object = || files::json(name, &report);
+    let object = || tables::json(name, &report);
     let warnings = validity::of_scene(&scene);
     let table = arguments.table.of(&arguments.scene, &scene);
-    table.deliver_warned(&warnings, page, object, &rows)?;
+    table.deliver_warned(&warnings, page, object, tables::table(name, &report))?;
     Ok(pace.exit_code(true))
 }
 
@@ -139,7 +138,7 @@ impl CompareArguments {
         let page = at_top(&page::map(name, &map), &warnings);
         let table = self.table.of(&self.scene, &preset.scene);
         if !self.pictures.is_stdout() {
-            table.deliver(&page, &files::map_rows(name, &map).with_warnings(&warnings))?;
+            table.deliver(&page, &tables::map_table(name, &map).with_warnings(&warnings))?;
         }
         let drawn = || efficiency::map(&map).map(Picture::Map).into_iter().collect();
         self.pictures.write(&self.table, drawn)?;

@@ -4,18 +4,17 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
-use serde_json::Value;
 
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
-use crate::files::rows::{Rows, number};
-use crate::files::thesis;
 use crate::model::design;
 use crate::model::run::envelope;
 use crate::model::scene::Scene;
 use crate::model::units::{Engineering, significant};
 use crate::model::variables;
+use crate::report::table::Table;
+use crate::report::thesis;
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, WEIGHTS_PERCENT, ranking};
 
@@ -82,15 +81,12 @@ fn shot(arguments: &ShotArguments) -> Result<(), CliError> {
         let shown = Engineering { value: scale * value, unit, digits: 4 }.to_string();
         let _ = writeln!(page, "{name:<34}{shown:>14}  {told}");
     }
-    let rows = found
-        .iter()
-        .map(|(name, value, unit, told)| {
-            vec![Value::from(*name), number(Some(*value)), Value::from(*unit), Value::from(*told)]
-        })
-        .collect();
-    arguments
-        .table
-        .deliver(&page, &Rows { columns: vec!["name", "value", "unit", "source"], rows })?;
+    let rows = Table::of(&found)
+        .with("name", "name", "", |it| it.0)
+        .with("value", "value", "", |it| it.1)
+        .with("unit", "unit", "", |it| it.2)
+        .with("source", "source", "", |it| it.3);
+    arguments.table.alone().deliver(&page, &rows)?;
     for breach in envelope::of_scene(&preset.scene) {
         output::note(&breach.to_string());
     }
@@ -186,7 +182,7 @@ fn screening(arguments: &ScreeningArguments) -> Result<(), CliError> {
             place.rank, concept.name, place.total, concept.preset
         );
     }
-    arguments.table.deliver(&page, &thesis::screening(&weights))
+    arguments.table.alone().deliver(&page, &thesis::screening(&weights))
 }
 
 fn principles(arguments: &PrinciplesArguments) -> Result<(), CliError> {
@@ -205,5 +201,5 @@ fn principles(arguments: &PrinciplesArguments) -> Result<(), CliError> {
             let _ = writeln!(page, "      preset     {preset}");
         }
     }
-    arguments.table.deliver(&page, &thesis::principles())
+    arguments.table.alone().deliver(&page, &thesis::principles())
 }

@@ -3,14 +3,13 @@
 use std::fmt::Write as _;
 
 use clap::Args;
-use serde_json::Value;
 
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, variables};
-use crate::files::rows::Rows;
 use crate::model::results::{self, RESULTS, ResultColumn};
 use crate::model::units::shortest;
 use crate::model::variables::{find, nearest, used_when};
+use crate::report::table::Table;
 
 /// The word for all quantities.
 const QUANTITIES: &str = "quantities";
@@ -30,11 +29,11 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     let name = arguments.name.trim();
     if name == QUANTITIES {
         let all: Vec<&ResultColumn> = RESULTS.iter().collect();
-        return table.deliver(&list(), &quantity_rows(&all));
+        return table.alone().deliver(&list(), &quantity_rows(&all));
     }
     let spelled = name.replace([' ', '-'], "_");
     if let Some(quantity) = results::find(name).or_else(|| results::find(&spelled)) {
-        return table.deliver(&quantity_page(quantity), &quantity_rows(&[quantity]));
+        return table.alone().deliver(&quantity_page(quantity), &quantity_rows(&[quantity]));
     }
     let Ok(variable) = find(name).or_else(|_| find(&spelled)) else {
         return Err(CliError::Option(format!(
@@ -61,7 +60,7 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     line("used", &used_when(variable));
     line("source", variable.source);
     line("for example", &format!("--set {}={}", variable.symbol, example(variable)));
-    table.deliver(&page, &variables::rows(std::slice::from_ref(variable)))
+    table.alone().deliver(&page, &variables::rows(std::slice::from_ref(variable)))
 }
 
 /// A value to write: the default, or the first that is allowed.
@@ -101,18 +100,11 @@ fn list() -> String {
     page
 }
 
-fn quantity_rows(quantities: &[&ResultColumn]) -> Rows {
-    let row = |quantity: &&ResultColumn| {
-        vec![
-            Value::from(quantity.name),
-            Value::from(quantity.title()),
-            Value::from(quantity.unit()),
-            Value::from(quantity.meaning),
-            Value::from(quantity.needs().words()),
-        ]
-    };
-    Rows {
-        columns: vec!["key", "label", "unit", "meaning", "needs"],
-        rows: quantities.iter().map(row).collect(),
-    }
+fn quantity_rows<'q>(quantities: &'q [&ResultColumn]) -> Table<'q, &'q ResultColumn> {
+    Table::of(quantities.iter().copied())
+        .with("key", "key", "", |it| it.name)
+        .with("label", "label", "", |it| it.title())
+        .with("unit", "unit", "", |it| it.unit())
+        .with("meaning", "meaning", "", |it| it.meaning)
+        .with("needs", "needs", "", |it| it.needs().words())
 }

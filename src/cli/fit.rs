@@ -13,6 +13,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::files::shots;
+use crate::report::fit as tables;
 use crate::study::fit::calibrate::calibrate;
 use crate::study::fit::fit;
 
@@ -59,14 +60,11 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
     let calibration = found.as_ref().map(|(_, calibration)| calibration);
     let named = found.as_ref().map(|(preset, calibration)| (preset.name.as_str(), calibration));
     let page = || page::text(&name, &report, named);
-    let object = || shots::json(&report, calibration);
-    let rows = shots::rows(&report);
-    match &found {
-        Some((preset, _)) => {
-            let table = arguments.table.of(&arguments.scene, &preset.scene);
-            table.deliver_report(page, object, &rows)?;
-        }
-        None => arguments.table.deliver_text(page, object, || rows.csv())?,
-    }
+    let object = || tables::json(&report, calibration);
+    let table = match &found {
+        Some((preset, _)) => arguments.table.of(&arguments.scene, &preset.scene),
+        None => arguments.table.alone(),
+    };
+    table.deliver_report(page, object, &tables::table(&report))?;
     Ok(pace.exit_code(calibration.is_none_or(|it| it.from_limit_pa.is_some())))
 }

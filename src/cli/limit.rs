@@ -12,8 +12,8 @@ use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
-use crate::files::limit as rows;
 use crate::report::figures::limit::residual;
+use crate::report::limit;
 use crate::report::svg::Picture;
 use crate::study::limit::scatter::{ModelError, Scattering};
 use crate::study::limit::{Criterion, Effort, find};
@@ -107,17 +107,16 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     pace.clear();
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
-    let object = || rows::json(name, &report);
+    let object = || limit::json(name, &report);
     // What holds of the limit is what the shot at the limit asks for.
     let mut at_limit = (*report.scene).clone();
     if let Some(velocity_m_s) = report.limit.velocity_m_s() {
         at_limit.projectile.velocity_m_s = velocity_m_s;
     }
     let warnings = validity::of_scene(&at_limit);
-    let rows = rows::shots(name, &report);
     if !arguments.pictures.is_stdout() {
         let table = arguments.table.of(&arguments.scene, &report.scene);
-        table.deliver_warned(&warnings, page, object, &rows)?;
+        table.deliver_warned(&warnings, page, object, limit::shots(name, &report))?;
     }
     let chart = || residual(&report).map(Picture::Chart).into_iter().collect();
     arguments.pictures.write(&arguments.table, chart)?;

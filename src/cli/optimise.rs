@@ -10,9 +10,9 @@ use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{bounds, say_if_long, threads};
-use crate::cli::table::{TableArguments, at_top, in_object};
-use crate::files::front as files;
+use crate::cli::table::TableArguments;
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::report::front;
 use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::field::Field;
 use crate::study::search::front::{Constraint, STEPS_MAX, Task, feasibility, objectives, optimise};
@@ -155,12 +155,13 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     let mut warnings = Vec::new();
     for front in &fronts {
         let scenes = front.designs.iter().map(|design| front.scene(&task, design));
-        warnings.extend(validity::of_designs(files::law(front.law), scenes, &task.axes));
+        warnings.extend(validity::of_designs(front::law(front.law), scenes, &task.axes));
     }
-    let json = || in_object(&files::json(name, &task, &fronts), &warnings);
-    let page = || at_top(&page::text(name, &task, &fronts), &warnings);
-    let rows = files::rows(name, &task, &fronts).with_warnings(&warnings);
-    arguments.table.of(&arguments.scene, &preset.scene).deliver_text(page, json, || rows.csv())?;
+    let object = || front::json(name, &task, &fronts);
+    let page = || page::text(name, &task, &fronts);
+    let rows = front::table(name, &task, &fronts);
+    let table = arguments.table.of(&arguments.scene, &preset.scene);
+    table.deliver_warned(&warnings, page, object, rows)?;
     let found = fronts.iter().all(|front| !front.designs.is_empty());
     Ok(pace.exit_code(found))
 }

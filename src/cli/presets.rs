@@ -4,14 +4,13 @@ use std::fmt::Write as _;
 use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
-use serde_json::Value;
 
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, scene};
 use crate::files::clean;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Origin, Preset};
-use crate::files::rows::Rows;
+use crate::report::table::Table;
 
 #[derive(Debug, Args)]
 pub(super) struct PresetsArguments {
@@ -54,7 +53,7 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
         let _ = writeln!(text, "\nyour own, in {}", paths.presets.display());
         rows(&mut text, &own, width);
     }
-    table.deliver(&text, &table_of(&presets))?;
+    table.alone().deliver(&text, &table_of(&presets))?;
     for problem in problems {
         output::note(&format!("not listed: {problem}"));
     }
@@ -62,22 +61,16 @@ fn list(table: &TableArguments) -> Result<(), CliError> {
 }
 
 /// One row a preset.
-fn table_of(presets: &[Preset]) -> Rows {
-    let row = |preset: &Preset| {
-        let own = match &preset.origin {
-            Origin::Mine(path) | Origin::File(path) => Value::from(path.display().to_string()),
-            Origin::Bundled | Origin::Text => Value::Null,
-        };
-        vec![
-            Value::from(preset.name.as_str()),
-            Value::from(preset.scene.title.as_str()),
-            Value::from(preset.scene.notes.as_str()),
-            Value::from(preset.origin == Origin::Bundled),
-            own,
-        ]
-    };
-    let columns = vec!["name", "title", "notes", "bundled", "file"];
-    Rows { columns, rows: presets.iter().map(row).collect() }
+fn table_of(presets: &[Preset]) -> Table<'_, &Preset> {
+    Table::of(presets)
+        .with("name", "name", "", |it| it.name.as_str())
+        .with("title", "title", "", |it| it.scene.title.as_str())
+        .with("notes", "notes", "", |it| it.scene.notes.as_str())
+        .with("bundled", "bundled", "", |it| it.origin == Origin::Bundled)
+        .with("file", "file", "", |it| match &it.origin {
+            Origin::Mine(path) | Origin::File(path) => Some(path.display().to_string()),
+            Origin::Bundled | Origin::Text => None,
+        })
 }
 
 fn rows(text: &mut String, presets: &[&Preset], width: usize) {

@@ -8,7 +8,7 @@ use clap::Args;
 use crate::cli::pace::{Pace, interruptible, was_interrupted};
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
-use crate::files::thesis as rows;
+use crate::report::thesis as tables;
 use crate::study::thesis::{self, Basis, Claim, Row, Verdict};
 
 #[derive(Debug, Args)]
@@ -33,7 +33,8 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
     };
     let is_whole = arguments.only.is_none() && !was_interrupted();
     let differences = if is_whole { thesis::differences(&shown) } else { thesis::changed(&shown) };
-    arguments.table.deliver(&page(&shown, differences.len()), &rows::rows(&shown))?;
+    let page = page(&shown, differences.len());
+    arguments.table.alone().deliver(&page, &tables::claims(&shown))?;
     for difference in &differences {
         output::note(&format!("verdict differs from the stored table: {difference}"));
     }

@@ -25,6 +25,7 @@ use crate::model::simulate::{self, Settings};
 use crate::model::units::{self, Bare, Engineering, Quantity};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::selected;
+use crate::report::models as tables;
 use crate::report::svg::Picture;
 
 #[derive(Debug, Args)]
@@ -161,9 +162,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
     if let Some(what) = arguments.compare {
         arguments.table.check_beside()?;
         let preset = arguments.scene.load()?;
-        let (page, rows) = models::compute(&preset, what)?;
+        let found = models::compute(&preset, what)?;
+        let (name, page) = (preset.name.as_str(), models::page(&preset.name, &found));
         let table = arguments.table.of(&arguments.scene, &preset.scene);
-        return table.deliver(&page, &rows).map(|()| ExitCode::SUCCESS);
+        return table.deliver(&page, &tables::table(name, &found)).map(|()| ExitCode::SUCCESS);
     }
     let dt_s = arguments.dt.as_deref().map(time_step).transpose()?;
     let computed = match dt_s {

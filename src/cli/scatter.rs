@@ -11,8 +11,8 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::search::{say_if_long, threads};
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
-use crate::files::scatter as files;
 use crate::model::scene::Scene;
+use crate::report::monte_carlo;
 use crate::study::quantities;
 use crate::study::search::scatter::{
     Task, Tolerance, USUAL_DEVIATION, field, scatter, usual_tolerances,
@@ -90,14 +90,15 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     let report = scatter(&preset.scene, &task, &mut |done, total| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();
-    let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
-    let object = || files::json(name, &report);
+    let object = || monte_carlo::json(name, &report);
     let warnings = validity::of_scene(&preset.scene);
-    arguments
-        .table
-        .of(&arguments.scene, &preset.scene)
-        .deliver_warned(&warnings, page, object, &rows)?;
+    arguments.table.of(&arguments.scene, &preset.scene).deliver_warned(
+        &warnings,
+        page,
+        object,
+        monte_carlo::table(name, &report),
+    )?;
     if report.census[4] > 0 {
         output::note(&format!("{} samples failed and are not counted", report.census[4]));
     }

@@ -12,10 +12,10 @@ use crate::cli::search::{be_cautious, say_if_long, threads};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
-use crate::files::seek as files;
+use crate::report::seek;
 use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::field::Field;
-use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek};
+use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek as solve};
 use crate::study::validity;
 
 #[derive(Debug, Args)]
@@ -69,12 +69,11 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let field = Field::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure], goal.threads)?;
     let mut pace = Pace::begin();
     say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX));
-    let report = seek(&preset.scene, &goal, &mut |done, total| pace.count(done, total, "runs"))?;
+    let report = solve(&preset.scene, &goal, &mut |done, total| pace.count(done, total, "runs"))?;
     pace.clear();
     let name = preset.name.as_str();
-    let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
-    let object = || files::json(name, &report);
+    let object = || seek::json(name, &report);
     if let Some(law) = law {
         output::note(&law);
     }
@@ -83,10 +82,12 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
         let scene = field.scene(&[solution.place.at]);
         warnings.extend(validity::of_design("solution", &scene, field.axes(), &warnings));
     }
-    arguments
-        .table
-        .of(&arguments.scene, &preset.scene)
-        .deliver_warned(&warnings, page, object, &rows)?;
+    arguments.table.of(&arguments.scene, &preset.scene).deliver_warned(
+        &warnings,
+        page,
+        object,
+        seek::table(name, &report),
+    )?;
     let found = !report.solutions.is_empty();
     Ok(pace.exit_code(found))
 }

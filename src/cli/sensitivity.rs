@@ -11,7 +11,7 @@ use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
 use crate::cli::search::{bounds, say_if_long, threads};
 use crate::cli::table::TableArguments;
-use crate::files::sensitivity as files;
+use crate::report::sensitivity;
 use crate::study::search::field::Field;
 use crate::study::sensitivity::{Effort, study};
 use crate::study::validity;
@@ -80,13 +80,14 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let report = study(&preset.scene, axes, &arguments.output, effort, watch)?;
     pace.clear();
     let name = preset.name.as_str();
-    let rows = files::rows(name, &report);
     let page = || page::text(name, &report);
-    let object = || files::json(name, &report);
+    let object = || sensitivity::json(name, &report);
     let warnings = validity::of_axes(&preset.scene, &report.axes);
-    arguments
-        .table
-        .of(&arguments.scene, &preset.scene)
-        .deliver_warned(&warnings, page, object, &rows)?;
+    arguments.table.of(&arguments.scene, &preset.scene).deliver_warned(
+        &warnings,
+        page,
+        object,
+        sensitivity::table(name, &report),
+    )?;
     Ok(pace.exit_code(true))
 }

@@ -10,7 +10,7 @@ use crate::cli::pace::{Pace, interruptible};
 use crate::cli::scene::SceneArguments;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
-use crate::files::stability as values;
+use crate::report::stability as tables;
 use crate::study::stability::map::{self, Axis, Method};
 use crate::study::stability::{self, Row};
 use crate::worker::battery;
@@ -80,7 +80,8 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let took_s = start.elapsed().as_secs_f64();
     pace.clear();
     let page = || table::battery(&rows, took_s, text::width());
-    arguments.rows.deliver_text(page, || values::json(&rows), || values::csv(&rows))?;
+    let object = || tables::json(&rows);
+    arguments.rows.alone().deliver_report(page, object, &tables::table(&rows))?;
     let mut good = true;
     for row in &rows {
         if let Some(shortfall) = row.shortfall {
@@ -115,8 +116,8 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     let map = map::map(&preset.scene, (method, axis), cells, watch);
     pace.clear();
     let name = preset.name.as_str();
-    let (page, object) = (|| table::map(&map, name), || values::map_json(name, &map));
+    let (page, object) = (|| table::map(&map, name), || tables::map_json(name, &map));
     let table = arguments.rows.of(&arguments.scene, &preset.scene);
-    table.deliver_text(page, object, || values::map_rows(name, &map).csv())?;
+    table.deliver_report(page, object, &tables::map_table(name, &map))?;
     Ok(pace.exit_code(true))
 }

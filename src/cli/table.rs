@@ -11,9 +11,9 @@ use crate::cli::{CliError, output, sidecar};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::{self, Meta};
-use crate::files::rows::Rows;
 use crate::files::style::Style;
 use crate::model::scene::Scene;
+use crate::report::table::Table;
 use crate::tui::app::status::wrap;
 
 /// `--json`, `--csv FILE`, `--force`.
@@ -156,19 +156,9 @@ impl TableArguments {
         Delivery { table: self, source: Some(Source { name, changes, scene }) }
     }
 
-    /// Print the page or the rows, and write the file.
-    pub(super) fn deliver(&self, page: &str, rows: &Rows) -> Result<(), CliError> {
-        Delivery { table: self, source: None }.deliver(page, rows)
-    }
-
-    /// The same for a table that is a text already.
-    pub(super) fn deliver_text(
-        &self,
-        page: impl FnOnce() -> String,
-        object: impl FnOnce() -> String,
-        table: impl FnOnce() -> Result<String, FileError>,
-    ) -> Result<(), CliError> {
-        Delivery { table: self, source: None }.deliver_text(page, object, table)
+    /// The same without a scene.
+    pub(super) fn alone(&self) -> Delivery<'_> {
+        Delivery { table: self, source: None }
     }
 }
 
@@ -188,45 +178,33 @@ struct Source<'a> {
 
 impl Delivery<'_> {
     /// Print the page or the rows, and write the file.
-    pub(super) fn deliver(&self, page: &str, rows: &Rows) -> Result<(), CliError> {
-        self.deliver_text(|| page.to_owned(), || rows.json(), || rows.csv())
+    pub(super) fn deliver<R>(&self, page: &str, table: &Table<'_, R>) -> Result<(), CliError> {
+        self.deliver_report(|| page.to_owned(), || table.json(), table)
     }
 
-    /// The same for a report whose JSON object tells more than its rows: a file still holds the rows.
-    pub(super) fn deliver_report(
-        &self,
-        page: impl FnOnce() -> String,
-        object: impl FnOnce() -> String,
-        rows: &Rows,
-    ) -> Result<(), CliError> {
-        self.deliver_text(page, object, || rows.csv())
-    }
-
-    /// The same with warnings: at the top of the page, as `warnings` in the object and in every row.
-    pub(super) fn deliver_warned(
+    /// The same for a report whose JSON object has more than its rows, with warnings: at the top of the page, as `warnings` in the
+    /// object and in every row.
+    pub(super) fn deliver_warned<R>(
         &self,
         warnings: &[String],
         page: impl FnOnce() -> String,
         object: impl FnOnce() -> String,
-        rows: &Rows,
+        table: Table<'_, R>,
     ) -> Result<(), CliError> {
-        let rows = rows.with_warnings(warnings);
-        self.deliver_text(
-            || at_top(&page(), warnings),
-            || in_object(&object(), warnings),
-            || rows.csv(),
-        )
+        let page = || at_top(&page(), warnings);
+        let object = || in_object(&object(), warnings);
+        self.deliver_report(page, object, &table.with_warnings(warnings))
     }
 
-    /// The same for a table that is a text already.
-    pub(super) fn deliver_text(
+    /// The same without warnings.
+    pub(super) fn deliver_report<R>(
         &self,
         page: impl FnOnce() -> String,
         object: impl FnOnce() -> String,
-        rows: impl FnOnce() -> Result<String, FileError>,
+        rows: &Table<'_, R>,
     ) -> Result<(), CliError> {
         let table = self.table;
-        let text = || table.style().file(&self.comments(), &rows()?);
+        let text = || table.style().file(&self.comments(), &rows.csv());
         let written = match table.target() {
             Target::None => Ok(()),
             Target::Stdout => return output::print(&text()?),
@@ -281,7 +259,7 @@ pub(super) fn at_top(page: &str, warnings: &[String]) -> String {
 }
 
 /// The text of a JSON object with `warnings` as its last entry.
-pub(super) fn in_object(object: &str, warnings: &[String]) -> String {
+fn in_object(object: &str, warnings: &[String]) -> String {
     let list: Vec<String> = warnings
         .iter()
         .map(|text| format!("\n    {}", serde_json::Value::from(text.as_str())))

@@ -10,6 +10,7 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
 use crate::files::validation;
 use crate::model::units::{Engineering, fixed_significant};
+use crate::report::validation as tables;
 use crate::study::validation::{Class, NOT_CHECKED, Quantity, Row, biases};
 
 #[derive(Debug, Args)]
@@ -24,7 +25,7 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     let mut pace = Pace::begin();
     let report = validation::report(&mut |done, total| pace.count(done, total, "measurements"))?;
     pace.clear();
-    arguments.table.deliver(&page(&report), &validation::rows(&report))?;
+    arguments.table.alone().deliver(&page(&report), &tables::table(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();
     for id in &missing {

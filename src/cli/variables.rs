@@ -3,13 +3,12 @@
 use std::fmt::Write as _;
 
 use clap::Args;
-use serde_json::Value;
 
 use crate::cli::CliError;
 use crate::cli::table::TableArguments;
-use crate::files::rows::{Rows, number};
 use crate::model::scene::Scene;
 use crate::model::variables::{Group, Kind, VARIABLES, Variable, used_when};
+use crate::report::table::Table;
 
 #[derive(Debug, Args)]
 pub(super) struct VariablesArguments {
@@ -20,43 +19,24 @@ pub(super) struct VariablesArguments {
 /// Print the table.
 pub(super) fn run(arguments: &VariablesArguments) -> Result<(), CliError> {
     arguments.table.check()?;
-    arguments.table.deliver(&page(), &rows(VARIABLES))
+    arguments.table.alone().deliver(&page(), &rows(VARIABLES))
 }
 
 /// Variables with everything that is known of them, a row each.
-pub(super) fn rows(variables: &[Variable]) -> Rows {
-    let columns = vec![
-        "symbol",
-        "name",
-        "key",
-        "group",
-        "meaning",
-        "unit",
-        "default",
-        "allowed",
-        "thesis_low",
-        "thesis_high",
-        "used_when",
-        "source",
-    ];
-    let row = |variable: &Variable| {
-        let range = thesis_range(variable);
-        vec![
-            Value::from(variable.symbol),
-            Value::from(variable.name()),
-            Value::from(variable.key),
-            Value::from(variable.group.title()),
-            Value::from(variable.meaning),
-            Value::from(variable.unit().trim_matches('-')),
-            Value::from(variable.show(&Scene::default())),
-            Value::from(variable.allowed()),
-            number(range.map(|range| range.0)),
-            number(range.map(|range| range.1)),
-            Value::from(used_when(variable)),
-            Value::from(variable.source),
-        ]
-    };
-    Rows { columns, rows: variables.iter().map(row).collect() }
+pub(super) fn rows(variables: &[Variable]) -> Table<'_, &Variable> {
+    Table::of(variables)
+        .with("symbol", "symbol", "", |it| it.symbol)
+        .with("name", "name", "", |it| it.name())
+        .with("key", "key", "", |it| it.key)
+        .with("group", "group", "", |it| it.group.title())
+        .with("meaning", "meaning", "", |it| it.meaning)
+        .with("unit", "unit", "", |it| it.unit().trim_matches('-'))
+        .with("default", "default", "", |it| it.show(&Scene::default()))
+        .with("allowed", "allowed", "", |it| it.allowed())
+        .with("thesis_low", "thesis from", "", |it| Some(thesis_range(it)?.0))
+        .with("thesis_high", "thesis to", "", |it| Some(thesis_range(it)?.1))
+        .with("used_when", "used when", "", |it| used_when(it))
+        .with("source", "source", "", |it| it.source)
 }
 
 /// The range the thesis searched.

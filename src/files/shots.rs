@@ -1,15 +1,11 @@
-//! Shots of a ballistic test: read from CSV, and the fit through them for machines. SI.
+//! Shots of a ballistic test, read from CSV. SI.
 
 use std::path::Path;
-
-use serde_json::{Map, Value, json};
 
 use crate::files::clean;
 use crate::files::error::{FileError, did_you_mean};
 use crate::files::read;
-use crate::files::rows::{Rows, number};
-use crate::study::fit::calibrate::Calibration;
-use crate::study::fit::{CONFIDENCE, Report, Shot};
+use crate::study::fit::Shot;
 
 /// The columns that are read; the first two are needed.
 const COLUMNS: [&str; 4] = ["velocity_m_s", "perforated", "residual_m_s", "penetration_m"];
@@ -100,73 +96,6 @@ fn parse(text: &str, name: &str) -> Result<Table, String> {
         });
     }
     Ok(Table { shots, ignored })
-}
-
-/// One row a shot, with what the fits say of its velocity.
-pub fn rows(report: &Report) -> Rows {
-    let row = |shot: &Shot| {
-        let v = shot.velocity_m_s;
-        vec![
-            number(Some(v)),
-            Value::from(u8::from(shot.perforated)),
-            number(shot.residual_m_s),
-            number(shot.penetration_m),
-            number(Some(report.logistic.probability(v))),
-            number(report.lambert_jonas.map(|law| law.residual_m_s(v))),
-        ]
-    };
-    let fitted = ["perforation_probability", "lambert_jonas_m_s"];
-    Rows {
-        columns: COLUMNS.into_iter().chain(fitted).collect(),
-        rows: report.shots.iter().map(row).collect(),
-    }
-}
-
-/// Everything as one object; null for what does not exist.
-pub fn json(report: &Report, calibration: Option<&Calibration>) -> String {
-    let fit = &report.logistic;
-    let law = report.lambert_jonas.map_or(Value::Null, |law| {
-        json!({
-            "a": number(Some(law.a)),
-            "p": number(Some(law.p)),
-            "limit_velocity_m_s": number(Some(law.limit_m_s)),
-            "rms_error_m_s": number(Some(law.misfit_m_s)),
-            "shots": report.residuals().len(),
-        })
-    });
-    let strength = calibration.map_or(Value::Null, |it| {
-        let depths = it.from_depths;
-        json!({
-            "variable": it.symbol,
-            "scene_value_pa": number(Some(it.own_pa)),
-            "scene_limit_velocity_m_s": number(it.own_limit_m_s),
-            "from_v50_pa": number(it.from_limit_pa),
-            "from_v50_low_pa": number(it.range_pa.0),
-            "from_v50_high_pa": number(it.range_pa.1),
-            "from_depths_pa": number(depths.map(|it| it.mean_pa)),
-            "from_depths_deviation_pa": number(depths.and_then(|it| it.deviation_pa)),
-            "depths": depths.map_or(0, |it| it.shots),
-        })
-    });
-    let mut object = Map::new();
-    let mut add = |key: &str, value: Value| object.insert(key.to_owned(), value);
-    add("shots", Value::from(report.shots.len()));
-    add("perforated", Value::from(report.perforated()));
-    add("highest_stopped_m_s", number(Some(report.highest_stopped_m_s)));
-    add("lowest_perforated_m_s", number(Some(report.lowest_perforated_m_s)));
-    add("mixed_results", Value::from(report.has_mixed_results()));
-    add("method", Value::from(fit.method.words()));
-    add("v50_m_s", number(Some(fit.v50_m_s)));
-    add("v50_low_m_s", number(fit.range_m_s.0));
-    add("v50_high_m_s", number(fit.range_m_s.1));
-    add("confidence", number(Some(CONFIDENCE)));
-    add("scale_m_s", number(Some(fit.scale_m_s)));
-    add("v10_m_s", number(Some(fit.quantile_m_s(0.1))));
-    add("v90_m_s", number(Some(fit.quantile_m_s(0.9))));
-    add("lambert_jonas", law);
-    add("calibration", strength);
-    // Keys are strings and every number is finite, so nothing can be refused.
-    serde_json::to_string_pretty(&Value::Object(object)).unwrap_or_default() + "\n"
 }
 
 #[cfg(test)]

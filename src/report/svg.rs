@@ -78,23 +78,42 @@ pub fn escaped(text: &str) -> String {
     out
 }
 
-/// The place of the plot within its picture.
+/// The place of the plot within its picture, and its axes.
 #[derive(Clone, Copy)]
-struct Plot {
+struct Plot<'a> {
     left: f64,
     right: f64,
     top: f64,
     bottom: f64,
+    x: &'a Axis,
+    y: &'a Axis,
 }
 
-impl Plot {
-    fn x(&self, axis: &Axis, value: f64) -> f64 {
-        self.left + part(axis, value) * (self.right - self.left)
+impl Plot<'_> {
+    fn across(&self, value: f64) -> f64 {
+        self.left + part(self.x, value) * (self.right - self.left)
     }
 
-    fn y(&self, axis: &Axis, value: f64) -> f64 {
-        self.bottom - part(axis, value) * (self.bottom - self.top)
+    fn up(&self, value: f64) -> f64 {
+        self.bottom - part(self.y, value) * (self.bottom - self.top)
     }
+
+    /// An upright line.
+    fn upright(&self, x: f64) -> [Point; 2] {
+        [Point { x, y: self.top }, Point { x, y: self.bottom }]
+    }
+
+    /// A level line.
+    fn level(&self, y: f64) -> [Point; 2] {
+        [Point { x: self.left, y }, Point { x: self.right, y }]
+    }
+}
+
+/// A point of the picture.
+#[derive(Clone, Copy)]
+struct Point {
+    x: f64,
+    y: f64,
 }
 
 /// How far along an axis a value lies; a little beyond its ends at the most.
@@ -131,26 +150,27 @@ fn text(out: &mut String, place: &Text<'_>, text: &str) {
     );
 }
 
-fn stroke(out: &mut String, (x1, y1): (f64, f64), (x2, y2): (f64, f64), style: &str) {
-    let (x1, y1, x2, y2) = (at(x1), at(y1), at(x2), at(y2));
+fn stroke(out: &mut String, [from, to]: [Point; 2], style: &str) {
+    let (x1, y1, x2, y2) = (at(from.x), at(from.y), at(to.x), at(to.y));
     let _ = writeln!(out, "<line x1=\"{x1}\" y1=\"{y1}\" x2=\"{x2}\" y2=\"{y2}\" {style}/>");
 }
 
 /// Title, frame, ticks and the titles of the axes.
-fn draw_frame(out: &mut String, plot: Plot, title: &str, (x, y): (&Axis, &Axis)) {
+fn draw_frame(out: &mut String, plot: Plot<'_>, title: &str) {
+    let (x, y) = (plot.x, plot.y);
     let middle = f64::midpoint(plot.left, plot.right);
     text(out, &Text { x: LEFT, y: 20.0, anchor: "start", rest: " font-weight=\"bold\"" }, title);
     let (shown_x, shown_y) = (shown(x), shown(y));
     let grid = "stroke=\"#dddddd\"";
     for (value, label) in ticks(x, &shown_x, TICKS.0) {
-        let place = plot.x(x, value);
-        stroke(out, (place, plot.top), (place, plot.bottom), grid);
+        let place = plot.across(value);
+        stroke(out, plot.upright(place), grid);
         let below = Text { x: place, y: plot.bottom + 17.0, anchor: "middle", rest: "" };
         text(out, &below, &label);
     }
     for (value, label) in ticks(y, &shown_y, TICKS.1) {
-        let place = plot.y(y, value);
-        stroke(out, (plot.left, place), (plot.right, place), grid);
+        let place = plot.up(value);
+        stroke(out, plot.level(place), grid);
         let beside = Text { x: plot.left - 6.0, y: place + 4.5, anchor: "end", rest: "" };
         text(out, &beside, &label);
     }
@@ -162,7 +182,7 @@ fn draw_frame(out: &mut String, plot: Plot, title: &str, (x, y): (&Axis, &Axis))
     text(out, &beside, &title_of(y, &shown_y.unit));
 }
 
-fn frame(out: &mut String, plot: Plot) {
+fn frame(out: &mut String, plot: Plot<'_>) {
     let _ = writeln!(
         out,
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#333333\"/>",
@@ -198,8 +218,15 @@ fn colour(number: usize) -> &'static str {
 fn draw_chart(out: &mut String, chart: &Chart) {
     let rows = legend_rows(&chart.curves);
     let top = TOP + LEGEND_LINE * rows.len() as f64;
-    let plot = Plot { left: LEFT, right: WIDTH - RIGHT, top, bottom: HEIGHT - BOTTOM };
-    draw_frame(out, plot, &chart.title, (&chart.x, &chart.y));
+    let plot = Plot {
+        left: LEFT,
+        right: WIDTH - RIGHT,
+        top,
+        bottom: HEIGHT - BOTTOM,
+        x: &chart.x,
+        y: &chart.y,
+    };
+    draw_frame(out, plot, &chart.title);
     for (row, numbers) in rows.iter().enumerate() {
         let y = TOP + LEGEND_LINE * row as f64 + 4.0;
         let mut x = LEFT;
@@ -207,10 +234,11 @@ fn draw_chart(out: &mut String, chart: &Chart) {
             let curve = &chart.curves[*number];
             let ink = colour(*number);
             if curve.is_dotted {
-                dot(out, (x + 11.0, y - 4.0), ink);
+                dot(out, Point { x: x + 11.0, y: y - 4.0 }, ink);
             } else {
                 let style = format!("stroke=\"{ink}\" stroke-width=\"2\"");
-                stroke(out, (x, y - 4.0), (x + 22.0, y - 4.0), &style);
+                let y = y - 4.0;
+                stroke(out, [Point { x, y }, Point { x: x + 22.0, y }], &style);
             }
             text(out, &Text { x: x + 28.0, y, anchor: "start", rest: "" }, &curve.name);
             x += 40.0 + LETTER * curve.name.chars().count() as f64;
@@ -218,27 +246,27 @@ fn draw_chart(out: &mut String, chart: &Chart) {
     }
     draw_lines(out, plot, chart);
     for (number, curve) in chart.curves.iter().enumerate() {
-        draw_curve(out, plot, chart, (curve, colour(number)));
+        draw_curve(out, plot, curve, colour(number));
     }
     frame(out, plot);
 }
 
-fn dot(out: &mut String, (x, y): (f64, f64), ink: &str) {
+fn dot(out: &mut String, Point { x, y }: Point, ink: &str) {
     let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"3\" fill=\"{ink}\"/>", at(x), at(y));
 }
 
-fn draw_curve(out: &mut String, plot: Plot, chart: &Chart, (curve, ink): (&Curve, &str)) {
-    let (x, y) = (&chart.x, &chart.y);
+fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve, ink: &str) {
+    let (x, y) = (plot.x, plot.y);
     let in_view = |value: f64| {
         let slack = 1e-9 * (x.high - x.low);
         value >= x.low - slack && value <= x.high + slack
     };
-    let mut pieces: Vec<Vec<(f64, f64)>> = vec![Vec::new()];
+    let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
     for (at_x, at_y) in &curve.points {
         let is_shown = x.scale.shows(*at_x) && y.scale.shows(*at_y) && in_view(*at_x);
         if is_shown {
             if let Some(piece) = pieces.last_mut() {
-                piece.push((plot.x(x, *at_x), plot.y(y, *at_y)));
+                piece.push(Point { x: plot.across(*at_x), y: plot.up(*at_y) });
             }
         } else if pieces.last().is_some_and(|piece| !piece.is_empty()) {
             pieces.push(Vec::new());
@@ -252,7 +280,7 @@ fn draw_curve(out: &mut String, plot: Plot, chart: &Chart, (curve, ink): (&Curve
             continue;
         }
         let points: Vec<String> =
-            seen(piece).iter().map(|(x, y)| format!("{},{}", at(*x), at(*y))).collect();
+            seen(piece).iter().map(|place| format!("{},{}", at(place.x), at(place.y))).collect();
         let _ = writeln!(
             out,
             "<polyline points=\"{}\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"2\"/>",
@@ -262,12 +290,12 @@ fn draw_curve(out: &mut String, plot: Plot, chart: &Chart, (curve, ink): (&Curve
 }
 
 /// Fewer points that draw the same line: of each half pixel the first, the least, the greatest and the last.
-fn seen(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+fn seen(points: &[Point]) -> Vec<Point> {
     let mut kept = Vec::new();
-    for cell in points.chunk_by(|a, b| (2.0 * a.0).floor().total_cmp(&(2.0 * b.0).floor()).is_eq())
+    for cell in points.chunk_by(|a, b| (2.0 * a.x).floor().total_cmp(&(2.0 * b.x).floor()).is_eq())
     {
         let extreme = |sign: f64| {
-            (0..cell.len()).min_by(|a, b| (sign * cell[*a].1).total_cmp(&(sign * cell[*b].1)))
+            (0..cell.len()).min_by(|a, b| (sign * cell[*a].y).total_cmp(&(sign * cell[*b].y)))
         };
         let mut places = vec![0, cell.len() - 1];
         places.extend([extreme(1.0), extreme(-1.0)].into_iter().flatten());
@@ -279,21 +307,20 @@ fn seen(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// Lines to read the curves by, with their names.
-fn draw_lines(out: &mut String, plot: Plot, chart: &Chart) {
+fn draw_lines(out: &mut String, plot: Plot<'_>, chart: &Chart) {
     let dashed = "stroke=\"#777777\" stroke-dasharray=\"4 3\"";
     let small = " font-size=\"11\" fill=\"#555555\"";
     let mut marks: Vec<&Line> =
         chart.marks.iter().filter(|it| chart.x.scale.shows(it.at)).collect();
     marks.retain(|mark| (0.0..=1.0).contains(&part(&chart.x, mark.at)));
     marks.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let near = |a: &&Line, b: &&Line| plot.x(&chart.x, b.at) - plot.x(&chart.x, a.at) < MARKS_NEAR;
+    let near = |a: &&Line, b: &&Line| plot.across(b.at) - plot.across(a.at) < MARKS_NEAR;
     for group in marks.chunk_by(near) {
         for mark in group {
-            let x = plot.x(&chart.x, mark.at);
-            stroke(out, (x, plot.top), (x, plot.bottom), dashed);
+            stroke(out, plot.upright(plot.across(mark.at)), dashed);
         }
         let names: Vec<&str> = group.iter().map(|mark| mark.name.as_str()).collect();
-        let x = plot.x(&chart.x, group.first().map_or(0.0, |mark| mark.at));
+        let x = plot.across(group.first().map_or(0.0, |mark| mark.at));
         // At the right edge the name stands before its line.
         let x = if x > plot.right - MARKS_NEAR { x - 5.0 } else { x + 11.0 };
         let turned = format!("{small} transform=\"rotate(-90 {} {})\"", at(x), at(plot.top + 6.0));
@@ -304,8 +331,8 @@ fn draw_lines(out: &mut String, plot: Plot, chart: &Chart) {
         if !chart.y.scale.shows(level.at) || !(0.0..=1.0).contains(&part(&chart.y, level.at)) {
             continue;
         }
-        let y = plot.y(&chart.y, level.at);
-        stroke(out, (plot.left, y), (plot.right, y), dashed);
+        let y = plot.up(level.at);
+        stroke(out, plot.level(y), dashed);
         let place = Text { x: plot.right - 4.0, y: y - 4.0, anchor: "end", rest: small };
         text(out, &place, &level.name);
     }

@@ -133,41 +133,6 @@ impl Entry {
     }
 }
 
-/// One number of an [`Entry`].
-pub struct Figure {
-    /// Name in files; it ends in its unit.
-    pub name: &'static str,
-    /// Read it.
-    pub get: fn(&Entry) -> Option<f64>,
-}
-
-/// Every number, in the order of files.
-#[rustfmt::skip]
-pub static FIGURES: &[Figure] = &[
-    Figure { name: "mass_efficiency", get: Entry::mass_efficiency },
-    Figure { name: "sized_thickness_m", get: |entry| entry.sized.as_ref().ok().map(|sized| sized.scene.target.thickness_m) },
-    Figure { name: "sized_areal_mass_kg_m2", get: |entry| entry.sized.as_ref().ok().map(|sized| sized.areal_kg_m2) },
-    Figure { name: "solid_areal_mass_kg_m2", get: |entry| entry.sized.as_ref().ok().map(|sized| sized.solid_areal_kg_m2) },
-    Figure { name: "mass_efficiency_as_built", get: |entry| entry.as_built },
-    Figure { name: "areal_mass_kg_m2", get: |entry| entry.areal_kg_m2 },
-    Figure { name: "spring_mass_kg", get: |entry| entry.spring_kg },
-    Figure { name: "limit_velocity_m_s", get: |entry| entry.limit_m_s },
-    Figure { name: "perforation_velocity_m_s", get: |entry| entry.perforation.velocity_m_s() },
-    Figure { name: "equivalent_thickness_m", get: |entry| entry.equivalent_m },
-    Figure { name: "stroke_m", get: |entry| entry.load.stroke_m },
-    Figure { name: "stored_energy_j", get: |entry| entry.load.stored_j },
-    Figure { name: "peak_mount_force_n", get: |entry| entry.load.mount_force_n },
-    Figure { name: "mount_impulse_n_s", get: |entry| entry.load.impulse_n_s },
-    Figure { name: "preload_energy_j", get: |entry| entry.load.preload_j },
-    Figure { name: "stroke_at_limit_m", get: |entry| entry.limit_load.stroke_m },
-    Figure { name: "stored_energy_at_limit_j", get: |entry| entry.limit_load.stored_j },
-    Figure { name: "peak_mount_force_at_limit_n", get: |entry| entry.limit_load.mount_force_n },
-    Figure { name: "max_plate_displacement_m", get: |entry| entry.load.farthest_m },
-    Figure { name: "thickness_m", get: |entry| Some(entry.scene.target.thickness_m) },
-    Figure { name: "residual_velocity_m_s", get: |entry| entry.residual_m_s },
-    Figure { name: "penetration_m", get: |entry| entry.depth_m },
-];
-
 /// Whether the mechanism pays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {

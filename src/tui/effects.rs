@@ -15,7 +15,6 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use super::Incoming;
-use crate::files::accuracy;
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::{self, ExportRequest};
@@ -26,6 +25,7 @@ use crate::files::read_table;
 use crate::files::session::{self, Known, Session};
 use crate::files::sweep;
 use crate::model::scene::Scene;
+use crate::report::accuracy;
 use crate::tui::complete;
 use crate::tui::message::{Content, EffectReport, ExportOutcome, Message, PresetEntry};
 
@@ -323,7 +323,9 @@ fn write_table(path: PathBuf, overwrite: bool, content: &Content) -> ExportOutco
         Ok(match content {
             Content::Text(text) => text.clone().into_bytes(),
             Content::Grid(name, grid) => sweep::grid_csv(name, grid)?,
-            Content::Accuracy(found) => accuracy::csv(std::slice::from_ref(&**found))?.into_bytes(),
+            Content::Accuracy(found) => {
+                accuracy::table(std::slice::from_ref(&**found)).csv().into_bytes()
+            }
         })
     };
     let written = atomic::ordinary(&path)

@@ -6,11 +6,11 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
-use crate::files::accuracy::Named;
 use crate::files::export::ExportRequest;
 use crate::model::library::Entry;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
+use crate::report::accuracy::Named;
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::Tab;
 use crate::tui::keymap::{Action, Pane};

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use crate::files::accuracy::Named;
 use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
+use crate::report::accuracy::Named;
 use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
 use crate::tui::chart::{Axis, Chart, Curve, Legend, Level, Scale, Unit, ViewRange};

@@ -4,43 +4,42 @@ use std::fmt::Write as _;
 
 use crate::cli::draw;
 use crate::model::units::{fixed_significant, significant};
+use crate::report::compare::table;
 use crate::report::figures::efficiency;
 use crate::study::compare::map::Map;
 use crate::study::compare::summary::sentences;
-use crate::study::compare::{Candidate, Entry, FIGURES, Report};
+use crate::study::compare::{Candidate, Report};
 use crate::tui::app::status::wrap;
 use crate::tui::theme::Theme;
 
-const LABEL: usize = 27;
-const COLUMN: usize = 13;
 const WIDTH: usize = 80;
 const INDENT: &str = "  ";
 const MAP: draw::Size = (78, 30);
 /// Rows of the table of the line of 1.
 const LINE_ROWS: u64 = 11;
 
-/// A line of the table: its label, what a stored unit is multiplied by, and the figure's name.
-type Line = (&'static str, f64, &'static str);
-
-const LINES: [Line; 18] = [
-    ("mass efficiency", 1.0, "mass_efficiency"),
-    ("  as built", 1.0, "mass_efficiency_as_built"),
-    ("areal mass, kg/m^2", 1.0, "areal_mass_kg_m2"),
-    ("limit velocity, m/s", 1.0, "limit_velocity_m_s"),
-    ("  perforation, m/s", 1.0, "perforation_velocity_m_s"),
-    ("solid of this limit, mm", 1e3, "equivalent_thickness_m"),
-    ("stroke, mm", 1e3, "stroke_m"),
-    ("  at the limit, mm", 1e3, "stroke_at_limit_m"),
-    ("stored energy, J", 1.0, "stored_energy_j"),
-    ("  at the limit, J", 1.0, "stored_energy_at_limit_j"),
-    ("mount force, kN", 1e-3, "peak_mount_force_n"),
-    ("  at the limit, kN", 1e-3, "peak_mount_force_at_limit_n"),
-    ("impulse into mount, N s", 1.0, "mount_impulse_n_s"),
-    ("preloaded energy, J", 1.0, "preload_energy_j"),
-    ("back-face travel, mm", 1e3, "max_plate_displacement_m"),
-    ("thickness, mm", 1e3, "thickness_m"),
-    ("residual velocity, m/s", 1.0, "residual_velocity_m_s"),
-    ("depth, mm", 1e3, "penetration_m"),
+/// The lines of the table, by their keys.
+const LINES: [&str; 20] = [
+    "candidate",
+    "outcome",
+    "mass_efficiency",
+    "mass_efficiency_as_built",
+    "areal_mass_kg_m2",
+    "limit_velocity_m_s",
+    "perforation_velocity_m_s",
+    "equivalent_thickness_m",
+    "stroke_m",
+    "stroke_at_limit_m",
+    "stored_energy_j",
+    "stored_energy_at_limit_j",
+    "peak_mount_force_n",
+    "peak_mount_force_at_limit_n",
+    "mount_impulse_n_s",
+    "preload_energy_j",
+    "max_plate_displacement_m",
+    "thickness_m",
+    "residual_velocity_m_s",
+    "penetration_m",
 ];
 
 /// The page.
@@ -58,40 +57,15 @@ pub(super) fn text(name: &str, report: &Report) -> String {
         }
     }
     page.push('\n');
-    table(&mut page, report);
-    page.push('\n');
-    masses(&mut page, report);
-    page
-}
-
-fn table(page: &mut String, report: &Report) {
-    let mut line = |label: &str, cell: &dyn Fn(&Entry) -> String| {
-        let mut text = format!("{label:LABEL$}");
-        for entry in &report.entries {
-            let _ = write!(text, "{:>COLUMN$}", cell(entry));
-        }
-        page.push_str(text.trim_end());
-        page.push('\n');
-    };
-    line("", &|entry| entry.candidate.word().to_owned());
-    line("at the design velocity", &|entry| {
-        let mark = if entry.is_held { "" } else { "*" };
-        format!("{}{mark}", entry.outcome.word())
-    });
-    for (label, factor, name) in LINES {
-        let Some(figure) = FIGURES.iter().find(|figure| figure.name == name) else { continue };
-        line(label, &|entry| {
-            let value = (figure.get)(entry);
-            let beyond = name == "perforation_velocity_m_s" || name == "limit_velocity_m_s";
-            let absent = if beyond && entry.is_beyond() { "beyond 3000" } else { "-" };
-            value.map_or_else(|| absent.to_owned(), |value| fixed_significant(factor * value, 4))
-        });
-    }
+    page += &table(name, report).turned(&LINES);
     if report.entries.iter().any(|entry| !entry.is_held) {
         page.push_str(
             "* nothing stops plate and projectile: no rival, only what mass ratio alone does\n",
         );
     }
+    page.push('\n');
+    masses(&mut page, report);
+    page
 }
 
 fn masses(page: &mut String, report: &Report) {

@@ -1,10 +1,9 @@
 //! The fit as a page of text.
 
-use std::fmt::Write as _;
-
 use crate::cli::text::labelled;
 use crate::files::clean;
 use crate::model::units::{Engineering, fixed_significant};
+use crate::report::fit::table;
 use crate::study::fit::calibrate::Calibration;
 use crate::study::fit::{Method, Report};
 
@@ -43,23 +42,10 @@ pub(super) fn text(
         page.push('\n');
         calibrated(&mut page, scene, calibration);
     }
-    let _ = writeln!(
-        page,
-        "\n{:>14}{:>12}{:>13}{:>12}",
-        "velocity m/s", "perforated", "probability", "residual"
-    );
-    let mut shots: Vec<_> = report.shots.iter().collect();
-    shots.sort_by(|a, b| a.velocity_m_s.total_cmp(&b.velocity_m_s));
-    for shot in shots {
-        let left = shot.residual_m_s.map_or_else(|| "-".to_owned(), |v| fixed_significant(v, 4));
-        let _ = writeln!(
-            page,
-            "{:>14}{:>12}{:>13.3}{left:>12}",
-            fixed_significant(shot.velocity_m_s, 5),
-            if shot.perforated { "yes" } else { "no" },
-            report.logistic.probability(shot.velocity_m_s)
-        );
-    }
+    let mut table = table(report);
+    table.rows.sort_by(|a, b| a.velocity_m_s.total_cmp(&b.velocity_m_s));
+    page.push('\n');
+    page += &table.page(&["velocity_m_s", "perforated", "perforation_probability", "residual_m_s"]);
     page
 }
 

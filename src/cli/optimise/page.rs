@@ -2,18 +2,15 @@
 
 use std::fmt::Write as _;
 
-use crate::files::front::law;
 use crate::model::results::ResultColumn;
 use crate::model::units::significant;
-use crate::study::search::front::{
-    Candidate, Constraint, Design, Front, STEPS_MAX, Standing, Task,
-};
-use crate::study::sweep::Spacing;
+use crate::report::front::{designs, law};
+use crate::report::table::{Cells, grid};
+use crate::study::search::front::{Candidate, Constraint, Front, STEPS_MAX, Standing, Task};
+use crate::study::sweep::{Axis, Spacing};
 
 /// Designs of a front that are listed.
 const LISTED: usize = 16;
-/// Columns of a cell.
-const CELL: usize = 12;
 
 /// The page.
 pub(super) fn text(name: &str, task: &Task, fronts: &[Front]) -> String {
@@ -69,21 +66,18 @@ fn one(page: &mut String, task: &Task, front: &Front) {
             "  {count} runs given up after {STEPS_MAX} steps: such designs count as failed"
         );
     }
-    let measures = task.measures();
-    let head: String = task
-        .axes
-        .iter()
-        .map(|axis| axis.symbol().to_owned())
-        .chain(task.shown().into_iter().map(|at| short(measures[at])))
-        .fold(String::new(), |line, cell| line + &format!("{cell:>CELL$}"));
-    if count > 0 {
-        let _ = writeln!(page, "      {head}");
-    }
     // Spread over the front, the first and the last among them.
     let listed = count.min(LISTED);
-    for place in 0..listed {
-        let at = if listed > 1 { place * (count - 1) / (listed - 1) } else { 0 };
-        let _ = writeln!(page, "{:>6}{}", at + 1, cells(task, &front.designs[at]));
+    if count > 0 {
+        let place = |at: usize| if listed > 1 { at * (count - 1) / (listed - 1) } else { 0 };
+        let table = designs(task, front, (0..listed).map(place));
+        let numbers = (0..listed).map(|at| (place(at) + 1).to_string()).collect();
+        let measures = task.measures();
+        let shown = task.shown().into_iter().map(|at| measures[at].name);
+        let keys: Vec<&str> = task.axes.iter().map(Axis::symbol).chain(shown).collect();
+        let mut cells = vec![Cells { head: String::new(), is_text: false, cells: numbers }];
+        cells.extend(table.cells(&keys));
+        *page += &grid(&cells);
     }
     if listed < count {
         let _ = writeln!(page, "      ({listed} of {count}; --csv FILE has them all)");
@@ -92,30 +86,6 @@ fn one(page: &mut String, task: &Task, front: &Front) {
     for candidate in &front.candidates {
         stands(page, task, candidate);
     }
-}
-
-/// A column's head: its title, clipped.
-fn short(column: &ResultColumn) -> String {
-    let words = match column.name {
-        "final_penetration_m" => "depth",
-        "percent_of_baseline" => "of baseline",
-        "max_plate_displacement_m" => "plate",
-        "peak_mount_force_n" => "mount force",
-        "system_mass_kg" => "system",
-        "peak_contact_force_n" => "contact",
-        "interface_demand_ratio" => "demand",
-        "limit_velocity_m_s" => "limit",
-        "mass_efficiency" => "efficiency",
-        _ => return column.title().chars().take(CELL - 1).collect(),
-    };
-    words.to_owned()
-}
-
-fn cells(task: &Task, design: &Design) -> String {
-    let values = design.values.iter().map(|value| significant(*value, 4));
-    let measures = task.measures();
-    let results = task.shown().into_iter().map(|at| shown(measures[at], design.measures[at]));
-    values.chain(results).fold(String::new(), |line, cell| line + &format!("{cell:>CELL$}"))
 }
 
 fn shown(column: &ResultColumn, value: Option<f64>) -> String {

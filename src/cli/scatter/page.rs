@@ -3,12 +3,9 @@
 use std::fmt::Write as _;
 
 use crate::model::units::significant;
-use crate::study::search::scatter::{Report, Summary};
+use crate::report::monte_carlo::table;
+use crate::study::search::scatter::Report;
 use crate::study::sweep::summary::CENSUS_WORDS;
-
-/// Columns of a result's name, and of a number.
-const NAME: usize = 32;
-const CELL: usize = 11;
 
 /// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
@@ -24,13 +21,12 @@ pub(super) fn text(name: &str, report: &Report) -> String {
         let _ = writeln!(page, "  {:8}{}{again}", tolerance.symbol(), words.trim_end());
     }
     outcomes(&mut page, report);
-    let heads = ["nominal", "mean", "5 %", "median", "95 %", "deviation"];
-    let head =
-        heads.iter().fold(format!("  {:NAME$}", ""), |line, cell| line + &format!("{cell:>CELL$}"));
-    let _ = writeln!(page, "\n{head}");
-    for summary in report.summaries.iter().filter(|summary| !summary.quantiles.is_empty()) {
-        line(&mut page, report, summary);
-    }
+    let mut table = table(name, report);
+    table.rows.retain(|summary| !summary.quantiles.is_empty());
+    page.push('\n');
+    let some_lack = table.rows.iter().any(|summary| summary.sorted.len() < report.samples);
+    let keys = ["output", "nominal", "mean", "q05", "q50", "q95", "deviation", "count"];
+    page += &table.page(&keys[..if some_lack { 8 } else { 7 }]);
     let absent: Vec<String> = report
         .summaries
         .iter()
@@ -62,17 +58,4 @@ fn outcomes(page: &mut String, report: &Report) {
             percent(high)
         );
     }
-}
-
-fn line(page: &mut String, report: &Report, summary: &Summary) {
-    let column = summary.measure;
-    let show =
-        |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| column.show(value, 4));
-    let at = |share: f64| show(summary.quantile(share).map(|quantile| quantile.value));
-    let mean = show(summary.mean.map(|mean| mean.0));
-    let cells = [show(summary.nominal), mean, at(0.05), at(0.5), at(0.95), show(summary.deviation)];
-    let cells = cells.iter().fold(String::new(), |line, cell| line + &format!("{cell:>CELL$}"));
-    let count = summary.sorted.len();
-    let of = if count == report.samples { String::new() } else { format!("   of {count}") };
-    let _ = writeln!(page, "  {:NAME$}{cells}{of}", column.title());
 }

@@ -39,12 +39,17 @@ fn band_colour(number: usize, count: usize) -> String {
 }
 
 pub(super) fn draw_map(out: &mut String, map: &Map) {
-    let plot =
-        Plot { left: LEFT, right: WIDTH - RIGHT - SCALE_WIDTH, top: TOP, bottom: HEIGHT - BOTTOM };
     // The first value lies in the middle of the first cell, the last one in the middle of the last.
     let widened = |axis: &Axis, count: usize| axis.clone().padded(0.5 / (count.max(2) - 1) as f64);
-    let axes = (widened(&map.x, map.counts.0), widened(&map.y, map.counts.1));
-    draw_frame(out, plot, &map.title, (&axes.0, &axes.1));
+    let plot = Plot {
+        left: LEFT,
+        right: WIDTH - RIGHT - SCALE_WIDTH,
+        top: TOP,
+        bottom: HEIGHT - BOTTOM,
+        x: &widened(&map.x, map.counts.0),
+        y: &widened(&map.y, map.counts.1),
+    };
+    draw_frame(out, plot, &map.title);
     let bounds = bands(map).unwrap_or_default();
     let count = bounds.len().saturating_sub(1);
     let (columns, rows) = map.counts;
@@ -100,7 +105,7 @@ pub(super) fn draw_map(out: &mut String, map: &Map) {
 }
 
 /// Letters of points without a value, so many that they can be read.
-fn draw_letters(out: &mut String, plot: Plot, map: &Map) {
+fn draw_letters(out: &mut String, plot: Plot<'_>, map: &Map) {
     let (columns, rows) = map.counts;
     let width = (plot.right - plot.left) / columns.max(1) as f64;
     let height = (plot.bottom - plot.top) / rows.max(1) as f64;
@@ -124,7 +129,7 @@ fn draw_letters(out: &mut String, plot: Plot, map: &Map) {
 }
 
 /// The bands with their bounds, what the letters mean, and the contour.
-fn draw_key(out: &mut String, plot: Plot, map: &Map, bounds: &[f64]) {
+fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map, bounds: &[f64]) {
     let count = bounds.len().saturating_sub(1);
     let (left, room) = (plot.right + 14.0, 16.0);
     let size = bounds.iter().fold(0.0_f64, |size, bound| size.max(bound.abs()));
@@ -181,7 +186,7 @@ fn note_lines(note: &str) -> Vec<String> {
 }
 
 /// The line on which a map has a value: in each square of four points straight from side to side.
-fn contour(plot: Plot, map: &Map, value: f64) -> String {
+fn contour(plot: Plot<'_>, map: &Map, value: f64) -> String {
     let (columns, rows) = map.counts;
     let width = (plot.right - plot.left) / columns.max(1) as f64;
     let height = (plot.bottom - plot.top) / rows.max(1) as f64;

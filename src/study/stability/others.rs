@@ -35,16 +35,6 @@ impl Other {
     /// All of them, in the order of columns.
     pub const ALL: [Self; 4] =
         [Self::Explicit, Self::Implicit, Self::ThesisCoarse, Self::ThesisFine];
-
-    /// The key of its column in files.
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Explicit => "explicit",
-            Self::Implicit => "implicit",
-            Self::ThesisCoarse => "thesis_1e-6",
-            Self::ThesisFine => "thesis_1e-7",
-        }
-    }
 }
 
 /// How a method fares on a contact.

@@ -5,8 +5,14 @@ use std::sync::Arc;
 use crossterm::event::KeyEvent;
 use tui_input::Input;
 
+<<<<<<< HEAD:src/tui/dialogs/table.rs
 use crate::files::error::FileError;
 use crate::files::{accuracy, compare, limit, stability, sweep, thesis};
+=======
+use super::path;
+use crate::files::sweep;
+use crate::report::{accuracy, compare, limit, stability, thesis};
+>>>>>>> b8ae7ef (One list of columns a study: CSV, JSON and pages from report::Table):src/tui/update/table.rs
 use crate::study::sweep::Axis;
 use crate::study::thesis::Row;
 use crate::tui::app::App;
@@ -30,14 +36,11 @@ pub(in crate::tui) fn open(app: &mut App, table: Table) {
 /// Copy a table to the clipboard.
 pub(in crate::tui) fn copy(app: &mut App, table: Table) -> Vec<Effect> {
     let text = match content(app, table) {
-        Some(Ok(Content::Text(text))) => Ok(text),
-        Some(Ok(Content::Grid(name, grid))) => sweep::grid_csv(&name, &grid)
+        Some(Content::Text(text)) => Ok(text),
+        Some(Content::Grid(name, grid)) => sweep::grid_csv(&name, &grid)
             .map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
             .map_err(|error| error.to_string()),
-        Some(Ok(Content::Accuracy(found))) => {
-            accuracy::csv(std::slice::from_ref(&*found)).map_err(|error| error.to_string())
-        }
-        Some(Err(error)) => Err(error.to_string()),
+        Some(Content::Accuracy(found)) => Ok(accuracy::table(std::slice::from_ref(&*found)).csv()),
         None => Err("nothing to copy yet: press r to compute it".to_owned()),
     };
     match text {
@@ -83,18 +86,18 @@ fn file(app: &App, table: Table) -> Option<String> {
 }
 
 /// What there is to be written.
-fn content(app: &App, table: Table) -> Option<Result<Content, FileError>> {
+fn content(app: &App, table: Table) -> Option<Content> {
     let name = |scene| name_of(scene, &app.base.name, &app.base.scene);
     let text = match table {
         Table::Explore => {
             let found = app.sweeping.found(app.picture())?;
             let name = name(found.grid.plan().base());
-            return Some(Ok(Content::Grid(name, Arc::clone(&found.grid))));
+            return Some(Content::Grid(name, Arc::clone(&found.grid)));
         }
         Table::Accuracy => {
             let report = app.accuracy.report.as_ref()?;
             let found = Box::new((name(&report.scene), (**report).clone()));
-            return Some(Ok(Content::Accuracy(found)));
+            return Some(Content::Accuracy(found));
         }
         Table::Limit => {
             let report = app.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
@@ -102,31 +105,31 @@ fn content(app: &App, table: Table) -> Option<Result<Content, FileError>> {
         }
         Table::Comparison => {
             let (scene, found) = app.limit.comparison.as_ref()?;
-            compare::rows(&name(scene), &found.report).csv()
+            compare::table(&name(scene), &found.report).csv()
         }
         Table::EfficiencyMap => {
             let (scene, found) = app.limit.comparison.as_ref()?;
-            compare::map_rows(&name(scene), found.map.as_ref()?).csv()
+            compare::map_table(&name(scene), found.map.as_ref()?).csv()
         }
         Table::Map => {
             let (scene, map) = app.stability.map.as_ref()?;
-            stability::map_rows(&name(scene), map).csv()
+            stability::map_table(&name(scene), map).csv()
         }
         Table::Battery => {
             let rows = app.stability.rows();
             if rows.is_empty() {
                 return None;
             }
-            stability::csv(rows)
+            stability::table(rows).csv()
         }
         Table::Search => app.search_csv()?,
         Table::Thesis => thesis_page(app)?,
     };
-    Some(text.map(Content::Text))
+    Some(Content::Text(text))
 }
 
 /// The page of the Thesis tab: of the claims those that are shown, so far as they are checked.
-fn thesis_page(app: &App) -> Option<Result<String, FileError>> {
+fn thesis_page(app: &App) -> Option<String> {
     Some(match app.pane() {
         Pane::Principles => thesis::principles().csv(),
         Pane::Screening => thesis::screening(&app.thesis.weights).csv(),
@@ -135,7 +138,7 @@ fn thesis_page(app: &App) -> Option<Result<String, FileError>> {
             if shown.is_empty() {
                 return None;
             }
-            thesis::rows(&shown).csv()
+            thesis::claims(&shown).csv()
         }
     })
 }
@@ -153,10 +156,6 @@ pub(in crate::tui) fn press(
 
 fn write(app: &App, table: Table, state: &mut Save, overwrite: bool) -> Vec<Effect> {
     let Some(path) = path::typed(app, state, "table.csv") else { return Vec::new() };
-    match content(app, table) {
-        Some(Ok(content)) => return vec![Effect::ExportTable { path, overwrite, content }],
-        Some(Err(error)) => state.error = Some(error.to_string()),
-        None => {}
-    }
-    Vec::new()
+    let effect = |content| Effect::ExportTable { path, overwrite, content };
+    content(app, table).map(effect).into_iter().collect()
 }

@@ -6,6 +6,7 @@ pub(in crate::tui) mod draw;
 use crate::model::library::{Entry, Library};
 use crate::model::scene::Scene;
 use crate::model::units::{Engineering, significant};
+use crate::report;
 use crate::study::compare::{self, summary::sentences};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
@@ -178,8 +179,9 @@ fn figures(entries: &[compare::Entry], cell: usize) -> Vec<Line> {
         ("mount_impulse_n_s", "impulse", "N s"),
         ("penetration_m", "depth", "m"),
     ];
+    let table = report::compare::figures(entries);
     for (name, label, unit) in figures {
-        let figure = compare::FIGURES.iter().find(|figure| figure.name == name);
+        let figure = table.columns.iter().find(|figure| figure.key == name);
         let show = |value: Option<f64>| match (value, unit) {
             (None, _) => "-".to_owned(),
             (Some(value), "" | "kg/m2") => significant(value, 4),
@@ -187,7 +189,8 @@ fn figures(entries: &[compare::Entry], cell: usize) -> Vec<Line> {
             (Some(value), "m/s") => format!("{} m/s", significant(value, 3)),
             (Some(value), unit) => Engineering { value, unit, digits: 3 }.to_string(),
         };
-        let cells = entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(entry))));
+        let cells =
+            entries.iter().map(|entry| show(figure.and_then(|it| (it.get)(&entry).as_f64())));
         lines.push(row(label, cells.collect()));
     }
     lines

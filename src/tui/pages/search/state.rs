@@ -2,11 +2,20 @@
 
 use std::sync::Arc;
 
+<<<<<<< HEAD:src/tui/pages/search/state.rs
 use crate::files::error::FileError;
 use crate::files::{compare as compare_file, sensitivity as sensitivity_file};
 use crate::files::{front as front_file, scatter as scatter_file, seek as seek_file};
+=======
+use super::App;
+use super::accuracy::Measuring;
+use super::layout::{Body, CHART_ROWS};
+use super::notice::Severity;
+use super::sweep::copy_value;
+>>>>>>> b8ae7ef (One list of columns a study: CSV, JSON and pages from report::Table):src/tui/app/search.rs
 use crate::model::scene::Scene;
 use crate::model::units::significant;
+use crate::report;
 use crate::study::search::front::{Design, Front, Task};
 use crate::study::search::scatter::Summary;
 use crate::study::sweep::Spacing;
@@ -459,19 +468,19 @@ impl App {
     }
 
     /// What is shown as a table; `None` where there is nothing.
-    pub fn search_csv(&self) -> Option<Result<String, FileError>> {
+    pub fn search_csv(&self) -> Option<String> {
         let found = self.searching.shown()?;
         let name =
             crate::tui::pages::run::runs::name_of(&found.scene, &self.base.name, &self.base.scene);
         Some(match (&found.answer, &*found.request) {
-            (Answer::Seek(report), _) => seek_file::rows(&name, report).csv(),
+            (Answer::Seek(it), _) => report::seek::table(&name, it).csv(),
             (Answer::Front(front), Request::Front(task)) => {
-                front_file::rows(&name, task, std::slice::from_ref(&**front)).csv()
+                report::front::table(&name, task, std::slice::from_ref(&**front)).csv()
             }
             (Answer::Front(_), _) => return None,
-            (Answer::Sensitivity(report), _) => sensitivity_file::rows(&name, report).csv(),
-            (Answer::Scatter(report), _) => scatter_file::rows(&name, report).csv(),
-            (Answer::Compare(found), _) => compare_file::rows(&name, &found.report).csv(),
+            (Answer::Sensitivity(it), _) => report::sensitivity::table(&name, it).csv(),
+            (Answer::Scatter(it), _) => report::monte_carlo::table(&name, it).csv(),
+            (Answer::Compare(found), _) => report::compare::table(&name, &found.report).csv(),
         })
     }
 }

@@ -1,0 +1,100 @@
+//! A comparison of methods: a row a point, and an object a scene with references and answers.
+
+use serde_json::{Value, json};
+
+use crate::report::table::{Table, pretty};
+use crate::study::accuracy::method::Knob;
+use crate::study::accuracy::{Measured, MethodReport, Point, Report};
+
+/// A scene's name and its comparison.
+pub type Named = (String, Report);
+
+/// A point with its method and the name of its scene.
+#[derive(Clone, Copy)]
+pub struct Row<'r> {
+    scene: &'r str,
+    method: &'r MethodReport,
+    point: &'r Point,
+}
+
+impl<'r> Row<'r> {
+    fn measured(&self) -> Option<&'r Measured> {
+        self.point.result.as_ref().ok()
+    }
+}
+
+fn rows((scene, report): &Named) -> impl Iterator<Item = Row<'_>> {
+    report
+        .methods
+        .iter()
+        .flat_map(move |method| method.points.iter().map(move |point| Row { scene, method, point }))
+}
+
+/// The points of all scenes.
+pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
+    Table::of(reports.iter().flat_map(rows))
+        .with("scene", "scene", "", |row| row.scene)
+        .with("method", "method", "", |row| row.method.method.name())
+        .with("letter", "letter", "", |row| row.method.method.letter().to_string())
+        .with("time_step_s", "time step", "s", |row| match row.point.knob {
+            Knob::Step(dt_s) => Some(dt_s),
+            Knob::None | Knob::Tolerance(_) => None,
+        })
+        .with("tolerance", "tolerance", "", |row| match row.point.knob {
+            Knob::Tolerance(value) => Some(value),
+            Knob::None | Knob::Step(_) => None,
+        })
+        .with("error", "error", "", |row| Some(row.measured()?.error()))
+        .with("penetration_error", "error of depth", "", |row| Some(row.measured()?.depth_error))
+        .with("time_error", "error of time", "", |row| Some(row.measured()?.time_error))
+        .with("at_floor", "at floor", "", |row| Some(row.measured()?.is_at_floor()))
+        .with("penetration_m", "depth", "m", |row| Some(row.measured()?.answer.depth_m))
+        .with("end_time_s", "end", "s", |row| Some(row.measured()?.answer.t_s))
+        .with("steps", "steps", "", |row| Some(row.measured()?.answer.steps))
+        .with("rejected", "rejected", "", |row| Some(row.measured()?.answer.rejected))
+        .with("rhs_evaluations", "evaluations", "", |row| Some(row.measured()?.answer.evaluations))
+        .with("run_time_s_min", "run time", "s", |row| Some(row.measured()?.timing.min_s))
+        .with("run_time_s_median", "median", "s", |row| Some(row.measured()?.timing.median_s))
+        .with("run_time_s_mad", "deviation", "s", |row| row.measured()?.timing.mad_s)
+        .with("repeats", "repeats", "", |row| Some(row.measured()?.timing.repeats))
+        .with("observed_order", "order", "", |row| row.method.observed_order())
+        .with("refused", "refused", "", |row| Some(row.point.result.err()?.words()))
+        .with("reference", "reference", "", |row| Some(row.method.reference?.basis.words()))
+        .with("reference_uncertainty", "its uncertainty", "", |row| {
+            row.method.reference?.uncertainty
+        })
+}
+
+/// A list with one object a scene.
+pub fn json(reports: &[Named]) -> String {
+    pretty(&reports.iter().map(scene).collect::<Vec<_>>())
+}
+
+fn scene(named: &Named) -> Value {
+    let (name, report) = named;
+    let references = report.references.iter().map(|reference| {
+        json!({
+            "basis": reference.basis.words(),
+            "ending": reference.ending.word(),
+            "penetration_m": reference.depth_m,
+            "end_time_s": reference.t_s,
+            "uncertainty": reference.uncertainty,
+        })
+    });
+    let answers = [1e-4, 1e-6, 1e-9, 1e-12].map(|target| {
+        let found = report.cheapest(target);
+        json!({
+            "error": target,
+            "method": found.map(|it| it.method.name()),
+            "knob": found.and_then(|it| it.knob.value()),
+            "run_time_s": found.map(|it| it.min_s),
+            "nothing_left_out_s": report.cheapest_in_full(target).map(|it| it.min_s),
+        })
+    });
+    json!({
+        "scene": name,
+        "references": references.collect::<Vec<_>>(),
+        "answers": answers,
+        "points": table(std::slice::from_ref(named)).objects(|_| true),
+    })
+}

@@ -1,0 +1,129 @@
+//! The comparison at equal areal mass: a row a candidate, the whole as an object, and its map. SI.
+
+use serde_json::{Map as Object, Value, json};
+
+use crate::report::table::{Table, pretty};
+use crate::study::compare::map::Map;
+use crate::study::compare::{Candidate, Entry, Report};
+
+/// The figures of some candidates.
+pub fn figures(entries: &[Entry]) -> Table<'_, &Entry> {
+    add_figures(Table::of(entries))
+}
+
+/// The candidates with their figures.
+pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Entry> {
+    let words = Table::of(&report.entries)
+        .with("scene", "scene", "", move |_| name)
+        .with("candidate", "", "", |it| it.candidate.word())
+        .with("outcome", "at the design velocity", "", |it| it.outcome.word())
+        .shown(|it, _| Some(format!("{}{}", it.outcome.word(), if it.is_held { "" } else { "*" })))
+        .with("governed_by", "governed by", "", |it| governed_by(it));
+    add_figures(words)
+}
+
+fn add_figures<'c>(table: Table<'c, &'c Entry>) -> Table<'c, &'c Entry> {
+    let beyond = |it: &&Entry, _: &Value| it.is_beyond().then(|| "beyond 3000".to_owned());
+    table
+        .with("mass_efficiency", "mass efficiency", "", |it| it.mass_efficiency())
+        .with("sized_thickness_m", "thickness just enough", "m", |it| {
+            Some(it.sized.as_ref().ok()?.scene.target.thickness_m)
+        })
+        .with("sized_areal_mass_kg_m2", "areal mass just enough", "kg/m^2", |it| {
+            Some(it.sized.as_ref().ok()?.areal_kg_m2)
+        })
+        .with("solid_areal_mass_kg_m2", "areal mass of the solid", "kg/m^2", |it| {
+            Some(it.sized.as_ref().ok()?.solid_areal_kg_m2)
+        })
+        .with("mass_efficiency_as_built", "mass efficiency as built", "", |it| it.as_built)
+        .with("areal_mass_kg_m2", "areal mass", "kg/m^2", |it| it.areal_kg_m2)
+        .with("spring_mass_kg", "spring mass", "kg", |it| it.spring_kg)
+        .with("limit_velocity_m_s", "limit velocity", "m/s", |it| it.limit_m_s)
+        .shown(beyond)
+        .with("perforation_velocity_m_s", "perforation", "m/s", |it| it.perforation.velocity_m_s())
+        .shown(beyond)
+        .with("equivalent_thickness_m", "solid of this limit", "m", |it| it.equivalent_m)
+        .with("stroke_m", "stroke", "m", |it| it.load.stroke_m)
+        .with("stored_energy_j", "stored energy", "J", |it| it.load.stored_j)
+        .with("peak_mount_force_n", "mount force", "N", |it| it.load.mount_force_n)
+        .with("mount_impulse_n_s", "impulse into mount", "N s", |it| it.load.impulse_n_s)
+        .with("preload_energy_j", "preloaded energy", "J", |it| it.load.preload_j)
+        .with("stroke_at_limit_m", "  at the limit", "m", |it| it.limit_load.stroke_m)
+        .with("stored_energy_at_limit_j", "  at the limit", "J", |it| it.limit_load.stored_j)
+        .with("peak_mount_force_at_limit_n", "  at the limit", "N", |it| {
+            it.limit_load.mount_force_n
+        })
+        .with("max_plate_displacement_m", "back-face travel", "m", |it| it.load.farthest_m)
+        .with("thickness_m", "thickness", "m", |it| it.scene.target.thickness_m)
+        .with("residual_velocity_m_s", "residual velocity", "m/s", |it| it.residual_m_s)
+        .with("penetration_m", "depth", "m", |it| it.depth_m)
+}
+
+/// What the limit velocity is governed by.
+fn governed_by(entry: &Entry) -> &'static str {
+    match (entry.failure, entry.limit_m_s) {
+        (Some(failure), _) => failure.word(),
+        (None, Some(_)) => "perforation",
+        (None, None) => "",
+    }
+}
+
+/// Everything, as one object; null for what does not exist.
+pub fn json(name: &str, report: &Report) -> String {
+    let figures = figures(&report.entries);
+    let candidates = Candidate::ALL.into_iter().map(|candidate| {
+        let entry = report.of(candidate).map_or(Value::Null, |entry| {
+            let mut object = figures.object(&entry, |_| true);
+            object.extend([
+                ("outcome".to_owned(), entry.outcome.word().into()),
+                ("held".to_owned(), entry.is_held.into()),
+                ("governed_by".to_owned(), governed_by(entry).into()),
+                ("no_limit".to_owned(), entry.no_limit().into()),
+                (
+                    "no_mass_efficiency".to_owned(),
+                    entry.sized.as_ref().err().map(|absence| absence.words()).into(),
+                ),
+            ]);
+            Value::Object(object)
+        });
+        (candidate.word().replace(' ', "_"), entry)
+    });
+    let closed = report.closed_form().map(|closed| {
+        json!({
+            "mass_efficiency": closed.mass_efficiency,
+            "needed_j_per_kg": closed.needed_j_per_kg,
+            "pays_below_m_s": closed.pays_below_m_s,
+        })
+    });
+    let own = report.of(Candidate::Scene);
+    pretty(&json!({
+        "scene": name,
+        "design_velocity_m_s": report.scene.projectile.velocity_m_s,
+        "verdict": report.verdict().words(),
+        "pays": report.verdict().pays(),
+        "mass_efficiency": own.and_then(Entry::mass_efficiency),
+        "closed_form": closed,
+        "face_m2": report.face_m2,
+        "spring_energy_j_per_kg": report.scene.mechanism.specific_energy_j_kg(),
+        "spring_energy_j": own.and_then(|own| own.load.stored_j),
+        "spring_mass_kg": own.and_then(|own| own.spring_kg),
+        "mount_mass_kg": report.hardware.mount_kg,
+        "stroke_available_m": report.hardware.stroke_m,
+        "penetration_over_solid": report.depth_over_solid(),
+        "caution": report.caution(),
+        "candidates": candidates.collect::<Object<_, _>>(),
+    }))
+}
+
+/// The points of a map that were computed, the second variable running fastest.
+pub fn map_table<'c>(name: &'c str, map: &'c Map) -> Table<'c, (u64, u64)> {
+    let (x, y) = (map.x(), map.y());
+    let points = (0..x.count()).flat_map(|at| (0..y.count()).map(move |up| (at, up)));
+    let cell = |at: &(u64, u64)| map.cell(at.0, at.1);
+    Table::of(points.filter(|at| cell(at).is_some()))
+        .with("scene", "scene", "", move |_| name)
+        .with(x.symbol(), x.symbol(), "", |at| x.value(at.0))
+        .with(y.symbol(), y.symbol(), "", |at| y.value(at.1))
+        .with("mass_efficiency", "mass efficiency", "", move |at| cell(at)?.ok())
+        .with("no_mass_efficiency", "why none", "", move |at| Some(cell(at)?.err()?.words()))
+}

@@ -1,0 +1,177 @@
+//! Pareto fronts: a row a design, and the whole as an object. SI, percent for percentages.
+
+use serde_json::{Value, json};
+
+use crate::model::results::ResultColumn;
+use crate::model::scene::InterfaceLaw;
+use crate::report::table::{Table, pretty};
+use crate::study::search::front::{Front, Standing, Task};
+use crate::study::sweep::Spacing;
+
+/// The law's word.
+pub fn law(law: InterfaceLaw) -> &'static str {
+    match law {
+        InterfaceLaw::Fused => "fused",
+        InterfaceLaw::Plastic => "plastic",
+    }
+}
+
+/// A candidate's standing in a word.
+fn standing(standing: &Standing) -> &'static str {
+    match standing {
+        Standing::OnFront => "on the front",
+        Standing::Beaten { .. } => "beaten",
+        Standing::Breaks(_) => "breaks a constraint",
+        Standing::NoValue(_) => "no value",
+        Standing::Impossible => "impossible",
+    }
+}
+
+/// A design of a front, or a candidate beside it.
+pub struct Row<'f> {
+    law: InterfaceLaw,
+    /// `front`, or the name of a candidate.
+    kind: &'static str,
+    /// The variables.
+    values: Vec<Option<f64>>,
+    measures: &'f [Option<f64>],
+    /// What becomes of the design; of a candidate its standing.
+    outcome: &'static str,
+}
+
+fn design(front: &Front, at: usize) -> Row<'_> {
+    let design = &front.designs[at];
+    Row {
+        law: front.law,
+        kind: "front",
+        values: design.values.iter().copied().map(Some).collect(),
+        measures: &design.measures,
+        outcome: design.fate.word(),
+    }
+}
+
+fn candidates<'f>(task: &Task, front: &'f Front) -> impl Iterator<Item = Row<'f>> {
+    front.candidates.iter().map(|candidate| Row {
+        law: front.law,
+        kind: candidate.name,
+        values: task
+            .axes
+            .iter()
+            .map(|axis| (axis.number().get)(candidate.scene.as_ref()?))
+            .collect(),
+        measures: &candidate.measures,
+        outcome: standing(&candidate.standing),
+    })
+}
+
+/// A measure in a word or two.
+fn heading(column: &ResultColumn) -> String {
+    let words = match column.name {
+        "final_penetration_m" => "depth",
+        "percent_of_baseline" => "of baseline",
+        "max_plate_displacement_m" => "plate",
+        "peak_mount_force_n" => "mount force",
+        "system_mass_kg" => "system",
+        "peak_contact_force_n" => "contact",
+        "interface_demand_ratio" => "demand",
+        "limit_velocity_m_s" => "limit",
+        "mass_efficiency" => "efficiency",
+        _ => return column.title(),
+    };
+    words.to_owned()
+}
+
+/// Every front: its designs, then its candidates.
+pub fn table<'c>(name: &'c str, task: &Task, fronts: &'c [Front]) -> Table<'c, Row<'c>> {
+    let rows = fronts.iter().flat_map(|front| {
+        let designs = (0..front.designs.len()).map(|at| design(front, at));
+        designs.chain(candidates(task, front))
+    });
+    with_columns(Table::of(rows), name, task)
+}
+
+/// Some designs of a front, by their places.
+pub fn designs<'c>(
+    task: &Task,
+    front: &'c Front,
+    places: impl Iterator<Item = usize>,
+) -> Table<'c, Row<'c>> {
+    with_columns(Table::of(places.map(|at| design(front, at))), "", task)
+}
+
+fn with_columns<'c>(rows: Table<'c, Row<'c>>, name: &'c str, task: &Task) -> Table<'c, Row<'c>> {
+    let mut table = rows
+        .with("scene", "scene", "", move |_| name)
+        .with("interface", "interface", "", |row| law(row.law))
+        .with("design", "design", "", |row| row.kind);
+    for (at, axis) in task.axes.iter().enumerate() {
+        table = table.with(axis.symbol(), axis.symbol(), "", move |row| row.values[at]);
+    }
+    for (at, measure) in task.measures().into_iter().enumerate() {
+        table = table
+            .with(measure.name, heading(measure), "", move |row| row.measures[at])
+            .shown(|_, value| Some(measure.show(value.as_f64()?, 4)));
+    }
+    table.with("outcome", "outcome", "", |row| row.outcome)
+}
+
+/// Everything, as one object; null for what does not exist.
+pub fn json(name: &str, task: &Task, fronts: &[Front]) -> String {
+    let variables = task.axes.iter().map(|axis| {
+        let (low, high) = axis.ends();
+        json!({
+            "variable": axis.symbol(), "key": axis.variable().key, "low": low, "high": high,
+            "log": axis.spacing() == Spacing::Log,
+        })
+    });
+    let objectives = task.objectives.iter().map(
+        |objective| json!({ "output": objective.measure.name, "maximise": objective.maximise }),
+    );
+    let constraints = task.constraints.iter().map(|constraint| {
+        let sign = if constraint.at_most { "<=" } else { ">=" };
+        json!({ "output": constraint.measure.name, "is": sign, "bound": constraint.bound })
+    });
+    pretty(&json!({
+        "scene": name,
+        "variables": variables.collect::<Vec<_>>(),
+        "objectives": objectives.collect::<Vec<_>>(),
+        "constraints": constraints.collect::<Vec<_>>(),
+        "seed": task.effort.seed,
+        "population": task.effort.population,
+        "generations": task.effort.generations,
+        "fronts": fronts.iter().map(|front| of_front(task, front)).collect::<Vec<_>>(),
+    }))
+}
+
+fn of_front(task: &Task, front: &Front) -> Value {
+    let is_own = |key: &str| !["scene", "interface", "design"].contains(&key);
+    let challengers = with_columns(Table::of(candidates(task, front)), "", task);
+    let mut list = Vec::new();
+    for (row, candidate) in challengers.rows.iter().zip(&front.candidates) {
+        let mut object = challengers.object(row, is_own);
+        object.remove("outcome");
+        let by = match candidate.standing {
+            Standing::Beaten { by } => Some(by),
+            Standing::OnFront
+            | Standing::Breaks(_)
+            | Standing::NoValue(_)
+            | Standing::Impossible => None,
+        };
+        object.extend([
+            ("name".to_owned(), candidate.name.into()),
+            ("source".to_owned(), candidate.source.into()),
+            ("standing".to_owned(), row.outcome.into()),
+            ("beaten_by".to_owned(), by.into()),
+        ]);
+        list.push(object);
+    }
+    json!({
+        "interface": law(front.law),
+        "runs": front.runs,
+        "given_up": front.given_up,
+        "generations": front.generations,
+        "complete": front.is_complete,
+        "designs": designs(task, front, 0..front.designs.len()).objects(is_own),
+        "candidates": list,
+    })
+}

@@ -1,0 +1,75 @@
+//! The interaction models, or the quirks of Appendix A, side by side.
+
+use crate::model::results;
+use crate::model::run::{Outcome, Run};
+use crate::report::table::Table;
+use crate::study::models::{Comparison, Row};
+
+/// A model that was run, or one that does not apply and why.
+pub enum Line<'r> {
+    /// A run.
+    Run(&'r Row),
+    /// A refusal.
+    Refused(&'static str, &'r str),
+}
+
+impl<'r> Line<'r> {
+    fn row(&self) -> Option<&'r Row> {
+        match self {
+            Self::Run(row) => Some(row),
+            Self::Refused(..) => None,
+        }
+    }
+
+    fn run(&self) -> Option<&'r Run> {
+        self.row().map(|row| &*row.run)
+    }
+}
+
+/// All of them.
+pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
+    let runs = found.rows.iter().map(Line::Run);
+    let refused = found.refused.iter().map(|(model, why)| Line::Refused(model, why));
+    Table::of(runs.chain(refused))
+        .with("scene", "scene", "", move |_| name)
+        .with("model", "model", "", |it| match it {
+            Line::Run(row) => row.name,
+            Line::Refused(model, _) => model,
+        })
+        .with("outcome", "outcome", "", |it| it.run().map_or("refused", |run| run.outcome.word()))
+        .with("final_penetration_m", "depth", "m", |it| it.run()?.final_penetration_m)
+        .shown(|it, _| {
+            let is_through = it.run()?.outcome == Outcome::Perforated;
+            is_through.then(|| Outcome::Perforated.word().to_owned())
+        })
+        .with("first_arrest_penetration_m", "depth at first arrest", "m", |it| {
+            Some(it.run()?.first_arrest?.penetration_m)
+        })
+        .with("percent_of_baseline", "of baseline", "%", |it| it.run()?.percent_of_baseline())
+        .with("max_plate_displacement_m", "travel", "m", |it| it.run()?.max_plate_displacement_m)
+        .with("peak_contact_force_n", "peak", "N", |it| it.run()?.peak_contact_force_n)
+        .with("penetration_deviation", "against", "", |it| found.depth_error(it.row()?))
+        .shown(|_, value| Some(percent(value.as_f64()?)))
+        .with("displacement_deviation", "against", "", |it| found.travel_error(it.row()?))
+        .shown(|_, value| Some(percent(value.as_f64()?)))
+        .with("force_deviation", "against", "", |it| found.force_error(it.row()?))
+        .shown(|_, value| Some(percent(value.as_f64()?)))
+        .with("error_estimate", "error estimate", "", |it| {
+            results::find("error_estimate")?.value(it.run()?)
+        })
+        .with("energy_residual", "energy residual", "", |it| Some(it.run()?.ledger.residual()))
+        .with("run_time_s", "run time", "s", |it| it.row().map(|row| row.took_s))
+        .with("steps", "steps", "", |it| it.run().map(|run| run.cost.steps))
+        .with("with", "with", "", |it| it.row().map(|row| row.with.clone()))
+        .with("strength", "strength", "", |it| it.row().map(|row| row.judged.0))
+        .with("weakness", "weakness", "", |it| match it {
+            Line::Run(row) => row.judged.1.to_owned(),
+            Line::Refused(_, why) => (*why).to_owned(),
+        })
+}
+
+/// A deviation as a percentage.
+fn percent(value: f64) -> String {
+    let places = usize::from(value.abs() < 1.0);
+    format!("{:+.places$} %", 100.0 * value)
+}

@@ -1,0 +1,83 @@
+//! A Monte Carlo study: a row a quantity, and the whole as an object. SI, percent for percentages.
+
+use serde_json::{Map, Value, json};
+
+use crate::report::table::{Table, pretty};
+use crate::study::search::scatter::{Report, Summary};
+
+/// Digits of a number on a page.
+const DIGITS: usize = 4;
+/// Columns of the quantiles: key, heading, part of the values below it.
+const QUANTILES: [(&str, &str, f64); 7] = [
+    ("q01", "1 %", 0.01),
+    ("q05", "5 %", 0.05),
+    ("q25", "25 %", 0.25),
+    ("q50", "median", 0.5),
+    ("q75", "75 %", 0.75),
+    ("q95", "95 %", 0.95),
+    ("q99", "99 %", 0.99),
+];
+
+/// The quantities.
+pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, &'c Summary> {
+    // Each row has the unit of its quantity.
+    let in_unit = |it: &&Summary, value: &Value| Some(it.measure.show(value.as_f64()?, DIGITS));
+    let table = Table::of(&report.summaries)
+        .with("scene", "scene", "", move |_| name)
+        .with("output", "", "", |it| it.measure.name)
+        .shown(|it, _| Some(it.measure.title()))
+        .with("nominal", "nominal", "", |it| it.nominal)
+        .shown(in_unit)
+        .with("count", "values", "", |it| it.sorted.len())
+        .with("mean", "mean", "", |it| it.mean.map(|mean| mean.0))
+        .shown(in_unit)
+        .with("mean_low_95", "mean from", "", |it| it.mean.map(|mean| mean.1.0))
+        .shown(in_unit)
+        .with("mean_high_95", "mean to", "", |it| it.mean.map(|mean| mean.1.1))
+        .shown(in_unit)
+        .with("deviation", "deviation", "", |it| it.deviation)
+        .shown(in_unit);
+    let quantile = |table: Table<'c, &'c Summary>, (key, label, share)| {
+        table.with(key, label, "", move |it| Some(it.quantile(share)?.value)).shown(in_unit)
+    };
+    QUANTILES.into_iter().fold(table, quantile).with("seed", "seed", "", |_| report.seed)
+}
+
+/// Everything, as one object; null for what does not exist.
+pub fn json(name: &str, report: &Report) -> String {
+    let inputs = report.tolerances.iter().zip(&report.redrawn).map(|(tolerance, redrawn)| {
+        let (first, second) = tolerance.distribution.numbers();
+        json!({
+            "variable": tolerance.symbol(), "key": tolerance.variable().key,
+            "distribution": tolerance.distribution.word(),
+            "parameters": [first, second], "redrawn": redrawn,
+        })
+    });
+    let words = ["arrested", "perforated", "separated", "moving", "failed"].into_iter();
+    let outcomes =
+        words.zip(report.census).map(|(word, count)| (word.to_owned(), Value::from(count)));
+    let table = table(name, report);
+    let outputs = table.rows.iter().map(|summary| {
+        let is_own = |key: &str| key != "scene" && key != "seed" && !key.starts_with('q');
+        let mut object = table.object(summary, is_own);
+        let quantiles = summary.quantiles.iter().map(|quantile| {
+            let (low, high) = quantile.range95;
+            json!({ "share": quantile.share, "value": quantile.value, "low_95": low, "high_95": high })
+        });
+        object.insert("quantiles".to_owned(), quantiles.collect());
+        object
+    });
+    let perforation = report
+        .perforated
+        .map(|(part, (low, high))| json!({ "probability": part, "low_95": low, "high_95": high }));
+    pretty(&json!({
+        "scene": name,
+        "inputs": inputs.collect::<Vec<_>>(),
+        "seed": report.seed,
+        "samples": report.samples,
+        "complete": report.is_complete,
+        "outcomes": outcomes.collect::<Map<_, _>>(),
+        "perforation": perforation,
+        "outputs": outputs.collect::<Vec<_>>(),
+    }))
+}

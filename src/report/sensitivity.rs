@@ -1,0 +1,62 @@
+//! Which variables matter: a row a variable, and the whole as an object. SI; effects and swings in the result's unit.
+
+use serde_json::json;
+
+use crate::model::units::significant;
+use crate::report::table::{Table, pretty};
+use crate::study::sensitivity::Report;
+use crate::study::sweep::Axis;
+
+/// The variables, the one that matters most first; a row is a variable's place in the report.
+pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
+    let axis = |at: &usize| &report.axes[*at];
+    let bar = |at: &usize| report.bars[*at];
+    let effect = |at: &usize| report.effects.get(*at).copied().unwrap_or_default();
+    let first = |at: &usize| report.sobol.as_ref()?.inputs[*at].first;
+    let total = |at: &usize| report.sobol.as_ref()?.inputs[*at].total;
+    let unit = report.output.unit();
+    Table::of(report.order())
+        .with("scene", "scene", "", move |_| name)
+        .with("output", "quantity", "", |_| report.output.name)
+        .with("variable", "", "", move |at| axis(at).symbol())
+        .with("key", "key", "", move |at| axis(at).variable().key)
+        .with("low", "from", "", move |at| axis(at).ends().0)
+        .shown(move |at, value| Some(show(axis(at), value.as_f64()?)))
+        .with("high", "to", "", move |at| axis(at).ends().1)
+        .shown(move |at, value| Some(show(axis(at), value.as_f64()?)))
+        .with("output_at_low", "result", unit, move |at| bar(at).low)
+        .with("output_at_high", "to", unit, move |at| bar(at).high)
+        .with("swing", "swing", unit, move |at| bar(at).swing())
+        .with("morris_mu_star", "mu*", unit, move |at| effect(at).magnitude)
+        .with("morris_mu", "mu", unit, move |at| effect(at).mean)
+        .with("morris_sigma", "sigma", unit, move |at| effect(at).deviation)
+        .with("sobol_first", "first", "", move |at| Some(first(at)?.value))
+        .with("sobol_first_low_95", "from", "", move |at| Some(first(at)?.range95.0))
+        .with("sobol_first_high_95", "to", "", move |at| Some(first(at)?.range95.1))
+        .with("sobol_total", "total", "", move |at| Some(total(at)?.value))
+        .with("sobol_total_low_95", "from", "", move |at| Some(total(at)?.range95.0))
+        .with("sobol_total_high_95", "to", "", move |at| Some(total(at)?.range95.1))
+}
+
+/// A value of a variable with its unit.
+fn show(axis: &Axis, value: f64) -> String {
+    let unit = axis.variable().unit().trim_matches('-');
+    format!("{} {unit}", significant(value, 4)).trim_end().to_owned()
+}
+
+/// Everything, as one object; null for what does not exist.
+pub fn json(name: &str, report: &Report) -> String {
+    let sobol = report.sobol.as_ref();
+    pretty(&json!({
+        "scene": name,
+        "output": report.output.name,
+        "output_of_scene": report.own,
+        "seed": report.effort.seed,
+        "trajectories": report.effort.trajectories,
+        "samples": report.effort.rows,
+        "samples_used": sobol.map(|sobol| sobol.used),
+        "mean": sobol.map(|sobol| sobol.mean),
+        "variance": sobol.map(|sobol| sobol.variance),
+        "variables": table(name, report).objects(|key| !["scene", "output"].contains(&key)),
+    }))
+}

@@ -1,0 +1,91 @@
+//! The battery and the map of a fixed-step method, SI.
+
+use serde_json::json;
+
+use crate::report::table::{Table, pretty};
+use crate::study::stability::map::Map;
+use crate::study::stability::others::Other;
+use crate::study::stability::{Row, Shortfall};
+
+/// Names of the columns of another method: how it fares, and its error.
+fn keys(other: Other) -> (&'static str, &'static str) {
+    match other {
+        Other::Explicit => ("explicit", "explicit_error"),
+        Other::Implicit => ("implicit", "implicit_error"),
+        Other::ThesisCoarse => ("thesis_1e-6", "thesis_1e-6_error"),
+        Other::ThesisFine => ("thesis_1e-7", "thesis_1e-7_error"),
+    }
+}
+
+/// The battery, a row a scene.
+pub fn table(rows: &[Row]) -> Table<'_, &Row> {
+    let mut table = Table::of(rows)
+        .with("scene", "scene", "", |row| row.case.name)
+        .with("changes", "changes", "", |row| row.case.changes)
+        .with("outcome", "outcome", "", |row| row.run.outcome.word())
+        .with("end", "end", "", |row| row.run.end.words())
+        .with("energy_residual", "energy", "", |row| row.run.ledger.residual())
+        .with("error", "error", "", |row| row.error)
+        .with("reference", "reference", "", |row| row.basis.words())
+        .with("method", "method", "", |row| row.run.cost.method)
+        .with("steps", "steps", "", |row| row.run.cost.steps)
+        .with("rejected", "rejected", "", |row| row.run.cost.rejected)
+        .with("run_time_s", "time", "s", |row| row.took_s)
+        .with("stiffness", "stiff", "", |row| row.stiffness.largest())
+        .with("swings_rad", "oscillations", "rad", |row| row.stiffness.swings_rad)
+        .with("decays", "decays", "", |row| row.stiffness.decays);
+    for (at, other) in Other::ALL.into_iter().enumerate() {
+        let (verdict, error) = keys(other);
+        table = table.with(verdict, verdict, "", move |row| row.others[at].word()).with(
+            error,
+            error,
+            "",
+            move |row| row.others[at].error(),
+        );
+    }
+    table.with("shortfall", "fails", "", |row| row.shortfall.map(Shortfall::words)).with(
+        "why_hard",
+        "what makes it hard",
+        "",
+        |row| row.case.why,
+    )
+}
+
+/// The whole battery.
+pub fn json(rows: &[Row]) -> String {
+    let short = rows.iter().filter(|row| row.shortfall.is_some()).count();
+    let list = table(rows).objects(|_| true);
+    pretty(&json!({ "rows": list, "count": rows.len(), "short": short }))
+}
+
+/// The map, one row a cell: the greatest step of stability stands beside each, empty where nothing limits it.
+pub fn map_table<'c>(scene: &'c str, map: &'c Map) -> Table<'c, (usize, usize)> {
+    let columns = 0..map.dt_s.len();
+    let rows =
+        (0..map.values.len()).flat_map(|row| columns.clone().map(move |column| (row, column)));
+    Table::of(rows)
+        .with("scene", "scene", "", move |_| scene)
+        .with("method", "method", "", |_| map.method.name())
+        .with("variable", "variable", "", |_| map.axis.symbol())
+        .with("value", "value", "", |at| map.values[at.0])
+        .with("dt_s", "dt", "s", |at| map.dt_s[at.1])
+        .with("cell", "cell", "", |at| map.cell(at.0, at.1).word())
+        .with("limit_dt_s", "greatest stable dt", "s", |at| map.limit_s[at.0])
+}
+
+/// The map; its cells as letters, row by row.
+pub fn map_json(scene: &str, map: &Map) -> String {
+    let letters = |row| (0..map.dt_s.len()).map(move |column| map.cell(row, column).letter());
+    let rows: Vec<String> = (0..map.values.len()).map(|row| letters(row).collect()).collect();
+    pretty(&json!({
+        "scene": scene,
+        "method": map.method.name(),
+        "variable": map.axis.symbol(),
+        "dt_s": map.dt_s,
+        "values": map.values,
+        "cells": rows,
+        "limit_dt_s": map.limit_s,
+        "present": { "value": map.present.0, "dt_s": map.present.1 },
+        "largest_stable_dt_s": map.largest_stable_dt_s,
+    }))
+}

@@ -1,0 +1,279 @@
+//! A study's table: one list of columns, from which its CSV, its JSON and its page are made.
+//!
+//! CSV and JSON have SI units and the shortest digits that read back to the same number; a value that does not exist is an empty
+//! field or null. A page has a few digits and a prefix for each unit.
+
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::{Map, Value};
+
+use crate::model::units::{NO_NUMBER, fixed_significant, prefix_of, shortest};
+
+/// Digits of a number on a page.
+const DIGITS: usize = 4;
+/// Blanks between two columns of a page.
+const GAP: &str = "  ";
+
+/// A column of a table with rows `R`.
+pub struct Column<'c, R> {
+    /// Its name in CSV and JSON; that of a number ends in its unit.
+    pub key: &'static str,
+    /// Its heading on a page.
+    pub label: String,
+    /// The unit of its numbers; empty for pure numbers, counts and words.
+    pub unit: &'static str,
+    /// Its value in a row.
+    pub get: Box<dyn Fn(&R) -> Value + 'c>,
+    /// What a page shows instead of the value, where that is not the value itself.
+    shown: Option<Shown<'c, R>>,
+}
+
+/// Makes the text of a page from a row and its value.
+type Shown<'c, R> = Box<dyn Fn(&R, &Value) -> Option<String> + 'c>;
+
+/// Rows, and the columns that are made of them.
+pub struct Table<'c, R> {
+    /// The columns, in the order of files.
+    pub columns: Vec<Column<'c, R>>,
+    /// The rows.
+    pub rows: Vec<R>,
+}
+
+/// A row with its keys, in their order; a map would sort them.
+struct Entries<'t, 'c, R>(&'t [Column<'c, R>], &'t R);
+
+impl<R> Serialize for Entries<'_, '_, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for column in self.0 {
+            map.serialize_entry(column.key, &(column.get)(self.1))?;
+        }
+        map.end()
+    }
+}
+
+impl<'c, R> Table<'c, R> {
+    /// A table of these rows, which has no column yet.
+    pub fn of(rows: impl IntoIterator<Item = R>) -> Self {
+        Self { columns: Vec::new(), rows: rows.into_iter().collect() }
+    }
+
+    /// With a further column.
+    #[must_use]
+    pub fn with<T: Into<Value>>(
+        mut self,
+        key: &'static str,
+        label: impl Into<String>,
+        unit: &'static str,
+        get: impl Fn(&R) -> T + 'c,
+    ) -> Self {
+        let (label, get) = (label.into(), Box::new(move |row: &R| get(row).into()));
+        self.columns.push(Column { key, label, unit, get, shown: None });
+        self
+    }
+
+    /// With a text that a page shows in the last column instead of the value.
+    #[must_use]
+    pub fn shown(mut self, text: impl Fn(&R, &Value) -> Option<String> + 'c) -> Self {
+        if let Some(column) = self.columns.last_mut() {
+            column.shown = Some(Box::new(text));
+        }
+        self
+    }
+
+    /// As CSV, RFC 4180.
+    pub fn csv(&self) -> String {
+        let header = self.columns.iter().map(|column| column.key.to_owned());
+        let row = |row| self.columns.iter().map(move |column| field(&(column.get)(row)));
+        csv(std::iter::once(header.collect()).chain(self.rows.iter().map(|it| row(it).collect())))
+    }
+
+    /// As a JSON list of objects, whose keys keep the order of the columns.
+    pub fn json(&self) -> String {
+        let entries = |row| Entries(&self.columns, row);
+        pretty(&self.rows.iter().map(entries).collect::<Vec<_>>())
+    }
+
+    /// The values of a row by their keys, of some columns.
+    pub fn object(&self, row: &R, wanted: impl Fn(&str) -> bool) -> Map<String, Value> {
+        let columns = self.columns.iter().filter(|column| wanted(column.key));
+        columns.map(|column| (column.key.to_owned(), (column.get)(row))).collect()
+    }
+
+    /// The rows as objects, of some columns.
+    pub fn objects(&self, wanted: impl Fn(&str) -> bool) -> Value {
+        self.rows.iter().map(|row| Value::Object(self.object(row, &wanted))).collect()
+    }
+
+    /// With the warnings of the whole table in every row.
+    #[must_use]
+    pub fn with_warnings(self, warnings: &[String]) -> Self {
+        let text = warnings.join("; ");
+        self.with("warnings", "warnings", "", move |_| text.clone())
+    }
+
+    /// As lines of a page, of the columns with these keys: a heading above its cells.
+    pub fn page(&self, keys: &[&str]) -> String {
+        grid(&self.cells(keys))
+    }
+
+    /// The same with its headings at the left and a column for each row.
+    pub fn turned(&self, keys: &[&str]) -> String {
+        let lines: Vec<Cells> = keys.iter().flat_map(|key| self.cells(&[key])).collect();
+        let heads = lines.iter().map(|line| line.head.clone()).collect();
+        let column = |row: usize| Cells {
+            head: String::new(),
+            is_text: false,
+            cells: lines.iter().map(|line| line.cells[row].clone()).collect(),
+        };
+        let first = Cells { head: String::new(), is_text: true, cells: heads };
+        let columns: Vec<Cells> =
+            std::iter::once(first).chain((0..self.rows.len()).map(column)).collect();
+        // No column has a heading then, which leaves its line empty.
+        grid(&columns).trim_start_matches('\n').to_owned()
+    }
+
+    /// The columns with these keys on a page, those of one unit with the same prefix.
+    pub fn cells(&self, keys: &[&str]) -> Vec<Cells> {
+        let columns = keys.iter().filter_map(|key| self.columns.iter().find(|it| it.key == *key));
+        let columns: Vec<_> = columns
+            .map(|column| (column, self.rows.iter().map(|row| (column.get)(row)).collect()))
+            .collect();
+        let size = |unit: &str| {
+            let alike = columns.iter().filter(|(column, _)| column.unit == unit);
+            let sizes = alike.flat_map(|(_, values): &(_, Vec<Value>)| values);
+            sizes.filter_map(Value::as_f64).fold(0.0, |a: f64, b| a.max(b.abs()))
+        };
+        let of = |(column, values): &(&Column<'c, R>, Vec<Value>)| {
+            let takes_prefix = matches!(column.unit, "m" | "s" | "N" | "J" | "Pa");
+            let scale = if takes_prefix { prefix_of(size(column.unit)) } else { (1.0, "") };
+            self.column_cells(column, values, scale)
+        };
+        columns.iter().map(of).collect()
+    }
+
+    fn column_cells(
+        &self,
+        column: &Column<'c, R>,
+        values: &[Value],
+        (factor, prefix): (f64, &str),
+    ) -> Cells {
+        let text = |(row, value): (&R, &Value)| {
+            let shown = column.shown.as_ref().and_then(|shown| shown(row, value));
+            shown.unwrap_or_else(|| match value {
+                Value::Null => NO_NUMBER.to_owned(),
+                Value::Number(number) if number.is_f64() => {
+                    fixed_significant(number.as_f64().unwrap_or(f64::NAN) / factor, DIGITS)
+                }
+                Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
+                value => field(value),
+            })
+        };
+        let gap = if column.unit.is_empty() { "" } else { " " };
+        Cells {
+            head: format!("{}{gap}{prefix}{}", column.label, column.unit),
+            is_text: values.iter().any(Value::is_string),
+            cells: self.rows.iter().zip(values).map(text).collect(),
+        }
+    }
+}
+
+/// A column of a page.
+pub struct Cells {
+    /// Its heading.
+    pub head: String,
+    /// Words stand at the left, numbers at the right.
+    pub is_text: bool,
+    /// Its cells.
+    pub cells: Vec<String>,
+}
+
+/// Columns beside each other, each as wide as its widest cell.
+pub fn grid(columns: &[Cells]) -> String {
+    let width = |it: &Cells| {
+        let all = it.cells.iter().chain([&it.head]);
+        all.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = columns.iter().map(width).collect();
+    let line = |row: Option<usize>| {
+        let cell = |(it, width): (&Cells, &usize)| {
+            let text = row.map_or(&it.head, |row| &it.cells[row]);
+            if it.is_text { format!("{text:<width$}") } else { format!("{text:>width$}") }
+        };
+        let cells: Vec<String> = columns.iter().zip(&widths).map(cell).collect();
+        cells.join(GAP).trim_end().to_owned() + "\n"
+    };
+    let rows = columns.first().map_or(0, |it| it.cells.len());
+    std::iter::once(None).chain((0..rows).map(Some)).map(line).collect()
+}
+
+/// Records as CSV; all are of one length.
+pub fn csv(records: impl Iterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    // Records of one length go into memory: nothing can fail.
+    records.for_each(|record| drop(writer.write_record(record)));
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
+/// A text of JSON, with a line end.
+pub fn pretty(value: &impl Serialize) -> String {
+    // Keys are strings and every number is finite, so nothing can be refused.
+    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+}
+
+/// A value as a field of CSV.
+fn field(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::Number(number) => match number.as_f64() {
+            Some(float) if number.is_f64() => shortest(float),
+            _ => number.to_string(),
+        },
+        Value::String(text) => text.clone(),
+        Value::Bool(_) | Value::Array(_) | Value::Object(_) => value.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Row = (&'static str, Option<f64>, u64);
+
+    fn table() -> Table<'static, Row> {
+        Table::of([("a, b", Some(0.1 + 0.2), 3), ("c", Some(f64::NAN), 1200), ("d", None, 0)])
+            .with("name", "name", "", |row: &Row| row.0)
+            .with("depth_m", "depth", "m", |row: &Row| row.1)
+            .with("steps", "steps", "", |row: &Row| row.2)
+    }
+
+    #[test]
+    fn files_keep_order_digits_and_what_does_not_exist() {
+        let table = table();
+        assert_eq!(
+            table.csv(),
+            "name,depth_m,steps\n\"a, b\",0.30000000000000004,3\nc,,1200\nd,,0\n"
+        );
+        let text = table.json();
+        let back: Vec<Map<String, Value>> = serde_json::from_str(&text).unwrap();
+        assert_eq!(back[0]["depth_m"], Value::from(0.1 + 0.2));
+        assert_eq!((&back[1]["depth_m"], &back[2]["depth_m"]), (&Value::Null, &Value::Null));
+        assert!(text.find("name") < text.find("depth_m"));
+        let objects = table.objects(|key| key != "name");
+        assert_eq!(objects[1], serde_json::json!({ "depth_m": null, "steps": 1200 }));
+    }
+
+    #[test]
+    fn a_page_has_four_digits_and_one_prefix_a_column() {
+        assert_eq!(
+            table().page(&["name", "depth_m", "steps"]),
+            "name  depth mm  steps\na, b     300.0      3\nc            -   1200\nd            -      0\n"
+        );
+        assert_eq!(
+            table().turned(&["name", "depth_m"]),
+            "name       a, b  c  d\ndepth mm  300.0  -  -\n"
+        );
+        let warned = table().with_warnings(&["x".to_owned(), "y".to_owned()]);
+        assert!(warned.csv().starts_with("name,depth_m,steps,warnings\n\"a, b\","));
+        assert!(warned.csv().contains(",3,x; y\n"));
+    }
+}

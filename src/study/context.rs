@@ -1,0 +1,125 @@
+//! What every study is given besides its task: whom to report its progress to, whether to stop, and on how many threads to run.
+
+use std::ops::ControlFlow;
+
+/// Steps of a run after which a study looks again whether to stop: a run may have millions of steps.
+const LOOK: u64 = 64;
+
+/// How far a study is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Progress {
+    /// Pieces of work done: runs, shots, points, cases.
+    pub done: usize,
+    /// About how many there are.
+    pub total: usize,
+}
+
+/// Is given the progress of a study, and what there is so far where the study has parts to show; `Break` stops the study, which
+/// keeps what it has.
+pub type Watch<'w, P> = &'w mut dyn FnMut(Progress, Option<&P>) -> ControlFlow<()>;
+
+/// The context of a study whose parts are `P`.
+pub struct Context<'w, P: ?Sized = ()> {
+    watch: Watch<'w, P>,
+    threads: usize,
+    progress: Progress,
+    is_stopped: bool,
+}
+
+impl<'w, P: ?Sized> Context<'w, P> {
+    /// A context on so many threads.
+    pub fn new(threads: usize, watch: Watch<'w, P>) -> Self {
+        Self { watch, threads, progress: Progress::default(), is_stopped: false }
+    }
+
+    /// Threads to run on; no digit depends on it.
+    pub fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// Whether the study was stopped.
+    pub fn is_stopped(&self) -> bool {
+        self.is_stopped
+    }
+
+    /// That so many pieces of work are still to come, at least.
+    pub fn expect(&mut self, more: usize) {
+        self.progress.total = self.progress.total.max(self.progress.done + more);
+    }
+
+    /// That so many pieces of work are done. Whether to go on.
+    pub fn advance(&mut self, done: usize) -> bool {
+        self.progress.done += done;
+        self.goes_on()
+    }
+
+    /// Whether to go on: once stopped, always stopped.
+    pub fn goes_on(&mut self) -> bool {
+        self.look(None)
+    }
+
+    /// The same, with what there is so far.
+    pub fn show(&mut self, part: &P) -> bool {
+        self.look(Some(part))
+    }
+
+    fn look(&mut self, part: Option<&P>) -> bool {
+        if !self.is_stopped {
+            let Progress { done, total } = self.progress;
+            let shown = Progress { done: done.min(total), total };
+            self.is_stopped = (self.watch)(shown, part).is_break();
+        }
+        !self.is_stopped
+    }
+
+    /// The same as [`Context::goes_on`] where a control flow is asked for.
+    pub fn flow(&mut self) -> ControlFlow<()> {
+        if self.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+
+    /// Observes a run: stops it when the study is stopped.
+    pub fn observer(&mut self) -> impl FnMut(f64) -> ControlFlow<()> {
+        let mut steps = 0_u64;
+        move |_t_s| {
+            steps += 1;
+            if steps.is_multiple_of(LOOK) { self.flow() } else { ControlFlow::Continue(()) }
+        }
+    }
+
+    /// Work whose own pieces do not count, since it is one piece of this study.
+    pub fn uncounted<T>(&mut self, work: impl FnOnce(&mut Context<'_>) -> T) -> T {
+        let threads = self.threads;
+        work(&mut Context::new(threads, &mut |_, _| self.flow()))
+    }
+}
+
+/// A watch that lets a study run to its end.
+pub fn to_its_end<P: ?Sized>(_: Progress, _: Option<&P>) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stopped_study_stays_stopped_and_nested_work_stops_with_it() {
+        let mut seen = Vec::new();
+        let mut watch = |progress: Progress, part: Option<&str>| {
+            seen.push((progress.done, progress.total, part.map(str::to_owned)));
+            if progress.done >= 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let mut context: Context<'_, str> = Context::new(2, &mut watch);
+        context.expect(2);
+        assert!(context.advance(1) && context.show("part"));
+        // More than was expected is shown as all of it.
+        context.expect(4);
+        assert!(context.uncounted(|inner| inner.threads() == 2 && inner.advance(7)));
+        assert!(!context.advance(2) && !context.goes_on() && context.is_stopped());
+        assert!(!context.uncounted(|inner| inner.goes_on()));
+        let mut observe = context.observer();
+        assert_eq!((0..64).filter(|_| observe(0.0).is_break()).count(), 1);
+        let part = Some("part".to_owned());
+        assert_eq!(seen, [(1, 2, None), (1, 2, part), (1, 5, None), (3, 5, None)]);
+    }
+}
