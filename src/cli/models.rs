@@ -6,7 +6,7 @@ use std::time::Instant;
 use clap::ValueEnum;
 
 use crate::cli::CliError;
-use crate::cli::text::labelled;
+use crate::cli::text::{labelled, width};
 use crate::files::preset::Preset;
 use crate::report::models::table;
 use crate::study::models::{Comparison, Row, What, compare};
@@ -39,16 +39,19 @@ pub(super) fn page(name: &str, found: &Comparison) -> String {
     let mut page = format!("{name}: {title}\n\n");
     let mut table = table(name, found);
     table.rows.truncate(found.rows.len());
-    page += &table.page(&[
-        "model",
-        "final_penetration_m",
-        "penetration_deviation",
-        "max_plate_displacement_m",
-        "displacement_deviation",
-        "peak_contact_force_n",
-        "force_deviation",
-        "run_time_s",
-    ]);
+    page += &table.page(
+        &[
+            "model",
+            "final_penetration_m",
+            "penetration_deviation",
+            "max_plate_displacement_m",
+            "displacement_deviation",
+            "peak_contact_force_n",
+            "force_deviation",
+            "run_time_s",
+        ],
+        width(),
+    );
     let _ = writeln!(
         page,
         "\nagainst: deviation from {first}; -: does not exist; travel: greatest displacement of the plate\n\

@@ -1,6 +1,4 @@
 //! A run as a page of text: what happened first, then the numbers, the energy, the cost, and what to be careful about.
-//!
-//! Every number stands twice where it matters: as a person reads it, and in SI with all its digits.
 
 use std::fmt::Write as _;
 
@@ -17,8 +15,6 @@ use crate::report::figures::run::event_letter;
 
 /// Width of the first column.
 const LABEL: usize = 24;
-/// Width of the second column.
-const VALUE: usize = 14;
 
 /// The page.
 pub(super) fn text(computed: &Computed) -> String {
@@ -42,7 +38,7 @@ pub(super) fn text(computed: &Computed) -> String {
 }
 
 fn show(value: f64, unit: &'static str) -> String {
-    Engineering { value, unit, digits: 7 }.to_string()
+    Engineering { value, unit, digits: 6 }.to_string()
 }
 
 fn short(value: f64, unit: &'static str) -> String {
@@ -102,15 +98,10 @@ pub(super) fn sentence(run: &Run) -> String {
     }
 }
 
-/// One line: label, the value for people, the value in SI.
+/// One line: label and value.
 fn line(page: &mut String, label: &str, value: Option<f64>, unit: &'static str) {
     if let Some(value) = value {
-        let _ = writeln!(
-            page,
-            "{label:<LABEL$}{:<VALUE$}  {} {unit}",
-            show(value, unit),
-            units::shortest(value)
-        );
+        let _ = writeln!(page, "{label:<LABEL$}{}", show(value, unit));
     }
 }
 
@@ -196,8 +187,7 @@ fn mechanism(page: &mut String, run: &Run) {
         [("springs' own mass", load.spring_mass_kg), ("  added to the plate", load.added_kg)]
     {
         if let Some(mass) = mass {
-            let shown = format!("{} kg", units::fixed_significant(mass, 4));
-            let _ = writeln!(page, "{label:<LABEL$}{shown:<VALUE$}  {} kg", units::shortest(mass));
+            let _ = writeln!(page, "{label:<LABEL$}{} kg", units::fixed_significant(mass, 4));
         }
     }
 }

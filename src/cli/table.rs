@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::pace::was_interrupted;
 use crate::cli::scene::{Changes, SceneArguments};
-use crate::cli::{CliError, output, sidecar};
+use crate::cli::{CliError, output, sidecar, text};
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
 use crate::files::export::{self, Meta};
@@ -243,17 +243,15 @@ impl Delivery<'_> {
     }
 }
 
-/// Columns of a line of a page.
-const WIDTH: usize = 80;
-
 /// A page with warnings below its first line.
 pub(super) fn at_top(page: &str, warnings: &[String]) -> String {
     if warnings.is_empty() {
         return page.to_owned();
     }
     let (first, rest) = page.split_once('\n').unwrap_or((page, ""));
-    let hang =
-        |warning: &String| "  ! ".to_owned() + &wrap(warning, WIDTH - 4).join("\n    ") + "\n";
+    let hang = |warning: &String| {
+        "  ! ".to_owned() + &wrap(warning, text::width() - 4).join("\n    ") + "\n"
+    };
     let lines: String = warnings.iter().map(hang).collect();
     format!("{first}\n{lines}{rest}")
 }

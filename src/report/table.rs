@@ -6,10 +6,10 @@
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value};
 
-use crate::model::units::{NO_NUMBER, fixed_significant, prefix_of, shortest};
+use crate::model::units::{NO_NUMBER, fixed_significant, prefix_of, shortest, significant};
 
 /// Digits of a number on a page.
-const DIGITS: usize = 4;
+const DIGITS: i32 = 4;
 /// Blanks between two columns of a page.
 const GAP: &str = "  ";
 
@@ -112,12 +112,12 @@ impl<'c, R> Table<'c, R> {
     }
 
     /// As lines of a page, of the columns with these keys: a heading above its cells.
-    pub fn page(&self, keys: &[&str]) -> String {
-        grid(&self.cells(keys))
+    pub fn page(&self, keys: &[&str], width: usize) -> String {
+        grid(&self.cells(keys), width)
     }
 
     /// The same with its headings at the left and a column for each row.
-    pub fn turned(&self, keys: &[&str]) -> String {
+    pub fn turned(&self, keys: &[&str], width: usize) -> String {
         let lines: Vec<Cells> = keys.iter().flat_map(|key| self.cells(&[key])).collect();
         let heads = lines.iter().map(|line| line.head.clone()).collect();
         let column = |row: usize| Cells {
@@ -129,7 +129,7 @@ impl<'c, R> Table<'c, R> {
         let columns: Vec<Cells> =
             std::iter::once(first).chain((0..self.rows.len()).map(column)).collect();
         // No column has a heading then, which leaves its line empty.
-        grid(&columns).trim_start_matches('\n').to_owned()
+        grid(&columns, width).trim_start_matches('\n').to_owned()
     }
 
     /// The columns with these keys on a page, those of one unit with the same prefix.
@@ -162,7 +162,7 @@ impl<'c, R> Table<'c, R> {
             shown.unwrap_or_else(|| match value {
                 Value::Null => NO_NUMBER.to_owned(),
                 Value::Number(number) if number.is_f64() => {
-                    fixed_significant(number.as_f64().unwrap_or(f64::NAN) / factor, DIGITS)
+                    rounded(number.as_f64().unwrap_or(f64::NAN) / factor)
                 }
                 Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
                 value => field(value),
@@ -187,23 +187,51 @@ pub struct Cells {
     pub cells: Vec<String>,
 }
 
-/// Columns beside each other, each as wide as its widest cell.
-pub fn grid(columns: &[Cells]) -> String {
-    let width = |it: &Cells| {
-        let all = it.cells.iter().chain([&it.head]);
+impl Cells {
+    fn width(&self) -> usize {
+        let all = self.cells.iter().chain([&self.head]);
         all.map(|cell| cell.chars().count()).max().unwrap_or(0)
-    };
-    let widths: Vec<usize> = columns.iter().map(width).collect();
+    }
+
+    /// The heading, or the cell of a row, as wide as the column.
+    fn padded(&self, row: Option<usize>) -> String {
+        let text = row.map_or(&self.head, |row| &self.cells[row]);
+        let width = self.width();
+        if self.is_text { format!("{text:<width$}") } else { format!("{text:>width$}") }
+    }
+}
+
+/// Columns beside each other, each as wide as its widest cell. Those that do not fit into the width follow below, the first one
+/// beside them again.
+pub fn grid(columns: &[Cells], width: usize) -> String {
+    let Some((first, rest)) = columns.split_first() else { return String::new() };
+    let (mut block, mut used, mut text) = (vec![first], first.width(), String::new());
+    for column in rest {
+        let needed = GAP.len() + column.width();
+        if used + needed > width && block.len() > 1 {
+            text += &(beside(&block) + "\n");
+            (block, used) = (vec![first], first.width());
+        }
+        block.push(column);
+        used += needed;
+    }
+    text + &beside(&block)
+}
+
+fn beside(columns: &[&Cells]) -> String {
     let line = |row: Option<usize>| {
-        let cell = |(it, width): (&Cells, &usize)| {
-            let text = row.map_or(&it.head, |row| &it.cells[row]);
-            if it.is_text { format!("{text:<width$}") } else { format!("{text:>width$}") }
-        };
-        let cells: Vec<String> = columns.iter().zip(&widths).map(cell).collect();
+        let cells: Vec<String> = columns.iter().map(|column| column.padded(row)).collect();
         cells.join(GAP).trim_end().to_owned() + "\n"
     };
     let rows = columns.first().map_or(0, |it| it.cells.len());
     std::iter::once(None).chain((0..rows).map(Some)).map(line).collect()
+}
+
+/// A number in a few digits, those before the point among them.
+fn rounded(value: f64) -> String {
+    let is_long = value.abs() >= 10_f64.powi(DIGITS);
+    let digits = DIGITS.unsigned_abs() as usize;
+    if is_long { significant(value, digits) } else { fixed_significant(value, digits) }
 }
 
 /// Records as CSV; all are of one length.
@@ -265,12 +293,17 @@ mod tests {
     #[test]
     fn a_page_has_four_digits_and_one_prefix_a_column() {
         assert_eq!(
-            table().page(&["name", "depth_m", "steps"]),
+            table().page(&["name", "depth_m", "steps"], 80),
             "name  depth mm  steps\na, b     300.0      3\nc            -   1200\nd            -      0\n"
         );
         assert_eq!(
-            table().turned(&["name", "depth_m"]),
+            table().turned(&["name", "depth_m"], 80),
             "name       a, b  c  d\ndepth mm  300.0  -  -\n"
+        );
+        assert_eq!(
+            table().page(&["name", "depth_m", "steps"], 15),
+            "name  depth mm\na, b     300.0\nc            -\nd            -\n\n\
+             name  steps\na, b      3\nc      1200\nd         0\n"
         );
         let warned = table().with_warnings(&["x".to_owned(), "y".to_owned()]);
         assert!(warned.csv().starts_with("name,depth_m,steps,warnings\n\"a, b\","));

@@ -179,14 +179,14 @@ fn references(page: &mut String, report: &Report) {
             page,
             "  {:<23}{depth}, {}, to {sure}{}",
             reference.basis.words(),
-            Engineering { value: reference.t_s, unit: "s", digits: 9 },
+            Engineering { value: reference.t_s, unit: "s", digits: 6 },
             if letters.is_empty() { String::new() } else { format!(": {letters}") }
         );
     }
 }
 
 fn length(value: f64) -> String {
-    Engineering { value, unit: "m", digits: 9 }.to_string()
+    Engineering { value, unit: "m", digits: 6 }.to_string()
 }
 
 /// Refused points by method and reason.

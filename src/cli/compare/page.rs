@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::cli::draw;
+use crate::cli::text::width;
 use crate::model::units::{fixed_significant, significant};
 use crate::report::compare::table;
 use crate::report::figures::efficiency;
@@ -12,7 +13,6 @@ use crate::study::compare::{Candidate, Report};
 use crate::tui::app::status::wrap;
 use crate::tui::theme::Theme;
 
-const WIDTH: usize = 80;
 const INDENT: &str = "  ";
 const MAP: draw::Size = (78, 30);
 /// Rows of the table of the line of 1.
@@ -51,13 +51,13 @@ pub(super) fn text(name: &str, report: &Report) -> String {
         fixed_significant(projectile.velocity_m_s, 4)
     );
     for sentence in sentences(report) {
-        for (line, text) in wrap(&sentence, WIDTH - INDENT.len()).into_iter().enumerate() {
+        for (line, text) in wrap(&sentence, width() - INDENT.len()).into_iter().enumerate() {
             let indent = if line == 0 { "" } else { INDENT };
             let _ = writeln!(page, "{indent}{text}");
         }
     }
     page.push('\n');
-    page += &table(name, report).turned(&LINES);
+    page += &table(name, report).turned(&LINES, width());
     if report.entries.iter().any(|entry| !entry.is_held) {
         page.push_str(
             "* nothing stops plate and projectile: no rival, only what mass ratio alone does\n",

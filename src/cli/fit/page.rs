@@ -1,6 +1,6 @@
 //! The fit as a page of text.
 
-use crate::cli::text::labelled;
+use crate::cli::text::{labelled, width};
 use crate::files::clean;
 use crate::model::units::{Engineering, fixed_significant};
 use crate::report::fit::table;
@@ -45,7 +45,8 @@ pub(super) fn text(
     let mut table = table(report);
     table.rows.sort_by(|a, b| a.velocity_m_s.total_cmp(&b.velocity_m_s));
     page.push('\n');
-    page += &table.page(&["velocity_m_s", "perforated", "perforation_probability", "residual_m_s"]);
+    let keys = ["velocity_m_s", "perforated", "perforation_probability", "residual_m_s"];
+    page += &table.page(&keys, width());
     page
 }
 

@@ -3,20 +3,17 @@
 use std::fmt::Write as _;
 
 use crate::cli::draw;
+use crate::cli::text::hanging;
 use crate::model::units::{fixed_significant, significant};
 use crate::report::figures::limit::residual;
 use crate::study::limit::scatter::ModelError;
 use crate::study::limit::{Limit, Report, words};
-use crate::tui::app::status::wrap;
 use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;
 const HEIGHT: u16 = 18;
-/// Columns of a label, and of the text behind it.
+/// Columns of a label.
 const LABEL: usize = 16;
-const TEXT: usize = 64;
-/// Part of the impact velocity that the projectile keeps just above the limit, from which on the page explains the plate's motion.
-const CARRIED: f64 = 0.2;
 
 /// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
@@ -38,7 +35,7 @@ fn head(page: &mut String, report: &Report) {
     let own = report.scene.projectile.velocity_m_s;
     match report.limit {
         Limit::Found { velocity_m_s, basis, stopped_at_m_s } => {
-            let _ = writeln!(page, "limit velocity  {:.6} m/s, {}", velocity_m_s, basis.words());
+            let _ = writeln!(page, "limit velocity  {}, {}", velocity(velocity_m_s), basis.words());
             if let Some(again) = stopped_at_m_s {
                 let _ = writeln!(
                     page,
@@ -65,31 +62,20 @@ fn head(page: &mut String, report: &Report) {
     if load.is_some() {
         let none = "nothing stops plate and projectile: no stroke, no mount force".to_owned();
         let load = load.and_then(words::load).unwrap_or(none);
-        let _ = writeln!(page, "at the limit    {load}");
+        *page += &hanging("at the limit    ", &load, LABEL);
     }
     if let Some(closures) = &report.closures {
-        for (line, text) in wrap(&words::closures(closures), TEXT).into_iter().enumerate() {
-            let label = if line == 0 { "closure band" } else { "" };
-            let _ = writeln!(page, "{label:<LABEL$}{text}");
-        }
+        *page += &hanging("closure band    ", &words::closures(closures), LABEL);
     }
     if let Some(caution) = report.caution() {
-        let _ = writeln!(page, "caution         {caution}");
+        *page += &hanging("caution         ", &caution, LABEL);
     }
     page.push('\n');
 }
 
 fn laws(page: &mut String, report: &Report) {
-    let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
-    if let Some((impact, residual)) =
-        first.filter(|(impact, residual)| *residual > CARRIED * impact)
-    {
-        let _ = writeln!(
-            page,
-            "just beyond the limit {} is left of {}: the plate carries it along, which neither law knows",
-            velocity(residual),
-            velocity(impact)
-        );
+    if let Some(carried) = words::carried(report) {
+        *page += &hanging("", &carried, 0);
     }
     if let Some(law) = report.recht_ipson {
         let _ = writeln!(

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::cli::text::width;
 use crate::model::results::ResultColumn;
 use crate::model::units::significant;
 use crate::report::front::{designs, law};
@@ -77,7 +78,7 @@ fn one(page: &mut String, task: &Task, front: &Front) {
         let keys: Vec<&str> = task.axes.iter().map(Axis::symbol).chain(shown).collect();
         let mut cells = vec![Cells { head: String::new(), is_text: false, cells: numbers }];
         cells.extend(table.cells(&keys));
-        *page += &grid(&cells);
+        *page += &grid(&cells, width());
     }
     if listed < count {
         let _ = writeln!(page, "      ({listed} of {count}; --csv FILE has them all)");

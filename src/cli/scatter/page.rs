@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::cli::text::width;
 use crate::model::units::significant;
 use crate::report::monte_carlo::table;
 use crate::study::search::scatter::Report;
@@ -26,7 +27,7 @@ pub(super) fn text(name: &str, report: &Report) -> String {
     page.push('\n');
     let some_lack = table.rows.iter().any(|summary| summary.sorted.len() < report.samples);
     let keys = ["output", "nominal", "mean", "q05", "q50", "q95", "deviation", "count"];
-    page += &table.page(&keys[..if some_lack { 8 } else { 7 }]);
+    page += &table.page(&keys[..if some_lack { 8 } else { 7 }], width());
     let absent: Vec<String> = report
         .summaries
         .iter()

@@ -84,7 +84,7 @@ fn nothing(page: &mut String, report: &Report) {
 /// A value of the variable with its unit.
 fn value(axis: &Axis, value: f64) -> String {
     let unit = axis.variable().unit().trim_matches('-');
-    format!("{} {unit}", significant(value, 9)).trim_end().to_owned()
+    format!("{} {unit}", significant(value, 6)).trim_end().to_owned()
 }
 
 /// A measure with its unit.

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::cli::text::width;
 use crate::report::sensitivity::table;
 use crate::report::table::{Cells, grid};
 use crate::study::sensitivity::Report;
@@ -37,7 +38,7 @@ fn tornado(page: &mut String, report: &Report) {
     let bars = table.rows.iter().map(bar).collect();
     let mut cells = table.cells(&["variable", "low", "high", "output_at_low", "output_at_high"]);
     cells.push(Cells { head: String::new(), is_text: true, cells: bars });
-    let _ = writeln!(page, "one at a time, the others as in the scene\n{}", grid(&cells));
+    let _ = writeln!(page, "one at a time, the others as in the scene\n{}", grid(&cells, width()));
 }
 
 fn morris(page: &mut String, report: &Report) {
@@ -52,7 +53,7 @@ fn morris(page: &mut String, report: &Report) {
         page,
         "Morris's effects over the whole range ({} trajectories)\n{}",
         report.effort.trajectories,
-        grid(&cells)
+        grid(&cells, width())
     );
 }
 
@@ -63,15 +64,18 @@ fn sobol(page: &mut String, report: &Report) {
         "Sobol's indices: parts of the variance, 95 % intervals ({} samples, seed {})",
         found.rows, report.effort.seed
     );
-    *page += &table("", report).page(&[
-        "variable",
-        "sobol_first",
-        "sobol_first_low_95",
-        "sobol_first_high_95",
-        "sobol_total",
-        "sobol_total_low_95",
-        "sobol_total_high_95",
-    ]);
+    *page += &table("", report).page(
+        &[
+            "variable",
+            "sobol_first",
+            "sobol_first_low_95",
+            "sobol_first_high_95",
+            "sobol_total",
+            "sobol_total_low_95",
+            "sobol_total_high_95",
+        ],
+        width(),
+    );
     let deviation = found.variance.is_finite().then(|| found.variance.sqrt());
     let mean = found.mean.is_finite().then_some(found.mean);
     let _ = writeln!(

@@ -149,7 +149,7 @@ fn table(page: &mut String, plan: &Plan, axis: &Axis, rows: &[Row]) {
             row.fate.word()
         );
         for value in &row.values {
-            let text = value.map_or_else(|| "-".to_owned(), |value| units::significant(value, 7));
+            let text = value.map_or_else(|| "-".to_owned(), |value| units::significant(value, 6));
             let _ = write!(page, "  {text:>24}");
         }
         page.push('\n');

@@ -2,7 +2,21 @@
 
 use crate::model::units::{Engineering, fixed_significant};
 use crate::study::compare::Load;
-use crate::study::limit::Closures;
+use crate::study::limit::{Closures, Report};
+
+/// Part of the impact velocity left just above the limit, from which on the plate's own motion explains it.
+const CARRIED: f64 = 0.2;
+
+/// Why the residual velocity begins far above zero, which no law of the curve knows; `None` where it does not.
+pub fn carried(report: &Report) -> Option<String> {
+    report.limit.velocity_m_s()?;
+    let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
+    let (_, residual) = first.filter(|(impact, residual)| *residual > CARRIED * impact)?;
+    Some(format!(
+        "Just above the limit the residual velocity is {} m/s, the common velocity of projectile and plate.",
+        fixed_significant(residual, 4)
+    ))
+}
 
 /// What the mechanism bears at the limit; `None` where nothing of it is known.
 pub fn load(load: &Load) -> Option<String> {

@@ -24,8 +24,6 @@ pub const SCATTERING: Scattering = Scattering {
     seed: 1,
     model: ModelError { bias: 0.0, spread: 0.0 },
 };
-/// Part of the impact velocity left just beyond the limit from which on the plate's own motion is worth a word.
-const CARRIED: f64 = 0.2;
 
 /// From this width on the facts stand beside the chart.
 pub const BESIDE: u16 = 100;
@@ -150,7 +148,7 @@ impl Ballistic {
             None => {}
         }
         facts.extend(report.caution().map(|text| ("caution", Severity::Warning, text)));
-        facts.extend(carried(report).map(|text| ("note", Severity::Note, text)));
+        facts.extend(words::carried(report).map(|text| ("note", Severity::Note, text)));
         if let Limit::Found { stopped_at_m_s: Some(again), .. } = report.limit {
             let again = velocity(again);
             let text = format!("no single limit: {again} is stopped again; the lowest is given");
@@ -180,17 +178,6 @@ fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
         }
     }
     lines
-}
-
-/// The plate carries the projectile along: what neither law knows.
-fn carried(report: &Report) -> Option<String> {
-    report.limit.velocity_m_s()?;
-    let first = report.shots.iter().find_map(|shot| Some((shot.impact_m_s, shot.residual_m_s?)));
-    let (_, residual) = first.filter(|(impact, residual)| *residual > CARRIED * impact)?;
-    let residual = velocity(residual);
-    Some(format!(
-        "Just above the limit the residual velocity is {residual}, the common velocity of projectile and plate."
-    ))
 }
 
 fn scattered(found: &Scatter, report: &Report) -> Vec<Fact> {
