@@ -6,7 +6,6 @@
 //!
 //! Every task submitted gets exactly one last report: `Ended` or `Failed`.
 
-pub mod battery;
 pub mod cache;
 pub mod clock;
 pub mod quiet;

@@ -52,15 +52,15 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     let mut pace = Pace::begin();
     let scenes = presets.clone();
     for preset in presets {
-        let watch = &mut |done, total| pace.count(done, total, "points");
-        let report = compare(&Arc::new(preset.scene), effort, &mut clock::processor_s, watch)?;
+        let report = pace.study(1, "points", |context| {
+            compare(&Arc::new(preset.scene), effort, &mut clock::processor_s, context)
+        })?;
         let whole = report.is_complete;
         reports.push((preset.name, report));
         if !whole {
             break;
         }
     }
-    pace.clear();
     let (page, json) = (|| page::text(&reports), || accuracy::json(&reports));
     let only = scenes.first().filter(|_| scenes.len() == 1);
     let (name, scene) = (only.map_or("", |it| it.name.as_str()), only.map(|it| &it.scene));

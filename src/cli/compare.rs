@@ -11,6 +11,7 @@ use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
+use crate::cli::search::threads;
 use crate::cli::sweep::axes::range;
 use crate::cli::table::{TableArguments, at_top};
 use crate::files::preset::Preset;
@@ -22,13 +23,10 @@ use crate::report::svg::Picture;
 use crate::study::compare::map::{COUNT_USUAL, Map, usual_axis};
 use crate::study::compare::{Hardware, compare};
 use crate::study::sweep::Axis;
-use crate::study::sweep::crew::Crew;
 use crate::study::validity;
 
 /// Points that an axis of a map may have.
 const COUNTS: std::ops::RangeInclusive<u64> = 2..=1001;
-/// Points a thread computes at once.
-const PIECE: u64 = 16;
 
 #[derive(Debug, Args)]
 #[command(
@@ -95,9 +93,7 @@ pub(super) fn run(arguments: &CompareArguments) -> Result<ExitCode, CliError> {
     }
     let scene = Arc::new(preset.scene);
     let mut pace = Pace::begin();
-    let watch = &mut |done, total| pace.count(done, total, "candidates");
-    let report = compare(&scene, hardware, watch)?;
-    pace.clear();
+    let report = pace.study(1, "candidates", |context| compare(&scene, hardware, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || tables::json(name, &report);
@@ -126,13 +122,10 @@ impl CompareArguments {
         axes: &[Axis; 2],
         hardware: Hardware,
     ) -> Result<ExitCode, CliError> {
-        let total = axes.iter().map(Axis::count).product::<u64>();
-        let total = usize::try_from(total).unwrap_or(usize::MAX);
-        let crew = Crew { piece: PIECE, ..Crew::of_machine() };
         let mut pace = Pace::begin();
-        let watch = &mut |done| pace.count(done, total, "points");
-        let map = Map::compute(&preset.scene, axes, hardware, crew, watch)?;
-        pace.clear();
+        let map = pace.study(threads(None), "points", |context| {
+            Map::compute(&preset.scene, axes, hardware, context)
+        })?;
         let name = preset.name.as_str();
         let warnings = validity::of_axes(map.scene(), axes);
         let page = at_top(&page::map(name, &map), &warnings);

@@ -52,11 +52,11 @@ pub(super) fn run(arguments: &FitArguments) -> Result<ExitCode, CliError> {
     let mut found = None;
     if is_calibrated {
         let preset = arguments.scene.load()?;
-        let go_on = &mut || pace.watch(|_| "calibrating the strength".to_owned());
-        let calibration = calibrate(&preset.scene, &report.logistic, &report.shots, go_on)?;
+        let calibration = pace.study(1, "shots to calibrate the strength", |context| {
+            calibrate(&preset.scene, &report.logistic, &report.shots, context)
+        })?;
         found = Some((preset, calibration));
     }
-    pace.clear();
     let calibration = found.as_ref().map(|(_, calibration)| calibration);
     let named = found.as_ref().map(|(preset, calibration)| (preset.name.as_str(), calibration));
     let page = || page::text(&name, &report, named);

@@ -102,9 +102,8 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let effort = Effort { criterion: arguments.criterion, scattering: arguments.scattering()? };
     let preset = arguments.scene.load()?;
     let mut pace = Pace::begin();
-    let watch = &mut |done, total| pace.count(done, total, "shots or so");
-    let report = find(&Arc::new(preset.scene), effort, watch)?;
-    pace.clear();
+    let scene = Arc::new(preset.scene);
+    let report = pace.study(1, "shots or so", |context| find(&scene, effort, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || limit::json(name, &report);

@@ -116,7 +116,6 @@ impl OptimiseArguments {
                 Laws::Plastic => vec![InterfaceLaw::Plastic],
             },
             effort: self.effort()?,
-            threads: threads(self.threads),
         })
     }
 }
@@ -145,12 +144,11 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     // The slower law stands for both.
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
-    let field = Field::new(&slowest, task.axes.clone(), &names, task.threads)?.limited(STEPS_MAX);
+    let field = Field::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
     let mut pace = Pace::begin();
-    say_if_long(&field, task.runs());
-    let fronts =
-        optimise(&preset.scene, &task, &mut |done, total, _| pace.count(done, total, "runs"))?;
-    pace.clear();
+    let threads = threads(arguments.threads);
+    say_if_long(&field, task.runs(), threads);
+    let fronts = pace.study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();
     for front in &fronts {

@@ -14,6 +14,7 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::flag;
 
 use crate::cli::output;
+use crate::study::context::{Context, Progress};
 
 /// Set by the first interrupt. Signals are the process's, and so is this.
 static STOP: OnceLock<Arc<AtomicBool>> = OnceLock::new();
@@ -56,9 +57,19 @@ impl Pace {
         if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// The same after so many of about so many things.
-    pub(super) fn count(&mut self, done: usize, total: usize, what: &str) -> ControlFlow<()> {
-        self.watch(|_| format!("{done} of {total} {what}"))
+    /// Make a study on so many threads, and show how many of these things are done.
+    pub(super) fn study<P: ?Sized, T>(
+        &mut self,
+        threads: usize,
+        what: &str,
+        study: impl FnOnce(&mut Context<'_, P>) -> T,
+    ) -> T {
+        let watch = &mut |progress: Progress, _: Option<&P>| {
+            self.watch(|_| format!("{} of {} {what}", progress.done, progress.total))
+        };
+        let found = study(&mut Context::new(threads, watch));
+        self.clear();
+        found
     }
 
     /// Take the line away.

@@ -181,8 +181,8 @@ fn results(document: &mut Document, run: &Run) {
 /// The ballistic limit with its curve.
 fn ballistic_limit(scene: &Scene, pace: &mut Pace) -> Result<Vec<Block>, CliError> {
     let effort = Effort { criterion: Criterion::Passage, scattering: None };
-    let watch = &mut |done, total| pace.count(done, total, "shots or so");
-    let report = limit::find(&Arc::new(scene.clone()), effort, watch)?;
+    let scene = Arc::new(scene.clone());
+    let report = pace.study(1, "shots or so", |context| limit::find(&scene, effort, context))?;
     let mut lines = Vec::new();
     match report.limit.velocity_m_s() {
         Some(velocity) => lines.push(format!("{} m/s", units::fixed_significant(velocity, DIGITS))),

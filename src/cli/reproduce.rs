@@ -64,7 +64,8 @@ fn only(text: &str, pace: &mut Pace) -> Result<Vec<Row>, CliError> {
 
 /// These claims in thesis order; as far as it came where it was interrupted.
 fn report(claims: &[&'static Claim], pace: &mut Pace) -> Vec<Row> {
-    let watch = &mut |rows: &[Row], total| pace.count(rows.len(), total, "rows");
+    let watch =
+        &mut |rows: &[Row], total| pace.watch(|_| format!("{} of {total} rows", rows.len()));
     let rows = thesis::check_all(claims, watch, &interruptible());
     pace.clear();
     rows

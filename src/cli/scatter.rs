@@ -67,8 +67,7 @@ impl ScatterArguments {
         } else {
             named.collect()
         };
-        let (samples, seed, threads) = (self.samples, self.seed, threads(self.threads));
-        Ok(Task { tolerances, measures, samples, seed, threads })
+        Ok(Task { tolerances, measures, samples: self.samples, seed: self.seed })
     }
 }
 
@@ -86,9 +85,9 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
     let mut pace = Pace::begin();
-    say_if_long(&field(&preset.scene, &task)?, task.samples);
-    let report = scatter(&preset.scene, &task, &mut |done, total| pace.count(done, total, "runs"))?;
-    pace.clear();
+    let threads = threads(arguments.threads);
+    say_if_long(&field(&preset.scene, &task)?, task.samples, threads);
+    let report = pace.study(threads, "runs", |context| scatter(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || monte_carlo::json(name, &report);

@@ -1,11 +1,10 @@
 //! What the commands that look for designs have in common: reading bounds, and saying how long it will take.
 
-use std::ops::ControlFlow;
-
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
 use crate::cli::{CliError, outlook};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
+use crate::study::context::Context;
 use crate::study::search::field::Field;
 use crate::study::sensitivity::thesis_axes;
 use crate::study::sweep::crew::Crew;
@@ -50,7 +49,7 @@ pub(super) fn bounds(texts: &[String], scene: &Scene) -> Result<Vec<Axis>, CliEr
 }
 
 /// Say how long so many runs of designs spread over the bounds will take, where that is long.
-pub(super) fn say_if_long(field: &Field, runs: usize) {
+pub(super) fn say_if_long(field: &Field, runs: usize, threads: usize) {
     outlook::say_if_long((runs as u64, "runs"), |tried, go_on| {
         // Shares that do not fall on one line through the box.
         let share =
@@ -60,8 +59,7 @@ pub(super) fn say_if_long(field: &Field, runs: usize) {
             axes.map(|(number, axis)| axis.at_share(share(at, number))).collect()
         };
         let designs: Vec<Vec<f64>> = tried.map(design).collect();
-        let ended = field.evaluate(&designs, &mut |_| go_on());
-        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
-        found.len() as u64
+        let watch = &mut |_, _: Option<&()>| go_on();
+        field.evaluate(&designs, &mut Context::new(threads, watch)).len() as u64
     });
 }

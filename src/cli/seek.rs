@@ -55,8 +55,7 @@ impl SeekArguments {
         let column = quantity(name)?;
         let target = parse_value(column, value).map_err(|why| refuse(&why))?;
         let axis = range(&self.over, Some(SCAN_USUAL), &SCAN)?;
-        let (measure, threads) = (column.name.to_owned(), threads(self.threads));
-        Ok(Goal { axis, measure, target, threads })
+        Ok(Goal { axis, measure: column.name.to_owned(), target })
     }
 }
 
@@ -66,11 +65,11 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let goal = arguments.goal()?;
     let mut preset = arguments.scene.load()?;
     let law = be_cautious(&arguments.scene, &mut preset.scene);
-    let field = Field::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure], goal.threads)?;
+    let field = Field::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
     let mut pace = Pace::begin();
-    say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX));
-    let report = solve(&preset.scene, &goal, &mut |done, total| pace.count(done, total, "runs"))?;
-    pace.clear();
+    let threads = threads(arguments.threads);
+    say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), threads);
+    let report = pace.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || seek::json(name, &report);

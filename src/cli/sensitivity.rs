@@ -60,8 +60,7 @@ impl SensitivityArguments {
                 "--trajectories {trajectories} is outside 2..{TRAJECTORIES_MAX}"
             )));
         }
-        let threads = threads(self.threads);
-        Ok(Effort { rows, trajectories, seed: self.seed, threads })
+        Ok(Effort { rows, trajectories, seed: self.seed })
     }
 }
 
@@ -72,13 +71,13 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let preset = arguments.scene.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
     let mut pace = Pace::begin();
-    if let Ok(field) = Field::new(&preset.scene, axes.clone(), &[&arguments.output], effort.threads)
-    {
-        say_if_long(&field, effort.runs(axes.len()));
+    let threads = threads(arguments.threads);
+    if let Ok(field) = Field::new(&preset.scene, axes.clone(), &[&arguments.output]) {
+        say_if_long(&field, effort.runs(axes.len()), threads);
     }
-    let watch = &mut |done: usize, total: usize| pace.count(done, total, "runs");
-    let report = study(&preset.scene, axes, &arguments.output, effort, watch)?;
-    pace.clear();
+    let report = pace.study(threads, "runs", |context| {
+        study(&preset.scene, axes, &arguments.output, effort, context)
+    })?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || sensitivity::json(name, &report);

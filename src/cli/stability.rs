@@ -1,19 +1,18 @@
 //! `cmra stability`: the battery of stiff and extreme scenes, or the map of a fixed-step method.
 
 use std::process::ExitCode;
-use std::sync::Arc;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 
-use crate::cli::pace::{Pace, interruptible};
+use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
+use crate::cli::search::threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
 use crate::report::stability as tables;
+use crate::study::stability;
 use crate::study::stability::map::{self, Axis, Method};
-use crate::study::stability::{self, Row};
-use crate::worker::battery;
 
 mod table;
 
@@ -70,15 +69,13 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
                 .to_owned(),
         ));
     }
-    let (cases, stop) = (stability::battery(arguments.quick), interruptible());
-    let mut pace = Pace::stopped_by(Arc::clone(&stop));
-    let tell = &mut |done, total, _: &dyn Fn() -> Vec<Row>| pace.count(done, total, "scenes");
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let cases = stability::battery(arguments.quick);
+    let mut pace = Pace::begin();
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
-    let rows = battery::run(cases, threads, (&now_s, &stop), tell)?;
-    let took_s = start.elapsed().as_secs_f64();
-    pace.clear();
+    let rows =
+        pace.study(threads(None), "scenes", |context| stability::run(&cases, &now_s, context))?;
+    let took_s = now_s();
     let page = || table::battery(&rows, took_s, text::width());
     let object = || tables::json(&rows);
     arguments.rows.alone().deliver_report(page, object, &tables::table(&rows))?;
@@ -112,9 +109,8 @@ fn draw_map(arguments: &StabilityArguments, axis: MapAxis) -> Result<ExitCode, C
     };
     let cells = if arguments.quick { MAP_CELLS_QUICK } else { map::CELLS };
     let mut pace = Pace::begin();
-    let watch: map::Watch<'_> = &mut |done, total, _| pace.count(done, total, "rows");
-    let map = map::map(&preset.scene, (method, axis), cells, watch);
-    pace.clear();
+    let map =
+        pace.study(1, "rows", |context| map::map(&preset.scene, (method, axis), cells, context));
     let name = preset.name.as_str();
     let (page, object) = (|| table::map(&map, name), || tables::map_json(name, &map));
     let table = arguments.rows.of(&arguments.scene, &preset.scene);

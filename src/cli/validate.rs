@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::pace::Pace;
+use crate::cli::search::threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
 use crate::files::validation;
@@ -23,8 +24,7 @@ pub(super) struct ValidateArguments {
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
     let mut pace = Pace::begin();
-    let report = validation::report(&mut |done, total| pace.count(done, total, "measurements"))?;
-    pace.clear();
+    let report = pace.study(threads(None), "measurements", validation::report)?;
     arguments.table.alone().deliver(&page(&report), &tables::table(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();

@@ -3,13 +3,13 @@
 //! The error of a point is the greater of the relative errors of depth and time at the end of the first contact. A method that
 //! gives no answer, or the wrong kind of ending, keeps its place and says why. Time comes from a clock passed in.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::contact_phase::{Answer, Ending, Refusal};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::numerics::{larger, smaller};
+use crate::study::context::Context;
 
 pub mod method;
 pub mod reference;
@@ -136,13 +136,7 @@ pub struct Cheapest {
     pub min_s: f64,
 }
 
-/// Asked before each point with the points done and to do; `Break` stops, and keeps what is there.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
-
-/// As [`Watch`], with what there is so far.
-pub type Onlooker<'a> = &'a mut dyn FnMut(&Report, usize, usize) -> ControlFlow<()>;
-
-/// Compare all methods on the contact phase of a scene.
+/// Compare all methods on the contact phase of a scene, and show the report as it grows.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
@@ -150,20 +144,7 @@ pub fn compare(
     scene: &Arc<Scene>,
     effort: Effort,
     clock: Clock<'_>,
-    watch: Watch<'_>,
-) -> Result<Report, VariableError> {
-    compare_openly(scene, effort, clock, &mut |_, done, total| watch(done, total))
-}
-
-/// As [`compare`], with the report shown to the onlooker as it grows.
-///
-/// # Errors
-/// A [`VariableError`] when the scene makes no physical sense.
-pub fn compare_openly(
-    scene: &Arc<Scene>,
-    effort: Effort,
-    clock: Clock<'_>,
-    watch: Onlooker<'_>,
+    context: &mut Context<'_, Report>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     variables::require_single(scene)?;
@@ -172,25 +153,24 @@ pub fn compare_openly(
     let end_s = references.first().map_or(f64::NAN, |reference| reference.t_s);
     let plan: Vec<(Method, Vec<Knob>)> =
         Method::ALL.map(|method| (method, method.knobs(end_s, effort.ladder))).into();
-    let total = plan.iter().map(|(_, knobs)| knobs.len()).sum();
+    context.expect(plan.iter().map(|(_, knobs)| knobs.len()).sum());
     let mut report = Report {
         scene: Arc::clone(scene),
         references: references.clone(),
         methods: Vec::new(),
         is_complete: true,
     };
-    let mut done = 0;
     for (method, knobs) in plan {
         let independent = |reference: &&Reference| !reference.basis.shares_code_with(method);
         let reference = references.iter().find(independent).copied();
         report.methods.push(MethodReport { method, reference, points: Vec::new() });
         let mut is_slow = false;
         for knob in knobs {
-            if !report.is_complete || watch(&report, done, total).is_break() {
-                report.is_complete = false;
+            report.is_complete = context.show(&report);
+            if !report.is_complete {
                 break;
             }
-            done += 1;
+            context.count(1);
             let job = Job::new(method, knob, scene, end_s, steps_max(knob, end_s));
             let result = match reference {
                 None => Err(Refusal::NoReference),

@@ -23,7 +23,6 @@
 //! the mass efficiency is (1 + 1/gamma)/(1 + v²/(2 gamma (1 + gamma) e)): above 1 if and only if e > v²/(2 (1 + gamma)).
 //! Must not know files, threads, screens or a clock.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::mechanism::Mechanism;
@@ -31,6 +30,7 @@ use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, OwnMass, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::model::{mechanism::Inertia, stack};
+use crate::study::context::{Context, to_its_end};
 use crate::study::limit::{self, Limit};
 
 mod closed_form;
@@ -243,12 +243,9 @@ impl Report {
     }
 }
 
-/// Asked now and then with candidates done and how many there are; `Break` stops, and keeps what there is.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
-
 /// The least impact velocity that perforates a scene's plate or stack, m/s; `None` where there is none.
 pub fn limit_velocity_m_s(scene: &Arc<Scene>) -> Option<f64> {
-    let limit = limit::alone(scene, &mut |_, _| ControlFlow::Continue(()));
+    let limit = limit::alone(scene, &mut Context::new(1, &mut to_its_end));
     limit.ok().and_then(Limit::velocity_m_s)
 }
 
@@ -259,7 +256,7 @@ pub fn limit_velocity_m_s(scene: &Arc<Scene>) -> Option<f64> {
 pub fn compare(
     scene: &Arc<Scene>,
     hardware: Hardware,
-    watch: Watch<'_>,
+    context: &mut Context<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     let elements = elements(scene);
@@ -272,17 +269,17 @@ pub fn compare(
         entries: Vec::new(),
         is_complete: false,
     };
-    let total = Candidate::ALL.len();
-    for (done, candidate) in Candidate::ALL.into_iter().enumerate() {
+    context.expect(Candidate::ALL.len());
+    for candidate in Candidate::ALL {
         let areal = report.entries.first().map(|entry: &Entry| entry.areal_kg_m2);
         let Some(made) = make(scene, candidate, areal.flatten()) else { continue };
-        let mut judge = Judge {
-            scene: Arc::new(made),
-            hardware: if candidate == Candidate::Scene { hardware } else { Hardware::bare() },
-            go_on: &mut || watch(done, total),
-        };
-        let Some(entry) = judge.entry(candidate)? else { return Ok(report) };
+        let hardware = if candidate == Candidate::Scene { hardware } else { Hardware::bare() };
+        let entry = context.uncounted(|context| {
+            Judge { scene: Arc::new(made), hardware, context }.entry(candidate)
+        })?;
+        let Some(entry) = entry else { return Ok(report) };
         report.entries.push(entry);
+        context.count(1);
     }
     report.is_complete = true;
     Ok(report)

@@ -47,10 +47,9 @@ impl<'w, P: ?Sized> Context<'w, P> {
         self.progress.total = self.progress.total.max(self.progress.done + more);
     }
 
-    /// That so many pieces of work are done. Whether to go on.
-    pub fn advance(&mut self, done: usize) -> bool {
+    /// That so many pieces of work are done.
+    pub fn count(&mut self, done: usize) {
         self.progress.done += done;
-        self.goes_on()
     }
 
     /// Whether to go on: once stopped, always stopped.
@@ -98,6 +97,14 @@ pub fn to_its_end<P: ?Sized>(_: Progress, _: Option<&P>) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
+/// A watch that stops a study when more than so many pieces of work are done.
+#[cfg(test)]
+pub fn until<P: ?Sized>(most: usize) -> impl FnMut(Progress, Option<&P>) -> ControlFlow<()> {
+    move |progress, _| {
+        if progress.done > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -111,14 +118,18 @@ mod tests {
         };
         let mut context: Context<'_, str> = Context::new(2, &mut watch);
         context.expect(2);
-        assert!(context.advance(1) && context.show("part"));
+        context.count(1);
+        assert!(context.goes_on() && context.show("part"));
         // More than was expected is shown as all of it.
         context.expect(4);
-        assert!(context.uncounted(|inner| inner.threads() == 2 && inner.advance(7)));
-        assert!(!context.advance(2) && !context.goes_on() && context.is_stopped());
-        assert!(!context.uncounted(|inner| inner.goes_on()));
+        context.uncounted(|inner| inner.count(7));
+        assert!(context.uncounted(|inner| inner.threads() == 2 && inner.goes_on()));
+        context.count(2);
+        assert!(!context.goes_on() && !context.goes_on() && context.is_stopped());
+        assert!(!context.uncounted(Context::goes_on));
         let mut observe = context.observer();
         assert_eq!((0..64).filter(|_| observe(0.0).is_break()).count(), 1);
+        drop(observe);
         let part = Some("part".to_owned());
         assert_eq!(seen, [(1, 2, None), (1, 2, part), (1, 5, None), (3, 5, None)]);
     }

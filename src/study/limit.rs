@@ -3,7 +3,6 @@
 //! Closed form for a plate that is rigid or free (model page, section 2); else a scan over the whole range of velocities, which also
 //! tells where an outcome comes back, and bisection on the outcome. Must not know files, threads, screens or a clock.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::closed_form::Passage;
@@ -14,6 +13,7 @@ use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::compare::Load;
+use crate::study::context::Context;
 use fit::{LambertJonas, RechtIpson};
 use scatter::{Scatter, Scattering};
 use search::{BESIDE, Range};
@@ -232,20 +232,19 @@ impl Report {
     }
 }
 
-/// Asked before each shot, and now and then within a long one, with the shots done and about how many there are; `Break` stops,
-/// and keeps what there is.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
-
 /// Find the limit of a scene, its residual-velocity curve, and the scatter asked for.
 ///
 /// # Errors
 /// A [`VariableError`] when the scene makes no physical sense.
-pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Report, VariableError> {
+pub fn find(
+    scene: &Arc<Scene>,
+    effort: Effort,
+    context: &mut Context<'_>,
+) -> Result<Report, VariableError> {
     variables::validate(scene)?;
     let samples = effort.scattering.map_or(0, |scattering| scattering.samples);
-    let mut range =
-        Range::new(scene, SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples, watch);
-    range.criterion = effort.criterion;
+    context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples);
+    let mut range = Range { scene, criterion: effort.criterion, context };
     let limit = range.whole_limit();
     let mut report = Report {
         scene: Arc::clone(scene),
@@ -273,7 +272,7 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
             report.scatter = scatter::scatter(scene, scattering, velocity_m_s, &mut range);
         }
     }
-    report.is_complete = !range.stopped;
+    report.is_complete = !context.is_stopped();
     Ok(report)
 }
 
@@ -281,9 +280,10 @@ pub fn find(scene: &Arc<Scene>, effort: Effort, watch: Watch<'_>) -> Result<Repo
 ///
 /// # Errors
 /// As [`find`].
-pub fn alone(scene: &Arc<Scene>, watch: Watch<'_>) -> Result<Limit, VariableError> {
+pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, VariableError> {
     variables::validate(scene)?;
-    Ok(Range::new(scene, SCAN + 40 + 2 * BESIDE.len(), watch).whole_limit())
+    context.expect(SCAN + 40 + 2 * BESIDE.len());
+    Ok(Range { scene, criterion: Criterion::default(), context }.whole_limit())
 }
 
 /// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts or another

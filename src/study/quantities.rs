@@ -3,7 +3,6 @@
 //! Masses follow from the greatest displacement, the force into the mount from the run's course, limits from shots of their own.
 //! Nothing is computed that is not requested.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::mechanism::{Inertia, Mechanism};
@@ -13,6 +12,7 @@ use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::model::units::{self, Bare, Quantity};
 use crate::numerics::larger;
 use crate::study::compare::{self, Hardware, load, spring_energy_j};
+use crate::study::context::{Context, to_its_end};
 use crate::study::sweep::SweepError;
 use crate::study::{limit, sweep};
 
@@ -122,7 +122,7 @@ pub(in crate::study) fn mount_force_n(scene: &Scene, farthest_m: Option<f64>) ->
 pub fn limit_velocity_m_s(scene: &Scene) -> Option<f64> {
     let mut own = scene.clone();
     own.sweep = None;
-    let found = limit::alone(&Arc::new(own), &mut |_, _| ControlFlow::Continue(()));
+    let found = limit::alone(&Arc::new(own), &mut Context::new(1, &mut to_its_end));
     found.ok()?.velocity_m_s()
 }
 

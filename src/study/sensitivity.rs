@@ -4,11 +4,10 @@
 //! Inputs are uniform, or uniform in their logarithm, between their bounds, and independent. A point without a value (perforated,
 //! say, where a depth is asked for) is left out and counted. Must not know files, screens or a clock.
 
-use std::ops::ControlFlow;
-
 use crate::model::results::ResultColumn;
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::{self, Kind, VARIABLES};
+use crate::study::context::Context;
 use crate::study::search::field::{Field, Found};
 use crate::study::sweep::{Axis, Spacing, SweepError};
 use effects::{Effect, morris};
@@ -29,8 +28,6 @@ pub struct Effort {
     pub trajectories: usize,
     /// Seed of both.
     pub seed: u64,
-    /// Threads; no digit depends on it.
-    pub threads: usize,
 }
 
 impl Effort {
@@ -88,9 +85,6 @@ impl Report {
     }
 }
 
-/// Asked now and then with the runs done and how many there are; `Break` stops, and keeps what there is.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
-
 /// The bounds of Table 9.2 for every variable that has some and an effect within them.
 ///
 /// # Errors
@@ -127,20 +121,25 @@ pub fn study(
     axes: Vec<Axis>,
     output: &str,
     effort: Effort,
-    watch: Watch<'_>,
+    context: &mut Context<'_>,
 ) -> Result<Report, SweepError> {
     if axes.len() > indices::INPUTS_MAX {
         return Err(SweepError::TooManyAxes { count: axes.len(), most: indices::INPUTS_MAX });
     }
-    let field = Field::new(scene, axes, &[output], effort.threads)?;
+    let field = Field::new(scene, axes, &[output])?;
     let axes = field.axes().to_vec();
     let output = field.measures()[0];
     let inputs = axes.len();
-    let total = effort.runs(inputs);
     let here = |axis: &Axis| (axis.number().get)(scene).unwrap_or(f64::NAN);
     let own: Vec<f64> = axes.iter().map(here).collect();
-    let mut range = Range { field, watch, done: 0, total };
-    let at_own = range.values(std::slice::from_ref(&own));
+    context.expect(effort.runs(inputs));
+    // The result for each design, NaN where it has none; `None` when stopped.
+    let mut values = |designs: &[Vec<f64>]| {
+        let found = field.evaluate(designs, context);
+        let value = |found: &Found| found.values[0].unwrap_or(f64::NAN);
+        (found.len() == designs.len()).then(|| found.iter().map(value).collect::<Vec<_>>())
+    };
+    let at_own = values(std::slice::from_ref(&own));
     let mut ends = Vec::new();
     for (at, axis) in axes.iter().enumerate() {
         for end in [axis.ends().0, axis.ends().1] {
@@ -149,7 +148,7 @@ pub fn study(
             ends.push(design);
         }
     }
-    let ends = range.values(&ends).unwrap_or_else(|| vec![f64::NAN; 2 * inputs]);
+    let ends = values(&ends).unwrap_or_else(|| vec![f64::NAN; 2 * inputs]);
     let known = |value: f64| value.is_finite().then_some(value);
     let bars = ends.chunks(2).map(|pair| Bar { low: known(pair[0]), high: known(pair[1]) });
     let mut function = |points: &[Vec<f64>]| {
@@ -157,7 +156,7 @@ pub fn study(
             axes.iter().zip(point).map(|(axis, share)| axis.at_share(*share)).collect()
         };
         let designs: Vec<Vec<f64>> = points.iter().map(place).collect();
-        range.values(&designs)
+        values(&designs)
     };
     let effects = morris(inputs, effort.trajectories, effort.seed, &mut function);
     let sobol = sobol(inputs, effort.rows, effort.seed, &mut function);
@@ -170,27 +169,6 @@ pub fn study(
         effort,
         axes,
     })
-}
-
-/// Where designs are evaluated.
-struct Range<'w> {
-    field: Field,
-    watch: Watch<'w>,
-    done: usize,
-    total: usize,
-}
-
-impl Range<'_> {
-    /// The result for each design, NaN where it has none; `None` when stopped.
-    fn values(&mut self, designs: &[Vec<f64>]) -> Option<Vec<f64>> {
-        let (done, total) = (self.done, self.total);
-        let watch = &mut *self.watch;
-        let ended = self.field.evaluate(designs, &mut |more| watch(done + more, total));
-        let ControlFlow::Continue(found) = ended else { return None };
-        self.done += found.len();
-        let value = |found: &Found| found.values[0].unwrap_or(f64::NAN);
-        Some(found.iter().map(value).collect())
-    }
 }
 
 #[cfg(test)]

@@ -2,16 +2,20 @@
 //!
 //! What `auto` is held to stands in the constants below. Must not know files, threads, screens or the clock itself.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::contact_phase::{Ending, Scheme};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::run::{EndReason, Mode, Omission, Outcome, Run, Sample};
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::model::simulate::{Observer, Settings, simulate};
+use crate::model::variables::VariableError;
 use crate::numerics::larger;
 use crate::study::accuracy::reference::stored;
+use crate::study::context::Context;
+use crate::study::sweep::crew::Crew;
 use cases::Case;
 use others::{Contact, Other, Verdict};
 
@@ -124,6 +128,9 @@ pub struct Row {
     pub shortfall: Option<Shortfall>,
 }
 
+/// Other methods than `auto` are left out after so many seconds.
+const OTHERS_UNTIL_S: f64 = 30.0;
+
 /// What times are measured with and how long the other methods may take, s on that clock.
 #[derive(Clone, Copy)]
 pub struct Clock<'a> {
@@ -131,13 +138,17 @@ pub struct Clock<'a> {
     pub now_s: &'a (dyn Fn() -> f64 + Sync),
     /// After this no other method is started, s.
     pub until_s: f64,
-    /// Whether to stop, asked before every step of a run.
-    pub stopped: &'a (dyn Fn() -> bool + Sync),
+    /// Whether to stop, looked at before every step of a run.
+    pub stop: &'a AtomicBool,
 }
 
 impl Clock<'_> {
+    fn is_stopped(self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+
     fn watch(self) -> ControlFlow<()> {
-        if (self.stopped)() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if self.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
@@ -146,14 +157,53 @@ pub fn battery(quick: bool) -> Vec<&'static Case> {
     cases::CASES.iter().step_by(if quick { 5 } else { 1 }).collect()
 }
 
+/// Run these cases, each measured by the clock `now_s`, and show the rows as they come, in the order of the cases. Fewer than those
+/// when stopped.
+///
+/// # Errors
+/// A [`VariableError`] when a case is not a scene, which a test rules out.
+pub fn run(
+    cases: &[&'static Case],
+    now_s: &(dyn Fn() -> f64 + Sync),
+    context: &mut Context<'_, [Row]>,
+) -> Result<Vec<Row>, VariableError> {
+    let stop = AtomicBool::new(false);
+    let clock = Clock { now_s, until_s: OTHERS_UNTIL_S, stop: &stop };
+    let examine_one = |piece: Range<u64>| {
+        usize::try_from(piece.start).map_or(Ok(None), |at| examine(cases[at], clock))
+    };
+    let (mut rows, mut failed) = (Vec::new(), None);
+    context.expect(cases.len());
+    let crew = Crew { threads: context.threads(), piece: 1 };
+    let _ = crew.work_heard(
+        0..cases.len() as u64,
+        || examine_one,
+        |news| {
+            let goes_on = match news {
+                None => context.goes_on(),
+                Some((_, Ok(Some(row)))) => {
+                    rows.push(row);
+                    context.count(1);
+                    context.show(&rows)
+                }
+                Some((_, Ok(None))) => false,
+                Some((_, Err(error))) => {
+                    failed = Some(error);
+                    false
+                }
+            };
+            stop.store(!goes_on, Ordering::Relaxed);
+            if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        },
+    );
+    failed.map_or(Ok(rows), Err)
+}
+
 /// Run one scene of the battery; `None` when stopped.
 ///
 /// # Errors
-/// A [`crate::model::variables::VariableError`] when the case is not a scene, which a test rules out.
-pub fn examine(
-    case: &'static Case,
-    clock: Clock<'_>,
-) -> Result<Option<Row>, crate::model::variables::VariableError> {
+/// A [`VariableError`] when the case is not a scene, which a test rules out.
+pub fn examine(case: &'static Case, clock: Clock<'_>) -> Result<Option<Row>, VariableError> {
     let scene = case.scene()?;
     let start_s = (clock.now_s)();
     let run = bare(&scene, false, &mut |_| clock.watch())?;
@@ -165,7 +215,7 @@ pub fn examine(
     });
     let basis = reference.filter(|_| error.is_some()).map_or(Basis::None, |(_, basis)| basis);
     let others = Other::ALL.map(|other| {
-        if (clock.now_s)() > clock.until_s || (clock.stopped)() {
+        if (clock.now_s)() > clock.until_s || clock.is_stopped() {
             return Verdict::CutOff;
         }
         // Those that the reference may come from are judged by the engine, which shares no code with them.
@@ -179,14 +229,10 @@ pub fn examine(
     let stiffness = stiffness(&scene, &run);
     let shortfall = shortfall(&run, error);
     let row = Row { case, run, took_s, error, basis, stiffness, others, shortfall };
-    Ok((!(clock.stopped)()).then_some(row))
+    Ok((!clock.is_stopped()).then_some(row))
 }
 
-fn bare(
-    scene: &Arc<Scene>,
-    estimate: bool,
-    observer: Observer<'_>,
-) -> Result<Run, crate::model::variables::VariableError> {
+fn bare(scene: &Arc<Scene>, estimate: bool, observer: Observer<'_>) -> Result<Run, VariableError> {
     simulate(scene, &Settings { series: false, estimate }, observer)
 }
 

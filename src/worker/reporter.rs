@@ -8,6 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use super::{Finding, Progress, ReportBody};
+use crate::study::context as study;
 
 /// Least time between two reports of a task.
 pub(super) const BETWEEN: Duration = Duration::from_millis(500);
@@ -75,6 +76,16 @@ impl<'a> Reporter<'a> {
             }
         }
         ControlFlow::Continue(())
+    }
+
+    /// Watches a study, and makes findings of its parts.
+    pub(super) fn watch<P: ?Sized>(
+        &self,
+        part: impl Fn(&P) -> Finding,
+    ) -> impl FnMut(study::Progress, Option<&P>) -> ControlFlow<()> {
+        move |progress, so_far| {
+            self.tell(progress.done, progress.total, &|| so_far.map(&part))
+        }
     }
 
     /// Do the work; a panic becomes an error text.

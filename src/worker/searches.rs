@@ -4,18 +4,17 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
+use crate::study::compare::map::{self, Map};
+use crate::study::compare::{self, Hardware};
+use crate::study::context::{Context, Progress};
 use crate::study::search::front::{self, Front, Task};
 use crate::study::search::scatter;
 use crate::study::search::seek::{self, Goal};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
-use crate::study::sweep::crew::Crew;
 
-/// Points along each axis of the map of the mass efficiency, and points that a thread computes at once.
+/// Points along each axis of the map of the mass efficiency.
 const MAP_POINTS: u64 = 41;
-const MAP_PIECE: u64 = 16;
-use crate::study::compare::map::{self, Map};
-use crate::study::compare::{self, Hardware};
 
 /// What is looked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,9 +62,9 @@ pub struct Comparison {
     pub map: Option<Map>,
 }
 
-/// Told with the runs done, how many there are, and what there is to show so far; `Break` stops.
+/// Given how far a search is, and what there is to show so far; `Break` stops.
 pub(super) type Tell<'a> =
-    &'a mut dyn FnMut(usize, usize, &dyn Fn() -> Option<Answer>) -> ControlFlow<()>;
+    &'a mut dyn FnMut(Progress, &dyn Fn() -> Option<Answer>) -> ControlFlow<()>;
 
 /// Look; what there is when it is stopped is kept.
 pub(super) fn make(
@@ -74,30 +73,28 @@ pub(super) fn make(
     threads: usize,
     tell: Tell<'_>,
 ) -> Result<Answer, String> {
-    let nothing = || None;
+    let mut plain = |progress, _: Option<&()>| tell(progress, &|| None);
     match request {
-        Request::Seek(goal) => {
-            seek::seek(scene, goal, &mut |done, total| tell(done, total, &nothing))
-                .map(|report| Answer::Seek(Arc::new(report)))
-                .map_err(|error| error.to_string())
-        }
+        Request::Seek(goal) => seek::seek(scene, goal, &mut Context::new(threads, &mut plain))
+            .map(|report| Answer::Seek(Arc::new(report)))
+            .map_err(|error| error.to_string()),
         Request::Front(task) => {
-            let watch: front::Watch<'_> = &mut |done, total, so_far| {
-                let part = || so_far.map(|front| Answer::Front(Arc::new(front.clone())));
-                tell(done, total, &part)
+            let watch = &mut |progress, so_far: Option<&Front>| {
+                tell(progress, &|| so_far.map(|front| Answer::Front(Arc::new(front.clone()))))
             };
-            let fronts = front::optimise(scene, task, watch).map_err(|error| error.to_string())?;
+            let fronts = front::optimise(scene, task, &mut Context::new(threads, watch));
+            let fronts = fronts.map_err(|error| error.to_string())?;
             let front = fronts.into_iter().next().ok_or("no interface law was given")?;
             Ok(Answer::Front(Arc::new(front)))
         }
         Request::Sensitivity { axes, output, effort } => {
-            let watch = &mut |done, total| tell(done, total, &nothing);
-            sensitivity::study(scene, axes.clone(), output, *effort, watch)
+            let context = &mut Context::new(threads, &mut plain);
+            sensitivity::study(scene, axes.clone(), output, *effort, context)
                 .map(|report| Answer::Sensitivity(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
         Request::Scatter(task) => {
-            scatter::scatter(scene, task, &mut |done, total| tell(done, total, &nothing))
+            scatter::scatter(scene, task, &mut Context::new(threads, &mut plain))
                 .map(|report| Answer::Scatter(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
@@ -111,8 +108,10 @@ fn compared(scene: &Arc<Scene>, threads: usize, tell: Tell<'_>) -> Result<Answer
         .map(|(name, count)| map::usual_axis(scene, name, count).ok());
     let points = usize::try_from(MAP_POINTS * MAP_POINTS).unwrap_or(usize::MAX);
     let whole = points + compare::Candidate::ALL.len();
-    let report =
-        compare::compare(scene, Hardware::default(), &mut |done, _| tell(done, whole, &|| None));
+    let of_all =
+        |progress: Progress, before: usize| Progress { done: before + progress.done, total: whole };
+    let watch = &mut |progress, _: Option<&()>| tell(of_all(progress, 0), &|| None);
+    let report = compare::compare(scene, Hardware::default(), &mut Context::new(1, watch));
     let report = report.map_err(|error| error.to_string())?;
     let [Some(x), Some(y)] = axes else {
         return Ok(Answer::Compare(Arc::new(Comparison { report, map: None })));
@@ -125,9 +124,9 @@ fn compared(scene: &Arc<Scene>, threads: usize, tell: Tell<'_>) -> Result<Answer
         Some(Answer::Compare(Arc::new(comparison)))
     };
     let done = whole - points;
-    let watch: map::Watch<'_> = &mut |cells| tell(done + cells, whole, &part);
-    let crew = Crew { piece: MAP_PIECE, threads };
-    let map = Map::compute(scene, &[x, y], Hardware::default(), crew, watch).ok();
+    let watch = &mut |progress, _: Option<&()>| tell(of_all(progress, done), &part);
+    let context = &mut Context::new(threads, watch);
+    let map = Map::compute(scene, &[x, y], Hardware::default(), context).ok();
     Ok(Answer::Compare(Arc::new(Comparison { report, map })))
 }
 
@@ -150,16 +149,15 @@ mod tests {
             constraints: Vec::new(),
             laws: vec![InterfaceLaw::Fused],
             effort: Effort { population: 20, generations: 20, seed: 1 },
-            threads: 1,
         })
     }
 
     #[test]
     fn a_front_shows_its_parts_and_keeps_them_when_stopped() {
         let mut parts = 0;
-        let mut tell = |done: usize, _: usize, part: &dyn Fn() -> Option<Answer>| {
+        let mut tell = |progress: Progress, part: &dyn Fn() -> Option<Answer>| {
             parts += usize::from(matches!(part(), Some(Answer::Front(_))));
-            if done > 200 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if progress.done > 200 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let answer = make(&Arc::default(), &front_request(), 1, &mut tell).unwrap();
         let Answer::Front(front) = answer else { panic!("not a front") };
@@ -173,9 +171,8 @@ mod tests {
             axis: axis("k", (0.0, 1e6), 9),
             measure: measure.to_owned(),
             target: 60.0,
-            threads: 1,
         };
-        let go_on: Tell<'_> = &mut |_, _, _| ControlFlow::Continue(());
+        let go_on: Tell<'_> = &mut |_, _| ControlFlow::Continue(());
         let refused = make(&Arc::default(), &Request::Seek(goal("depth")), 1, go_on).unwrap_err();
         assert!(refused.contains("output depth"), "{refused}");
         let found = make(&Arc::default(), &Request::Seek(goal("percent_of_baseline")), 1, go_on);
@@ -183,7 +180,7 @@ mod tests {
         let none = Request::Sensitivity {
             axes: Vec::new(),
             output: "stroke_m".to_owned(),
-            effort: sensitivity::Effort { rows: 16, trajectories: 2, seed: 1, threads: 1 },
+            effort: sensitivity::Effort { rows: 16, trajectories: 2, seed: 1 },
         };
         assert!(make(&Arc::default(), &none, 1, go_on).is_err());
     }

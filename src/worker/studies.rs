@@ -1,17 +1,16 @@
 //! Studies: work of seconds that must not hold up the run of an edited scene. What there is when one is cancelled is kept.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::quiet::Quiet;
 use super::reporter::Reporter;
 use super::searches::{self, Request};
-use super::{Finding, ReportBody, Slot, battery, clock};
+use super::{Finding, ReportBody, Slot, clock};
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, Effort};
-use crate::study::stability::map;
+use crate::study::context::{Context, Progress};
+use crate::study::stability::map::{self, Map};
 use crate::study::stability::{self, Row};
 use crate::study::{limit, thesis};
 
@@ -74,59 +73,62 @@ fn found(study: &Study<'_>, quiet: &Quiet, reporter: &Reporter<'_>) -> Result<Fi
     let (scene, cancel) = (study.scene, reporter.cancel());
     match study.kind {
         StudyKind::Accuracy(effort) => {
-            let watch = &mut |report: &accuracy::Report, done, total| {
+            let mut shown = reporter.watch(|report: &accuracy::Report| {
+                Finding::Accuracy(Arc::new(report.clone()))
+            });
+            let watch = &mut |progress: Progress, report: Option<&accuracy::Report>| {
                 // Between two points others have their turn.
                 quiet.end();
                 quiet.begin(cancel);
-                let part = || Some(Finding::Accuracy(Arc::new(report.clone())));
-                reporter.tell(done, total, &part)
+                shown(progress, report)
             };
-            accuracy::compare_openly(scene, *effort, &mut clock::processor_s, watch)
+            let context = &mut Context::new(1, watch);
+            accuracy::compare(scene, *effort, &mut clock::processor_s, context)
                 .map(|report| Finding::Accuracy(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
         StudyKind::Map(method, axis) => {
             map::accepts(scene).map_err(|error| error.to_string())?;
-            let watch: map::Watch<'_> = &mut |done, total, map| {
-                reporter.tell(done, total, &|| Some(Finding::Map(Arc::new(map.clone()))))
-            };
-            let map = map::map(scene, (*method, *axis), map::CELLS, watch);
+            let watch = &mut reporter.watch(|map: &Map| Finding::Map(Arc::new(map.clone())));
+            let context = &mut Context::new(1, watch);
+            let map = map::map(scene, (*method, *axis), map::CELLS, context);
             Ok(Finding::Map(Arc::new(map)))
         }
         StudyKind::Battery => {
             let started = Instant::now();
-            let now_s = || started.elapsed().as_secs_f64();
-            battery(study.threads.min(2), (&now_s, cancel), reporter)
+            // A run of an edited scene has its turn beside it.
+            battery(study.threads.min(2), &|| started.elapsed().as_secs_f64(), reporter)
         }
         StudyKind::Thesis => Ok(claims(reporter)),
         StudyKind::Limit(effort) => {
-            let watch = &mut |done, total| reporter.tell(done, total, &|| None);
-            limit::find(scene, *effort, watch)
+            let watch = &mut |progress: Progress, _: Option<&()>| {
+                reporter.tell(progress.done, progress.total, &|| None)
+            };
+            limit::find(scene, *effort, &mut Context::new(1, watch))
                 .map(|report| Finding::Limit(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
         StudyKind::Search(request) => {
-            let tell: searches::Tell<'_> = &mut |done, total, part| {
-                reporter.tell(done, total, &|| part().map(Finding::Search))
+            let tell: searches::Tell<'_> = &mut |progress, part| {
+                reporter.tell(progress.done, progress.total, &|| part().map(Finding::Search))
             };
             searches::make(scene, request, study.threads, tell).map(Finding::Search)
         }
     }
 }
 
-/// The battery on so many threads, this one among them.
+/// The battery on so many threads.
 fn battery(
     threads: usize,
-    clock: (&(dyn Fn() -> f64 + Sync), &AtomicBool),
+    now_s: &(dyn Fn() -> f64 + Sync),
     reporter: &Reporter<'_>,
 ) -> Result<Finding, String> {
-    let told = &mut |done: usize, total: usize, rows: &dyn Fn() -> Vec<Row>| -> ControlFlow<()> {
-        reporter.tell(done, total, &|| Some(Finding::Battery(Arc::new(rows()), false)))
-    };
+    let watch =
+        &mut reporter.watch(|rows: &[Row]| Finding::Battery(Arc::new(rows.to_vec()), false));
     let cases = stability::battery(false);
-    let total = cases.len();
-    let rows = battery::run(cases, threads, clock, told).map_err(|error| error.to_string())?;
-    let all = rows.len() == total;
+    let rows = stability::run(&cases, now_s, &mut Context::new(threads, watch));
+    let rows = rows.map_err(|error| error.to_string())?;
+    let all = rows.len() == cases.len();
     Ok(Finding::Battery(Arc::new(rows), all))
 }
 

@@ -1,5 +1,6 @@
 //! `cmra limit` as a user meets it.
 
+use cmra::study::context::{Context, to_its_end};
 use serde_json::Value;
 
 use crate::support::{cmra, says};
@@ -93,8 +94,7 @@ fn the_same_seed_gives_the_same_page_and_bad_options_are_refused() {
 fn valid_an_oblique_limit_says_how_far_it_is_off() {
     use cmra::study::limit::OBLIQUE_SHORTFALL;
     use cmra::study::validation::Class;
-    let report =
-        cmra::files::validation::report(&mut |_, _| std::ops::ControlFlow::Continue(())).unwrap();
+    let report = cmra::files::validation::report(&mut Context::new(2, &mut to_its_end)).unwrap();
     let pairs = || report.iter().filter(|row| row.case.class == Class::ObliqueRatio);
     let count = pairs().count() as f64;
     let measured = pairs().map(|row| row.case.measured).sum::<f64>() / count;

@@ -12,6 +12,7 @@ use cmra::model::run::envelope::numerical;
 use cmra::model::run::{EndReason, Outcome, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
+use cmra::study::context::{Context, to_its_end};
 use cmra::study::stability::map::{self, Axis, Method};
 
 use crate::support::says;
@@ -457,8 +458,9 @@ fn a_map_is_read_back_from_its_table() {
     let heads: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
     assert_eq!(heads, ["scene", "method", "variable", "value", "dt_s", "cell", "limit_dt_s"]);
     let read: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let go_on = &mut |_: usize, _: usize, _: &map::Map| ControlFlow::Continue(());
-    let map = map::map(&Scene::default(), (Method::Rk4, Axis::B), (10, 31), go_on);
+    let mut watch = to_its_end;
+    let context = &mut Context::new(1, &mut watch);
+    let map = map::map(&Scene::default(), (Method::Rk4, Axis::B), (10, 31), context);
     let columns = map.dt_s.len();
     assert_eq!(read.len(), map.values.len() * columns);
     let bits = |field: &str| field.parse::<f64>().ok().map(f64::to_bits);

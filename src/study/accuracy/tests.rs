@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::reference::Basis;
 use super::*;
 use crate::model::units::Bare;
+use crate::study::context::{to_its_end, until};
 
 fn scene(pairs: &str) -> Arc<Scene> {
     let mut scene = Scene::default();
@@ -24,7 +25,7 @@ fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
         ticks += 1.0;
         ticks
     };
-    compare(scene, effort, &mut clock, &mut |_, _| ControlFlow::Continue(())).unwrap()
+    compare(scene, effort, &mut clock, &mut Context::new(1, &mut to_its_end)).unwrap()
 }
 
 fn compared(pairs: &str, ladder: Ladder) -> HashMap<char, MethodReport> {
@@ -118,11 +119,9 @@ fn every_error_has_a_judge_of_other_code_and_none_lies_below_what_it_can_tell() 
 
 #[test]
 fn a_stopped_comparison_keeps_what_it_has() {
-    let watch = &mut |done, total| {
-        assert!(done < total);
-        if done == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let report = compare(&scene("k=1e5"), Effort::QUICK, &mut || 0.0, watch).unwrap();
+    let mut watch = until(1);
+    let context = &mut Context::new(1, &mut watch);
+    let report = compare(&scene("k=1e5"), Effort::QUICK, &mut || 0.0, context).unwrap();
     assert!(!report.is_complete);
     assert_eq!(report.methods.iter().map(|method| method.points.len()).sum::<usize>(), 2);
 }

@@ -1,6 +1,5 @@
 //! One candidate on its way to an entry: what its hardware weighs, and at which velocity plate or hardware fails.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::{EndReason, Outcome, Run};
@@ -13,14 +12,13 @@ use crate::study::compare::solid::thickness_of_limit_m;
 use crate::study::compare::{
     Candidate, Entry, Failure, Hardware, Load, is_held, outcome, residual_m_s,
 };
+use crate::study::context::Context;
 use crate::study::limit::{self, Limit};
 
 /// How far below a limit the shot is fired that shows what the mechanism bears there, relative.
 const BELOW_LIMIT: f64 = 1e-6;
 /// Relative width to which the velocity is closed in at which the hardware fails.
 const WIDTH: f64 = 1e-9;
-/// Steps of a run after which it is asked again.
-const LOOK: u32 = 64;
 
 /// The limit velocity with the hardware, and what fails there; without a failure the plate is perforated.
 #[derive(Clone, Copy, Debug, Default)]
@@ -30,18 +28,18 @@ struct BuiltLimit {
 }
 
 /// One candidate on its way to an entry.
-pub(super) struct Judge<'g> {
+pub(super) struct Judge<'c, 'w> {
     pub(super) scene: Arc<Scene>,
     pub(super) hardware: Hardware,
-    pub(super) go_on: &'g mut dyn FnMut() -> ControlFlow<()>,
+    pub(super) context: &'c mut Context<'w>,
 }
 
-impl Judge<'_> {
+impl Judge<'_, '_> {
     /// The entry; `None` when stopped.
     pub(super) fn entry(&mut self, candidate: Candidate) -> Result<Option<Entry>, VariableError> {
         let scene = Arc::clone(&self.scene);
         let design_m_s = scene.projectile.velocity_m_s;
-        let perforation = limit::alone(&scene, &mut |_, _| (self.go_on)())?;
+        let perforation = limit::alone(&scene, self.context)?;
         if perforation == Limit::Unknown {
             return Ok(None);
         }
@@ -65,7 +63,7 @@ impl Judge<'_> {
             }
             None => Load::default(),
         };
-        if (self.go_on)().is_break() {
+        if !self.context.goes_on() {
             return Ok(None);
         }
         let sized = sized(&scene, &self.hardware, sized::WIDTH);
@@ -95,8 +93,13 @@ impl Judge<'_> {
         }))
     }
 
+    /// One run, with its series for the mount force; `None` when it was stopped.
     fn fire(&mut self, velocity_m_s: f64) -> Result<Option<Run>, VariableError> {
-        fire(&self.scene, velocity_m_s, self.go_on)
+        let settings = Settings { series: true, estimate: false };
+        let mut aimed = (*self.scene).clone();
+        aimed.projectile.velocity_m_s = velocity_m_s;
+        let run = simulate(&Arc::new(aimed), &settings, &mut self.context.observer())?;
+        Ok((run.end != EndReason::Cancelled).then_some(run))
     }
 
     /// The limit velocity with this hardware, and what fails there; `None` when stopped.
@@ -146,21 +149,4 @@ impl Judge<'_> {
         let limit_m_s = (fails > limit::RANGE_M_S.0).then_some(fails);
         Ok(Some(BuiltLimit { limit_m_s, failure: Some(failure) }))
     }
-}
-
-/// One run, with its series for the mount force; `None` when it was stopped.
-fn fire(
-    scene: &Arc<Scene>,
-    velocity_m_s: f64,
-    go_on: &mut dyn FnMut() -> ControlFlow<()>,
-) -> Result<Option<Run>, VariableError> {
-    let settings = Settings { series: true, estimate: false };
-    let mut aimed = (**scene).clone();
-    aimed.projectile.velocity_m_s = velocity_m_s;
-    let mut steps = 0_u32;
-    let run = simulate(&Arc::new(aimed), &settings, &mut |_| {
-        steps = steps.wrapping_add(1);
-        if steps.is_multiple_of(LOOK) { go_on() } else { ControlFlow::Continue(()) }
-    })?;
-    Ok((run.end != EndReason::Cancelled).then_some(run))
 }

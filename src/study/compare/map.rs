@@ -1,14 +1,17 @@
 //! A map of the mass efficiency over two variables, and the line on which it is 1.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind};
 use crate::study::compare::sized::{Absence, sized};
 use crate::study::compare::{Hardware, hold_spring_mass};
+use crate::study::context::Context;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
 
+/// Points a thread computes at once.
+const PIECE: u64 = 16;
 /// Points along an axis, where none are asked for.
 pub const COUNT_USUAL: u64 = 101;
 /// Relative width to which thicknesses are closed in, and the tolerance of the shots, at least: the efficiency is as good.
@@ -26,9 +29,6 @@ pub struct Map {
     pub cells: Vec<Result<f64, Absence>>,
 }
 
-/// Asked now and then with the points done; `Break` stops.
-pub type Watch<'a> = &'a mut dyn FnMut(usize) -> ControlFlow<()>;
-
 impl Map {
     /// The map of a scene over two axes.
     ///
@@ -38,8 +38,7 @@ impl Map {
         scene: &Scene,
         axes: &[Axis; 2],
         hardware: Hardware,
-        crew: Crew,
-        watch: Watch<'_>,
+        context: &mut Context<'_>,
     ) -> Result<Self, SweepError> {
         let mut own = scene.clone();
         own.sweep = None;
@@ -61,9 +60,14 @@ impl Map {
                 piece.map(cell).collect::<Vec<_>>()
             }
         };
-        let _stopped = crew.work(0..plan.points(), hire, |_, piece| {
-            cells.extend(piece);
-            watch(cells.len())
+        context.expect(usize::try_from(plan.points()).unwrap_or(0));
+        let crew = Crew { threads: context.threads(), piece: PIECE };
+        let _stopped = crew.work_heard(0..plan.points(), hire, |news| {
+            if let Some((_, piece)) = news {
+                context.count(piece.len());
+                cells.extend(piece);
+            }
+            context.flow()
         });
         Ok(Self { plan, cells })
     }

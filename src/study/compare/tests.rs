@@ -1,9 +1,11 @@
 //! The comparison against closed forms.
 
+use std::ops::ControlFlow;
+
 use super::*;
 use crate::model::units::Bare;
 use crate::study::compare::map::{Map, usual_axis};
-use crate::study::sweep::crew::Crew;
+use crate::study::context::{to_its_end, until};
 use crate::study::sweep::{Axis, Spacing};
 
 /// tau²/(4 rho G) of a steel coil: 7e8² / (4 * 7850 * 7.93e10) J/kg, by hand.
@@ -19,8 +21,7 @@ fn scene(pairs: &str) -> Scene {
 }
 
 fn report(pairs: &str, hardware: Hardware) -> Report {
-    let watch = &mut |_, _| ControlFlow::Continue(());
-    compare(&Arc::new(scene(pairs)), hardware, watch).unwrap()
+    compare(&Arc::new(scene(pairs)), hardware, &mut Context::new(1, &mut to_its_end)).unwrap()
 }
 
 fn plain(pairs: &str) -> Report {
@@ -143,12 +144,22 @@ fn there_is_no_limit_beyond_the_range() {
         let found = plain(pairs);
         for entry in &found.entries {
             assert!(entry.limit_m_s.is_none_or(|limit| limit <= 3000.0), "{pairs} {entry:?}");
-            for figure in FIGURES {
-                let value = (figure.get)(entry);
-                assert!(
-                    value.is_none_or(|it| it.is_finite() && it.abs() < 1e12),
-                    "{pairs} {value:?}"
-                );
+            let loads = [entry.load, entry.limit_load];
+            let loads = loads.map(|load| {
+                [load.stroke_m, load.stored_j, load.mount_force_n, load.impulse_n_s, load.preload_j]
+            });
+            let own = [
+                entry.mass_efficiency(),
+                entry.as_built,
+                entry.areal_kg_m2,
+                entry.spring_kg,
+                entry.perforation.velocity_m_s(),
+                entry.equivalent_m,
+                entry.residual_m_s,
+                entry.depth_m,
+            ];
+            for value in own.into_iter().chain(loads.into_iter().flatten()).flatten() {
+                assert!(value.is_finite() && value.abs() < 1e12, "{pairs} {value:?}");
             }
         }
         let solid = found.of(Candidate::Solid).unwrap();
@@ -230,11 +241,11 @@ fn what_does_not_exist_is_absent() {
     let own = perforated.of(Candidate::Rigid).unwrap();
     assert!(own.depth_m.is_none() && own.residual_m_s.is_some());
     let mut asked = 0;
-    let stop = &mut |_, _| {
+    let stop = &mut |_, _: Option<&()>| {
         asked += 1;
         if asked > 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    let cut = compare(&Arc::new(Scene::default()), Hardware::default(), stop).unwrap();
+    let cut = compare(&Arc::default(), Hardware::default(), &mut Context::new(1, stop)).unwrap();
     assert!(!cut.is_complete && cut.entries.is_empty());
 }
 
@@ -259,9 +270,9 @@ fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
     let axes = [axis("v_i", (10.0, 90.0), 41), axis("gamma", (0.5, 7.0), 4)];
     let base = scene("dishing=false k=1");
     let compute = |threads: usize| {
-        let crew = Crew { threads, piece: 7 };
-        let watch = &mut |_| ControlFlow::Continue(());
-        Map::compute(&base, &axes, Hardware::default(), crew, watch).unwrap()
+        let mut watch = to_its_end;
+        let context = &mut Context::new(threads, &mut watch);
+        Map::compute(&base, &axes, Hardware::default(), context).unwrap()
     };
     let map = compute(1);
     assert!(map.is_complete());
@@ -274,13 +285,9 @@ fn the_map_has_its_line_of_one_where_the_closed_form_has_it() {
         assert!(close(map.cell(0, y).unwrap().unwrap(), expected, 1e-4));
     }
     assert_eq!(map.cells, compute(2).cells, "no digit depends on the threads");
-    let mut asked = 0;
-    let stop = &mut |_| {
-        asked += 1;
-        if asked == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let crew = Crew { threads: 1, piece: 7 };
-    let cut = Map::compute(&base, &axes, Hardware::default(), crew, stop).unwrap();
-    assert!(!cut.is_complete() && cut.cells.len() == 14);
+    let mut watch = until(20);
+    let context = &mut Context::new(1, &mut watch);
+    let cut = Map::compute(&base, &axes, Hardware::default(), context).unwrap();
+    assert!(!cut.is_complete() && cut.cells.len() == 32, "pieces of 16 points");
     assert!(usual_axis(&base, "gama", 5).is_err() && usual_axis(&base, "x_stop", 5).is_err());
 }

@@ -1,12 +1,12 @@
 //! The strength of a scene's plate that gives the measured limit, or measured depths.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::Outcome;
 use crate::model::scene::{Closure, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::VariableError;
+use crate::study::context::Context;
 use crate::study::fit::{Logistic, Shot};
 use crate::study::limit;
 
@@ -54,14 +54,14 @@ pub fn calibrate(
     scene: &Scene,
     logistic: &Logistic,
     shots: &[Shot],
-    go_on: &mut dyn FnMut() -> ControlFlow<()>,
+    context: &mut Context<'_>,
 ) -> Result<Calibration, VariableError> {
-    let own_limit_m_s = limit::alone(&Arc::new(scene.clone()), &mut |_, _| go_on())?.velocity_m_s();
+    let own_limit_m_s = limit::alone(&Arc::new(scene.clone()), context)?.velocity_m_s();
     let own_pa = strength_pa(scene);
     let mut for_limit = |velocity_m_s: f64| {
         let model = |strength_pa: f64| {
             let own = Arc::new(with_strength(scene, strength_pa));
-            limit::alone(&own, &mut |_, _| go_on()).ok()?.velocity_m_s()
+            limit::alone(&own, context).ok()?.velocity_m_s()
         };
         solve(own_pa, velocity_m_s, 0.5, model)
     };
@@ -76,15 +76,11 @@ pub fn calibrate(
         own_limit_m_s,
         from_limit_pa,
         range_pa,
-        from_depths: from_depths(scene, shots, go_on),
+        from_depths: from_depths(scene, shots, context),
     })
 }
 
-fn from_depths(
-    scene: &Scene,
-    shots: &[Shot],
-    go_on: &mut dyn FnMut() -> ControlFlow<()>,
-) -> Option<FromDepths> {
+fn from_depths(scene: &Scene, shots: &[Shot], context: &mut Context<'_>) -> Option<FromDepths> {
     let stopped = shots.iter().filter(|shot| !shot.perforated);
     let measured: Vec<(f64, f64)> =
         stopped.filter_map(|shot| Some((shot.velocity_m_s, shot.penetration_m?))).collect();
@@ -94,7 +90,7 @@ fn from_depths(
             let mut own = scene.clone();
             own.projectile.velocity_m_s = *velocity_m_s;
             solve(strength_pa(scene), *depth_m, -1.0, |strength_pa| {
-                depth_of(&with_strength(&own, strength_pa), go_on)
+                depth_of(&with_strength(&own, strength_pa), context)
             })
         })
         .collect();
@@ -110,9 +106,9 @@ fn from_depths(
 }
 
 /// The depth of a shot that is stopped, m.
-fn depth_of(scene: &Scene, go_on: &mut dyn FnMut() -> ControlFlow<()>) -> Option<f64> {
+fn depth_of(scene: &Scene, context: &mut Context<'_>) -> Option<f64> {
     let settings = Settings { series: false, estimate: false };
-    let run = simulate(&Arc::new(scene.clone()), &settings, &mut |_| go_on()).ok()?;
+    let run = simulate(&Arc::new(scene.clone()), &settings, &mut context.observer()).ok()?;
     // A shot that goes through has no depth; it counts as one as deep as the plate is thick.
     if run.outcome == Outcome::Perforated {
         return Some(scene.target.thickness_m);
@@ -169,6 +165,7 @@ fn solve(
 mod tests {
     use super::*;
     use crate::model::scene::Mount;
+    use crate::study::context::to_its_end;
     use crate::study::fit::Method;
 
     fn rigid() -> Scene {
@@ -190,7 +187,8 @@ mod tests {
     #[test]
     fn strength_from_a_limit_of_a_rigid_mount() {
         let found =
-            calibrate(&rigid(), &logistic(300.0), &[], &mut || ControlFlow::Continue(())).unwrap();
+            calibrate(&rigid(), &logistic(300.0), &[], &mut Context::new(1, &mut to_its_end))
+                .unwrap();
         let exact = 1.52e8 * (300.0f64 / 232.295_378).powi(2);
         assert!((found.from_limit_pa.unwrap() / exact - 1.0).abs() < 1e-7, "{found:?}");
         assert!((found.range_pa.0.unwrap() / exact - 0.81).abs() < 1e-6, "{found:?}");
@@ -205,11 +203,11 @@ mod tests {
         let mut scene = Scene::default();
         scene.target.closure = Closure::DoubleYield;
         scene.target.yield_pa = 1e8;
-        let found =
-            calibrate(&scene, &logistic(250.0), &[], &mut || ControlFlow::Continue(())).unwrap();
+        let found = calibrate(&scene, &logistic(250.0), &[], &mut Context::new(1, &mut to_its_end))
+            .unwrap();
         assert_eq!(found.symbol, "Y");
         scene.target.yield_pa = found.from_limit_pa.unwrap();
-        let limit = limit::alone(&Arc::new(scene), &mut |_, _| ControlFlow::Continue(())).unwrap();
+        let limit = limit::alone(&Arc::new(scene), &mut Context::new(1, &mut to_its_end)).unwrap();
         assert!((limit.velocity_m_s().unwrap() / 250.0 - 1.0).abs() < 1e-8);
         let shot = Shot {
             velocity_m_s: 100.0,
@@ -220,7 +218,8 @@ mod tests {
         let mut soft = rigid();
         soft.target.flow_strength_pa = 1e8;
         let found =
-            calibrate(&soft, &logistic(250.0), &[shot], &mut || ControlFlow::Continue(())).unwrap();
+            calibrate(&soft, &logistic(250.0), &[shot], &mut Context::new(1, &mut to_its_end))
+                .unwrap();
         let depths = found.from_depths.unwrap();
         assert!((depths.mean_pa / 1.52e8 - 1.0).abs() < 1e-6, "{depths:?}");
         assert_eq!((depths.shots, depths.deviation_pa), (1, None));

@@ -1,14 +1,14 @@
 //! What goes with a limit velocity: what the mechanism bears there, and the band between the closures of the flow strength.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::run::EndReason;
 use crate::model::scene::{Closure, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::study::compare::Load;
+use crate::study::context::Context;
+use crate::study::limit::alone;
 use crate::study::limit::search::aimed;
-use crate::study::limit::{Watch, alone};
 
 /// How far below the limit the shot is fired that shows what the mechanism bears, relative.
 const BELOW: f64 = 1e-6;
@@ -24,8 +24,8 @@ pub struct Closures {
 
 impl Closures {
     /// By both closures; `None` where the flow strength does not come from a yield stress, or when stopped.
-    pub(super) fn of(scene: &Scene, watch: Watch<'_>) -> Option<Self> {
-        let by = |closure: Closure, watch: Watch<'_>| {
+    pub(super) fn of(scene: &Scene, context: &mut Context<'_>) -> Option<Self> {
+        let mut by = |closure: Closure| {
             let mut own = scene.clone();
             own.sweep = None;
             let layers = own.stack.layers.iter_mut().map(|layer| &mut layer.target);
@@ -42,11 +42,11 @@ impl Closures {
                 target.drag_coefficient *= drag;
                 (target.closure, target.dishing) = (closure, closure == Closure::DoubleYield);
             }
-            alone(&Arc::new(own), watch).ok().and_then(super::Limit::velocity_m_s)
+            alone(&Arc::new(own), context).ok().and_then(super::Limit::velocity_m_s)
         };
         (scene.target.closure != Closure::Given).then(|| Self {
-            double_yield_m_s: by(Closure::DoubleYield, watch),
-            cavity_m_s: by(Closure::Cavity, watch),
+            double_yield_m_s: by(Closure::DoubleYield),
+            cavity_m_s: by(Closure::Cavity),
         })
     }
 
@@ -58,13 +58,9 @@ impl Closures {
 }
 
 /// What a shot just below this limit asks of the mechanism and its mount; `None` when stopped.
-pub(super) fn load(
-    scene: &Scene,
-    limit_m_s: f64,
-    go_on: &mut dyn FnMut() -> ControlFlow<()>,
-) -> Option<Load> {
+pub(super) fn load(scene: &Scene, limit_m_s: f64, context: &mut Context<'_>) -> Option<Load> {
     let settings = Settings { series: true, estimate: false };
     let own = aimed(scene, limit_m_s * (1.0 - BELOW));
-    let run = simulate(&own, &settings, &mut |_| go_on()).ok()?;
+    let run = simulate(&own, &settings, &mut context.observer()).ok()?;
     (run.end != EndReason::Cancelled).then(|| Load::of(&run))
 }

@@ -6,7 +6,7 @@ use crate::model::scene::Scene;
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{moments, quantile, wilson};
 use crate::study::limit::Limit;
-use crate::study::limit::search::Range;
+use crate::study::limit::search::{Range, Scan};
 use crate::study::search::scatter::{Draw, usual_tolerances};
 
 /// Each sample's limit is looked for within this factor of the nominal one, with so many points, to this relative width.
@@ -70,7 +70,7 @@ pub(super) fn scatter(
     scene: &Arc<Scene>,
     scattering: Scattering,
     nominal_m_s: f64,
-    range: &mut Range<'_, '_>,
+    range: &mut Range<'_, '_, '_>,
 ) -> Option<Scatter> {
     let mut tolerances = usual_tolerances(scene, scattering.deviation);
     tolerances.retain(|tolerance| tolerance.symbol() != "v_i");
@@ -80,6 +80,12 @@ pub(super) fn scatter(
     let (mut without, mut through) = (0, 0_usize);
     let own_m_s = scene.projectile.velocity_m_s;
     let range_criterion = range.criterion;
+    let scan = Scan {
+        low_m_s: nominal_m_s / WITHIN,
+        high_m_s: nominal_m_s * WITHIN,
+        points: POINTS,
+        width: WIDTH,
+    };
     for _ in 0..scattering.samples {
         if !range.goes_on() {
             return None;
@@ -87,15 +93,10 @@ pub(super) fn scatter(
         draw.sample().ok()?;
         let sample = Arc::new(draw.scene().clone());
         let factor = scattering.model.factor(&mut errors);
-        // Shots within a sample are not counted: a sample is one piece of work. It can be stopped all the same.
-        let (done, total) = (range.done.min(range.total), range.total);
-        let mut watch = |_: usize, _: usize| (range.watch)(done, total);
-        let mut own = Range::new(&sample, 1, &mut watch);
-        own.criterion = range_criterion;
-        let around = (nominal_m_s / WITHIN, nominal_m_s * WITHIN);
-        let limit = own.limit(around, POINTS, WIDTH);
-        if own.stopped {
-            range.stopped = true;
+        let limit = range.context.uncounted(|context| {
+            Range { scene: &sample, criterion: range_criterion, context }.limit(scan)
+        });
+        if range.context.is_stopped() {
             return None;
         }
         match limit {
@@ -106,7 +107,7 @@ pub(super) fn scatter(
             // Beyond the bracket on a known side.
             Limit::Always => {
                 without += 1;
-                through += usize::from(own_m_s > factor * around.0);
+                through += usize::from(own_m_s > factor * scan.low_m_s);
             }
             Limit::Unknown => return None,
             Limit::Between { .. } | Limit::Never => without += 1,

@@ -10,13 +10,14 @@ use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::numerics::smaller;
 use crate::study::compare::{Load, outcome, residual_m_s};
+use crate::study::context::Context;
 use crate::study::limit::{
-    ABOVE, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot, Watch, at_limit,
+    ABOVE, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot, at_limit,
     closed_form,
 };
 
 /// Relative width to which the limit is closed in.
-pub(super) const WIDTH: f64 = 1e-10;
+const WIDTH: f64 = 1e-10;
 /// Undecided shots, each followed for about a second, that are spent on each edge of the velocities that no run decides, and the
 /// relative width of those up to which they are one limit for any purpose.
 const UNDECIDED_MAX: usize = 8;
@@ -71,33 +72,34 @@ impl Verdict {
     }
 }
 
-/// Steps of a shot between two questions whether to go on.
-const LOOK: usize = 64;
-
-/// The firing range: shots at a scene, counted.
-pub(super) struct Range<'s, 'w> {
-    scene: &'s Arc<Scene>,
-    pub(super) criterion: Criterion,
-    pub(super) watch: Watch<'w>,
-    pub(super) done: usize,
-    pub(super) total: usize,
-    pub(super) stopped: bool,
+/// Where a limit is looked for: between two velocities, at so many points at equal ratios, and then to a relative width.
+#[derive(Clone, Copy)]
+pub(super) struct Scan {
+    pub(super) low_m_s: f64,
+    pub(super) high_m_s: f64,
+    pub(super) points: usize,
+    pub(super) width: f64,
 }
 
-impl<'s, 'w> Range<'s, 'w> {
-    pub(super) fn new(scene: &'s Arc<Scene>, total: usize, watch: Watch<'w>) -> Self {
-        let criterion = Criterion::default();
-        Self { scene, criterion, watch, done: 0, total, stopped: false }
-    }
+impl Scan {
+    /// All velocities that are looked at.
+    pub(super) const WHOLE: Self =
+        Self { low_m_s: RANGE_M_S.0, high_m_s: RANGE_M_S.1, points: SCAN, width: WIDTH };
+}
 
+/// The firing range: shots at a scene, counted.
+pub(super) struct Range<'s, 'c, 'w> {
+    pub(super) scene: &'s Arc<Scene>,
+    pub(super) criterion: Criterion,
+    pub(super) context: &'c mut Context<'w>,
+}
+
+impl Range<'_, '_, '_> {
     /// Whether to go on with the next piece of work.
     pub(super) fn goes_on(&mut self) -> bool {
-        if !self.stopped {
-            let most = if self.done < self.total { self.done } else { self.total };
-            self.stopped = (self.watch)(most, self.total).is_break();
-            self.done += 1;
-        }
-        !self.stopped
+        let goes_on = self.context.goes_on();
+        self.context.count(1);
+        goes_on
     }
 
     /// A shot at this velocity, followed until it is decided; `None` when stopped.
@@ -105,16 +107,8 @@ impl<'s, 'w> Range<'s, 'w> {
         if !self.goes_on() {
             return None;
         }
-        let (done, total, watch) = (self.done.min(self.total), self.total, &mut *self.watch);
-        let (mut steps, mut stopped) = (0_usize, false);
-        let shot = shoot(self.scene, self.criterion, impact_m_s, &mut |_t_s| {
-            steps += 1;
-            // A run on the plastic law may have millions of steps.
-            stopped = stopped || (steps.is_multiple_of(LOOK) && watch(done, total).is_break());
-            if stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
-        self.stopped = stopped;
-        (!stopped).then_some(shot)
+        let shot = shoot(self.scene, self.criterion, impact_m_s, &mut self.context.observer());
+        (!self.context.is_stopped()).then_some(shot)
     }
 
     /// Whether a shot goes through; `None` when stopped. What is fused at the first arrest stays: there the first contact alone
@@ -140,21 +134,17 @@ impl<'s, 'w> Range<'s, 'w> {
 
     /// What a shot just below a limit asks of the mechanism; `None` when stopped.
     pub(super) fn load(&mut self, limit_m_s: f64) -> Option<Load> {
-        let (done, total) = (self.done.min(self.total), self.total);
-        let scene = self.scene;
-        self.goes_on()
-            .then(|| at_limit::load(scene, limit_m_s, &mut || (self.watch)(done, total)))?
+        self.goes_on().then(|| at_limit::load(self.scene, limit_m_s, self.context))?
     }
 
     /// The limits by both closures; `None` where there is but one, or when stopped.
     pub(super) fn closures(&mut self) -> Option<Closures> {
-        let (done, total) = (self.done.min(self.total), self.total);
         let scene = self.scene;
-        self.goes_on().then(|| Closures::of(scene, &mut |_, _| (self.watch)(done, total)))?
+        self.goes_on().then(|| self.context.uncounted(|context| Closures::of(scene, context)))?
     }
 
     /// The limit within a range, looked for with so many points, to a relative width.
-    pub(super) fn limit(&mut self, (low, high): (f64, f64), points: usize, width: f64) -> Limit {
+    pub(super) fn limit(&mut self, scan: Scan) -> Limit {
         let by_passage = self.criterion == Criterion::Passage;
         if let Some(velocity_m_s) = closed_form(self.scene).filter(|_| by_passage) {
             // No strength, no limit.
@@ -166,12 +156,12 @@ impl<'s, 'w> Range<'s, 'w> {
                 Limit::Never
             };
         }
-        self.search((low, high), points, width).unwrap_or(Limit::Unknown)
+        self.search(scan).unwrap_or(Limit::Unknown)
     }
 
     /// The limit over all velocities, with a look at the outcomes on either side of it.
     pub(super) fn whole_limit(&mut self) -> Limit {
-        let mut limit = self.limit(RANGE_M_S, SCAN, WIDTH);
+        let mut limit = self.limit(Scan::WHOLE);
         for _ in 0..LOWER_MAX {
             let Limit::Found { velocity_m_s, basis: Basis::Outcome, stopped_at_m_s } = limit else {
                 break;
@@ -271,13 +261,9 @@ impl<'s, 'w> Range<'s, 'w> {
         Some(Limit::Between { stopped_m_s, perforated_m_s: through })
     }
 
-    pub(super) fn search(
-        &mut self,
-        (low, high): (f64, f64),
-        points: usize,
-        width: f64,
-    ) -> Option<Limit> {
-        let ratio = (high / low).powf(1.0 / (points - 1) as f64);
+    pub(super) fn search(&mut self, scan: Scan) -> Option<Limit> {
+        let Scan { low_m_s: low, high_m_s, points, width } = scan;
+        let ratio = (high_m_s / low).powf(1.0 / (points - 1) as f64);
         let mut scan = Vec::new();
         for point in 0..points {
             let velocity = low * ratio.powf(point as f64);

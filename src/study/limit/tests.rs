@@ -1,11 +1,14 @@
 //! Limits against closed forms, scatter against its own law, and the absence of a limit said as such.
 
 use super::scatter::ModelError;
-use super::search::{Verdict, WIDTH};
+use super::search::{Scan, Verdict};
+use std::ops::ControlFlow;
+
 use super::*;
 use crate::model::scene::InterfaceLaw;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::units::Bare;
+use crate::study::context::{Progress, to_its_end, until};
 
 const PLAIN: Effort = Effort { criterion: Criterion::Passage, scattering: None };
 
@@ -20,15 +23,16 @@ fn scene(pairs: &str) -> Arc<Scene> {
 }
 
 fn found(pairs: &str) -> Report {
-    find(&scene(pairs), PLAIN, &mut |_, _| ControlFlow::Continue(())).unwrap()
+    find(&scene(pairs), PLAIN, &mut Context::new(1, &mut to_its_end)).unwrap()
 }
 
 /// The limit by the outcome of runs alone.
 fn by_outcome(pairs: &str) -> f64 {
     let scene = scene(pairs);
-    let watch = &mut |_, _| ControlFlow::Continue(());
-    let mut range = Range::new(&scene, 1, watch);
-    range.search(RANGE_M_S, SCAN, WIDTH).unwrap().velocity_m_s().unwrap()
+    let mut watch = to_its_end;
+    let context = &mut Context::new(1, &mut watch);
+    let mut range = Range { scene: &scene, criterion: Criterion::Passage, context };
+    range.search(Scan::WHOLE).unwrap().velocity_m_s().unwrap()
 }
 
 #[test]
@@ -80,7 +84,7 @@ fn valid_limits_with_a_rigid_stop_against_the_reference() {
         ("gamma=4.46 k=1.6e6 n=2 x_stop=0.001", 234.89),
         ("gamma=0.9 k=1.2e6 n=1.5 h=0.02 x_stop=0.003 interface=plastic", 220.27),
     ] {
-        let velocity_m_s = alone(&scene(pairs), &mut |_, _| ControlFlow::Continue(()));
+        let velocity_m_s = alone(&scene(pairs), &mut Context::new(1, &mut to_its_end));
         let velocity_m_s = velocity_m_s.unwrap().velocity_m_s().unwrap();
         assert!((velocity_m_s - limit).abs() < 5e-3, "{pairs}: {velocity_m_s}");
     }
@@ -91,7 +95,7 @@ fn valid_limits_with_a_rigid_stop_against_the_reference() {
 fn valid_the_limit_by_protrusion_is_where_the_nose_reaches_the_rear_face() {
     let rigid = scene("mount=rigid");
     let effort = Effort { criterion: Criterion::Protrusion, ..PLAIN };
-    let report = find(&rigid, effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    let report = find(&rigid, effort, &mut Context::new(1, &mut to_its_end)).unwrap();
     let geometry = Geometry::of(&rigid);
     let volume = geometry.swept_m3(geometry.travel_m(rigid.target.thickness_m));
     let c = rigid.drag_kg_m3();
@@ -139,14 +143,8 @@ fn no_limit_is_said_as_such() {
 
 #[test]
 fn a_stopped_search_keeps_what_it_has() {
-    let stop_at = |most: usize| {
-        let mut shots = 0;
-        find(&scene("k=1e5"), PLAIN, &mut |_, _| {
-            shots += 1;
-            if shots > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        })
-        .unwrap()
-    };
+    let stop_at =
+        |most: usize| find(&scene("k=1e5"), PLAIN, &mut Context::new(1, &mut until(most))).unwrap();
     let early = stop_at(5);
     assert_eq!((early.limit, early.is_complete), (Limit::Unknown, false));
     let later = stop_at(SCAN + 60);
@@ -159,7 +157,7 @@ fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
         Scattering { deviation: 0.03, samples: 300, seed: 1, model: ModelError::default() };
     let effort = Effort { scattering: Some(scattering), ..PLAIN };
     let rigid = scene("mount=rigid v_i=232.295378");
-    let run = || find(&rigid, effort, &mut |_, _| ControlFlow::Continue(())).unwrap();
+    let run = || find(&rigid, effort, &mut Context::new(1, &mut to_its_end)).unwrap();
     let (first, second) = (run(), run());
     assert_eq!(first, second, "the same seed gives the same digits");
     let found = first.scatter.unwrap();
@@ -195,12 +193,12 @@ fn a_long_shot_is_stopped_within_it() {
     own.interface.law = InterfaceLaw::Plastic;
     own.run.horizon_s = Some(1e6);
     let mut asked = 0;
-    let report = find(&Arc::new(own), PLAIN, &mut |done, _| {
+    let stop = &mut |progress: Progress, _: Option<&()>| {
         asked += 1;
-        assert!(asked <= 500, "{done} shots");
+        assert!(asked <= 500, "{} shots", progress.done);
         if asked == 500 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
-    let report = report.unwrap();
+    };
+    let report = find(&Arc::new(own), PLAIN, &mut Context::new(1, stop)).unwrap();
     assert_eq!((report.limit, report.is_complete), (Limit::Unknown, false));
 }
 

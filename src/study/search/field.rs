@@ -3,13 +3,14 @@
 //! The evaluation is that of sweeps, the contact kernel included; a design whose computation fails, or panics, keeps its place and
 //! says so. No digit depends on the number of threads.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::results::ResultColumn;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
+use crate::study::context::Context;
 use crate::study::quantities::need_course;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::grid::tells;
@@ -35,11 +36,7 @@ pub struct Field {
     plan: Plan,
     /// Steps after which a run is given up.
     steps_max: Option<usize>,
-    threads: usize,
 }
-
-/// Asked now and then with the designs done; `Break` stops.
-pub type Watch<'a> = &'a mut dyn FnMut(usize) -> ControlFlow<()>;
 
 impl Field {
     /// A field over axes, for measures by their names.
@@ -50,13 +47,12 @@ impl Field {
         scene: &Scene,
         axes: Vec<Axis>,
         measures: &[impl AsRef<str>],
-        threads: usize,
     ) -> Result<Self, SweepError> {
         // What becomes of a design has to be known even where no measure is.
         let names: Vec<&str> = measures.iter().map(AsRef::as_ref).collect();
         // A plan refuses all that a sweep over these axes would refuse.
         let plan = Plan::for_points(scene, axes, &names)?;
-        Ok(Self { plan, steps_max: None, threads })
+        Ok(Self { plan, steps_max: None })
     }
 
     /// A field whose runs are given up after so many steps: such a design fails with its step budget used up. A search looks at
@@ -90,38 +86,33 @@ impl Field {
         scene
     }
 
-    /// Evaluate designs, each a value for every axis, in the stored unit (NaN: the variable is absent). `Break`, with what is
-    /// done, when it was stopped.
-    pub fn evaluate(
+    /// Evaluate designs, each a value for every axis, in the stored unit (NaN: the variable is absent). Fewer than those when it was
+    /// stopped.
+    pub fn evaluate<P: ?Sized>(
         &self,
         designs: &[Vec<f64>],
-        watch: Watch<'_>,
-    ) -> ControlFlow<Vec<Found>, Vec<Found>> {
+        context: &mut Context<'_, P>,
+    ) -> Vec<Found> {
         let plan = self.plan.over_points(designs);
         let stop = AtomicBool::new(false);
         let piece = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
-        let crew = Crew { threads: self.threads, piece };
+        let crew = Crew { threads: context.threads(), piece };
         let mut all = Vec::with_capacity(designs.len());
         let hire = || {
             let mut evaluator = Evaluator::new(&plan, &stop).limited(self.steps_max);
             let (plan, stop) = (&plan, &stop);
             move |points: Range<u64>| self.piece(plan, stop, &mut evaluator, points)
         };
-        let ended = crew.work_heard(0..designs.len() as u64, hire, |news| {
-            if let Some((points, found)) = news {
-                let whole = found.len() as u64 == points.end - points.start;
+        let _ = crew.work_heard(0..designs.len() as u64, hire, |news| {
+            if let Some((_, found)) = news {
+                context.count(found.len());
                 all.extend(found);
-                if !whole {
-                    return ControlFlow::Break(());
-                }
             }
-            let go_on = watch(all.len());
-            if go_on.is_break() {
-                stop.store(true, Ordering::Relaxed);
-            }
-            go_on
+            let flow = context.flow();
+            stop.store(flow.is_break(), Ordering::Relaxed);
+            flow
         });
-        if ended.is_break() { ControlFlow::Break(all) } else { ControlFlow::Continue(all) }
+        all
     }
 
     fn piece<'p>(
@@ -179,12 +170,14 @@ impl Field {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
     use std::sync::Arc;
 
     use super::*;
     use crate::model::mechanism::Mechanism;
     use crate::model::run::EndReason;
     use crate::model::simulate::{Settings, simulate};
+    use crate::study::context::{to_its_end, until};
     use crate::study::quantities::{quantity, value};
     use crate::study::sweep::Spacing;
 
@@ -195,15 +188,8 @@ mod tests {
         list.iter().map(axis).collect()
     }
 
-    fn go_on(_: usize) -> ControlFlow<()> {
-        ControlFlow::Continue(())
-    }
-
-    fn whole(ended: ControlFlow<Vec<Found>, Vec<Found>>) -> Vec<Found> {
-        match ended {
-            ControlFlow::Continue(found) => found,
-            ControlFlow::Break(_) => panic!("stopped"),
-        }
+    fn whole(field: &Field, designs: &[Vec<f64>], threads: usize) -> Vec<Found> {
+        field.evaluate(designs, &mut Context::<()>::new(threads, &mut to_its_end))
     }
 
     const FOUR: [&str; 4] =
@@ -216,8 +202,8 @@ mod tests {
         let designs =
             [vec![1.0, 1e5, 0.0], vec![2.0, 1e6, 0.0], vec![1.0, 1e5, 50.0], vec![0.8, 7.5e6, 0.0]];
         let with = |threads| {
-            let field = Field::new(&Scene::default(), bounds.clone(), &FOUR, threads).unwrap();
-            (whole(field.evaluate(&designs, &mut go_on)), field)
+            let field = Field::new(&Scene::default(), bounds.clone(), &FOUR).unwrap();
+            (whole(&field, &designs, threads), field)
         };
         let (found, field) = with(1);
         assert_eq!(found, with(3).0);
@@ -266,9 +252,9 @@ mod tests {
         // The second swings thousands of times on a spring of small exponent before it is decided.
         let designs =
             [vec![1.0, 1e5, 1.0, 0.0, 0.0], vec![4.2875, 3_281_250.0, 0.546_875, 0.406_25, 375.0]];
-        let field = Field::new(&scene, bounds, &["final_penetration_m", "stroke_m"], 1).unwrap();
-        let free = whole(field.evaluate(&designs, &mut go_on));
-        let found = whole(field.limited(1000).evaluate(&designs, &mut go_on));
+        let field = Field::new(&scene, bounds, &["final_penetration_m", "stroke_m"]).unwrap();
+        let free = whole(&field, &designs, 1);
+        let found = whole(&field.limited(1000), &designs, 1);
         assert_eq!(found[0], free[0]);
         assert_eq!(free[1].fate, Fate::Arrested);
         assert_eq!(found[1].fate, Fate::Failed(Failure::Early(EndReason::StepBudget)));
@@ -277,22 +263,23 @@ mod tests {
 
     #[test]
     fn what_perforates_has_no_depth_and_a_stop_keeps_what_is_done() {
-        let field = Field::new(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR, 1).unwrap();
-        let found = whole(field.evaluate(&[vec![100.0], vec![800.0]], &mut go_on));
+        let field = Field::new(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
+        let found = whole(&field, &[vec![100.0], vec![800.0]], 1);
         assert_eq!(found[1].fate, Fate::Perforated);
         assert!(found[1].values.iter().all(Option::is_none) && found[0].values[0].is_some());
         let many = vec![vec![100.0]; 200];
-        let stopped = field.evaluate(&many, &mut |done| {
-            if done > 40 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
-        assert!(matches!(stopped, ControlFlow::Break(part) if part.len() > 40 && part.len() < 200));
+        let mut watch = until::<()>(40);
+        let mut context = Context::new(1, &mut watch);
+        context.expect(many.len());
+        let part = field.evaluate(&many, &mut context);
+        assert!(context.is_stopped() && part.len() > 40 && part.len() < 200, "{}", part.len());
     }
 
     #[test]
     fn bad_names_and_bounds_are_refused_before_anything_runs() {
         let scene = Scene::default();
-        let error = Field::new(&scene, axes(&[("k", 0.0, 1e5)]), &["mass"], 1).unwrap_err();
+        let error = Field::new(&scene, axes(&[("k", 0.0, 1e5)]), &["mass"]).unwrap_err();
         assert!(error.to_string().contains("system_mass_kg"), "{error}");
-        assert!(Field::new(&scene, Vec::new(), &["stroke_m"], 1).is_err());
+        assert!(Field::new(&scene, Vec::new(), &["stroke_m"]).is_err());
     }
 }

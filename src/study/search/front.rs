@@ -11,6 +11,7 @@ use std::ops::ControlFlow;
 use crate::model::results::ResultColumn;
 use crate::model::run::EndReason;
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::study::context::Context;
 use crate::study::quantities::quantity;
 use crate::study::search::field::{Field, Found};
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
@@ -54,8 +55,6 @@ pub struct Task {
     pub laws: Vec<InterfaceLaw>,
     /// How much is done for each.
     pub effort: Effort,
-    /// Threads; no digit depends on it.
-    pub threads: usize,
 }
 
 impl Task {
@@ -175,32 +174,30 @@ impl Front {
     }
 }
 
-/// Told with the runs done and how many there are, and now and then with the front so far; `Break` stops.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize, Option<&Front>) -> ControlFlow<()>;
-
-/// Look for the fronts, law by law.
+/// Look for the fronts, law by law, and show each as it grows.
 ///
 /// # Errors
 /// A [`SweepError`] when bounds, names or the scene make no sense: then nothing has run.
-pub fn optimise(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Vec<Front>, SweepError> {
+pub fn optimise(
+    scene: &Scene,
+    task: &Task,
+    context: &mut Context<'_, Front>,
+) -> Result<Vec<Front>, SweepError> {
+    context.expect(task.runs());
     // All laws are checked before any is run.
     let mut fields = Vec::new();
     for law in &task.laws {
         let mut own = scene.clone();
         own.interface.law = *law;
         let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
-        let field = Field::new(&own, task.axes.clone(), &names, task.threads)?.limited(STEPS_MAX);
+        let field = Field::new(&own, task.axes.clone(), &names)?.limited(STEPS_MAX);
         fields.push((own, field));
     }
     let mut fronts: Vec<Front> = Vec::new();
-    let mut done = 0;
     for (own, field) in fields {
-        let search = Search { task, field: &field, scene: &own, before: done };
-        let front = search.run(watch);
-        done += front.runs;
-        let stopped = !front.is_complete;
-        fronts.push(front);
-        if stopped {
+        let search = Search { task, field: &field, scene: &own };
+        fronts.push(search.run(context));
+        if context.is_stopped() {
             break;
         }
     }
@@ -208,11 +205,11 @@ pub fn optimise(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Vec<Fron
 }
 
 /// What a search has so far.
-struct State<'w> {
+struct State<'s, 'w> {
     /// The designs of the present generation, by their shares.
     known: HashMap<Vec<u64>, Design>,
     front: Front,
-    watch: Watch<'w>,
+    context: &'s mut Context<'w, Front>,
 }
 
 /// The search on one law.
@@ -220,13 +217,11 @@ struct Search<'a> {
     task: &'a Task,
     field: &'a Field,
     scene: &'a Scene,
-    /// Runs made for the laws before.
-    before: usize,
 }
 
 impl Search<'_> {
-    fn run(&self, watch: Watch<'_>) -> Front {
-        let state = RefCell::new(State { known: HashMap::new(), front: self.blank(), watch });
+    fn run(&self, context: &mut Context<'_, Front>) -> Front {
+        let state = RefCell::new(State { known: HashMap::new(), front: self.blank(), context });
         let mut function = |points: &[Vec<f64>]| {
             let found = self.evaluate_all(points, &state)?;
             Some(found.iter().map(|found| self.judge(&found.values)).collect())
@@ -238,10 +233,8 @@ impl Search<'_> {
             state.known.retain(|shares, _| there.contains(shares));
             state.front.generations = generation;
             state.front.designs = Self::designs(&nsga::front(people), &state.known);
-            let State { front, watch, .. } = &mut *state;
-            if watch(self.before + front.runs, self.task.runs(), Some(front)).is_break() {
-                front.is_complete = false;
-            }
+            let State { front, context, .. } = &mut *state;
+            front.is_complete = context.show(front);
         };
         // The scene itself and what the thesis recommends are tried first, where the bounds hold them.
         let own = std::iter::once(self.scene.clone());
@@ -296,18 +289,19 @@ impl Search<'_> {
     }
 
     /// The measures at points of the unit cube, which are kept; `None` when it was stopped.
-    fn evaluate_all(&self, points: &[Vec<f64>], state: &RefCell<State<'_>>) -> Option<Vec<Found>> {
+    fn evaluate_all(
+        &self,
+        points: &[Vec<f64>],
+        state: &RefCell<State<'_, '_>>,
+    ) -> Option<Vec<Found>> {
         let mut state = state.borrow_mut();
-        let State { known, front, watch } = &mut *state;
+        let State { known, front, context } = &mut *state;
         if !front.is_complete {
             return None;
         }
         let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
-        let before = self.before + front.runs;
-        let ended =
-            self.field.evaluate(&designs, &mut |more| watch(before + more, self.task.runs(), None));
-        front.is_complete = ended.is_continue();
-        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
+        let found = self.field.evaluate(&designs, *context);
+        front.is_complete = !context.is_stopped();
         front.runs += found.len();
         let budget = Fate::Failed(Failure::Early(EndReason::StepBudget));
         front.given_up += found.iter().filter(|found| found.fate == budget).count();
@@ -399,7 +393,7 @@ impl Search<'_> {
 
     /// Look from a candidate that nothing beats yet for a design that does: the first objective as good as can be, no other worse.
     /// What is found joins the front.
-    fn challenge(&self, candidate: &Candidate, state: &RefCell<State<'_>>) {
+    fn challenge(&self, candidate: &Candidate, state: &RefCell<State<'_, '_>>) {
         let Some(shares) = candidate.scene.as_ref().and_then(|scene| self.shares_of(scene)) else {
             return;
         };
@@ -457,12 +451,12 @@ impl Search<'_> {
     fn evaluate(&self, scene: &Scene, whole: bool) -> Option<Found> {
         let axis = self.field.axes().first()?;
         let names: Vec<&str> = self.field.measures().iter().map(|column| column.name).collect();
-        let field = Field::new(scene, vec![axis.clone()], &names, 1).ok()?;
+        let field = Field::new(scene, vec![axis.clone()], &names).ok()?;
         let value = (axis.number().get)(scene).unwrap_or(f64::NAN);
-        let go_on = if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
-        let ended = field.evaluate(&[vec![value]], &mut |_| go_on);
-        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
-        found.into_iter().next()
+        let mut watch = |_, _: Option<&()>| {
+            if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        field.evaluate(&[vec![value]], &mut Context::new(1, &mut watch)).into_iter().next()
     }
 }
 

@@ -5,13 +5,12 @@
 //! of a result are kept for its quantiles, eight bytes each: [`SAMPLES_MAX`] is the limit. Must not know files, screens or a
 //! clock.
 
-use std::ops::ControlFlow;
-
 use crate::model::results::ResultColumn;
 use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::variables::{self, Kind, Number, VARIABLES, Variable, VariableError};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
+use crate::study::context::Context;
 use crate::study::search::field::Field;
 use crate::study::sweep::{Axis, Fate, Spacing, SweepError};
 pub use tolerance::{Distribution, Tolerance};
@@ -40,8 +39,6 @@ pub struct Task {
     pub samples: usize,
     /// Seed.
     pub seed: u64,
-    /// Threads; no digit depends on it.
-    pub threads: usize,
 }
 
 /// A quantile and where it lies with 95 % confidence.
@@ -94,9 +91,6 @@ pub struct Report {
     /// Whether it was done to its end.
     pub is_complete: bool,
 }
-
-/// Told with the samples done and how many there are; `Break` stops, and keeps what there is.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
 
 /// Why nothing was drawn.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -186,7 +180,11 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 ///
 /// # Errors
 /// A [`ScatterError`] when something about it is bad: then nothing has run; or when no draw makes sense.
-pub fn scatter(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Report, ScatterError> {
+pub fn scatter(
+    scene: &Scene,
+    task: &Task,
+    context: &mut Context<'_>,
+) -> Result<Report, ScatterError> {
     let field = field(scene, task)?;
     let mut draw = Draw::new(scene, &task.tolerances, task.seed);
     let mut report = Report {
@@ -201,19 +199,14 @@ pub fn scatter(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Report, S
         is_complete: true,
     };
     let own: Vec<f64> = task.tolerances.iter().map(|it| it.nominal(scene)).collect();
-    let ended = field.evaluate(&[own], &mut |_| watch(0, task.samples));
-    report.is_complete = ended.is_continue();
-    let (ControlFlow::Continue(nominal) | ControlFlow::Break(nominal)) = ended;
-    let nominal = nominal.into_iter().next();
+    context.expect(task.samples);
+    let nominal = context.uncounted(|context| field.evaluate(&[own], context)).into_iter().next();
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); field.measures().len()];
-    while report.samples < task.samples && report.is_complete {
+    while report.samples < task.samples && !context.is_stopped() {
         let left = task.samples - report.samples;
         let count = if left < BATCH { left } else { BATCH };
         let designs = (0..count).map(|_| draw.sample()).collect::<Result<Vec<_>, _>>()?;
-        let before = report.samples;
-        let ended = field.evaluate(&designs, &mut |more| watch(before + more, task.samples));
-        report.is_complete = ended.is_continue();
-        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
+        let found = field.evaluate(&designs, context);
         report.samples += found.len();
         for found in found {
             report.census[place(found.fate)] += 1;
@@ -222,6 +215,7 @@ pub fn scatter(scene: &Scene, task: &Task, watch: Watch<'_>) -> Result<Report, S
             }
         }
     }
+    report.is_complete = !context.is_stopped();
     report.redrawn = draw.redrawn;
     report.perforated = perforated(&report.census);
     report.nominal = nominal.as_ref().map(|found| found.fate);
@@ -254,7 +248,7 @@ pub fn field(scene: &Scene, task: &Task) -> Result<Field, ScatterError> {
     }
     let axes = task.tolerances.iter().map(|tolerance| tolerance.axis(scene));
     let axes = axes.collect::<Result<Vec<Axis>, SweepError>>()?;
-    Ok(Field::new(scene, axes, &task.measures, task.threads)?)
+    Ok(Field::new(scene, axes, &task.measures)?)
 }
 
 /// The stream of samples: the one random source of every Monte Carlo study.

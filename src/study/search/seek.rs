@@ -4,10 +4,11 @@
 //! all solutions further apart than the scan's spacing are found, and what crosses the goal by a jump, or has no value, is told
 //! apart from a solution. Must not know files, threads, screens or a clock.
 
-use std::ops::{ControlFlow, RangeInclusive};
+use std::ops::RangeInclusive;
 
 use crate::model::results::ResultColumn;
 use crate::model::scene::Scene;
+use crate::study::context::Context;
 use crate::study::search::field::Field;
 use crate::study::sweep::{Axis, Fate, SweepError};
 use roots::{Hunt, Kind};
@@ -28,8 +29,6 @@ pub struct Goal {
     pub measure: String,
     /// The value it should have, SI; percent for percentages.
     pub target: f64,
-    /// Threads; no digit depends on it.
-    pub threads: usize,
 }
 
 /// A value of the variable, and what comes of it.
@@ -103,16 +102,13 @@ pub struct Report {
     pub is_complete: bool,
 }
 
-/// Asked now and then with the runs done and about how many there are; `Break` stops, and keeps what there is.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize) -> ControlFlow<()>;
-
 /// Seek.
 ///
 /// # Errors
 /// A [`SweepError`] when bounds, name or scene make no sense: then nothing has run.
-pub fn seek(scene: &Scene, goal: &Goal, watch: Watch<'_>) -> Result<Report, SweepError> {
+pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Report, SweepError> {
     let axis = &goal.axis;
-    let field = Field::new(scene, vec![axis.clone()], &[goal.measure.as_str()], goal.threads)?;
+    let field = Field::new(scene, vec![axis.clone()], &[goal.measure.as_str()])?;
     let scan = usize::try_from(axis.count()).unwrap_or(usize::MAX);
     let mut runs = 0;
     let mut fates: Vec<(f64, Fate)> = Vec::new();
@@ -120,13 +116,11 @@ pub fn seek(scene: &Scene, goal: &Goal, watch: Watch<'_>) -> Result<Report, Swee
         let designs: Vec<Vec<f64>> =
             shares.iter().map(|share| vec![axis.at_share(*share)]).collect();
         // A guess that is right for one solution or two.
-        let total = if runs < scan { scan + 40 } else { runs + 40 };
-        let ended = field.evaluate(&designs, &mut |done| watch(runs + done, total));
-        let whole = ended.is_continue();
-        let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = ended;
+        context.expect(if runs < scan { scan + 40 } else { 40 });
+        let found = field.evaluate(&designs, context);
         runs += found.len();
         fates.extend(shares.iter().zip(&found).map(|(share, found)| (*share, found.fate)));
-        whole.then(|| found.iter().map(|found| found.values[0]).collect())
+        (found.len() == shares.len()).then(|| found.iter().map(|found| found.values[0]).collect())
     };
     let mut hunt = Hunt::new(goal.target, &mut function);
     let ended = hunt.run(scan);

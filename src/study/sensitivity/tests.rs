@@ -1,11 +1,13 @@
 //! The study on scenes whose answer is known.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::*;
 use crate::model::simulate::{Settings, simulate};
+use crate::study::context::{to_its_end, until};
 
-const EFFORT: Effort = Effort { rows: 256, trajectories: 20, seed: 1, threads: 2 };
+const EFFORT: Effort = Effort { rows: 256, trajectories: 20, seed: 1 };
 
 fn axes(list: &[(&str, f64, f64)]) -> Vec<Axis> {
     let axis =
@@ -19,15 +21,15 @@ fn rigid() -> Scene {
     scene
 }
 
-fn go_on(_: usize, _: usize) -> ControlFlow<()> {
-    ControlFlow::Continue(())
+fn found(scene: &Scene, axes: Vec<Axis>, output: &str) -> Result<Report, SweepError> {
+    study(scene, axes, output, EFFORT, &mut Context::new(2, &mut to_its_end))
 }
 
 /// On a rigid mount gamma does nothing, and velocity all.
 #[test]
 fn what_has_no_effect_has_none_in_any_of_the_three() {
     let asked = axes(&[("gamma", 0.8, 7.0), ("v_i", 80.0, 120.0)]);
-    let found = study(&rigid(), asked, "final_penetration_m", EFFORT, &mut go_on).unwrap();
+    let found = found(&rigid(), asked, "final_penetration_m").unwrap();
     assert!((found.own.unwrap() - 7.113_055e-3).abs() < 5e-10);
     assert_eq!(found.bars[0].swing(), Some(0.0));
     assert_eq!(found.effects[0].magnitude, Some(0.0));
@@ -47,23 +49,23 @@ fn what_has_no_effect_has_none_in_any_of_the_three() {
 fn no_digit_depends_on_the_threads_and_a_stop_keeps_what_there_is() {
     let asked = || axes(&[("gamma", 0.8, 7.0), ("k", 0.0, 7.5e6)]);
     let with = |threads| {
-        let effort = Effort { rows: 64, threads, ..EFFORT };
-        study(&Scene::default(), asked(), "percent_of_baseline", effort, &mut go_on).unwrap()
+        let (effort, mut watch) = (Effort { rows: 64, ..EFFORT }, to_its_end);
+        let context = &mut Context::new(threads, &mut watch);
+        study(&Scene::default(), asked(), "percent_of_baseline", effort, context).unwrap()
     };
     let (one, three) = (with(1), with(3));
     assert_eq!(one.sobol, three.sobol);
     assert_eq!(one.effects, three.effects);
-    let stop = &mut |done: usize, _| {
-        if done > 10 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let cut = study(&Scene::default(), asked(), "percent_of_baseline", EFFORT, stop).unwrap();
+    let mut watch = until(10);
+    let stopped = &mut Context::new(2, &mut watch);
+    let cut = study(&Scene::default(), asked(), "percent_of_baseline", EFFORT, stopped).unwrap();
     assert!(cut.sobol.is_none() && cut.effects.is_empty() && cut.bars[0].swing().is_some());
 }
 
 #[test]
 fn points_without_a_value_are_left_out_and_counted() {
     let asked = axes(&[("v_i", 200.0, 300.0)]);
-    let found = study(&rigid(), asked, "percent_of_baseline", EFFORT, &mut go_on).unwrap();
+    let found = found(&rigid(), asked, "percent_of_baseline").unwrap();
     let sobol = found.sobol.unwrap();
     assert!(sobol.used < sobol.rows && sobol.used > 0);
     assert!(found.bars[0].high.is_none() && found.bars[0].low.is_some());
@@ -77,8 +79,8 @@ fn bad_bounds_and_too_many_are_refused_and_the_table_has_its_five() {
     assert!(thesis_axes(&rigid()).unwrap().is_empty());
     let names = ["gamma", "d", "b", "k", "n", "v_i", "h"];
     let seven = axes(&names.map(|name| (name, 1.0, 2.0)));
-    let refused = study(&scene, seven, "stroke_m", EFFORT, &mut go_on).unwrap_err();
+    let refused = found(&scene, seven, "stroke_m").unwrap_err();
     assert!(matches!(refused, SweepError::TooManyAxes { count: 7, most: 6 }));
     let two = axes(&[("gamma", 1.0, 2.0)]);
-    assert!(study(&scene, two, "depth", EFFORT, &mut go_on).is_err());
+    assert!(found(&scene, two, "depth").is_err());
 }

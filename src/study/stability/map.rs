@@ -16,6 +16,7 @@ use crate::model::contact_phase::section::Faces;
 use crate::model::scene::{Listing, Reading, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::numerics::{larger, smaller};
+use crate::study::context::Context;
 use crate::study::stability::Peaks;
 use crate::study::stability::others::Contact;
 
@@ -240,15 +241,13 @@ pub fn accepts(scene: &Scene) -> Result<(), VariableError> {
     variables::require_single(scene)
 }
 
-/// Asked before each row of a map with the rows done, all of them, and the map so far; `Break` leaves the rest waiting.
-pub type Watch<'a> = &'a mut dyn FnMut(usize, usize, &Map) -> ControlFlow<()>;
-
-/// Compute the map of a valid scene with `(rows, columns)` cells, both at least 2, as far as it is let.
+/// Compute the map of a valid scene with `(rows, columns)` cells, both at least 2, and show it as it grows. Where it is stopped, the
+/// rest is waiting.
 pub fn map(
     scene: &Scene,
     (method, axis): (Method, Axis),
     (rows, columns): (usize, usize),
-    watch: Watch<'_>,
+    context: &mut Context<'_, Map>,
 ) -> Map {
     let present = Target::of(scene);
     // Around the present contact: from a hundred-thousandth of it to all of it.
@@ -268,10 +267,12 @@ pub fn map(
         present: (axis.get(scene), THESIS_DT_S),
         largest_stable_dt_s: present.and_then(|target| limit(scene, method, &target.peaks)),
     };
+    context.expect(rows);
     for row in 0..rows {
-        if watch(row, rows, &map).is_break() {
+        if !context.show(&map) {
             break;
         }
+        context.count(1);
         let mut own = scene.clone();
         axis.set(&mut own, map.values[row]);
         let target = Target::of(&own);
@@ -406,6 +407,7 @@ fn rate_cell(found: Contact, target: &Target, swings: bool) -> Cell {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::context::{Progress, to_its_end};
 
     #[test]
     fn valid_limits_of_runge_kutta_on_the_axes() {
@@ -434,8 +436,9 @@ mod tests {
 
     #[test]
     fn a_map_has_a_cell_for_every_row_and_column() {
-        let go_on = &mut |_: usize, _: usize, _: &Map| ControlFlow::Continue(());
-        let map = map(&Scene::default(), (Method::Rk4, Axis::B), (4, 5), go_on);
+        let mut watch = to_its_end;
+        let context = &mut Context::new(1, &mut watch);
+        let map = map(&Scene::default(), (Method::Rk4, Axis::B), (4, 5), context);
         assert_eq!((map.cells.len(), map.limit_s.len()), (20, 4));
         assert_eq!(map.cell(0, 0), Cell::Accurate);
         assert!(map.limit_s[3] < map.limit_s[1]);
@@ -456,12 +459,13 @@ mod tests {
     #[test]
     fn a_map_that_is_stopped_keeps_its_rows() {
         let mut rows = 0;
-        let stop = &mut |done: usize, all: usize, _: &Map| {
-            assert_eq!((done, all), (rows, 40));
+        let stop = &mut |progress: Progress, _: Option<&Map>| {
+            assert_eq!((progress.done, progress.total), (rows, 40));
             rows += 1;
             if rows > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let map = map(&Scene::default(), (Method::Rk4, Axis::B), (40, 5), stop);
+        let context = &mut Context::new(1, stop);
+        let map = map(&Scene::default(), (Method::Rk4, Axis::B), (40, 5), context);
         assert_eq!(map.cells.len(), 200);
         assert!(map.cells[..10].iter().all(|cell| *cell != Cell::Waiting));
         assert!(map.cells[10..].iter().all(|cell| *cell == Cell::Waiting));

@@ -1,15 +1,17 @@
-//! The threads of a sweep: pieces go out in order, results come back in order, however many hands there are.
+//! The ordered parallel map of all studies: pieces go out in order, results come back in order, on however many threads.
 //!
-//! Thread t of T does the pieces t, t + T, ... and keeps at most a few results waiting, so memory stays constant; the caller
-//! takes them in turn. The result of a piece depends on nothing but the piece.
+//! Whichever thread is free takes the next piece. So many pieces are out at the most, so memory stays constant. The result of a piece
+//! depends on nothing but the piece.
 
+use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
-use std::thread;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Mutex, PoisonError};
+use std::thread::{self, ScopedJoinHandle};
 use std::time::Duration;
 
-/// Results of one thread that may wait to be taken.
-const WAITING: usize = 8;
+/// Pieces that are out for each thread.
+const OUT: u64 = 8;
 
 /// How often somebody who waits for a result is asked whether to go on.
 const ASKED_EVERY: Duration = Duration::from_millis(20);
@@ -73,35 +75,54 @@ impl Crew {
         hear: Hear<'_, T>,
     ) -> ControlFlow<()> {
         let threads = u64::try_from(self.threads.max(1)).unwrap_or(1).min(pieces.count);
-        thread::scope(|scope| {
-            let mut lines = Vec::new();
-            for first in 0..threads {
-                let (send, receive) = sync_channel(WAITING);
-                let stride = usize::try_from(threads).unwrap_or(1);
-                let work = move || {
-                    let mut worker = hire();
-                    for number in (first..pieces.count).step_by(stride) {
-                        // Nobody takes any more: the work was broken off.
-                        if send.send(worker(pieces.at(number))).is_err() {
-                            return;
-                        }
-                    }
-                };
-                // A system that has no more threads to give leaves the rest of the work to this one.
-                let started = thread::Builder::new().spawn_scoped(scope, work);
-                lines.push(started.ok().map(|_| receive));
+        let (order, orders) = channel();
+        let (send, results) = channel();
+        let orders = Mutex::new(orders);
+        let work = |send: Sender<(u64, T)>| {
+            let mut worker = hire();
+            let next = || orders.lock().unwrap_or_else(PoisonError::into_inner).recv();
+            while let Ok(number) = next() {
+                // Nobody takes any more: the work was broken off.
+                if send.send((number, worker(pieces.at(number)))).is_err() {
+                    return;
+                }
             }
-            let mut own = None;
-            for (number, line) in (0..pieces.count).zip(lines.iter().cycle()) {
-                let result = match line {
-                    Some(line) => wait(line, hear),
-                    None => Some(own.get_or_insert_with(hire)(pieces.at(number))),
-                };
-                // A thread that ended without its result panicked; leaving the scope passes that on.
-                let Some(result) = result else { break };
-                if hear(Some((pieces.at(number), result))).is_break() {
-                    drop(lines);
-                    return ControlFlow::Break(());
+        };
+        thread::scope(|scope| {
+            // What the system has threads for.
+            let started: Vec<_> = (0..threads)
+                .filter_map(|_| {
+                    let (work, send) = (&work, send.clone());
+                    thread::Builder::new().spawn_scoped(scope, move || work(send)).ok()
+                })
+                .collect();
+            // Both end with this scope: the threads stop, whatever is left to do.
+            let (order, results) = (order, results);
+            drop(send);
+            let (mut own, mut ordered) = (None, 0);
+            let mut early = BTreeMap::new();
+            for number in 0..pieces.count {
+                if started.is_empty() {
+                    early.insert(number, own.get_or_insert_with(hire)(pieces.at(number)));
+                }
+                while ordered < pieces.count.min(number + OUT * threads) {
+                    // The orders are there as long as this function.
+                    let _ = order.send(ordered);
+                    ordered += 1;
+                }
+                let has_panicked = || started.iter().any(ScopedJoinHandle::is_finished);
+                while !early.contains_key(&number) {
+                    match results.recv_timeout(ASKED_EVERY) {
+                        Ok((done, result)) => drop(early.insert(done, result)),
+                        // Who is asked in between stops the workers by a flag of their own: what they have done until then still
+                        // comes.
+                        Err(RecvTimeoutError::Timeout) if !has_panicked() => drop(hear(None)),
+                        // Leaving the scope passes a panic on.
+                        Err(_) => return ControlFlow::Break(()),
+                    }
+                }
+                if let Some(result) = early.remove(&number) {
+                    hear(Some((pieces.at(number), result)))?;
                 }
             }
             ControlFlow::Continue(())
@@ -111,20 +132,6 @@ impl Crew {
 
 /// Whoever takes the results, and is asked in between.
 type Hear<'h, T> = &'h mut dyn FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>;
-
-/// The next result of a thread; `None` when it ends without one. Who is asked in between stops the workers by a flag of their own:
-/// what they have done until then still comes.
-fn wait<T>(line: &Receiver<T>, hear: Hear<'_, T>) -> Option<T> {
-    loop {
-        match line.recv_timeout(ASKED_EVERY) {
-            Ok(result) => return Some(result),
-            Err(RecvTimeoutError::Disconnected) => return None,
-            Err(RecvTimeoutError::Timeout) => {
-                let _ = hear(None);
-            }
-        }
-    }
-}
 
 /// How points are cut into pieces.
 struct Pieces {

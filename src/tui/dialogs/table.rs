@@ -5,14 +5,8 @@ use std::sync::Arc;
 use crossterm::event::KeyEvent;
 use tui_input::Input;
 
-<<<<<<< HEAD:src/tui/dialogs/table.rs
-use crate::files::error::FileError;
-use crate::files::{accuracy, compare, limit, stability, sweep, thesis};
-=======
-use super::path;
 use crate::files::sweep;
 use crate::report::{accuracy, compare, limit, stability, thesis};
->>>>>>> b8ae7ef (One list of columns a study: CSV, JSON and pages from report::Table):src/tui/update/table.rs
 use crate::study::sweep::Axis;
 use crate::study::thesis::Row;
 use crate::tui::app::App;

@@ -1,6 +1,7 @@
 //! Studies replace, stop and pass each other as they should.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
@@ -8,6 +9,8 @@ use super::*;
 use crate::worker::{Report, Task, Work, Worker};
 
 const PATIENCE: Duration = Duration::from_secs(60);
+/// A time at which the battery leaves the other methods out.
+const LATE_S: f64 = 60.0;
 
 fn study(id: u64, kind: StudyKind) -> Task {
     Task { id, threads: 2, work: Work::Study(Arc::default(), kind) }
@@ -73,9 +76,7 @@ fn a_cancelled_study_keeps_what_it_has() {
 #[test]
 fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
     // The other methods are left out: their time is past.
-    let late = || 2.0 * battery::OTHERS_UNTIL_S;
-    let found =
-        with_reporter(usize::MAX, |reporter| battery(2, (&late, reporter.cancel()), reporter));
+    let found = with_reporter(usize::MAX, |reporter| battery(2, &|| LATE_S, reporter));
     let Ok(Finding::Battery(rows, true)) = found else { panic!("not the whole battery") };
     let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
     let cases: Vec<&str> = stability::battery(false).iter().map(|case| case.name).collect();
@@ -84,8 +85,7 @@ fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
 
 #[test]
 fn a_stopped_battery_keeps_what_it_has() {
-    let late = || 2.0 * battery::OTHERS_UNTIL_S;
-    let found = with_reporter(6, |reporter| battery(2, (&late, reporter.cancel()), reporter));
+    let found = with_reporter(6, |reporter| battery(2, &|| LATE_S, reporter));
     let Ok(Finding::Battery(rows, false)) = found else { panic!("the whole battery") };
     assert!(rows.len() < stability::battery(false).len());
 }
@@ -95,12 +95,15 @@ fn a_stopped_battery_keeps_what_it_has() {
 fn a_battery_is_stopped_within_a_scene() {
     let mut cases = stability::battery(false).into_iter();
     let case = cases.find(|case| case.name == "plastic, n 0.22, g 0").unwrap();
-    let asked = AtomicUsize::new(0);
-    // The clock of a scene asks before every step; it has millions.
-    let stopped = || asked.fetch_add(1, Ordering::Relaxed) > 1000;
-    let clock = stability::Clock { now_s: &|| 0.0, until_s: -1.0, stopped: &stopped };
-    assert!(stability::examine(case, clock).unwrap().is_none());
-    assert!(asked.into_inner() < 2000);
+    // It has millions of steps, and is stopped while it runs.
+    let mut asked = 0;
+    let watch = &mut |_: Progress, _: Option<&[Row]>| {
+        asked += 1;
+        if asked > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
+    let context = &mut Context::new(1, watch);
+    let rows = stability::run(&[case], &|| LATE_S, context).unwrap();
+    assert!(rows.is_empty() && context.is_stopped());
 }
 
 /// Not only between two claims: the longest take most of a second.

@@ -183,7 +183,7 @@ fn the_table_is_written_and_never_over_a_file_unasked() {
     assert!(!overwrite);
     assert_eq!(found.0, "thesis-baseline");
     let points: usize = found.1.methods.iter().map(|method| method.points.len()).sum();
-    let csv = cmra::files::accuracy::csv(std::slice::from_ref(&*found)).unwrap();
+    let csv = cmra::report::accuracy::table(std::slice::from_ref(&*found)).csv();
     assert_eq!(csv.lines().count(), points + 1);
     let done = |outcome| Message::Done(EffectReport::Exported(outcome));
     bench.send(done(ExportOutcome::Exists(path.clone())));

@@ -1,18 +1,17 @@
 //! The Search tab: keys and whole screens. Everything is computed but the front, which is made up: a search by chance may take
 //! another way at the last digit of a run.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::bench::{Bench, ended};
 use cmra::model::scene::{InterfaceLaw, Scene};
 use cmra::study::compare::map::{Map, usual_axis};
 use cmra::study::compare::{self, Hardware};
+use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
 use cmra::study::search::{scatter, seek};
 use cmra::study::sensitivity;
 use cmra::study::sweep::Fate;
-use cmra::study::sweep::crew::Crew;
 use cmra::tui::app::Tab;
 use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Content, Effect};
@@ -57,30 +56,26 @@ fn front(scene: &Scene, task: &Task) -> Front {
     }
 }
 
-fn go_on(_: usize, _: usize) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
-
 fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
+    let mut watch = to_its_end;
+    let context = &mut Context::new(1, &mut watch);
     match request {
-        Request::Seek(goal) => Answer::Seek(Arc::new(seek::seek(scene, goal, &mut go_on).unwrap())),
+        Request::Seek(goal) => Answer::Seek(Arc::new(seek::seek(scene, goal, context).unwrap())),
         Request::Front(task) => Answer::Front(Arc::new(front(scene, task))),
         Request::Sensitivity { axes, output, effort } => {
             let effort = sensitivity::Effort { rows: 256, trajectories: 20, ..*effort };
-            let report = sensitivity::study(scene, axes.clone(), output, effort, &mut go_on);
+            let report = sensitivity::study(scene, axes.clone(), output, effort, context);
             Answer::Sensitivity(Arc::new(report.unwrap()))
         }
         Request::Scatter(task) => {
             let task = scatter::Task { samples: 500, ..task.clone() };
-            Answer::Scatter(Arc::new(scatter::scatter(scene, &task, &mut go_on).unwrap()))
+            Answer::Scatter(Arc::new(scatter::scatter(scene, &task, context).unwrap()))
         }
         Request::Compare => {
             let hardware = Hardware::default();
-            let report = compare::compare(scene, hardware, &mut go_on).unwrap();
+            let report = compare::compare(scene, hardware, context).unwrap();
             let axes = ["v_i", "gamma"].map(|name| usual_axis(scene, name, 21).unwrap());
-            let crew = Crew { threads: 1, piece: 64 };
-            let watch = &mut |_| ControlFlow::Continue(());
-            let map = Map::compute(scene, &axes, hardware, crew, watch).ok();
+            let map = Map::compute(scene, &axes, hardware, context).ok();
             Answer::Compare(Arc::new(Comparison { report, map }))
         }
     }

@@ -1,6 +1,7 @@
 //! Fronts of scenes whose answer is known.
 
 use super::*;
+use crate::study::context::{to_its_end, until};
 use crate::study::sweep::Spacing;
 
 const EFFORT: Effort = Effort { population: 40, generations: 30, seed: 1 };
@@ -19,7 +20,6 @@ fn task(list: &[(&str, f64, f64)], minimise: &[&str]) -> Task {
         constraints: Vec::new(),
         laws: vec![InterfaceLaw::Fused],
         effort: EFFORT,
-        threads: 2,
     }
 }
 
@@ -28,7 +28,11 @@ fn at_most(name: &str, bound: f64) -> Constraint {
 }
 
 fn solve(scene: &Scene, task: &Task) -> Vec<Front> {
-    optimise(scene, task, &mut |_, _, _| ControlFlow::Continue(())).unwrap()
+    on(2, scene, task)
+}
+
+fn on(threads: usize, scene: &Scene, task: &Task) -> Vec<Front> {
+    optimise(scene, task, &mut Context::new(threads, &mut to_its_end)).unwrap()
 }
 
 /// The heaviest free plate that keeps a depth of 4.568088344392 mm weighs as much as the projectile (model page, section 2).
@@ -109,13 +113,15 @@ fn constraints_are_kept_and_no_digit_depends_on_the_threads() {
     assert!(!found[0].designs.is_empty());
     assert!(found[0].designs.iter().all(|design| design.measures[2].unwrap() <= 0.01));
     assert_eq!(found[0].candidates[0].standing, Standing::Breaks(0));
-    let alone = solve(&Scene::default(), &Task { threads: 1, ..asked.clone() });
+    let alone = on(1, &Scene::default(), &asked);
     assert_eq!(found[0].designs, alone[0].designs);
     let mut shown = 0;
-    let stopped = optimise(&Scene::default(), &asked, &mut |done, _, front| {
+    let mut stop = until(300);
+    let mut watch = |progress, front: Option<&Front>| {
         shown += usize::from(front.is_some());
-        if done > 300 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
-    let stopped = stopped.unwrap();
+        stop(progress, front)
+    };
+    let mut context = Context::new(2, &mut watch);
+    let stopped = optimise(&Scene::default(), &asked, &mut context).unwrap();
     assert!(!stopped[0].is_complete && !stopped[0].designs.is_empty() && shown > 3);
 }

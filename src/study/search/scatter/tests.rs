@@ -4,14 +4,19 @@ use std::f64::consts::PI;
 
 use super::*;
 use crate::model::scene::Mount;
+use crate::study::context::{to_its_end, until};
 
 fn task(tolerances: Vec<Tolerance>, measures: &[&str], samples: usize) -> Task {
     let measures = measures.iter().map(|name| (*name).to_owned()).collect();
-    Task { tolerances, measures, samples, seed: 1, threads: 2 }
+    Task { tolerances, measures, samples, seed: 1 }
 }
 
 fn run(scene: &Scene, task: &Task) -> Report {
-    scatter(scene, task, &mut |_, _| ControlFlow::Continue(())).unwrap()
+    on(2, scene, task)
+}
+
+fn on(threads: usize, scene: &Scene, task: &Task) -> Report {
+    scatter(scene, task, &mut Context::new(threads, &mut to_its_end)).unwrap()
 }
 
 fn rigid() -> Scene {
@@ -120,13 +125,10 @@ fn no_digit_depends_on_the_threads_and_a_stop_keeps_what_there_is() {
     let symbols: Vec<&str> = tolerances.iter().map(Tolerance::symbol).collect();
     assert_eq!(symbols, ["v_i", "m_p", "R", "h", "rho", "S_y", "C_d", "gamma", "k"]);
     let asked = task(tolerances, &["percent_of_baseline", "stroke_m"], 3000);
-    let one = run(&scene, &Task { threads: 1, ..asked.clone() });
-    assert_eq!(one, run(&scene, &Task { threads: 3, ..asked.clone() }));
+    let one = on(1, &scene, &asked);
+    assert_eq!(one, on(3, &scene, &asked));
     assert_ne!(one.summaries, run(&scene, &Task { seed: 2, ..asked.clone() }).summaries);
-    let stop: Watch<'_> = &mut |done, _| {
-        if done > 2100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    };
-    let cut = scatter(&scene, &asked, stop).unwrap();
+    let cut = scatter(&scene, &asked, &mut Context::new(2, &mut until(2100))).unwrap();
     assert!(!cut.is_complete && cut.samples > 2000 && cut.samples < 3000);
     assert_eq!(cut.summaries[0].sorted.len(), cut.samples);
 }
@@ -167,8 +169,9 @@ fn tolerances_are_read_as_people_write_them() {
         assert!(error.contains(told), "{name} {text}: {error}");
     }
     let twice = task(vec![usual_tolerances(&scene, 0.02)[0]; 2], &["stroke_m"], 100);
-    let go_on: Watch<'_> = &mut |_, _| ControlFlow::Continue(());
-    assert_eq!(scatter(&scene, &twice, go_on), Err(ScatterError::Twice { symbol: "v_i" }));
-    let none = scatter(&scene, &task(Vec::new(), &["stroke_m"], 100), go_on);
+    let mut watch = to_its_end;
+    let mut context = Context::new(1, &mut watch);
+    assert_eq!(scatter(&scene, &twice, &mut context), Err(ScatterError::Twice { symbol: "v_i" }));
+    let none = scatter(&scene, &task(Vec::new(), &["stroke_m"], 100), &mut context);
     assert_eq!(none, Err(ScatterError::Nothing));
 }

@@ -4,15 +4,20 @@ use std::f64::consts::PI;
 
 use super::*;
 use crate::model::scene::Mount;
+use crate::study::context::{to_its_end, until};
 use crate::study::sweep::Spacing;
 
 fn goal(name: &str, ends: (f64, f64), measure: &str, target: f64) -> Goal {
     let axis = Axis::new(name, ends, 33, Spacing::Linear).unwrap();
-    Goal { axis, measure: measure.to_owned(), target, threads: 2 }
+    Goal { axis, measure: measure.to_owned(), target }
 }
 
 fn found(scene: &Scene, goal: &Goal) -> Report {
-    seek(scene, goal, &mut |_, _| ControlFlow::Continue(())).unwrap()
+    on(2, scene, goal).unwrap()
+}
+
+fn on(threads: usize, scene: &Scene, goal: &Goal) -> Result<Report, SweepError> {
+    seek(scene, goal, &mut Context::new(threads, &mut to_its_end))
 }
 
 fn close(value: f64, exact: f64, relative: f64) {
@@ -88,11 +93,9 @@ fn perforations_are_a_gap_and_not_a_number() {
 fn no_digit_depends_on_the_threads_and_bad_goals_are_refused() {
     let scene = Scene::default();
     let asked = goal("d", (0.0, 0.5), "percent_of_baseline", 50.0);
-    let one = found(&scene, &Goal { threads: 1, ..asked.clone() });
-    assert_eq!(one.solutions, found(&scene, &Goal { threads: 3, ..asked.clone() }).solutions);
-    let go_on: Watch<'_> = &mut |_, _| ControlFlow::Continue(());
-    assert!(seek(&scene, &Goal { measure: "depth".to_owned(), ..asked.clone() }, go_on).is_err());
-    let stop: Watch<'_> = &mut |_, _| ControlFlow::Break(());
-    let stopped = seek(&scene, &asked, stop).unwrap();
+    let solutions = |threads| on(threads, &scene, &asked).unwrap().solutions;
+    assert_eq!(solutions(1), solutions(3));
+    assert!(on(1, &scene, &Goal { measure: "depth".to_owned(), ..asked.clone() }).is_err());
+    let stopped = seek(&scene, &asked, &mut Context::new(2, &mut until(0))).unwrap();
     assert!(!stopped.is_complete && stopped.solutions.is_empty());
 }

@@ -358,7 +358,6 @@ impl App {
     /// Why it cannot be looked for.
     pub fn search_request(&self, page: Page) -> Result<Request, String> {
         let setup = &self.searching.setup;
-        let threads = self.crew();
         let axes = || {
             let bounds = self.search_bounds();
             bounds
@@ -372,25 +371,23 @@ impl App {
                 axis: axis(&setup.seek, setup.points)?,
                 measure: setup.goal.0.to_owned(),
                 target: setup.goal.1,
-                threads,
             }),
-            Page::Front => Request::Front(self.front_task(axes()?, threads)?),
+            Page::Front => Request::Front(self.front_task(axes()?)?),
             Page::Sensitivity => Request::Sensitivity {
                 axes: axes()?,
                 output: setup.output.to_owned(),
-                effort: sensitivity::Effort { rows: 1024, trajectories: 100, seed: 1, threads },
+                effort: sensitivity::Effort { rows: 1024, trajectories: 100, seed: 1 },
             },
             Page::MonteCarlo => Request::Scatter(scatter::Task {
                 tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
                 measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
                 samples: setup.samples,
                 seed: 1,
-                threads,
             }),
         })
     }
 
-    fn front_task(&self, axes: Vec<Axis>, threads: usize) -> Result<Task, String> {
+    fn front_task(&self, axes: Vec<Axis>) -> Result<Task, String> {
         let setup = &self.searching.setup;
         let chosen: Vec<&str> = self.chosen_objectives().iter().map(|at| USUAL[*at]).collect();
         if chosen.is_empty() {
@@ -419,7 +416,6 @@ impl App {
                 .collect(),
             laws: vec![self.scene.interface.law],
             effort: nsga::Effort { population, generations, seed: 1 },
-            threads,
         })
     }
 }

@@ -2,17 +2,6 @@
 
 use std::sync::Arc;
 
-<<<<<<< HEAD:src/tui/pages/search/state.rs
-use crate::files::error::FileError;
-use crate::files::{compare as compare_file, sensitivity as sensitivity_file};
-use crate::files::{front as front_file, scatter as scatter_file, seek as seek_file};
-=======
-use super::App;
-use super::accuracy::Measuring;
-use super::layout::{Body, CHART_ROWS};
-use super::notice::Severity;
-use super::sweep::copy_value;
->>>>>>> b8ae7ef (One list of columns a study: CSV, JSON and pages from report::Table):src/tui/app/search.rs
 use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report;
