@@ -72,7 +72,7 @@ pub(super) fn map(map: &Map, (width, height): Size, theme: Theme) -> String {
     };
     let mut text = heatmap.to_lines(width, height, theme).join("\n") + "\n";
     let range = ViewRange::of(Scale::Linear, map.values()).unwrap_or_default();
-    let unit = Unit::with_prefix(range, &map.unit);
+    let unit = Unit::with_prefix(range.size(), &map.unit);
     text += &key(&levels, &unit, usize::from(width));
     if let Some((_, name)) = &map.contour {
         let _ = writeln!(text, "  O {name}");
@@ -84,7 +84,7 @@ pub(super) fn map(map: &Map, (width, height): Size, theme: Theme) -> String {
 }
 
 fn axis<'a>(axis: &'a chart::Axis, label: &'a str) -> Axis<'a> {
-    let unit = Unit::with_prefix(ViewRange::new(0.0, axis.size), &axis.unit);
+    let unit = Unit::with_prefix(axis.size, &axis.unit);
     Axis::new(label, ViewRange::new(axis.low, axis.high)).scale(axis.scale).unit(unit)
 }
 

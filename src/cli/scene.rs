@@ -1,6 +1,7 @@
 //! The scene a command works on: SCENE, then entries of the libraries, then every `--set` in order.
 
 use std::ffi::{OsStr, OsString};
+use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
 
@@ -15,7 +16,7 @@ use crate::files::{clean, read, read_table};
 use crate::model::library::{Library, choose_closure};
 use crate::model::scene::{Closure, Scene, SpringKind, Table};
 use crate::model::units::Bare;
-use crate::model::variables;
+use crate::model::variables::{self, VARIABLES};
 
 /// SCENE and its changes.
 #[derive(Debug, Args)]
@@ -56,7 +57,9 @@ impl SceneArguments {
             Some(name) if name == "-" => from_stdin()?,
             name => named(name.unwrap_or_else(|| OsStr::new(bundled::BASELINE)))?,
         };
+        let before = preset.scene.clone();
         self.changes.apply(&mut preset.scene)?;
+        say_changed(&before, &mut preset.scene);
         Ok(preset)
     }
 
@@ -147,6 +150,15 @@ impl Changes {
         let variable = |argument: &str| variables::find(argument.split('=').next()?.trim()).ok();
         let mut set = self.set.iter().map(String::as_str);
         set.find(|argument| variable(argument).is_some_and(|found| is_chosen(found.key)))
+    }
+}
+
+/// A title is that of the scene before its inputs were changed, and says so.
+fn say_changed(before: &Scene, scene: &mut Scene) {
+    let changed = VARIABLES.iter().filter(|one| one.show(before) != one.show(scene)).count();
+    if !scene.title.is_empty() && changed > 0 {
+        let plural = if changed == 1 { "" } else { "s" };
+        let _ = write!(scene.title, ", {changed} input{plural} changed");
     }
 }
 

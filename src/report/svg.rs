@@ -8,7 +8,7 @@ use crate::report::map::Map;
 mod bands;
 mod ticks;
 
-use ticks::{shown, ticks};
+use ticks::{ticks, unit_of};
 
 /// Size of one picture.
 const WIDTH: f64 = 640.0;
@@ -160,7 +160,7 @@ fn draw_frame(out: &mut String, plot: Plot<'_>, title: &str) {
     let (x, y) = (plot.x, plot.y);
     let middle = f64::midpoint(plot.left, plot.right);
     text(out, &Text { x: LEFT, y: 20.0, anchor: "start", rest: " font-weight=\"bold\"" }, title);
-    let (shown_x, shown_y) = (shown(x), shown(y));
+    let (shown_x, shown_y) = (unit_of(x), unit_of(y));
     let grid = "stroke=\"#dddddd\"";
     for (value, label) in ticks(x, &shown_x, TICKS.0) {
         let place = plot.across(value);
@@ -175,11 +175,11 @@ fn draw_frame(out: &mut String, plot: Plot<'_>, title: &str) {
         text(out, &beside, &label);
     }
     let below = Text { x: middle, y: plot.bottom + 38.0, anchor: "middle", rest: "" };
-    text(out, &below, &title_of(x, &shown_x.unit));
+    text(out, &below, &title_of(x, &shown_x.name));
     let centre = f64::midpoint(plot.top, plot.bottom);
     let turned = format!(" transform=\"rotate(-90 16 {})\"", at(centre));
     let beside = Text { x: 16.0, y: centre, anchor: "middle", rest: &turned };
-    text(out, &beside, &title_of(y, &shown_y.unit));
+    text(out, &beside, &title_of(y, &shown_y.name));
 }
 
 fn frame(out: &mut String, plot: Plot<'_>) {

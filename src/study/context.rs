@@ -122,11 +122,14 @@ mod tests {
         assert!(context.goes_on() && context.show("part"));
         // More than was expected is shown as all of it.
         context.expect(4);
-        context.uncounted(|inner| inner.count(7));
-        assert!(context.uncounted(|inner| inner.threads() == 2 && inner.goes_on()));
+        let ask = |inner: &mut Context<'_>| {
+            inner.count(7);
+            inner.threads() == 2 && inner.goes_on()
+        };
+        assert!(context.uncounted(ask));
         context.count(2);
         assert!(!context.goes_on() && !context.goes_on() && context.is_stopped());
-        assert!(!context.uncounted(Context::goes_on));
+        assert!(!context.uncounted(ask));
         let mut observe = context.observer();
         assert_eq!((0..64).filter(|_| observe(0.0).is_break()).count(), 1);
         drop(observe);

@@ -30,18 +30,16 @@ pub mod heatmap;
 pub mod layout;
 pub mod levels;
 mod paint;
-pub mod prefix;
 pub mod scale;
-mod steps;
 mod ticks;
 mod titles;
 mod trace;
 
+pub use crate::report::unit::Unit;
 pub use curve::{Curve, Emphasis, MARKERS, Points, Side};
 pub use heatmap::{HeatCell, Heatmap};
 pub use layout::Layout;
 pub use levels::Levels;
-pub use prefix::Unit;
 pub use scale::{Mapping, Scale, ViewRange};
 use titles::Plan;
 

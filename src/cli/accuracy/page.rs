@@ -74,7 +74,7 @@ fn chart(report: &Report) -> String {
         return "no method gave a result that could be judged\n".to_owned();
     };
     // The unit of the fast end: microseconds, of which a person thinks here.
-    let unit = Unit::with_prefix(ViewRange::new(0.0, 30.0 * times.lo()), "s");
+    let unit = Unit::with_prefix(30.0 * times.lo(), "s");
     let x = Axis::new("run time", times.rounded(Scale::Log10)).scale(Scale::Log10).unit(unit);
     let y = Axis::new("", errors.rounded(Scale::Log10)).scale(Scale::Log10);
     let curves = curves

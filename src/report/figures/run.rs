@@ -11,12 +11,19 @@ struct Quantity {
     title: &'static str,
     unit: &'static str,
     get: fn(&Sample) -> f64,
+    /// It jumps where the bodies begin to move otherwise.
+    jumps: bool,
 }
 
 const QUANTITIES: [Quantity; 3] = [
-    Quantity { title: "penetration p", unit: "m", get: |row| row.penetration_m },
-    Quantity { title: "plate displacement x", unit: "m", get: |row| row.plate_displacement_m },
-    Quantity { title: "contact force F", unit: "N", get: |row| row.contact_force_n },
+    Quantity { title: "penetration p", unit: "m", get: |row| row.penetration_m, jumps: false },
+    Quantity {
+        title: "plate displacement x",
+        unit: "m",
+        get: |row| row.plate_displacement_m,
+        jumps: false,
+    },
+    Quantity { title: "contact force F", unit: "N", get: |row| row.contact_force_n, jumps: true },
 ];
 /// How far beyond the greatest displacement the law of the mechanism is drawn, and up to which part of it a limit is still shown.
 const BEYOND: f64 = 1.15;
@@ -46,8 +53,7 @@ pub fn response(run: &Run) -> Vec<Chart> {
 
 fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart> {
     let chart = |quantity: &Quantity| {
-        let points: Vec<(f64, f64)> =
-            run.series.iter().map(|row| (row.t_s, (quantity.get)(row))).collect();
+        let points = points(&run.series, quantity);
         let shown = points.iter().filter(|point| point.0 <= end_s).map(|point| point.1);
         // A chart of one value would be a line along its own frame.
         let values = Axis::over("", quantity.unit, Scale::Linear, shown)?;
@@ -63,6 +69,23 @@ fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart> {
         Some(Chart { marks: marks.collect(), ..Chart::of(&title, x, y, points) })
     };
     if end_s > 0.0 { QUANTITIES.iter().filter_map(chart).collect() } else { Vec::new() }
+}
+
+/// A quantity over time. Where it jumps, the row of the event has the value before it: the one after it is carried back to the event
+/// from the next two rows.
+fn points(series: &[Sample], quantity: &Quantity) -> Vec<(f64, f64)> {
+    let point = |row: &Sample| (row.t_s, (quantity.get)(row));
+    let mut points: Vec<(f64, f64)> = series.first().map(point).into_iter().collect();
+    for (at, pair) in series.windows(2).enumerate() {
+        let ((event_s, _), (t_s, value)) = (point(&pair[0]), point(&pair[1]));
+        let next = series.get(at + 2).filter(|next| next.mode == pair[1].mode && next.t_s > t_s);
+        if let Some(next) = next.filter(|_| quantity.jumps && pair[0].mode != pair[1].mode) {
+            let slope = ((quantity.get)(next) - value) / (next.t_s - t_s);
+            points.push((event_s, value - slope * (t_s - event_s)));
+        }
+        points.push((t_s, value));
+    }
+    points
 }
 
 /// Force, stiffness and stress of the mechanism over the plate's displacement, with what the run used of it; nothing without a
@@ -123,4 +146,35 @@ pub fn selected(run: &Run) -> Vec<Chart> {
     }
     charts.extend(mechanism(run));
     charts
+}
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::scene::Scene;
+    use crate::model::simulate::{Settings, simulate};
+
+    /// After the first arrest projectile and plate move as one on the spring: of equal masses the
+    /// projectile needs half of the spring's force k x.
+    #[test]
+    fn valid_the_contact_force_falls_at_the_first_arrest() {
+        let settings = Settings { series: true, estimate: false };
+        let mut scene = Scene::default();
+        scene.mechanism.spring.coefficient = 1e5;
+        let scene = Arc::new(scene);
+        let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
+        let arrest = run.first_arrest.unwrap();
+        let points = points(&run.series, &QUANTITIES[2]);
+        let is_event = |point: &&(f64, f64)| point.0.to_bits() == arrest.t_s.to_bits();
+        let at_event: Vec<f64> =
+            points.iter().filter(|point| is_event(point)).map(|point| point.1).collect();
+        let after = 0.5 * scene.mechanism.spring.coefficient * arrest.plate_displacement_m;
+        assert_eq!(at_event.len(), 2);
+        assert!((at_event[0] - run.peak_contact_force_n.unwrap()).abs() < 1e-6 * at_event[0]);
+        assert!((at_event[1] - after).abs() < 1e-3 * after, "{at_event:?} {after}");
+        assert_eq!(points.len(), run.series.len() + 1);
+    }
 }

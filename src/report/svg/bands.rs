@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
-use super::ticks::{even, prefixed};
+use super::ticks::even;
 use super::{BOTTOM, HEIGHT, LEFT, Plot, RIGHT, TOP, Text, WIDTH, at, draw_frame, frame, text};
 use crate::model::units;
 use crate::report::chart::{Axis, Scale};
 use crate::report::map::{Cell, Map};
+use crate::report::unit::Unit;
 
 /// Room of the legend of a map, at its right.
 const SCALE_WIDTH: f64 = 92.0;
@@ -133,7 +134,7 @@ fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map, bounds: &[f64]) {
     let count = bounds.len().saturating_sub(1);
     let (left, room) = (plot.right + 14.0, 16.0);
     let size = bounds.iter().fold(0.0_f64, |size, bound| size.max(bound.abs()));
-    let (factor, unit) = prefixed(size, &map.unit);
+    let Unit { factor, name: unit } = Unit::with_prefix(size, &map.unit);
     let mut y = plot.top + 8.0;
     if !unit.is_empty() {
         text(out, &Text { x: left, y, anchor: "start", rest: "" }, &format!("[{unit}]"));

@@ -1,48 +1,30 @@
-//! The numbers of an axis: round values, and the unit in which they are short.
+//! The numbers of an axis: round values in the unit in which they are short.
 
 use crate::model::units;
 use crate::report::chart::{Axis, Scale};
+use crate::report::steps::Step;
+use crate::report::unit::Unit;
 
-/// How numbers of an axis are shown: times a factor, in a unit.
-pub(super) struct Shown {
-    pub(super) factor: f64,
-    pub(super) unit: String,
-}
-
-pub(super) fn shown(axis: &Axis) -> Shown {
-    let (factor, unit) = prefixed(axis.size, &axis.unit);
-    Shown { factor, unit }
-}
-
-/// The factor and the unit in which numbers of this size are short; units that take no prefix are left alone.
-pub(super) fn prefixed(size: f64, unit: &str) -> (f64, String) {
-    let plain = unit.chars().next().is_some_and(char::is_alphabetic);
-    if !plain || matches!(unit, "kg" | "kg/m2" | "deg" | "rad") {
-        return (1.0, unit.to_owned());
-    }
-    let (power, prefix) = units::prefix_of(size);
-    // Powers of ten below one are not exact; their reciprocals are.
-    let factor = if power < 1.0 { (1.0 / power).round() } else { 1.0 / power };
-    (factor, format!("{}{unit}", if prefix == "u" { "µ" } else { prefix }))
+/// The unit in which the numbers of an axis are short.
+pub(super) fn unit_of(axis: &Axis) -> Unit<'_> {
+    Unit::with_prefix(axis.size, &axis.unit)
 }
 
 /// The values at which an axis has numbers, and the numbers.
-pub(super) fn ticks(axis: &Axis, shown: &Shown, most: usize) -> Vec<(f64, String)> {
-    let (low, high) = (axis.low * shown.factor, axis.high * shown.factor);
+pub(super) fn ticks(axis: &Axis, unit: &Unit<'_>, most: usize) -> Vec<(f64, String)> {
+    let (low, high) = (axis.low * unit.factor, axis.high * unit.factor);
     let values = match axis.scale {
         Scale::Linear => even(low, high, most),
         Scale::Log10 => decades(low, high, most),
     };
     let label = |value: f64| units::significant(value, 6);
-    values.into_iter().map(|value| (value / shown.factor, label(value))).collect()
+    values.into_iter().map(|value| (value / unit.factor, label(value))).collect()
 }
 
 /// Round values at equal differences.
 pub(super) fn even(low: f64, high: f64, most: usize) -> Vec<f64> {
-    let least = (high - low) / most as f64;
-    let decade = 10_f64.powf(least.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0].map(|size| size * decade);
-    let step = step.into_iter().find(|step| *step >= least).unwrap_or(10.0 * decade);
+    // A hair less than the room for a step: rounding must not make it the next longer one.
+    let step = Step::at_least((high - low) / most as f64 * (1.0 - 1e-12)).size();
     let first = (low / step - 1e-9).ceil();
     (0..=most)
         .map(|number| (first + number as f64) * step)
@@ -85,7 +67,7 @@ mod tests {
     }
 
     fn labels(axis: &Axis) -> Vec<String> {
-        ticks(axis, &shown(axis), 8).into_iter().map(|(_, label)| label).collect()
+        ticks(axis, &unit_of(axis), 8).into_iter().map(|(_, label)| label).collect()
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The steps of a heat map's scale: round bounds, at most ten bands, so that colours and characters stay few and can be named.
 
 use super::scale::{Scale, ViewRange};
-use super::steps::{Step, decade, power};
+use crate::report::steps::{Step, decade, power};
 
 /// The most bands: as many as there are characters in the ramp.
 pub const BANDS_MAX: usize = 10;

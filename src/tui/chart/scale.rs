@@ -4,8 +4,8 @@
 //! The first value of a range lies in the middle of the first cell, the last one in the middle of the last, whatever the glyph
 //! set: a tick, a curve and the crosshair at the same value are always in the same column.
 
-use super::steps::{Step, decade, power};
 pub use crate::report::chart::Scale;
+use crate::report::steps::{Step, decade, power};
 
 /// Positions are kept within this many cells of the view: far enough that the direction of a line is right, near enough that
 /// clipping it loses nothing.
@@ -80,6 +80,11 @@ impl ViewRange {
     /// Upper less lower bound, > 0.
     pub fn span(self) -> f64 {
         self.hi - self.lo
+    }
+
+    /// The greatest magnitude in it.
+    pub fn size(self) -> f64 {
+        self.lo.abs().max(self.hi.abs())
     }
 
     /// Whether a value lies in the range, bounds included.

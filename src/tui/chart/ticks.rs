@@ -4,7 +4,7 @@
 //! all labels (a power of ten) is factored out.
 
 use super::scale::{Mapping, Scale};
-use super::steps::{Step, decade, power};
+use crate::report::steps::{Step, decade, power};
 
 /// Blank cells between two labels side by side: a twelfth of the axis, but at least and at most this many. Room is used for
 /// calm before it is used for numbers.

@@ -63,13 +63,13 @@ pub(in crate::tui) fn chart_axis(axis: &Axis) -> chart::Axis<'static> {
         Spacing::Log => Scale::Log10,
     };
     let unit = axis.variable().unit().trim_matches('-');
-    chart::Axis::new(axis.symbol(), view).scale(scale).unit(Unit::with_prefix(view, unit))
+    chart::Axis::new(axis.symbol(), view).scale(scale).unit(Unit::with_prefix(view.size(), unit))
 }
 
 /// An axis of the sweep of which a part is in view.
 fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
     let unit = axis.variable().unit().trim_matches('-');
-    chart::Axis { view, ..chart_axis(axis) }.unit(Unit::with_prefix(view, unit))
+    chart::Axis { view, ..chart_axis(axis) }.unit(Unit::with_prefix(view.size(), unit))
 }
 
 /// The scale of values on the screen.
@@ -120,7 +120,9 @@ fn curves(
         Scale::Linear => range.padded(scale, 0.05),
         Scale::Log10 => range.rounded(scale),
     };
-    let y = chart::Axis::new("", view).scale(scale).unit(Unit::with_prefix(range, column.unit()));
+    let y = chart::Axis::new("", view)
+        .scale(scale)
+        .unit(Unit::with_prefix(range.size(), column.unit()));
     let (x, selected) = app.cursor_point(grid);
     let named = axes.get(1).filter(|_| grid.is_full());
     let curves = lines.iter().enumerate().map(|(index, points)| {

@@ -74,7 +74,7 @@ impl<'a> ChartView<'a> {
             column,
             fit,
             levels,
-            unit: Unit::with_prefix(range, column.unit()),
+            unit: Unit::with_prefix(range.size(), column.unit()),
             range,
         }
     }

@@ -196,7 +196,7 @@ fn measure_axis(
     let unit = if column.unit() == "kg" {
         Unit::new("kg")
     } else {
-        Unit::with_prefix(range, column.unit())
+        Unit::with_prefix(range.size(), column.unit())
     };
     Some(Axis::new(label, view).scale(scale).unit(unit))
 }

@@ -118,7 +118,8 @@ fn chart<'a>(app: &'a App, index: usize, (data, second): Drawn<'a>) -> Chart<'a>
     let (from, to) = app.time_range_s();
     let scale = app.charts.value_scales[index];
     let time = ViewRange::new(from, to);
-    let x = Axis::new("t", time).unit(Unit::with_prefix(time, "s")).scale(app.charts.time_scale);
+    let x =
+        Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")).scale(app.charts.time_scale);
     let y = value_axis(app, data, (quantity, scale)).scale(scale);
     let right = second.map(|(quantity, curve)| {
         let axis = value_axis(app, std::slice::from_ref(curve), (*quantity, Scale::Linear));
@@ -178,8 +179,8 @@ fn force_over_displacement<'a>(app: &'a App, data: &'a [Data]) -> Chart<'a> {
     let crosshair = run
         .zip(app.charts.cursor_s)
         .and_then(|(run, t_s)| Quantity::PlateDisplacement.at(run, t_s));
-    let x = Axis::new("x", x).unit(Unit::with_prefix(x, "m"));
-    let y = Axis::new("", y).unit(Unit::with_prefix(y, quantity.unit()));
+    let x = Axis::new("x", x).unit(Unit::with_prefix(x.size(), "m"));
+    let y = Axis::new("", y).unit(Unit::with_prefix(y.size(), quantity.unit()));
     Chart { events: marks, crosshair, ..Chart::new(title(app, quantity), x, y, curves.collect()) }
 }
 
@@ -196,7 +197,7 @@ fn value_axis(app: &App, data: &[Data], (quantity, scale): (Quantity, Scale)) ->
     } else {
         values
     };
-    Axis::new("", values).unit(Unit::with_prefix(values, quantity.unit()))
+    Axis::new("", values).unit(Unit::with_prefix(values.size(), quantity.unit()))
 }
 
 /// The events in view with their letters; of very many (a plate rattling on its stop) only the first ones.

@@ -2,16 +2,16 @@
 
 /// A step of 1, 2 or 5 times a power of ten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Step {
+pub struct Step {
     /// 1, 2 or 5.
-    pub(super) mantissa: u8,
+    pub mantissa: u8,
     /// Power of ten.
-    pub(super) exponent: i32,
+    pub exponent: i32,
 }
 
 impl Step {
     /// The least step that is not below a positive width.
-    pub(super) fn at_least(width: f64) -> Self {
+    pub fn at_least(width: f64) -> Self {
         let exponent = decade(width);
         let fraction = width / power(exponent);
         let (mantissa, exponent) = match fraction {
@@ -24,12 +24,13 @@ impl Step {
     }
 
     /// How long it is.
-    pub(super) fn size(self) -> f64 {
+    pub fn size(self) -> f64 {
         f64::from(self.mantissa) * power(self.exponent)
     }
 
     /// The next longer step.
-    pub(super) fn next(self) -> Self {
+    #[must_use]
+    pub fn next(self) -> Self {
         match self.mantissa {
             1 => Self { mantissa: 2, ..self },
             2 => Self { mantissa: 5, ..self },
@@ -39,14 +40,14 @@ impl Step {
 }
 
 /// The decimal exponent of a positive number, as its scientific notation has it: exact, where a logarithm might round.
-pub(super) fn decade(value: f64) -> i32 {
+pub fn decade(value: f64) -> i32 {
     let text = format!("{value:e}");
     let exponent = text.rsplit('e').next().and_then(|part| part.parse().ok());
     exponent.unwrap_or(0)
 }
 
 /// A power of ten; `powi` is inexact from 10^23 on, the parser is right to the last bit.
-pub(super) fn power(exponent: i32) -> f64 {
+pub fn power(exponent: i32) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(1.0)
 }
 

@@ -1,6 +1,5 @@
 //! SI prefixes: the factor and the unit that make the numbers of an axis short.
 
-use super::scale::ViewRange;
 use std::borrow::Cow;
 
 /// How to show a quantity: numbers times `factor` are in `unit`.
@@ -24,15 +23,14 @@ impl<'a> Unit<'a> {
         Self { factor: if usable { factor } else { 1.0 }, name: name.into() }
     }
 
-    /// The prefix under which the greatest number of a range is from 1 to below 1000: 0 to 0.0071 m gives mm. Units that take
+    /// The prefix under which a number of this size is from 1 to below 1000: 0.0071 m gives mm. Units that take
     /// no prefix (none, `kg`, `deg`, `%`, powers such as `m^2`) are left alone.
-    pub fn with_prefix(range: ViewRange, unit: &'a str) -> Self {
-        let greatest = range.lo().abs().max(range.hi().abs());
+    pub fn with_prefix(size: f64, unit: &'a str) -> Self {
         if !takes_prefix(unit) {
             return Self::new(unit);
         }
         // A hair below the limit, so that 1 mm computed as 0.00099999999 m is still 1 mm.
-        let found = PREFIXES.iter().find(|(size, _, _)| greatest >= size * (1.0 - 1e-9));
+        let found = PREFIXES.iter().find(|(least, _, _)| size >= least * (1.0 - 1e-9));
         match found {
             Some((_, factor, prefix)) => {
                 Self { factor: *factor, name: format!("{prefix}{unit}").into() }
@@ -66,7 +64,7 @@ mod tests {
     use super::*;
 
     fn shown(hi: f64, unit: &str) -> (f64, String) {
-        let unit = Unit::with_prefix(ViewRange::new(0.0, hi), unit);
+        let unit = Unit::with_prefix(hi, unit);
         (unit.factor, unit.name.into_owned())
     }
 
