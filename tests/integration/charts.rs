@@ -31,8 +31,8 @@ fn three_runs_with_events_and_a_crosshair() {
     let depth = ViewRange::new(0.0, 7.1e-3).rounded(Scale::Linear);
     let mut chart = Chart::new(
         "Penetration p",
-        Axis::new("t", time).unit(Unit::with_prefix(time, "s")),
-        Axis::new("p", depth).unit(Unit::with_prefix(depth, "m")),
+        Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")),
+        Axis::new("p", depth).unit(Unit::with_prefix(depth.size(), "m")),
         vec![
             Curve::new('*', "now", &now).emphasis(Emphasis::Selected),
             Curve::new('o', "A rigid", &rigid).colour(1),
@@ -84,14 +84,14 @@ fn a_second_axis_and_old_curves() {
     let (left, right) = (ViewRange::new(-0.01, 0.01), ViewRange::new(-2e4, 2e4));
     let mut chart = Chart::new(
         "Plate displacement x",
-        Axis::new("t", time).unit(Unit::with_prefix(time, "s")),
-        Axis::new("x", left).unit(Unit::with_prefix(left, "m")),
+        Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")),
+        Axis::new("x", left).unit(Unit::with_prefix(left.size(), "m")),
         vec![
             Curve::new('*', "x", &travel),
             Curve::new('o', "F", &force).colour(1).side(Side::Right).emphasis(Emphasis::Stale),
         ],
     );
-    chart.right = Some(Axis::new("F", right).unit(Unit::with_prefix(right, "N")));
+    chart.right = Some(Axis::new("F", right).unit(Unit::with_prefix(right.size(), "N")));
     for glyphs in SETS {
         insta::assert_snapshot!(format!("second_axis_{glyphs}"), text(&chart, 80, 14, glyphs));
     }
