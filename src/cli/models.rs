@@ -55,7 +55,7 @@ pub(super) fn page(name: &str, found: &Comparison) -> String {
     let _ = writeln!(
         page,
         "\nagainst: deviation from {first}; -: does not exist; travel: greatest displacement of the plate\n\
-         run time: shortest of several, without series and error estimate"
+         time: shortest of several, without series and error estimate"
     );
     for (name, reason) in &found.refused {
         labelled(&mut page, "refused", &format!("{name}: {reason}"));

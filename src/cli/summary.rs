@@ -231,7 +231,7 @@ fn energy(page: &mut String, run: &Run) {
 
 /// Joule with as many places for every size, so that the points stand in one column.
 fn fixed(energy_j: f64) -> String {
-    if energy_j.abs() < 1e7 { units::decimals(energy_j, 4) } else { units::scientific(energy_j, 6) }
+    units::fixed_significant(energy_j, 6)
 }
 
 fn events(page: &mut String, run: &Run) {

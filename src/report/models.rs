@@ -2,6 +2,7 @@
 
 use crate::model::results;
 use crate::model::run::{Outcome, Run};
+use crate::model::units::Engineering;
 use crate::report::table::Table;
 use crate::study::models::{Comparison, Row};
 
@@ -58,7 +59,10 @@ pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
             results::find("error_estimate")?.value(it.run()?)
         })
         .with("energy_residual", "energy residual", "", |it| Some(it.run()?.ledger.residual()))
-        .with("run_time_s", "run time", "s", |it| it.row().map(|row| row.took_s))
+        .with("run_time_s", "time", "", |it| it.row().map(|row| row.took_s))
+        .shown(|_, value| {
+            Some(Engineering { value: value.as_f64()?, unit: "s", digits: 3 }.to_string())
+        })
         .with("steps", "steps", "", |it| it.run().map(|run| run.cost.steps))
         .with("with", "with", "", |it| it.row().map(|row| row.with.clone()))
         .with("strength", "strength", "", |it| it.row().map(|row| row.judged.0))

@@ -168,7 +168,7 @@ impl<'c, R> Table<'c, R> {
                 value => field(value),
             })
         };
-        let gap = if column.unit.is_empty() { "" } else { " " };
+        let gap = if column.unit.is_empty() { "" } else { ", " };
         Cells {
             head: format!("{}{gap}{prefix}{}", column.label, column.unit),
             is_text: values.iter().any(Value::is_string),
@@ -294,15 +294,15 @@ mod tests {
     fn a_page_has_four_digits_and_one_prefix_a_column() {
         assert_eq!(
             table().page(&["name", "depth_m", "steps"], 80),
-            "name  depth mm  steps\na, b     300.0      3\nc            -   1200\nd            -      0\n"
+            "name  depth, mm  steps\na, b      300.0      3\nc             -   1200\nd             -      0\n"
         );
         assert_eq!(
             table().turned(&["name", "depth_m"], 80),
-            "name       a, b  c  d\ndepth mm  300.0  -  -\n"
+            "name        a, b  c  d\ndepth, mm  300.0  -  -\n"
         );
         assert_eq!(
             table().page(&["name", "depth_m", "steps"], 15),
-            "name  depth mm\na, b     300.0\nc            -\nd            -\n\n\
+            "name  depth, mm\na, b      300.0\nc             -\nd             -\n\n\
              name  steps\na, b      3\nc      1200\nd         0\n"
         );
         let warned = table().with_warnings(&["x".to_owned(), "y".to_owned()]);
