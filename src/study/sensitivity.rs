@@ -137,7 +137,7 @@ pub fn study(
     let mut values = |designs: &[Vec<f64>]| {
         let found = field.evaluate(designs, context);
         let value = |found: &Found| found.values[0].unwrap_or(f64::NAN);
-        (found.len() == designs.len()).then(|| found.iter().map(value).collect::<Vec<_>>())
+        (!context.is_stopped()).then(|| found.iter().map(value).collect::<Vec<_>>())
     };
     let at_own = values(std::slice::from_ref(&own));
     let mut ends = Vec::new();

@@ -31,9 +31,11 @@ fn what_does_nothing_has_indices_of_zero() {
 #[test]
 fn the_page_has_all_three_and_the_bounds_of_the_thesis() {
     let page = output(&QUICK);
-    for words in ["percent of baseline", "one at a time", "Morris", "Sobol", "0.8 .. 7", "####"] {
+    for words in ["percent of baseline", "one at a time", "Morris", "Sobol", "####"] {
         assert!(page.contains(words), "{words}: {page}");
     }
+    let gamma = |line: &str| line.split_whitespace().take(3).eq(["gamma", "0.8", "7"]);
+    assert!(page.lines().any(gamma), "{page}");
     assert_eq!(page, output(&[&QUICK[..], &["--threads", "1"]].concat()));
     assert_ne!(page, output(&[&QUICK[..], &["--seed", "2"]].concat()));
     let table = output(&[&QUICK[..], &["--csv", "-"]].concat());

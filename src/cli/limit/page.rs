@@ -12,8 +12,9 @@ use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;
 const HEIGHT: u16 = 18;
-/// Columns of a label.
+/// Columns of a label, and of further lines of a sentence.
 const LABEL: usize = 16;
+const INDENT: usize = 2;
 
 /// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
@@ -78,64 +79,59 @@ fn laws(page: &mut String, report: &Report) {
         *page += &hanging("", &carried, 0);
     }
     if let Some(law) = report.recht_ipson {
-        let _ = writeln!(
-            page,
+        let text = format!(
             "Recht-Ipson    v_r = a (v^2 - v_bl^2)^(1/2)  a {:.4}; RMS error {} m/s",
             law.a,
             significant(law.misfit_m_s, 2)
         );
+        *page += &hanging("", &text, INDENT);
     }
     if let Some(law) = report.lambert_jonas {
-        let _ = writeln!(
-            page,
+        let text = format!(
             "Lambert-Jonas  v_r = a (v^p - v_bl^p)^(1/p)  a {:.4}, p {:.3}, v_bl {}; RMS error {} m/s",
             law.a,
             law.p,
             velocity(law.limit_m_s),
             significant(law.misfit_m_s, 2)
         );
+        *page += &hanging("", &text, INDENT);
     }
 }
 
 fn scatter(page: &mut String, report: &Report) {
     let Some(found) = report.scatter else { return };
     let asked = found.scattering;
-    let _ = writeln!(
-        page,
-        "\nevery mass, length, strength and coefficient varied by {:.3} % ({} samples, seed {})",
+    let mut line = |text: &str| *page += &hanging("", text, INDENT);
+    line("");
+    line(&format!(
+        "every mass, length, strength and coefficient varied by {:.3} % ({} samples, seed {})",
         100.0 * asked.deviation,
         asked.samples,
         asked.seed
-    );
+    ));
     if asked.model != ModelError::default() {
-        let _ = writeln!(
-            page,
-            "  corrected for the model's bias of {:+.3} %, and varied by its spread of {:.3} %",
+        line(&format!(
+            "corrected for the model's bias of {:+.3} %, and varied by its spread of {:.3} %",
             100.0 * asked.model.bias,
             100.0 * asked.model.spread
-        );
+        ));
     }
-    let _ = writeln!(
-        page,
-        "  V50 {}, standard deviation {}, 90 % of limits in {} to {}",
+    line(&format!(
+        "V50 {}, standard deviation {}, 90 % of limits in {} to {}",
         velocity(found.v50_m_s),
         velocity(found.deviation_m_s),
         velocity(found.range90_m_s.0),
         velocity(found.range90_m_s.1)
-    );
-    let _ = writeln!(
-        page,
-        "  {:.1} % of the shots at {} go through (95 % confidence: {:.1} to {:.1} %)",
+    ));
+    line(&format!(
+        "{:.1} % of the shots at {} go through (95 % confidence: {:.1} to {:.1} %)",
         100.0 * found.perforated,
         velocity(report.scene.projectile.velocity_m_s),
         100.0 * found.perforated95.0,
         100.0 * found.perforated95.1
-    );
+    ));
     if found.without > 0 {
-        let _ = writeln!(
-            page,
-            "  {} samples have no limit within a factor of two of the nominal one",
-            found.without
-        );
+        let count = found.without;
+        line(&format!("{count} samples have no limit within a factor of two of the nominal one"));
     }
 }

@@ -93,6 +93,9 @@ impl Field {
         designs: &[Vec<f64>],
         context: &mut Context<'_, P>,
     ) -> Vec<Found> {
+        if context.is_stopped() {
+            return Vec::new();
+        }
         let plan = self.plan.over_points(designs);
         let stop = AtomicBool::new(false);
         let piece = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };

@@ -120,7 +120,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
         let found = field.evaluate(&designs, context);
         runs += found.len();
         fates.extend(shares.iter().zip(&found).map(|(share, found)| (*share, found.fate)));
-        (found.len() == shares.len()).then(|| found.iter().map(|found| found.values[0]).collect())
+        (!context.is_stopped()).then(|| found.iter().map(|found| found.values[0]).collect())
     };
     let mut hunt = Hunt::new(goal.target, &mut function);
     let ended = hunt.run(scan);
