@@ -67,8 +67,8 @@ impl RunArguments {
             rows: Rows::Series,
             runs: named(computed),
             columns: Vec::new(),
-            style: self.table.style(),
-            meta: self.table.meta.meta(),
+            style: self.table.csv_style,
+            meta: self.table.meta,
         }
     }
 }

@@ -98,9 +98,9 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
         object,
         monte_carlo::table(name, &report),
     )?;
-    if report.census[4] > 0 {
-        output::note(&format!("{} samples failed and are not counted", report.census[4]));
+    if report.outcomes.failed > 0 {
+        output::note(&format!("{} samples failed and are not counted", report.outcomes.failed));
     }
-    let good = report.census[4] == 0;
+    let good = report.outcomes.failed == 0;
     Ok(pace.exit_code(good))
 }

@@ -18,10 +18,10 @@ use clap::Args;
 use crate::cli::pace::{Pace, interruptible};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
-use crate::cli::table::{MetaWord, TableArguments, Target, at_top, exists};
+use crate::cli::table::{TableArguments, Target, at_top, exists};
 use crate::cli::{self, CliError, outlook, output};
 use crate::files::atomic::{self, Existing, Growing};
-use crate::files::export;
+use crate::files::export::{self, Meta};
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
 use crate::model::results;
@@ -185,7 +185,7 @@ impl Job<'_> {
                 "{} points in {}: {}",
                 ended.points(),
                 page::duration(start.elapsed().as_secs_f64()),
-                ended.words()
+                ended.outcomes
             ));
         }
         if ended.failed() > 0 {
@@ -224,10 +224,10 @@ impl Job<'_> {
             plan: self.plan,
             columns,
             shard: self.shard,
-            style: arguments.table.style(),
+            style: arguments.table.csv_style,
             missing: None,
         };
-        let beside = arguments.table.meta == MetaWord::Beside;
+        let beside = arguments.table.meta == Meta::Beside;
         let mut file = match target {
             Target::File(path) => {
                 if beside {
@@ -241,7 +241,7 @@ impl Job<'_> {
         let json = arguments.table.json && !matches!(target, Target::Stdout);
         let texts = Texts { csv: !matches!(target, Target::None), json };
         let sheet = Sheet::new(self.plan, &self.preset.name, columns, texts);
-        let style = arguments.table.style();
+        let style = arguments.table.csv_style;
         if self.shard.is_first() && texts.csv {
             let comments = if beside { String::new() } else { sidecar::inline(self.preset, &made) };
             let head = style.file(&comments, "")?;

@@ -1,8 +1,9 @@
 //! Where a table of rows goes: to a file beside the page, to standard output instead of it, or as JSON. The one declaration of
-//! `--json`, `--csv` and `--force`, and of the words of `--meta`.
+//! `--json`, `--csv` and `--force`.
 
 use std::path::{Path, PathBuf};
 
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 
 use crate::cli::pace::was_interrupted;
@@ -31,39 +32,29 @@ pub(super) struct TableArguments {
     force: bool,
     /// CSV dialect
     #[arg(long, value_enum, default_value = "plain", value_name = "STYLE", requires = "csv")]
-    csv_style: StyleWord,
+    pub(super) csv_style: Style,
     /// Where to write the scene and the command that reproduce the table
     #[arg(long, value_enum, default_value = "beside", value_name = "WHERE", requires = "csv")]
-    pub(super) meta: MetaWord,
+    pub(super) meta: Meta,
 }
 
-/// The styles of a table, by the words of the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum StyleWord {
-    /// Commas, decimal points, LF line ends
-    Plain,
-    /// The same with CRLF line ends
-    Crlf,
-    /// Semicolons, decimal commas, CRLF and a byte-order mark: only for Excel where the comma is the decimal sign
-    ExcelEu,
+impl ValueEnum for Style {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.word()).help(self.words()))
+    }
 }
 
-/// Where the scene of a table goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum MetaWord {
-    /// In NAME.toml beside the table
-    Beside,
-    /// In # lines at the head of the table
-    Inline,
-}
+impl ValueEnum for Meta {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
 
-impl MetaWord {
-    /// The same for an export.
-    pub(super) fn meta(self) -> Meta {
-        match self {
-            Self::Beside => Meta::Beside,
-            Self::Inline => Meta::Inline,
-        }
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.word()).help(self.words()))
     }
 }
 
@@ -92,23 +83,10 @@ impl TableArguments {
         if self.force { Existing::Replace } else { Existing::Keep }
     }
 
-    /// The CSV dialect.
-    pub(super) fn style(&self) -> Style {
-        match self.csv_style {
-            StyleWord::Plain => Style::Plain,
-            StyleWord::Crlf => Style::Crlf,
-            StyleWord::ExcelEu => Style::ExcelEu,
-        }
-    }
-
     /// Where the table goes that was requested in this file, and what may happen to a file that is there. What an interrupt has
     /// left of one gets a name of its own: it takes the place of no table that is complete.
     pub(super) fn place(&self, path: &Path) -> (PathBuf, Existing) {
-        if was_interrupted() && atomic::ordinary(path).is_ok() {
-            (export::partial_path(path), Existing::Keep)
-        } else {
-            (path.to_owned(), self.existing())
-        }
+        export::place(path.to_owned(), self.existing(), !was_interrupted())
     }
 
     /// Whether the table can be written where it is to go: asked before a long computation, not after it.
@@ -124,7 +102,7 @@ impl TableArguments {
     pub(super) fn check_beside(&self) -> Result<(), CliError> {
         self.check()?;
         match (self.target(), self.meta) {
-            (Target::File(path), MetaWord::Beside) => {
+            (Target::File(path), Meta::Beside) => {
                 sidecar::check(path, self.existing()).map_err(exists)
             }
             _ => Ok(()),
@@ -204,7 +182,7 @@ impl Delivery<'_> {
         rows: &Table<'_, R>,
     ) -> Result<(), CliError> {
         let table = self.table;
-        let text = || table.style().file(&self.comments(), &rows.csv());
+        let text = || table.csv_style.file(&self.comments(), &rows.csv());
         let written = match table.target() {
             Target::None => Ok(()),
             Target::Stdout => return output::print(&text()?),
@@ -218,7 +196,7 @@ impl Delivery<'_> {
 
     /// The lines at the head of the table, with `--meta inline`.
     fn comments(&self) -> String {
-        if self.table.meta == MetaWord::Beside {
+        if self.table.meta == Meta::Beside {
             return String::new();
         }
         let scene = self.source.and_then(|source| Some((source.name, source.scene?)));
@@ -229,7 +207,7 @@ impl Delivery<'_> {
 
     fn write(&self, path: &Path, text: &str) -> Result<(), FileError> {
         let (path, existing) = self.table.place(path);
-        let beside = self.source.filter(|_| self.table.meta == MetaWord::Beside);
+        let beside = self.source.filter(|_| self.table.meta == Meta::Beside);
         let beside = beside.and_then(|source| sidecar::file(&path, source.scene?));
         let mut files = vec![(path, text.as_bytes())];
         if let Some((name, text)) = &beside {

@@ -58,6 +58,14 @@ impl Meta {
     /// Both.
     pub const ALL: [Self; 2] = [Self::Beside, Self::Inline];
 
+    /// The word of the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Beside => "beside",
+            Self::Inline => "inline",
+        }
+    }
+
     /// What it is, in words.
     pub fn words(self) -> &'static str {
         match self {
@@ -183,6 +191,16 @@ pub fn partial_path(csv: &Path) -> PathBuf {
         .map(named)
         .find(|path| !is_taken(path) && !is_taken(&sidecar_path(path, None)))
         .unwrap_or_else(|| named(1))
+}
+
+/// Where a table goes, and what may happen to a file that is there: a table that is not complete has a name of its own.
+pub fn place(path: PathBuf, existing: Existing, is_complete: bool) -> (PathBuf, Existing) {
+    // A device is refused by its own name.
+    if is_complete || atomic::ordinary(&path).is_err() {
+        (path, existing)
+    } else {
+        (partial_path(&path), Existing::Keep)
+    }
 }
 
 /// A sidecar may replace an older sidecar, never a scene that someone wrote.

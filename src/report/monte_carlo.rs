@@ -53,9 +53,8 @@ pub fn json(name: &str, report: &Report) -> String {
             "parameters": [first, second], "redrawn": redrawn,
         })
     });
-    let words = ["arrested", "perforated", "separated", "moving", "failed"].into_iter();
-    let outcomes =
-        words.zip(report.census).map(|(word, count)| (word.to_owned(), Value::from(count)));
+    let outcomes = report.outcomes.each().into_iter();
+    let outcomes = outcomes.map(|(word, count)| (word.to_owned(), Value::from(count)));
     let table = table(name, report);
     let outputs = table.rows.iter().map(|summary| {
         let is_own = |key: &str| key != "scene" && key != "seed" && !key.starts_with('q');

@@ -2,18 +2,48 @@
 
 use serde_json::json;
 
+use crate::model::run::Outcome;
+use crate::model::units::Engineering;
 use crate::report::table::{Table, pretty};
 use crate::study::stability::map::Map;
 use crate::study::stability::others::Other;
-use crate::study::stability::{Row, Shortfall};
+use crate::study::stability::{Basis, Row, Shortfall};
 
-/// Names of the columns of another method: how it fares, and its error.
-fn keys(other: Other) -> (&'static str, &'static str) {
+/// Names of the columns of another method: how it fares, and its error; and the heading of the first.
+fn keys(other: Other) -> (&'static str, &'static str, &'static str) {
     match other {
-        Other::Explicit => ("explicit", "explicit_error"),
-        Other::Implicit => ("implicit", "implicit_error"),
-        Other::ThesisCoarse => ("thesis_1e-6", "thesis_1e-6_error"),
-        Other::ThesisFine => ("thesis_1e-7", "thesis_1e-7_error"),
+        Other::Explicit => ("explicit", "explicit_error", "expl"),
+        Other::Implicit => ("implicit", "implicit_error", "impl"),
+        Other::ThesisCoarse => ("thesis_1e-6", "thesis_1e-6_error", "th-6"),
+        Other::ThesisFine => ("thesis_1e-7", "thesis_1e-7_error", "th-7"),
+    }
+}
+
+/// A size in five characters: `2e-13`.
+pub fn brief(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
+}
+
+/// How a run ends, in a few letters.
+fn ends(row: &Row) -> String {
+    let word = match row.run.outcome {
+        _ if !row.run.end.is_complete() => "CUT",
+        Outcome::Arrested => "arr",
+        Outcome::Perforated => "perf",
+        Outcome::Separated => "sep",
+        Outcome::Moving => "mov",
+    };
+    word.to_owned()
+}
+
+/// What stands behind an error: s(tored), D(OP853), R(adau), t(ighter).
+fn mark(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Stored => "s",
+        Basis::Dop853 => "D",
+        Basis::Radau => "R",
+        Basis::Tighter => "t",
+        Basis::None => " ",
     }
 }
 
@@ -22,26 +52,29 @@ pub fn table(rows: &[Row]) -> Table<'_, &Row> {
     let mut table = Table::of(rows)
         .with("scene", "scene", "", |row| row.case.name)
         .with("changes", "changes", "", |row| row.case.changes)
-        .with("outcome", "outcome", "", |row| row.run.outcome.word())
+        .with("outcome", "ends", "", |row| row.run.outcome.word())
+        .shown(|row, _| Some(ends(row)))
         .with("end", "end", "", |row| row.run.end.words())
         .with("energy_residual", "energy", "", |row| row.run.ledger.residual())
+        .shown(|_, value| Some(brief(value.as_f64()?.abs())))
         .with("error", "error", "", |row| row.error)
+        .shown(|row, value| Some(brief(value.as_f64()?) + mark(row.basis)))
         .with("reference", "reference", "", |row| row.basis.words())
         .with("method", "method", "", |row| row.run.cost.method)
         .with("steps", "steps", "", |row| row.run.cost.steps)
         .with("rejected", "rejected", "", |row| row.run.cost.rejected)
-        .with("run_time_s", "time", "s", |row| row.took_s)
+        .with("run_time_s", "time", "", |row| row.took_s)
+        .shown(|row, _| Some(Engineering { value: row.took_s, unit: "s", digits: 2 }.to_string()))
         .with("stiffness", "stiff", "", |row| row.stiffness.largest())
+        .shown(|_, value| Some(brief(value.as_f64()?)))
         .with("swings_rad", "oscillations", "rad", |row| row.stiffness.swings_rad)
         .with("decays", "decays", "", |row| row.stiffness.decays);
     for (at, other) in Other::ALL.into_iter().enumerate() {
-        let (verdict, error) = keys(other);
-        table = table.with(verdict, verdict, "", move |row| row.others[at].word()).with(
-            error,
-            error,
-            "",
-            move |row| row.others[at].error(),
-        );
+        let (verdict, error, heading) = keys(other);
+        table = table
+            .with(verdict, heading, "", move |row| row.others[at].word())
+            .shown(move |row, _| Some(row.others[at].brief()))
+            .with(error, error, "", move |row| row.others[at].error());
     }
     table.with("shortfall", "fails", "", |row| row.shortfall.map(Shortfall::words)).with(
         "why_hard",

@@ -302,23 +302,13 @@ fn write_export(request: &ExportRequest) -> ExportOutcome {
     }
 }
 
-/// Where a table goes, and what may happen to a file that is there: one that is not complete takes the place of none.
-fn place(path: PathBuf, overwrite: bool, is_complete: bool) -> (PathBuf, Existing) {
-    // A device is refused by its own name.
-    if is_complete || atomic::ordinary(&path).is_err() {
-        (path, existing(overwrite))
-    } else {
-        (export::partial_path(&path), Existing::Keep)
-    }
-}
-
 fn write_table(path: PathBuf, overwrite: bool, content: &Content) -> ExportOutcome {
     let is_complete = match content {
         Content::Text(_) => true,
         Content::Grid(_, grid) => grid.is_complete(),
         Content::Accuracy(found) => found.1.is_complete,
     };
-    let (path, existing) = place(path, overwrite, is_complete);
+    let (path, existing) = export::place(path, existing(overwrite), is_complete);
     let table = || {
         Ok(match content {
             Content::Text(text) => text.clone().into_bytes(),

@@ -6,7 +6,6 @@ use crate::cli::text::width;
 use crate::model::units::significant;
 use crate::report::monte_carlo::table;
 use crate::study::search::scatter::Report;
-use crate::study::sweep::summary::CENSUS_WORDS;
 
 /// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
@@ -41,14 +40,7 @@ pub(super) fn text(name: &str, report: &Report) -> String {
 }
 
 fn outcomes(page: &mut String, report: &Report) {
-    let parts: Vec<String> = report
-        .census
-        .iter()
-        .zip(CENSUS_WORDS)
-        .filter(|(count, _)| **count > 0)
-        .map(|(count, word)| format!("{count} {word}"))
-        .collect();
-    let _ = writeln!(page, "\n{}", parts.join(", "));
+    let _ = writeln!(page, "\n{}", report.outcomes);
     if let Some((part, (low, high))) = report.perforated {
         let percent = |share: f64| significant(100.0 * share, 3);
         let _ = writeln!(

@@ -2,97 +2,43 @@
 
 use std::fmt::Write as _;
 
-use crate::model::run::Outcome;
 use crate::model::units::{Engineering, significant};
+use crate::report::stability::table;
 use crate::study::stability::map::{Cell, Map};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
-use crate::tui::pages::numerics::stability::brief;
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;
 
 /// The table of the battery, what it means, and one line that sums it up.
 pub(super) fn battery(rows: &[Row], took_s: f64, width: usize) -> String {
-    let wide = width >= WIDE;
-    let mut text = format!(
-        "{:<23} {:<4} {:>6} {:>6} {:>6} {:>6} {:>5}  {:<5}{:<5}{:<5}{:<4}",
+    let mut keys = vec![
         "scene",
-        "ends",
-        "energy",
+        "outcome",
+        "energy_residual",
         "error",
         "steps",
-        "time",
-        "stiff",
-        "expl",
-        "impl",
-        "th-6",
-        "th-7"
-    );
-    text.push_str(if wide { " reference    what makes it hard\n" } else { "\n" });
+        "run_time_s",
+        "stiffness",
+        "explicit",
+        "implicit",
+        "thesis_1e-6",
+        "thesis_1e-7",
+    ];
+    if width >= WIDE {
+        keys.extend(["reference", "why_hard"]);
+    }
+    let mut text = table(rows).page(&keys, if width >= WIDE { usize::MAX } else { width });
     for row in rows {
-        line(&mut text, row, wide);
+        if let Some(shortfall) = row.shortfall {
+            let end = row.run.end.words();
+            let _ = writeln!(text, "{} fails: {} ({end})", row.case.name, shortfall.words());
+        }
     }
     text.push('\n');
     legend(&mut text);
     summary(&mut text, rows, took_s);
     text
-}
-
-fn line(text: &mut String, row: &Row, wide: bool) {
-    let run = &row.run;
-    let ends = if run.end.is_complete() {
-        match run.outcome {
-            Outcome::Arrested => "arr",
-            Outcome::Perforated => "perf",
-            Outcome::Separated => "sep",
-            Outcome::Moving => "mov",
-        }
-    } else {
-        "CUT"
-    };
-    // The reference's first letter stands behind the error: s(tored), D(OP853), R(adau), t(ighter).
-    let mark = match row.basis {
-        Basis::Stored => "s",
-        Basis::Dop853 => "D",
-        Basis::Radau => "R",
-        Basis::Tighter => "t",
-        Basis::None => " ",
-    };
-    let error = row.error.map_or_else(|| "-".to_owned(), brief);
-    let _ = write!(
-        text,
-        "{:<23} {ends:<4} {:>6} {error:>5}{mark} {:>6} {:>6} {:>5}  {:<5}{:<5}{:<5}{:<4}",
-        row.case.name,
-        brief(run.ledger.residual().abs()),
-        run.cost.steps,
-        seconds(row.took_s),
-        brief(row.stiffness.largest()),
-        row.others[0].brief(),
-        row.others[1].brief(),
-        row.others[2].brief(),
-        row.others[3].brief(),
-    );
-    if wide {
-        let _ = write!(text, " {:<12} {}", row.basis.words(), row.case.why);
-    }
-    while text.ends_with(' ') {
-        text.pop();
-    }
-    text.push('\n');
-    if let Some(shortfall) = row.shortfall {
-        let _ = writeln!(text, "  fails: {} ({})", shortfall.words(), run.end.words());
-    }
-}
-
-fn seconds(took_s: f64) -> String {
-    let (value, unit) = if took_s < 1e-3 {
-        (took_s * 1e6, "us")
-    } else if took_s < 1.0 {
-        (took_s * 1e3, "ms")
-    } else {
-        (took_s, "s")
-    };
-    if value < 10.0 { format!("{value:.1}{unit}") } else { format!("{value:.0}{unit}") }
 }
 
 fn legend(text: &mut String) {

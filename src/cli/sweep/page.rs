@@ -95,7 +95,7 @@ pub(super) fn text(plan: &Plan, head: &Head<'_>, summary: &Summary, kept: &Kept)
         }
     }
     extremes(&mut page, plan, summary);
-    let _ = writeln!(page, "\n{}", summary.words());
+    let _ = writeln!(page, "\n{}", summary.outcomes);
     page
 }
 

@@ -6,6 +6,7 @@ use crate::model::run::Outcome;
 use crate::model::scene::{Closure, Scene};
 use crate::model::simulate::{Settings, simulate};
 use crate::model::variables::VariableError;
+use crate::numerics::statistics::moments;
 use crate::study::context::Context;
 use crate::study::fit::{Logistic, Shot};
 use crate::study::limit;
@@ -96,10 +97,9 @@ fn from_depths(scene: &Scene, shots: &[Shot], context: &mut Context<'_>) -> Opti
         .collect();
     let n = found.len() as f64;
     let mean_pa = found.iter().sum::<f64>() / n;
-    let squares: f64 = found.iter().map(|it| (it - mean_pa).powi(2)).sum();
     (!found.is_empty()).then(|| FromDepths {
         mean_pa,
-        deviation_pa: (found.len() > 1).then(|| (squares / (n - 1.0)).sqrt()),
+        deviation_pa: moments(&found).map(|(_, deviation)| deviation),
         shots: found.len(),
         left_out: measured.len() - found.len(),
     })

@@ -12,6 +12,7 @@ use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
 use crate::study::search::field::Field;
+use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Axis, Fate, Spacing, SweepError};
 pub use tolerance::{Distribution, Tolerance};
 
@@ -80,8 +81,8 @@ pub struct Report {
     pub seed: u64,
     /// Samples done.
     pub samples: usize,
-    /// How many were arrested, perforated, separated, left moving, failed.
-    pub census: [usize; 5],
+    /// How they ended.
+    pub outcomes: OutcomeCounts,
     /// What becomes of the scene itself.
     pub nominal: Option<Fate>,
     /// Part of the samples that perforate, of those that came to an end, and its 95 % interval (Wilson's); `None` without any.
@@ -192,7 +193,7 @@ pub fn scatter(
         redrawn: Vec::new(),
         seed: task.seed,
         samples: 0,
-        census: [0; 5],
+        outcomes: OutcomeCounts::default(),
         nominal: None,
         perforated: None,
         summaries: Vec::new(),
@@ -209,7 +210,7 @@ pub fn scatter(
         let found = field.evaluate(&designs, context);
         report.samples += found.len();
         for found in found {
-            report.census[place(found.fate)] += 1;
+            report.outcomes.add(found.fate);
             for (list, value) in values.iter_mut().zip(found.values) {
                 list.extend(value);
             }
@@ -217,7 +218,7 @@ pub fn scatter(
     }
     report.is_complete = !context.is_stopped();
     report.redrawn = draw.redrawn;
-    report.perforated = perforated(&report.census);
+    report.perforated = perforated(report.outcomes);
     report.nominal = nominal.as_ref().map(|found| found.fate);
     report.summaries = values
         .into_iter()
@@ -303,24 +304,14 @@ impl<'t> Draw<'t> {
     }
 }
 
-fn place(fate: Fate) -> usize {
-    match fate {
-        Fate::Arrested => 0,
-        Fate::Perforated => 1,
-        Fate::Separated => 2,
-        Fate::Moving => 3,
-        Fate::Failed(_) => 4,
-    }
-}
-
 /// The part that perforates, of all that came to an end.
-fn perforated(census: &[usize; 5]) -> Option<(f64, (f64, f64))> {
-    let ended = (census[0] + census[1] + census[2]) as f64;
-    let part = census[1] as f64 / ended;
+fn perforated(counts: OutcomeCounts) -> Option<(f64, (f64, f64))> {
+    let ended = (counts.arrested + counts.perforated + counts.separated) as f64;
+    let part = counts.perforated as f64 / ended;
     (ended > 0.0).then(|| {
         let (low, high) = wilson(part, ended);
         // None and all leave nothing on that side but rounding.
-        let low = if census[1] == 0 { 0.0 } else { low };
+        let low = if counts.perforated == 0 { 0.0 } else { low };
         (part, (low, if part < 1.0 { high } else { 1.0 }))
     })
 }

@@ -10,6 +10,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::model::results::{Needs, ResultColumn};
 use crate::study::sweep::crew::Crew;
+use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows, SweepError};
 
 /// The most points a grid may have: some tens of megabytes.
@@ -138,19 +139,11 @@ impl Grid {
         }
     }
 
-    /// How many points ended each way: arrested, perforated, separated, moving, failed.
-    pub fn census(&self) -> [usize; 5] {
-        let mut census = [0; 5];
-        for fate in self.fates.iter().flatten() {
-            census[match fate {
-                Fate::Arrested => 0,
-                Fate::Perforated => 1,
-                Fate::Separated => 2,
-                Fate::Moving => 3,
-                Fate::Failed(_) => 4,
-            }] += 1;
-        }
-        census
+    /// How the points ended.
+    pub fn outcomes(&self) -> OutcomeCounts {
+        let mut counts = OutcomeCounts::default();
+        self.fates.iter().flatten().for_each(|fate| counts.add(*fate));
+        counts
     }
 
     /// Fill the grid with all hands. `watch` is told after every piece whether a pass has just been finished; `Break` stops,

@@ -1,5 +1,7 @@
 //! A sweep in a few numbers, gathered as it goes by: how its points ended, and where each output is least and greatest.
 
+use std::fmt;
+
 use crate::study::sweep::{Fate, Rows};
 
 /// The least and the greatest value of an output and the points where they were found first.
@@ -14,36 +16,85 @@ pub struct Extremes {
 /// What a sweep came to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Summary {
-    /// Points that were arrested, perforated, separated, left moving, failed.
-    pub census: [u64; 5],
+    /// How the points ended.
+    pub outcomes: OutcomeCounts,
     /// Of each output, where it has any value; perforations and points without an end do not count.
     pub extremes: Vec<Option<Extremes>>,
 }
 
-/// The words for [`Summary::census`].
-pub const CENSUS_WORDS: [&str; 5] =
-    ["arrested", "perforated", "separated", "still moving at the horizon", "failed"];
+/// How many points ended how.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct OutcomeCounts {
+    /// The projectile stays in the plate.
+    pub arrested: u64,
+    /// The nose passed the rear face.
+    pub perforated: u64,
+    /// The projectile left through the entry face.
+    pub separated: u64,
+    /// Not decided at the horizon.
+    pub moving: u64,
+    /// There is no result.
+    pub failed: u64,
+}
+
+impl OutcomeCounts {
+    /// Count a point.
+    pub fn add(&mut self, fate: Fate) {
+        *match fate {
+            Fate::Arrested => &mut self.arrested,
+            Fate::Perforated => &mut self.perforated,
+            Fate::Separated => &mut self.separated,
+            Fate::Moving => &mut self.moving,
+            Fate::Failed(_) => &mut self.failed,
+        } += 1;
+    }
+
+    /// All points.
+    pub fn total(self) -> u64 {
+        self.each().iter().map(|(_, count)| count).sum()
+    }
+
+    /// Each count with its word, those of no point among them.
+    pub fn each(self) -> [(&'static str, u64); 5] {
+        [
+            ("arrested", self.arrested),
+            ("perforated", self.perforated),
+            ("separated", self.separated),
+            ("moving", self.moving),
+            ("failed", self.failed),
+        ]
+    }
+}
+
+impl fmt::Display for OutcomeCounts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let known = self.each().into_iter().filter(|(_, count)| *count > 0);
+        let parts: Vec<String> = known.map(|(word, count)| format!("{count} {word}")).collect();
+        f.write_str(if parts.is_empty() { "no point" } else { "" })?;
+        f.write_str(&parts.join(", "))
+    }
+}
 
 impl Summary {
     /// Of a sweep with so many outputs.
     pub fn new(outputs: usize) -> Self {
-        Self { census: [0; 5], extremes: vec![None; outputs] }
+        Self { outcomes: OutcomeCounts::default(), extremes: vec![None; outputs] }
     }
 
     /// How many points have gone by.
     pub fn points(&self) -> u64 {
-        self.census.iter().sum()
+        self.outcomes.total()
     }
 
     /// How many failed.
     pub fn failed(&self) -> u64 {
-        self.census[4]
+        self.outcomes.failed
     }
 
     /// Add rows, the first of which is point `first`.
     pub fn add(&mut self, first: u64, rows: &Rows) {
         for (row, point) in (0..rows.len()).zip(first..) {
-            self.count(rows.fate(row));
+            self.outcomes.add(rows.fate(row));
             for output in 0..self.extremes.len() {
                 let told = matches!(rows.fate(row), Fate::Arrested | Fate::Separated);
                 if let Some(value) = rows.value(row, output).filter(|_| told) {
@@ -51,16 +102,6 @@ impl Summary {
                 }
             }
         }
-    }
-
-    fn count(&mut self, fate: Fate) {
-        self.census[match fate {
-            Fate::Arrested => 0,
-            Fate::Perforated => 1,
-            Fate::Separated => 2,
-            Fate::Moving => 3,
-            Fate::Failed(_) => 4,
-        }] += 1;
     }
 
     fn consider(&mut self, output: usize, value: f64, point: u64) {
@@ -73,12 +114,5 @@ impl Summary {
         if value > extremes.greatest.0 {
             extremes.greatest = here;
         }
-    }
-
-    /// How the points ended, in words.
-    pub fn words(&self) -> String {
-        let parts = self.census.iter().zip(CENSUS_WORDS).filter(|(count, _)| **count > 0);
-        let parts: Vec<String> = parts.map(|(count, word)| format!("{count} {word}")).collect();
-        if parts.is_empty() { "no point".to_owned() } else { parts.join(", ") }
     }
 }

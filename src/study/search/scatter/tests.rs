@@ -49,7 +49,10 @@ fn valid_quantiles_through_a_monotone_closed_form() {
         assert!((found.value - depth).abs() < width, "{share}: {found:?} {depth}");
         assert!(width < 0.02 * depth);
     }
-    assert_eq!((report.samples, report.census[0], report.is_complete), (20_000, 20_000, true));
+    assert_eq!(
+        (report.samples, report.outcomes.arrested, report.is_complete),
+        (20_000, 20_000, true)
+    );
     let (part, (low, high)) = report.perforated.unwrap();
     assert!(part == 0.0 && low == 0.0 && high > 1e-4 && high < 3e-4, "{high}");
 }
@@ -75,7 +78,7 @@ fn valid_probability_of_perforation() {
     let report = run(&rigid(), &task(vec![velocity], &["percent_of_baseline"], 4000));
     let (part, (low, high)) = report.perforated.unwrap();
     assert!((part - 0.5).abs() < 0.03 && low < part && part < high && high - low < 0.04);
-    assert_eq!(report.census[1] + report.summaries[0].sorted.len(), 4000);
+    assert_eq!(report.outcomes.perforated + report.summaries[0].sorted.len() as u64, 4000);
 }
 
 #[test]

@@ -16,32 +16,29 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     if points.any(|(x, y)| matches!(grid.cell(x, y, output), Cell::Value(_))) {
         return said(&format!("no {name} above 0: a log scale shows none"), &["Y: linear scale"]);
     }
-    let census = grid.census();
-    let [arrested, perforated, separated, moving, failed] = census;
+    let counts = grid.outcomes();
+    let all = counts.total();
     let other = "v, or Show in the setup (Tab): another output";
-    if perforated == done {
+    if counts.perforated == all {
         let instead = "or show residual_velocity_m_s (Tab, Show)";
         let cure = ["lower v_i, or raise h or S_y (Tab, Hold)", instead];
         return said(&format!("every point perforates: no {name}"), &cure);
     }
-    if arrested + separated == done {
+    if counts.arrested + counts.separated == all {
         let why = match column.name {
             "residual_velocity_m_s" | "exit_time_s" => "every point is stopped",
             _ => Fate::Arrested.without_value(column),
         };
         return said(&format!("no {name}: {why}"), &[other]);
     }
-    if moving == done {
+    if counts.moving == all {
         let cure = ["a longer horizon decides them (Tab, Hold)", other];
         return said(&format!("every point still moves at the end: no {name}"), &cure);
     }
-    if failed == done {
+    if counts.failed == all {
         return said("every point failed", &["Enter opens one in the Run tab, and 6:Log says why"]);
     }
-    let words = ["arrested", "perforated", "separated", "moving", "failed"];
-    let counts = census.into_iter().zip(words).filter(|(count, _)| *count > 0);
-    let counts: Vec<String> = counts.map(|(count, word)| format!("{count} {word}")).collect();
-    said(&format!("no point has a {name}"), &[&counts.join(", "), other])
+    said(&format!("no point has a {name}"), &[&counts.to_string(), other])
 }
 
 /// How many points came to rest and still have no value of an output, with the letter of these gaps and what it means.

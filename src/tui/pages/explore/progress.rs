@@ -41,9 +41,8 @@ impl App {
             parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
         }
         if let Some(found) = found {
-            let words = ["", "perforated", "separated", "moving", "failed"];
-            for (count, word) in found.grid.census().into_iter().zip(words) {
-                if count > 0 && !word.is_empty() {
+            for (word, count) in found.grid.outcomes().each() {
+                if count > 0 && word != "arrested" {
                     let severity =
                         if word == "separated" { Severity::Note } else { Severity::Warning };
                     parts.push(same(severity, format!("{count} {word}")));

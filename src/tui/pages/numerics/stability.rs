@@ -133,11 +133,6 @@ impl Stability {
     }
 }
 
-/// A size in five characters: `2e-13`.
-pub fn brief(value: f64) -> String {
-    if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
-}
-
 impl App {
     /// Whether the map belongs to another scene than the one on the screen.
     pub fn map_is_old(&self) -> bool {

@@ -255,16 +255,10 @@ fn scattered(report: &scatter::Report, output: &str, width: usize) -> Vec<Line> 
             percent(high)
         )));
     }
-    let ended =
-        report.census.iter().zip(["arrested", "perforated", "separated", "moving", "failed"]);
-    let ended: Vec<String> = ended
-        .filter(|(count, _)| **count > 0)
-        .map(|(count, word)| format!("{count} {word}"))
-        .collect();
     let again: usize = report.redrawn.iter().sum();
     let again =
         if again > 0 { format!("; {again} impossible draws made again") } else { String::new() };
-    lines.push(note(ended.join(", ") + &again));
+    lines.push(note(format!("{}{again}", report.outcomes)));
     let heads = cells(["scene", "5 %", "median", "95 %"].map(str::to_owned));
     lines.push(note(format!("  {:name$}{heads}", "")));
     for summary in report.summaries.iter().filter(|summary| !summary.quantiles.is_empty()) {

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use crate::model::run::Outcome;
 use crate::model::units::significant;
 use crate::model::variables::find;
+use crate::report::stability::brief;
 use crate::study::stability::Row;
 use crate::study::stability::map::{Cell, Map};
 use crate::tui::app::App;
