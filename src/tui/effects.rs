@@ -501,9 +501,10 @@ mod tests {
     fn a_table_that_is_not_complete_replaces_none() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.csv");
-        assert_eq!(place(path.clone(), true, true), (path.clone(), Existing::Replace));
+        assert_eq!(export::place(path.clone(), Existing::Replace, true).0, path);
         let partial = folder.path().join("a.partial.csv");
-        assert_eq!(place(path, true, false), (partial, Existing::Keep));
+        let placed = export::place(path, Existing::Replace, false);
+        assert_eq!(placed, (partial, Existing::Keep));
     }
 
     #[test]
