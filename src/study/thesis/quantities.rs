@@ -1,6 +1,5 @@
 //! The quantities of a scene that expressions of the claims may name: the program's outputs, and a row for each other one.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::model::appendix::Scheme;
@@ -11,6 +10,7 @@ use crate::model::run::{EventKind, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::numerics::{larger, root};
 use crate::study::compare::{self, Candidate, Hardware};
+use crate::study::context::{Context, to_its_end};
 use crate::study::limit;
 use crate::study::quantities::{need_course, value};
 use crate::study::thesis::runs::{Method, Runs, changed};
@@ -198,8 +198,9 @@ fn spring(scene: &Scene) -> Spring {
 }
 
 fn against_solid(scene: &Scene) -> Value {
-    let watch = &mut |_, _| ControlFlow::Continue(());
-    let report = compare::compare(&Arc::new(scene.clone()), Hardware::default(), watch).ok();
+    let mut watch = to_its_end;
+    let context = &mut Context::new(1, &mut watch);
+    let report = compare::compare(&Arc::new(scene.clone()), Hardware::default(), context).ok();
     let report = report.as_ref();
     let efficiency = report.and_then(|report| report.of(Candidate::Scene)?.mass_efficiency());
     let depth = report.and_then(compare::Report::depth_over_solid);
