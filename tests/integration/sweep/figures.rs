@@ -237,7 +237,7 @@ fn valid_9_11_a_little_cocking_makes_a_stiff_spring_useful() {
     // Displacement follows d almost whatever k is.
     let travel = across(&grid, TRAVEL, 8);
     assert!(span(&travel[1..]) < 0.05 * 0.5 + 0.05, "{travel:?}");
-    assert_eq!(grid.census()[0], 81);
+    assert_eq!(grid.outcomes().arrested, 81);
     assert_eq!(grid.fate(0, 0), Some(Fate::Arrested));
 }
 
