@@ -73,7 +73,7 @@ pub(super) fn run(arguments: &AccuracyArguments) -> Result<ExitCode, CliError> {
     Ok(pace.exit_code(failures.is_empty()))
 }
 
-/// Where `auto` gave no answer, in words: the knob, and why.
+/// Where `auto` gave no answer, in words: the step or tolerance, and why.
 fn auto_failures((scene, report): &Named) -> Vec<String> {
     let auto = report.methods.iter().filter(|it| it.method == Method::Auto);
     auto.flat_map(|method| &method.points)

@@ -49,7 +49,7 @@ fn head(page: &mut String, report: &Report) {
             let _ = writeln!(page, "{}", report.limit.absence().unwrap_or_default());
         }
     }
-    let _ = writeln!(page, "criterion       {}", report.criterion.label());
+    *page += &hanging("criterion       ", report.criterion.label(), LABEL);
     if let Some(margin) = report.margin() {
         let side = if margin < 0.0 { "it perforates" } else { "it is stopped" };
         let _ = writeln!(
