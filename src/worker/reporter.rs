@@ -83,9 +83,7 @@ impl<'a> Reporter<'a> {
         &self,
         part: impl Fn(&P) -> Finding,
     ) -> impl FnMut(study::Progress, Option<&P>) -> ControlFlow<()> {
-        move |progress, so_far| {
-            self.tell(progress.done, progress.total, &|| so_far.map(&part))
-        }
+        move |progress, so_far| self.tell(progress.done, progress.total, &|| so_far.map(&part))
     }
 
     /// Do the work; a panic becomes an error text.

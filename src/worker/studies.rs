@@ -73,9 +73,8 @@ fn found(study: &Study<'_>, quiet: &Quiet, reporter: &Reporter<'_>) -> Result<Fi
     let (scene, cancel) = (study.scene, reporter.cancel());
     match study.kind {
         StudyKind::Accuracy(effort) => {
-            let mut shown = reporter.watch(|report: &accuracy::Report| {
-                Finding::Accuracy(Arc::new(report.clone()))
-            });
+            let mut shown = reporter
+                .watch(|report: &accuracy::Report| Finding::Accuracy(Arc::new(report.clone())));
             let watch = &mut |progress: Progress, report: Option<&accuracy::Report>| {
                 // Between two points others have their turn.
                 quiet.end();

@@ -13,7 +13,6 @@ use crate::tui::app::status::clip;
 use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::accuracy::seconds;
-use crate::tui::pages::numerics::stability::brief;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::table::{Column, Page};
