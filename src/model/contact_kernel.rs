@@ -18,10 +18,10 @@ use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
 use damper_manifold::DamperManifold;
 use expansion::{Clock, Constants};
-use integration::{Outset, Track, Walk};
-pub use simd_batch::run_abreast;
+use integration::{InitialPhase, Plan, Track};
+pub use simd_batch::run_batch;
 use similarity_start::Start;
-use slow_manifold_series::RIDES_BELOW;
+use slow_manifold_series::MANIFOLD_BELOW;
 
 mod damper_manifold;
 mod expansion;
@@ -43,7 +43,7 @@ const TERMS_TIGHT: usize = 18;
 const LOOSE: f64 = 3e-6;
 const TIGHT: f64 = 3e-10;
 /// How tight a singular start of such a plate can be made.
-const RIDES_TO: f64 = 1e-11;
+const MANIFOLD_TO: f64 = 1e-11;
 /// Part of the force that is reached at least, if it grew as at first contact.
 const REACHED: f64 = 0.3;
 /// The least part of a tolerance that is used for the plate's sake: less drowns in rounding.
@@ -51,7 +51,7 @@ const SHARE_LEAST: f64 = 1e-4;
 /// First unit of a graded clock, relative to where it starts.
 const GRADED_UNIT: f64 = 0.6;
 
-/// One contact, prepared: everything that does not change along the way.
+/// One contact, prepared: everything that does not change during the contact.
 #[derive(Clone, Debug)]
 pub struct Contact {
     geometry: Geometry,
@@ -140,18 +140,18 @@ impl Contact {
 
     /// Run it to the relative accuracy `tolerance`; `None` where the full track is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
-        let mut outset = self.outset(tolerance);
-        if let Outset::Rides(ride) = &outset {
-            outset = self.ridden(ride);
+        let mut initial_phase = self.initial_phase(tolerance);
+        if let InitialPhase::OnManifold(manifold_run) = &initial_phase {
+            initial_phase = self.end_of_manifold(manifold_run);
         }
-        match outset {
-            Outset::Ended(end) => Some(end),
-            Outset::Steps(walk) => self.walk(&walk),
-            Outset::Rides(_) | Outset::Left => None,
+        match initial_phase {
+            InitialPhase::Ended(end) => Some(end),
+            InitialPhase::Steps(plan) => self.plan(&plan),
+            InitialPhase::OnManifold(_) | InitialPhase::Left => None,
         }
     }
 
-    /// Run it so that the plate's place, too, is accurate relative to its own way: where that is far shorter than the travel, to a
+    /// Run it so that the plate's displacement, too, is accurate relative to itself: where that is far shorter than the travel, to a
     /// tighter tolerance.
     pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
         self.run(self.minding_plate(tolerance))
@@ -162,10 +162,10 @@ impl Contact {
         tolerance * self.plate_share().unwrap_or(1.0)
     }
 
-    /// The plate's way over the travel, if the way is the shorter and not known relative to itself anyway.
+    /// The plate's displacement over the travel, if it is the shorter and not known relative to itself anyway.
     fn plate_share(&self) -> Option<f64> {
         let moves = self.constants.plate_mobility > 0.0 && self.start_m == 0.0;
-        if !moves || self.spring.coefficient == 0.0 || self.as_riding().is_some() {
+        if !moves || self.spring.coefficient == 0.0 || self.spring_manifold().is_some() {
             return None;
         }
         let share = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s?);
@@ -179,12 +179,12 @@ impl Contact {
     }
 
     /// The contact up to where plain steps begin, or to its end where it needs none.
-    fn outset(&self, tolerance: f64) -> Outset {
+    fn initial_phase(&self, tolerance: f64) -> InitialPhase {
         if self.left_to_others {
-            return Outset::Left;
+            return InitialPhase::Left;
         }
         if let Some(end) = self.closed(tolerance) {
-            return Outset::Ended(end);
+            return InitialPhase::Ended(end);
         }
         let terms = if tolerance >= LOOSE {
             TERMS_LOOSE
@@ -193,24 +193,24 @@ impl Contact {
         } else {
             TERMS_TIGHT
         };
-        if let Some(slaved) = self.as_slaved(tolerance) {
+        if let Some(manifold) = self.damper_manifold(tolerance) {
             let end = match terms {
-                TERMS_LOOSE => self.slaved::<TERMS_LOOSE>(slaved, tolerance),
-                TERMS => self.slaved::<TERMS>(slaved, tolerance),
-                _ => self.slaved::<TERMS_TIGHT>(slaved, tolerance),
+                TERMS_LOOSE => self.run_on_damper_manifold::<TERMS_LOOSE>(manifold, tolerance),
+                TERMS => self.run_on_damper_manifold::<TERMS>(manifold, tolerance),
+                _ => self.run_on_damper_manifold::<TERMS_TIGHT>(manifold, tolerance),
             };
-            return end.map_or(Outset::Left, Outset::Ended);
+            return end.map_or(InitialPhase::Left, InitialPhase::Ended);
         }
-        if let Some(riding) = self.as_riding()
-            && let Some(ride) = self.mounted(riding, tolerance, terms)
+        if let Some(manifold) = self.spring_manifold()
+            && let Some(manifold_run) = self.mounted(manifold, tolerance, terms)
         {
-            return Outset::Rides(ride);
+            return InitialPhase::OnManifold(manifold_run);
         }
         self.start(tolerance, terms)
     }
 
     /// Plain steps from first contact.
-    fn start(&self, tolerance: f64, terms: usize) -> Outset {
+    fn start(&self, tolerance: f64, terms: usize) -> InitialPhase {
         let starts = self.start_m == 0.0;
         let singular = (
             starts && is_singular(self.spring, SPRING_POWERS),
@@ -218,16 +218,16 @@ impl Contact {
         );
         if starts
             && (singular.0 || singular.1)
-            && let Some(outset) = self.early(tolerance, terms)
+            && let Some(initial_phase) = self.early(tolerance, terms)
         {
-            return outset;
+            return initial_phase;
         }
-        self.first_step(singular, tolerance, terms).map_or(Outset::Left, Outset::Steps)
+        self.first_step(singular, tolerance, terms).map_or(InitialPhase::Left, InitialPhase::Steps)
     }
 
-    fn first_step(&self, singular: (bool, bool), tolerance: f64, terms: usize) -> Option<Walk> {
+    fn first_step(&self, singular: (bool, bool), tolerance: f64, terms: usize) -> Option<Plan> {
         let track = if singular.0 || singular.1 {
-            if singular.0 && self.spring.exponent < RIDES_BELOW && tolerance < RIDES_TO {
+            if singular.0 && self.spring.exponent < MANIFOLD_BELOW && tolerance < MANIFOLD_TO {
                 return None;
             }
             let (t_s, state) = self.moved(singular, tolerance)?;
@@ -237,9 +237,9 @@ impl Contact {
             let state = [0.0, self.constants.velocity_m_s, self.start_m, 0.0];
             self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? })
         };
-        Some(match self.as_riding() {
-            Some(riding) => riding.walk(track, (tolerance, terms)),
-            None => Walk { track, tolerance, reach_m: None, terms },
+        Some(match self.spring_manifold() {
+            Some(manifold) => manifold.plan(track, (tolerance, terms)),
+            None => Plan { track, tolerance, reach_m: None, terms },
         })
     }
 
@@ -269,19 +269,23 @@ impl Contact {
     }
 
     /// A damper so strong that the plate follows at once.
-    fn slaved<const N: usize>(&self, slaved: DamperManifold, tolerance: f64) -> Option<ContactEnd> {
+    fn run_on_damper_manifold<const N: usize>(
+        &self,
+        manifold: DamperManifold,
+        tolerance: f64,
+    ) -> Option<ContactEnd> {
         let constants = self.constants;
-        let ahead_m = slaved.delay_m(&constants, self.growth_n_s()?);
+        let ahead_m = manifold.delay_m(&constants, self.growth_n_s()?);
         let state = [-constants.cos * ahead_m, constants.velocity_m_s, ahead_m, 0.0];
         let clock = Clock::Even { unit_s: 0.5 * self.scale_s? };
         let expand = |track: &Track, piece| {
-            slaved.expand::<N>(&constants, track.state, track.clock.rates()[0], piece)
+            manifold.expand::<N>(&constants, track.state, track.clock.rates()[0], piece)
         };
         self.go_on(expand, self.begin(0.0, state, clock), ((true, true), tolerance))
     }
 
     /// The damper and spring of a plate that follows the forces at once, if they are such.
-    fn as_slaved(&self, tolerance: f64) -> Option<DamperManifold> {
+    fn damper_manifold(&self, tolerance: f64) -> Option<DamperManifold> {
         let (spring, damper) = (self.spring, self.damper);
         if !(is_linear(spring)
             && is_linear(damper)
@@ -290,11 +294,11 @@ impl Contact {
         {
             return None;
         }
-        let slaved =
+        let manifold =
             DamperManifold { damper_n_s_m: damper.coefficient, spring_n_m: spring.coefficient };
         let contact_s = self.scale_s?;
         let size = (contact_s, contact_s * self.constants.velocity_m_s);
-        slaved.follows(&self.constants, size, (self.growth_n_s()?, tolerance)).then_some(slaved)
+        manifold.follows(&self.constants, size, (self.growth_n_s()?, tolerance)).then_some(manifold)
     }
 
     /// How fast the contact force grows at first contact, N/s.
@@ -368,7 +372,7 @@ mod tests {
     ];
 
     #[test]
-    fn the_lean_contact_agrees_with_the_full_track() {
+    fn the_contact_kernel_agrees_with_the_simulation() {
         for pairs in SCENES {
             let scene = scene(pairs);
             let (t_s, depth_m) = full(&scene);
@@ -396,10 +400,10 @@ mod tests {
         }
     }
 
-    /// A plate that rides on its spring all the way, one that is set swinging where nose meets cylinder, one that stops riding
-    /// on the way, one with a damper, one that is perforated, one that hardly moves.
+    /// A plate that stays on its spring's slow manifold, one that is set oscillating where nose meets cylinder, one that leaves the
+    /// manifold, one with a damper, one that is perforated, one that hardly moves.
     #[test]
-    fn a_plate_that_rides_on_its_spring_comes_as_far_as_by_the_full_track() {
+    fn a_plate_on_its_springs_slow_manifold_moves_as_far_as_by_the_simulation() {
         for pairs in [
             "k=1e6 n=0.158 v_i=90",
             "k=5e5 n=0.187",
@@ -408,7 +412,7 @@ mod tests {
             "k=1e5 n=0.2 h=0.004 v_i=300",
             // It hardly moves: nothing may be lost between its velocity and the projectile's.
             "k=1e6 n=0.24 v_i=60 gamma=0.8",
-            // It could ride only so late that it never does: its way is known relative to itself all the same.
+            // It could reach the manifold only so late that it never does.
             "k=2.25e6 n=0.332",
         ] {
             let mut scene = scene(pairs);

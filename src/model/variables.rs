@@ -14,6 +14,7 @@ mod springs;
 mod stack;
 mod table;
 mod used;
+mod visible;
 
 pub use describe::used_when;
 pub use error::VariableError;
@@ -21,7 +22,8 @@ pub use names::{find, listing, nearest};
 pub use springs::require_plain;
 pub use stack::require_single;
 pub use table::VARIABLES;
-pub use used::{critical_obliquity_deg, is_listed, is_offered, is_used, require_hydrodynamic};
+pub use used::{critical_obliquity_deg, require_hydrodynamic};
+pub use visible::{Visible, is_listed, is_offered, is_used};
 
 /// One row of the table.
 #[derive(Clone, Copy)]
@@ -34,6 +36,8 @@ pub struct Variable {
     pub label: &'static str,
     /// Other short words `--set` accepts.
     pub aliases: &'static [&'static str],
+    /// When it matters.
+    pub visible: Visible,
     /// The group of the editor it stands in.
     pub group: Group,
     /// What it means, in a sentence.

@@ -1,4 +1,4 @@
-//! A plate whose damper is so strong that it follows the forces at once: its velocity is slaved to them.
+//! A plate whose damper is so strong that it follows the forces at once: its velocity is that of the slow manifold.
 //!
 //! With the rate lambda = b/m the balance b w = F cos - k x - m w' is solved for w term by term, first without inertia; each
 //! further pass takes m w' from the one before and gains a factor of lambda times the step (Hairer and Wanner, *Solving

@@ -57,7 +57,7 @@ impl<const N: usize, R: Real> Series<N, R> {
     }
 }
 
-/// What stays the same along the way.
+/// What stays the same during the contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants<R = f64> {
     pub(super) strength_pa: R,
@@ -205,7 +205,7 @@ impl<R: Real> Constants<R> {
         s
     }
 
-    /// How large the last terms are in what matters to depth and time, relative. The plate's way is measured against `plate_m`,
+    /// How large the last terms are in what matters to depth and time, relative. The plate's displacement is measured against `plate_m`,
     /// m, if that is less than the travel.
     #[inline(always)]
     pub(super) fn last_terms<const N: usize>(&self, s: &Series<N, R>, plate_m: R) -> R {

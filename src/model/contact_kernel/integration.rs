@@ -5,19 +5,19 @@ use std::borrow::Borrow;
 
 use crate::model::contact::AreaLaw;
 use crate::model::contact_kernel::expansion::{Clock, Series, trusted};
-use crate::model::contact_kernel::slow_manifold::Ride;
+use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::slow_manifold_series::eased;
 use crate::model::contact_kernel::{Contact, ContactEnd};
 use crate::numerics::crossing::{dips, fall, rise};
 use crate::numerics::larger;
 use crate::numerics::series::evaluate;
 
-/// Steps after which the full track is the better way.
+/// Steps after which the simulation is the better method.
 pub(super) const STEPS_MAX: usize = 1500;
 /// Part of its unit below which a step is tried again with a shorter one.
 const SHORT: f64 = 0.02;
 
-/// Where a contact is on its way.
+/// Where a contact is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Track {
     /// When, s.
@@ -36,41 +36,41 @@ pub(super) struct Track {
 
 /// What is left of a contact once plain steps will do.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Walk {
+pub(super) struct Plan {
     /// From here.
     pub(super) track: Track,
     /// Of the steps.
     pub(super) tolerance: f64,
-    /// The plate's way matters against this, m, or only against the travel.
+    /// The plate's displacement matters against this, m, or only against the travel.
     pub(super) reach_m: Option<f64>,
     /// Of the expansion.
     pub(super) terms: usize,
 }
 
 /// How far a contact comes before plain steps.
-pub(super) enum Outset {
+pub(super) enum InitialPhase {
     /// To the end.
     Ended(ContactEnd),
     /// To these.
-    Steps(Walk),
-    /// The plate rides first.
-    Rides(Ride),
+    Steps(Plan),
+    /// The plate follows the slow manifold of its spring first.
+    OnManifold(ManifoldRun),
     /// To where the full track must take over.
     Left,
 }
 
-/// How far one way of expanding led.
+/// How the steps of one expansion end.
 #[derive(Clone, Copy)]
-pub(super) enum Way {
+pub(super) enum Next {
     /// To the end.
     Ended(ContactEnd),
-    /// To where another way must take over.
+    /// Where another expansion must take over.
     Handed(Track),
     /// To where the full track must.
     Left,
 }
 
-impl Way {
+impl Next {
     pub(super) fn ended(self) -> Option<ContactEnd> {
         match self {
             Self::Ended(end) => Some(end),
@@ -81,7 +81,7 @@ impl Way {
 
 /// A step as far as it is trusted.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct StepEnd {
     /// Up to this part of its unit.
     pub(super) trusted: f64,
     /// (travel, slip, plate, speed) there.
@@ -92,7 +92,7 @@ pub(super) struct Seen {
     pub(super) speed_m_s: f64,
 }
 
-impl Seen {
+impl StepEnd {
     #[inline(always)]
     pub(super) fn of<const N: usize>(series: &Series<N>, trusted: f64) -> Self {
         Self {
@@ -104,7 +104,7 @@ impl Seen {
     }
 }
 
-/// What the plate's way is measured against where it is at `plate_m`, m.
+/// What the plate's displacement is measured against where it is at `plate_m`, m.
 pub(super) fn minded_m(plate_m: f64, reach_m: Option<f64>) -> f64 {
     match reach_m {
         Some(reach_m) => plate_m.abs() * eased(plate_m.abs(), reach_m),
@@ -130,9 +130,9 @@ impl Contact {
             track.steps += 1;
             let series = expand(&track, piece);
             let last_terms = self.constants.last_terms(&series, minded_m(series.plate[0], None));
-            let seen = Seen::of(&series, trusted::<N>(last_terms, tolerance));
-            if let Some(way) = self.stride(&mut track, sides, &seen, || &series) {
-                return way.ended();
+            let end_of_step = StepEnd::of(&series, trusted::<N>(last_terms, tolerance));
+            if let Some(next) = self.advance(&mut track, sides, &end_of_step, || &series) {
+                return next.ended();
             }
         }
         None
@@ -146,24 +146,24 @@ impl Contact {
         }
     }
 
-    /// Take a step as far as it is trusted, or to what ends it before; `Some` where that is the end of this way.
-    pub(super) fn stride<const N: usize, S: Borrow<Series<N>>>(
+    /// Take a step as far as it is trusted, or to what ends it before; `Some` where that ends this expansion.
+    pub(super) fn advance<const N: usize, S: Borrow<Series<N>>>(
         &self,
         track: &mut Track,
         sides: (bool, bool),
-        seen: &Seen,
+        end_of_step: &StepEnd,
         series: impl Fn() -> S,
-    ) -> Option<Way> {
-        if seen.trusted < SHORT {
+    ) -> Option<Next> {
+        if end_of_step.trusted < SHORT {
             // The unit is far too long for what happens now.
-            track.clock = track.clock.shorter(larger(2.0 * seen.trusted, 1e-3));
+            track.clock = track.clock.shorter(larger(2.0 * end_of_step.trusted, 1e-3));
             return None;
         }
         let to_m = self.geometry.pieces()[track.piece].to_m;
-        let (mut span, mut state) = (seen.trusted, seen.state);
+        let (mut span, mut state) = (end_of_step.trusted, end_of_step.state);
         let stops = state[1] <= 0.0;
-        if !stops && seen.rises && dips(&series().borrow().slip, span) {
-            return Some(Way::Left);
+        if !stops && end_of_step.rises && dips(&series().borrow().slip, span) {
+            return Some(Next::Left);
         }
         if stops {
             let series = series();
@@ -180,7 +180,7 @@ impl Contact {
         track.t_s += track.clock.elapsed_s(span);
         track.state = state;
         // A step is shorter than half a swing, so there is one maximum at most.
-        let turns = seen.speed_m_s > 0.0 && state[3] < 0.0;
+        let turns = end_of_step.speed_m_s > 0.0 && state[3] < 0.0;
         if turns {
             let series = series();
             let top = fall(&series.borrow().speed, span);
@@ -188,19 +188,19 @@ impl Contact {
         }
         track.farthest_m = larger(track.farthest_m, state[2]);
         if !self.passes(sides, &state) {
-            return Some(Way::Left);
+            return Some(Next::Left);
         }
         if stops && !at_end {
-            return Some(Way::Ended(self.end(true, track)));
+            return Some(Next::Ended(self.end(true, track)));
         }
         if at_end {
             track.state[0] = to_m;
             track.piece += 1;
             if track.piece == self.geometry.pieces().len() {
-                return Some(Way::Ended(self.end(false, track)));
+                return Some(Next::Ended(self.end(false, track)));
             }
         }
-        track.clock = track.clock.next(span, seen.trusted);
+        track.clock = track.clock.next(span, end_of_step.trusted);
         None
     }
 

@@ -1,4 +1,4 @@
-//! The bench on which contacts are worked side by side: a row a quantity, a column a lane.
+//! The numbers of contacts side by side: a row a quantity, a column a lane.
 
 use pulp::Simd;
 
@@ -7,7 +7,7 @@ use crate::numerics::wide::Wide;
 
 /// Lanes of the widest vectors that are used.
 pub(super) const LANES_MAX: usize = 4;
-/// Whether vectors of this kind are worth a bench: otherwise contacts are done one by one.
+/// Whether vectors of this kind are worth lanes: otherwise contacts are done one by one.
 pub(super) const fn has_lanes<S: Simd>() -> bool {
     S::F64_LANES > 1 && S::F64_LANES <= LANES_MAX
 }
@@ -15,11 +15,11 @@ pub(super) const fn has_lanes<S: Simd>() -> bool {
 /// Rows that [`Constants`] take.
 pub(super) const CONSTANTS: usize = 6;
 
-/// The numbers of the contacts under way.
+/// The numbers of the contacts in the lanes.
 #[repr(align(32))]
-pub(super) struct Bench<const ROWS: usize>(pub(super) [[f64; LANES_MAX]; ROWS]);
+pub(super) struct LaneBuffer<const ROWS: usize>(pub(super) [[f64; LANES_MAX]; ROWS]);
 
-impl<const ROWS: usize> Bench<ROWS> {
+impl<const ROWS: usize> LaneBuffer<ROWS> {
     /// Ones: a lane without a contact computes something, and nobody asks what.
     pub(super) fn idle() -> Self {
         Self([[1.0; LANES_MAX]; ROWS])

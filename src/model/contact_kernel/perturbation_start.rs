@@ -7,7 +7,7 @@
 //! smooth as the rest, and belongs into the expansion (`law.rs`).
 
 use crate::model::contact_kernel::expansion::{Clock, Constants, Series, trusted};
-use crate::model::contact_kernel::integration::{Outset, Seen, Track, Walk, minded_m};
+use crate::model::contact_kernel::integration::{InitialPhase, Plan, StepEnd, Track, minded_m};
 use crate::model::contact_kernel::law::{Damping, Linear, RootFromRest};
 use crate::model::contact_kernel::similarity_start;
 use crate::model::contact_kernel::{
@@ -22,7 +22,7 @@ const VANISHES_ABOVE: f64 = 1.2;
 const ROOT: f64 = 0.5;
 /// Part of the tolerance that may be left of what is put in afterwards.
 const LEFT: f64 = 0.2;
-/// How wrong that is per unit by which the plate's way is no pure power of time.
+/// How wrong that is per unit by which the plate's displacement is no pure power of time.
 const BENT: f64 = 0.2;
 /// How much later than the start by balance (`similarity_start.rs`) it must come to be worth its expansion.
 const WORTH: f64 = 4.0;
@@ -42,7 +42,7 @@ struct LeftOut {
 struct Taken {
     /// Of its velocity, m/s.
     w_m_s: f64,
-    /// Of its way, m.
+    /// Of its displacement, m.
     x_m: f64,
     /// By how much that velocity may be wrong, m/s.
     doubt_m_s: f64,
@@ -70,7 +70,7 @@ impl LeftOut {
 
 impl Contact {
     /// The contact after such a step; `None` where another start is the better one.
-    pub(super) fn early(&self, tolerance: f64, terms: usize) -> Option<Outset> {
+    pub(super) fn early(&self, tolerance: f64, terms: usize) -> Option<InitialPhase> {
         match terms {
             TERMS_LOOSE => self.early_by::<TERMS_LOOSE>(tolerance),
             TERMS => self.early_by::<TERMS>(tolerance),
@@ -78,7 +78,7 @@ impl Contact {
         }
     }
 
-    fn early_by<const N: usize>(&self, tolerance: f64) -> Option<Outset> {
+    fn early_by<const N: usize>(&self, tolerance: f64) -> Option<InitialPhase> {
         let (spring, damper) = (self.spring, self.damper);
         let is_root = damper.exponent.to_bits() == ROOT.to_bits() && !is_linear(damper);
         let left_out = [
@@ -99,15 +99,15 @@ impl Contact {
         let span = trusted::<N>(last_terms, tolerance);
         track.steps = 1;
         if left_out.iter().all(Option::is_none) {
-            let seen = Seen::of(&series, span);
-            return Some(match self.stride(&mut track, (true, false), &seen, || &series) {
-                Some(way) => way.ended().map_or(Outset::Left, Outset::Ended),
+            let end_of_step = StepEnd::of(&series, span);
+            return Some(match self.advance(&mut track, (true, false), &end_of_step, || &series) {
+                Some(next) => next.ended().map_or(InitialPhase::Left, InitialPhase::Ended),
                 None if track.t_s == 0.0 => return None,
-                None => Outset::Steps(Walk { track, tolerance, reach_m: None, terms: N }),
+                None => InitialPhase::Steps(Plan { track, tolerance, reach_m: None, terms: N }),
             });
         }
         self.put_in(&series, &left_out, (smaller(span, until), tolerance), track)
-            .map(|track| Outset::Steps(Walk { track, tolerance, reach_m: None, terms: N }))
+            .map(|track| InitialPhase::Steps(Plan { track, tolerance, reach_m: None, terms: N }))
     }
 
     /// The expansion from first contact.
@@ -197,9 +197,9 @@ mod tests {
         Contact::of(&scene(pairs))
     }
 
-    fn track(outset: Option<&Outset>) -> Track {
-        match outset {
-            Some(Outset::Steps(walk)) => walk.track,
+    fn track(initial_phase: Option<&InitialPhase>) -> Track {
+        match initial_phase {
+            Some(InitialPhase::Steps(plan)) => plan.track,
             _ => panic!("no steps"),
         }
     }
@@ -217,8 +217,8 @@ mod tests {
                     early.t_s
                         > 3.0 * similarity_start::part(tolerance, 2.0) * contact.scale_s.unwrap()
                 );
-                let walk = Walk { track: early, tolerance, reach_m: None, terms: TERMS };
-                let ends = (contact.walk(&walk).unwrap(), contact.walk(&other).unwrap());
+                let plan = Plan { track: early, tolerance, reach_m: None, terms: TERMS };
+                let ends = (contact.plan(&plan).unwrap(), contact.plan(&other).unwrap());
                 let errors = [
                     ends.0.t_s / ends.1.t_s - 1.0,
                     ends.0.penetration_m / ends.1.penetration_m - 1.0,

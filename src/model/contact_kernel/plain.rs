@@ -3,40 +3,40 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::{Clock, trusted};
-use crate::model::contact_kernel::integration::{STEPS_MAX, Seen, Walk, minded_m};
+use crate::model::contact_kernel::integration::{Plan, STEPS_MAX, StepEnd, minded_m};
 use crate::model::contact_kernel::law::{Law, Linear, Power, Whole};
 use crate::model::contact_kernel::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
 use crate::model::mechanism::PowerKind;
 
 impl Contact {
     /// Go on by plain steps to the end; `None` where the full track is needed.
-    pub(super) fn walk(&self, walk: &Walk) -> Option<ContactEnd> {
-        match walk.terms {
-            TERMS_LOOSE => self.with_spring::<TERMS_LOOSE>(walk),
-            TERMS => self.with_spring::<TERMS>(walk),
-            _ => self.with_spring::<TERMS_TIGHT>(walk),
+    pub(super) fn plan(&self, plan: &Plan) -> Option<ContactEnd> {
+        match plan.terms {
+            TERMS_LOOSE => self.with_spring::<TERMS_LOOSE>(plan),
+            TERMS => self.with_spring::<TERMS>(plan),
+            _ => self.with_spring::<TERMS_TIGHT>(plan),
         }
     }
 
-    fn with_spring<const N: usize>(&self, walk: &Walk) -> Option<ContactEnd> {
+    fn with_spring<const N: usize>(&self, plan: &Plan) -> Option<ContactEnd> {
         let law = self.spring;
         let side = if self.start_m < 0.0 { -1.0 } else { 1.0 };
         match law.kind() {
             PowerKind::Absent | PowerKind::Linear => {
-                self.with_damper::<N, false>(Linear(law.coefficient), walk)
+                self.with_damper::<N, false>(Linear(law.coefficient), plan)
             }
             PowerKind::Whole(2) => {
-                self.with_damper::<N, false>(Whole::<N, 2>::new(law, side), walk)
+                self.with_damper::<N, false>(Whole::<N, 2>::new(law, side), plan)
             }
             PowerKind::Whole(3) => {
-                self.with_damper::<N, false>(Whole::<N, 3>::new(law, side), walk)
+                self.with_damper::<N, false>(Whole::<N, 3>::new(law, side), plan)
             }
             // The singular start serves them, too: a high power of a small displacement is next to nothing.
             PowerKind::Whole(_) | PowerKind::General => {
                 let spring = Power::<N>::of(law);
-                match walk.track.clock {
-                    Clock::Graded { .. } => self.with_damper::<N, true>(spring, walk),
-                    Clock::Even { .. } => self.with_damper::<N, false>(spring, walk),
+                match plan.track.clock {
+                    Clock::Graded { .. } => self.with_damper::<N, true>(spring, plan),
+                    Clock::Even { .. } => self.with_damper::<N, false>(spring, plan),
                 }
             }
         }
@@ -46,19 +46,19 @@ impl Contact {
     fn with_damper<const N: usize, const GRADED: bool>(
         &self,
         spring: impl Law<N>,
-        walk: &Walk,
+        plan: &Plan,
     ) -> Option<ContactEnd> {
         let law = self.damper;
         match law.kind() {
             PowerKind::Absent | PowerKind::Linear => {
-                self.with_laws::<N, GRADED>((spring, Linear(law.coefficient)), walk)
+                self.with_laws::<N, GRADED>((spring, Linear(law.coefficient)), plan)
             }
             // From rest the plate only goes forward.
             PowerKind::Whole(2) => {
-                self.with_laws::<N, GRADED>((spring, Whole::<N, 2>::new(law, 1.0)), walk)
+                self.with_laws::<N, GRADED>((spring, Whole::<N, 2>::new(law, 1.0)), plan)
             }
             PowerKind::Whole(_) | PowerKind::General => {
-                self.with_laws::<N, true>((spring, Power::<N>::of(law)), walk)
+                self.with_laws::<N, true>((spring, Power::<N>::of(law)), plan)
             }
         }
     }
@@ -66,19 +66,19 @@ impl Contact {
     fn with_laws<const N: usize, const GRADED: bool>(
         &self,
         laws: (impl Law<N>, impl Law<N>),
-        walk: &Walk,
+        plan: &Plan,
     ) -> Option<ContactEnd> {
-        debug_assert!(GRADED || matches!(walk.track.clock, Clock::Even { .. }));
-        Arch::new().dispatch(Alone::<N, GRADED, _, _> { contact: self, laws, walk })
+        debug_assert!(GRADED || matches!(plan.track.clock, Clock::Even { .. }));
+        Arch::new().dispatch(Single::<N, GRADED, _, _> { contact: self, laws, plan })
     }
 
     #[inline(always)]
     fn steps<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>>(
         &self,
         laws: (K, D),
-        walk: &Walk,
+        plan: &Plan,
     ) -> Option<ContactEnd> {
-        let Walk { mut track, tolerance, reach_m, .. } = *walk;
+        let Plan { mut track, tolerance, reach_m, .. } = *plan;
         while track.steps < STEPS_MAX {
             let area = self.area_law(track.piece)?;
             track.steps += 1;
@@ -86,10 +86,10 @@ impl Contact {
             let series = self.constants.expand::<N, GRADED>(laws, track.state, rates, area);
             let minded_m = minded_m(track.state[2], reach_m);
             let last_terms = self.constants.last_terms(&series, minded_m);
-            let seen = Seen::of(&series, trusted::<N>(last_terms, tolerance));
+            let end_of_step = StepEnd::of(&series, trusted::<N>(last_terms, tolerance));
             let sides = (K::TWO_SIDED, D::TWO_SIDED);
-            if let Some(way) = self.stride(&mut track, sides, &seen, || &series) {
-                return way.ended();
+            if let Some(next) = self.advance(&mut track, sides, &end_of_step, || &series) {
+                return next.ended();
             }
         }
         None
@@ -97,19 +97,19 @@ impl Contact {
 }
 
 /// A contact by itself, compiled for the instructions of the machine.
-struct Alone<'c, const N: usize, const GRADED: bool, K, D> {
+struct Single<'c, const N: usize, const GRADED: bool, K, D> {
     contact: &'c Contact,
     laws: (K, D),
-    walk: &'c Walk,
+    plan: &'c Plan,
 }
 
 impl<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>> WithSimd
-    for Alone<'_, N, GRADED, K, D>
+    for Single<'_, N, GRADED, K, D>
 {
     type Output = Option<ContactEnd>;
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) -> Option<ContactEnd> {
-        self.contact.steps::<N, GRADED, K, D>(self.laws, self.walk)
+        self.contact.steps::<N, GRADED, K, D>(self.laws, self.plan)
     }
 }

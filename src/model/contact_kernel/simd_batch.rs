@@ -8,10 +8,12 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::{Clock, trusted};
-use crate::model::contact_kernel::integration::{Outset, STEPS_MAX, Seen, Walk, Way, minded_m};
-use crate::model::contact_kernel::lane_buffer::{Bench, CONSTANTS, LANES_MAX, has_lanes};
+use crate::model::contact_kernel::integration::{
+    InitialPhase, Next, Plan, STEPS_MAX, StepEnd, minded_m,
+};
+use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::law::{Law, Linear, Power};
-use crate::model::contact_kernel::slow_manifold::{Rider, ride_abreast};
+use crate::model::contact_kernel::slow_manifold::{ManifoldJob, run_manifold_batch};
 use crate::model::contact_kernel::{
     Contact, ContactEnd, SPRING_POWERS, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_linear, is_singular,
 };
@@ -32,47 +34,49 @@ const SLOPE: usize = 22;
 const SIZE: usize = 23;
 
 /// Run contacts to the relative accuracy `tolerance` each, as [`Contact::run`] or [`Contact::run_minding_plate`] does.
-pub fn run_abreast(
+pub fn run_batch(
     contacts: &[Contact],
     tolerance: f64,
     minding_plate: bool,
 ) -> Vec<Option<ContactEnd>> {
     let mut ends = vec![None; contacts.len()];
     let mut queues: [Vec<Job<'_>>; CLASSES] = Default::default();
-    let mut riders = Vec::new();
-    let mut go_on = |place: usize, outset| {
+    let mut jobs = Vec::new();
+    let mut go_on = |place: usize, initial_phase| {
         let contact = &contacts[place];
-        match outset {
-            Outset::Ended(end) => ends[place] = Some(end),
-            // Nothing rides again.
-            Outset::Rides(_) | Outset::Left => {}
-            Outset::Steps(walk) => match contact.class(&walk) {
-                Some(class) => queues[class].push(Job { contact, walk, place }),
-                None => ends[place] = contact.walk(&walk),
+        match initial_phase {
+            InitialPhase::Ended(end) => ends[place] = Some(end),
+            // Nothing returns to the manifold.
+            InitialPhase::OnManifold(_) | InitialPhase::Left => {}
+            InitialPhase::Steps(plan) => match contact.class(&plan) {
+                Some(class) => queues[class].push(Job { contact, plan, place }),
+                None => ends[place] = contact.plan(&plan),
             },
         }
     };
     for (place, contact) in contacts.iter().enumerate() {
         let tolerance = if minding_plate { contact.minding_plate(tolerance) } else { tolerance };
-        match contact.outset(tolerance) {
-            Outset::Rides(ride) => riders.push(Rider { contact, ride, place }),
-            outset => go_on(place, outset),
+        match contact.initial_phase(tolerance) {
+            InitialPhase::OnManifold(manifold_run) => {
+                jobs.push(ManifoldJob { contact, manifold_run, place });
+            }
+            initial_phase => go_on(place, initial_phase),
         }
     }
-    ride_abreast(&riders, &mut go_on);
+    run_manifold_batch(&jobs, &mut go_on);
     let arch = Arch::new();
     for (class, jobs) in queues.iter().enumerate().filter(|(_, jobs)| !jobs.is_empty()) {
         let ends = &mut ends[..];
         match class {
-            0 => arch.dispatch(Abreast::<TERMS_LOOSE, false, false> { jobs, ends }),
-            1 => arch.dispatch(Abreast::<TERMS_LOOSE, true, false> { jobs, ends }),
-            2 => arch.dispatch(Abreast::<TERMS_LOOSE, true, true> { jobs, ends }),
-            3 => arch.dispatch(Abreast::<TERMS, false, false> { jobs, ends }),
-            4 => arch.dispatch(Abreast::<TERMS, true, false> { jobs, ends }),
-            5 => arch.dispatch(Abreast::<TERMS, true, true> { jobs, ends }),
-            6 => arch.dispatch(Abreast::<TERMS_TIGHT, false, false> { jobs, ends }),
-            7 => arch.dispatch(Abreast::<TERMS_TIGHT, true, false> { jobs, ends }),
-            _ => arch.dispatch(Abreast::<TERMS_TIGHT, true, true> { jobs, ends }),
+            0 => arch.dispatch(Batch::<TERMS_LOOSE, false, false> { jobs, ends }),
+            1 => arch.dispatch(Batch::<TERMS_LOOSE, true, false> { jobs, ends }),
+            2 => arch.dispatch(Batch::<TERMS_LOOSE, true, true> { jobs, ends }),
+            3 => arch.dispatch(Batch::<TERMS, false, false> { jobs, ends }),
+            4 => arch.dispatch(Batch::<TERMS, true, false> { jobs, ends }),
+            5 => arch.dispatch(Batch::<TERMS, true, true> { jobs, ends }),
+            6 => arch.dispatch(Batch::<TERMS_TIGHT, false, false> { jobs, ends }),
+            7 => arch.dispatch(Batch::<TERMS_TIGHT, true, false> { jobs, ends }),
+            _ => arch.dispatch(Batch::<TERMS_TIGHT, true, true> { jobs, ends }),
         }
     }
     ends
@@ -81,28 +85,28 @@ pub fn run_abreast(
 /// Kinds of steps that have lanes: terms of the expansion, then spring and clock.
 const CLASSES: usize = 9;
 
-/// A contact on its way.
+/// A contact with its plan.
 #[derive(Clone, Copy)]
 struct Job<'c> {
     contact: &'c Contact,
-    walk: Walk,
+    plan: Plan,
     place: usize,
 }
 
 impl Contact {
     /// Among which its plain steps are; `None` where they have no lanes.
-    fn class(&self, walk: &Walk) -> Option<usize> {
+    fn class(&self, plan: &Plan) -> Option<usize> {
         if !is_linear(self.damper) {
             return None;
         }
         let spring = if is_singular(self.spring, SPRING_POWERS) {
-            1 + usize::from(matches!(walk.track.clock, Clock::Graded { .. }))
+            1 + usize::from(matches!(plan.track.clock, Clock::Graded { .. }))
         } else if matches!(self.spring.kind(), PowerKind::Whole(_)) {
             return None;
         } else {
             0
         };
-        let terms = match walk.terms {
+        let terms = match plan.terms {
             TERMS_LOOSE => 0,
             TERMS => 1,
             _ => 2,
@@ -112,13 +116,13 @@ impl Contact {
 }
 
 /// Contacts of a class, to be run by the vectors of the machine.
-struct Abreast<'r, 'c, const N: usize, const POWER: bool, const GRADED: bool> {
+struct Batch<'r, 'c, const N: usize, const POWER: bool, const GRADED: bool> {
     jobs: &'r [Job<'c>],
     ends: &'r mut [Option<ContactEnd>],
 }
 
 impl<const N: usize, const POWER: bool, const GRADED: bool> WithSimd
-    for Abreast<'_, '_, N, POWER, GRADED>
+    for Batch<'_, '_, N, POWER, GRADED>
 {
     type Output = ();
 
@@ -126,23 +130,23 @@ impl<const N: usize, const POWER: bool, const GRADED: bool> WithSimd
     fn with_simd<S: Simd>(self, simd: S) {
         if const { !has_lanes::<S>() } {
             for job in self.jobs {
-                self.ends[job.place] = job.contact.walk(&job.walk);
+                self.ends[job.place] = job.contact.plan(&job.plan);
             }
         } else if const { POWER } {
-            let power = |rows: &Bench<ROWS>| {
+            let power = |rows: &LaneBuffer<ROWS>| {
                 Power::new(rows.wide(simd, SPRING), rows.wide(simd, SPRING + 1))
             };
             run::<S, N, GRADED, Power<N, Wide<S>>>(simd, power, self.jobs, self.ends);
         } else {
-            let linear = |rows: &Bench<ROWS>| Linear(rows.wide(simd, SPRING));
+            let linear = |rows: &LaneBuffer<ROWS>| Linear(rows.wide(simd, SPRING));
             run::<S, N, GRADED, Linear<Wide<S>>>(simd, linear, self.jobs, self.ends);
         }
     }
 }
 
-impl Bench<ROWS> {
-    /// What does not change along the way.
-    fn seat(&mut self, lane: usize, contact: &Contact) {
+impl LaneBuffer<ROWS> {
+    /// What does not change during the contact.
+    fn lane_job(&mut self, lane: usize, contact: &Contact) {
         self.put_constants(lane, FIXED, &contact.constants);
         self.put(lane, SPRING, [contact.spring.coefficient, contact.spring.exponent]);
         self.put(lane, DAMPER, [contact.damper.coefficient]);
@@ -150,7 +154,7 @@ impl Bench<ROWS> {
 
     /// What changes from step to step; `None` where the area is no polynomial.
     fn place(&mut self, lane: usize, job: &Job<'_>) -> Option<()> {
-        let Walk { track, reach_m, .. } = &job.walk;
+        let Plan { track, reach_m, .. } = &job.plan;
         let (origin_m, [a0, a1, a2]) = job.contact.area_law(track.piece)?;
         self.put(lane, STATE, track.state);
         self.put(lane, RATES, track.clock.rates());
@@ -164,50 +168,50 @@ impl Bench<ROWS> {
 #[inline(always)]
 fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
     simd: S,
-    spring: impl Fn(&Bench<ROWS>) -> K,
+    spring: impl Fn(&LaneBuffer<ROWS>) -> K,
     jobs: &[Job<'_>],
     ends: &mut [Option<ContactEnd>],
 ) {
-    let mut bench = Bench::idle();
+    let mut buffer = LaneBuffer::idle();
     let mut waiting = jobs.iter();
     let mut lanes: [Option<Job<'_>>; LANES_MAX] = [None; LANES_MAX];
     let lanes = &mut lanes[..S::F64_LANES];
-    for (lane, seat) in lanes.iter_mut().enumerate() {
-        *seat = next(&mut waiting, &mut bench, lane);
+    for (lane, lane_job) in lanes.iter_mut().enumerate() {
+        *lane_job = next(&mut waiting, &mut buffer, lane);
     }
     while lanes.iter().any(Option::is_some) {
-        let [origin_m, a0, a1, a2] = bench.wides(simd, PIECE);
-        let laws = (spring(&bench), Linear(bench.wide(simd, DAMPER)));
-        let state: [Wide<S>; 4] = bench.wides(simd, STATE);
-        let constants = bench.constants(simd, FIXED);
+        let [origin_m, a0, a1, a2] = buffer.wides(simd, PIECE);
+        let laws = (spring(&buffer), Linear(buffer.wide(simd, DAMPER)));
+        let state: [Wide<S>; 4] = buffer.wides(simd, STATE);
+        let constants = buffer.constants(simd, FIXED);
         let area = (origin_m, [a0, a1, a2]);
-        let series = constants.expand::<N, GRADED>(laws, state, bench.wides(simd, RATES), area);
-        bench.store(SIZE, [constants.last_terms(&series, bench.wide(simd, MINDED))]);
+        let series = constants.expand::<N, GRADED>(laws, state, buffer.wides(simd, RATES), area);
+        buffer.store(SIZE, [constants.last_terms(&series, buffer.wide(simd, MINDED))]);
         for (lane, job) in lanes.iter().enumerate() {
-            let tolerance = job.as_ref().map_or(1.0, |job| job.walk.tolerance);
-            bench.0[TRUSTED][lane] = trusted::<N>(bench.0[SIZE][lane], tolerance);
+            let tolerance = job.as_ref().map_or(1.0, |job| job.plan.tolerance);
+            buffer.0[TRUSTED][lane] = trusted::<N>(buffer.0[SIZE][lane], tolerance);
         }
-        let span = bench.wide(simd, TRUSTED);
-        bench.store(SLOPE, [series.slip_slope(span)]);
-        let speeds = bench.0[STATE + 3];
-        bench.store(STATE, series.state(span));
-        for (lane, seat) in lanes.iter_mut().enumerate() {
-            let Some(job) = seat else { continue };
-            let seen = Seen {
-                trusted: bench.0[TRUSTED][lane],
-                state: bench.of(lane, STATE),
-                rises: bench.0[SLOPE][lane] > 0.0,
+        let span = buffer.wide(simd, TRUSTED);
+        buffer.store(SLOPE, [series.slip_slope(span)]);
+        let speeds = buffer.0[STATE + 3];
+        buffer.store(STATE, series.state(span));
+        for (lane, lane_job) in lanes.iter_mut().enumerate() {
+            let Some(job) = lane_job else { continue };
+            let end_of_step = StepEnd {
+                trusted: buffer.0[TRUSTED][lane],
+                state: buffer.of(lane, STATE),
+                rises: buffer.0[SLOPE][lane] > 0.0,
                 speed_m_s: speeds[lane],
             };
-            job.walk.track.steps += 1;
+            job.plan.track.steps += 1;
             let sides = (K::TWO_SIDED, true);
-            let track = &mut job.walk.track;
-            let way = job.contact.stride(track, sides, &seen, || series.lane(lane));
+            let track = &mut job.plan.track;
+            let ending = job.contact.advance(track, sides, &end_of_step, || series.lane(lane));
             let goes_on =
-                way.is_none() && track.steps < STEPS_MAX && bench.place(lane, job).is_some();
+                ending.is_none() && track.steps < STEPS_MAX && buffer.place(lane, job).is_some();
             if !goes_on {
-                ends[job.place] = way.and_then(Way::ended);
-                *seat = next(&mut waiting, &mut bench, lane);
+                ends[job.place] = ending.and_then(Next::ended);
+                *lane_job = next(&mut waiting, &mut buffer, lane);
             }
         }
     }
@@ -216,12 +220,12 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
 /// Seat the next job on a lane.
 fn next<'c>(
     waiting: &mut std::slice::Iter<'_, Job<'c>>,
-    bench: &mut Bench<ROWS>,
+    buffer: &mut LaneBuffer<ROWS>,
     lane: usize,
 ) -> Option<Job<'c>> {
     waiting.by_ref().find_map(|job| {
-        bench.seat(lane, job.contact);
-        bench.place(lane, job).map(|()| *job)
+        buffer.lane_job(lane, job.contact);
+        buffer.place(lane, job).map(|()| *job)
     })
 }
 
@@ -260,8 +264,8 @@ mod tests {
         let contacts = contacts();
         for tolerance in [1e-5, 1e-8, 1e-11] {
             for minding_plate in [false, true] {
-                let abreast = run_abreast(&contacts, tolerance, minding_plate);
-                for (contact, end) in contacts.iter().zip(&abreast) {
+                let batch = run_batch(&contacts, tolerance, minding_plate);
+                for (contact, end) in contacts.iter().zip(&batch) {
                     let single = if minding_plate {
                         contact.run_minding_plate(tolerance)
                     } else {
@@ -269,7 +273,7 @@ mod tests {
                     };
                     assert_eq!(*end, single, "{tolerance}: {contact:?}");
                 }
-                let answered = abreast.iter().filter(|end| end.is_some()).count();
+                let answered = batch.iter().filter(|end| end.is_some()).count();
                 assert!(answered > contacts.len() / 2, "{answered} of {}", contacts.len());
             }
         }
@@ -278,14 +282,14 @@ mod tests {
     #[test]
     fn neither_neighbours_nor_order_change_a_digit() {
         let contacts = contacts();
-        let all = run_abreast(&contacts, 1e-7, true);
+        let all = run_batch(&contacts, 1e-7, true);
         let mut reversed = contacts.clone();
         reversed.reverse();
-        let mut back = run_abreast(&reversed, 1e-7, true);
+        let mut back = run_batch(&reversed, 1e-7, true);
         back.reverse();
         assert_eq!(all, back);
         for (place, some) in contacts.chunks(5).zip(all.chunks(5)) {
-            assert_eq!(run_abreast(place, 1e-7, true), some);
+            assert_eq!(run_batch(place, 1e-7, true), some);
         }
     }
 }

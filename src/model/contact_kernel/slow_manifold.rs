@@ -1,4 +1,4 @@
-//! Rides: the ways of contacts whose plates ride on their springs, pass by pass and as many side by side as the vectors hold.
+//! Contacts whose plates follow the slow manifold of their springs: pass by pass, as many side by side as the vectors hold.
 //!
 //! Each lane is at a pass of its own. After a pass it takes another about the new balance, or has settled and takes a step, or fails
 //! and tries a shorter one; and where even that fails it hands over to plain steps. A single contact is one lane.
@@ -6,9 +6,13 @@
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::{Constants, Series, trusted};
-use crate::model::contact_kernel::integration::{Outset, STEPS_MAX, Seen, Track, Way, minded_m};
-use crate::model::contact_kernel::lane_buffer::{Bench, CONSTANTS, LANES_MAX, has_lanes};
-use crate::model::contact_kernel::slow_manifold_series::{Balance, Lag, Riding, Spring, eased};
+use crate::model::contact_kernel::integration::{
+    InitialPhase, Next, STEPS_MAX, StepEnd, Track, minded_m,
+};
+use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
+use crate::model::contact_kernel::slow_manifold_series::{
+    Balance, Lag, Spring, SpringManifold, eased,
+};
 use crate::model::contact_kernel::{Contact, TERMS, TERMS_LOOSE, TERMS_TIGHT};
 use crate::numerics::larger;
 use crate::numerics::wide::Wide;
@@ -20,7 +24,7 @@ const AGREE: f64 = 0.3;
 /// What a pass must at least gain, after the first few.
 const GAIN: f64 = 0.5;
 const SETTLED: usize = 3;
-/// Part of a step below which a plate that no longer rides is not asked again.
+/// Part of a step below which a plate that has left the manifold is not tried again.
 const SHORTEST: f64 = 0.1;
 
 const STATE: usize = 0;
@@ -38,18 +42,18 @@ const SLOPE: usize = SIZE + 1;
 const END: usize = SLOPE + 1;
 const ROWS: usize = END + 4;
 
-/// A contact on a riding plate.
+/// A contact on the slow manifold.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ride {
-    riding: Riding,
+pub(super) struct ManifoldRun {
+    manifold: SpringManifold,
     tolerance: f64,
     track: Track,
-    /// From where to go on another way: a step earlier than where this one was seen to fail.
+    /// From where another method goes on: a step earlier than where this one was seen to fail.
     before: Track,
     /// The area law of the piece that the last step ended with.
     joint: Option<(f64, [f64; 3])>,
     /// How far steps are trusted after failures.
-    leash: f64,
+    reach_factor: f64,
     /// Of the expansion.
     terms: usize,
 }
@@ -65,29 +69,41 @@ struct Attempt {
     balance: Balance,
     /// How far that is from the one before, relative.
     moved: f64,
-    /// By how much the pass before changed the plate's way, relative.
+    /// By how much the pass before changed the plate's displacement, relative.
     change: f64,
 }
 
-/// What a pass led to.
+/// The result of a pass.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Verdict {
+enum PassResult {
     Again,
     Settled,
     Failed,
 }
 
-impl Ride {
-    pub(super) fn from(riding: Riding, start: Track, (tolerance, terms): (f64, usize)) -> Self {
-        Self { riding, tolerance, track: start, before: start, joint: None, leash: 1.0, terms }
+impl ManifoldRun {
+    pub(super) fn from(
+        manifold: SpringManifold,
+        start: Track,
+        (tolerance, terms): (f64, usize),
+    ) -> Self {
+        Self {
+            manifold,
+            tolerance,
+            track: start,
+            before: start,
+            joint: None,
+            reach_factor: 1.0,
+            terms,
+        }
     }
 
     /// A new step.
-    fn step(&mut self, contact: &Contact) -> Result<Attempt, Way> {
+    fn step(&mut self, contact: &Contact) -> Result<Attempt, Next> {
         if self.track.steps >= STEPS_MAX {
-            return Err(Way::Left);
+            return Err(Next::Left);
         }
-        let law = contact.area_law(self.track.piece).ok_or(Way::Left)?;
+        let law = contact.area_law(self.track.piece).ok_or(Next::Left)?;
         self.track.steps += 1;
         self.attempt(contact, law, false)
     }
@@ -97,10 +113,10 @@ impl Ride {
         contact: &Contact,
         law: (f64, [f64; 3]),
         asked_back: bool,
-    ) -> Result<Attempt, Way> {
+    ) -> Result<Attempt, Next> {
         let Track { state, .. } = self.track;
-        let from = self.riding.at(state[2]);
-        let found = self.riding.balance(&contact.constants, state, law, (from, 0.0, state[3]));
+        let from = self.manifold.at(state[2]);
+        let found = self.manifold.balance(&contact.constants, state, law, (from, 0.0, state[3]));
         let change = f64::INFINITY;
         match found {
             Some(balance) => {
@@ -112,47 +128,47 @@ impl Ride {
     }
 
     /// What to try where an attempt has failed.
-    fn failed(&mut self, contact: &Contact, asked_back: bool) -> Result<Attempt, Way> {
+    fn failed(&mut self, contact: &Contact, asked_back: bool) -> Result<Attempt, Next> {
         if let (Some(law), false) = (self.joint, asked_back) {
             return self.attempt(contact, law, true);
         }
-        if self.track.piece != self.before.piece || self.leash < SHORTEST {
-            return Err(Way::Handed(self.before));
+        if self.track.piece != self.before.piece || self.reach_factor < SHORTEST {
+            return Err(Next::Handed(self.before));
         }
         // The step there may have been too long, and so may be those to come.
-        self.leash *= 0.5;
+        self.reach_factor *= 0.5;
         self.track = Track { steps: self.track.steps, ..self.before };
         self.step(contact)
     }
 
     /// What a pass means that gave these plate velocities, the one it was made with first; finds the next balance.
-    fn judge(
+    fn assess(
         &self,
         contact: &Contact,
         attempt: &mut Attempt,
         ([old_m_s, new_m_s], lag_n): ([f64; 2], f64),
-    ) -> Verdict {
+    ) -> PassResult {
         let Track { state, clock, .. } = self.track;
-        let tolerance = self.tolerance * eased(state[2], self.riding.reach_m);
+        let tolerance = self.tolerance * eased(state[2], self.manifold.reach_m);
         let x = attempt.balance.plate_m;
         let change = larger(attempt.moved, (old_m_s - new_m_s).abs() * clock.rates()[0] / x);
         // The first has no inertia yet, and agrees with a step before that had none.
         if attempt.passes > 0 && change <= AGREE * tolerance {
-            let keeps = self.riding.keeps_to((attempt.balance, new_m_s), state, tolerance);
-            return if keeps { Verdict::Settled } else { Verdict::Failed };
+            let keeps = self.manifold.keeps_to((attempt.balance, new_m_s), state, tolerance);
+            return if keeps { PassResult::Settled } else { PassResult::Failed };
         }
         if attempt.passes >= SETTLED && change > GAIN * attempt.change {
-            return Verdict::Failed;
+            return PassResult::Failed;
         }
         let from = (attempt.balance, lag_n, new_m_s);
-        let next = self.riding.balance(&contact.constants, state, attempt.law, from);
+        let next = self.manifold.balance(&contact.constants, state, attempt.law, from);
         let Some(balance) = next.filter(|_| attempt.passes + 1 < PASSES_MAX) else {
-            return Verdict::Failed;
+            return PassResult::Failed;
         };
         let moved = (balance.plate_m - x).abs() / balance.plate_m;
         let passes = attempt.passes + 1;
         *attempt = Attempt { passes, balance, moved, change, ..*attempt };
-        Verdict::Again
+        PassResult::Again
     }
 
     /// Take the step that an attempt has settled on.
@@ -160,16 +176,16 @@ impl Ride {
         &mut self,
         contact: &Contact,
         attempt: &Attempt,
-        (seen, series): (Seen, impl Fn() -> Series<N>),
-    ) -> Result<Attempt, Way> {
+        (end_of_step, series): (StepEnd, impl Fn() -> Series<N>),
+    ) -> Result<Attempt, Next> {
         if attempt.asked_back {
             // Fine up to the joint; the next piece sets the plate swinging.
-            return Err(Way::Handed(self.track));
+            return Err(Next::Handed(self.track));
         }
         self.joint = None;
         let here = self.track;
-        if let Some(way) = contact.stride(&mut self.track, (false, true), &seen, series) {
-            return Err(way);
+        if let Some(next) = contact.advance(&mut self.track, (false, true), &end_of_step, series) {
+            return Err(next);
         }
         if self.track.t_s > here.t_s {
             self.before = here;
@@ -180,160 +196,151 @@ impl Ride {
         self.step(contact)
     }
 
-    /// What comes after the ride.
-    fn end(&self, contact: &Contact, way: Way) -> Outset {
-        match way {
-            Way::Ended(end) => Outset::Ended(end),
-            Way::Handed(track) if track.steps > 0 => {
-                Outset::Steps(self.riding.walk(track, (self.tolerance, self.terms)))
+    /// The phase after the manifold.
+    fn end(&self, contact: &Contact, next: Next) -> InitialPhase {
+        match next {
+            Next::Ended(end) => InitialPhase::Ended(end),
+            Next::Handed(track) if track.steps > 0 => {
+                InitialPhase::Steps(self.manifold.plan(track, (self.tolerance, self.terms)))
             }
-            Way::Handed(_) | Way::Left => contact.start(self.tolerance, self.terms),
+            Next::Handed(_) | Next::Left => contact.start(self.tolerance, self.terms),
         }
     }
 }
 
-/// A ride, whose it is, and where its end belongs.
+/// A run along the manifold, its contact, and the place of its result.
 #[derive(Clone, Copy)]
-pub(super) struct Rider<'c> {
+pub(super) struct ManifoldJob<'c> {
     pub(super) contact: &'c Contact,
-    pub(super) ride: Ride,
+    pub(super) manifold_run: ManifoldRun,
     pub(super) place: usize,
 }
 
-/// What comes after these rides, which all have the same number of terms; not in their order.
-pub(super) fn ride_abreast(riders: &[Rider<'_>], led: &mut dyn FnMut(usize, Outset)) {
+/// What comes after these runs, which all have the same number of terms; not in their order.
+pub(super) fn run_manifold_batch(
+    jobs: &[ManifoldJob<'_>],
+    report: &mut dyn FnMut(usize, InitialPhase),
+) {
+    dispatch(jobs, report, false);
+}
+
+impl Contact {
+    /// What comes after a single run.
+    pub(super) fn end_of_manifold(&self, manifold_run: &ManifoldRun) -> InitialPhase {
+        let mut initial_phase = InitialPhase::Left;
+        let jobs = &[ManifoldJob { contact: self, manifold_run: *manifold_run, place: 0 }];
+        dispatch(jobs, &mut |_: usize, report| initial_phase = report, true);
+        initial_phase
+    }
+}
+
+fn dispatch(
+    jobs: &[ManifoldJob<'_>],
+    report: &mut dyn FnMut(usize, InitialPhase),
+    single_lane: bool,
+) {
     let arch = Arch::new();
-    match riders.first().map(|rider| rider.ride.terms) {
-        Some(TERMS_LOOSE) => arch.dispatch(Abreast::<TERMS_LOOSE> { riders, led }),
-        Some(TERMS) => arch.dispatch(Abreast::<TERMS> { riders, led }),
-        Some(_) => arch.dispatch(Abreast::<TERMS_TIGHT> { riders, led }),
+    match jobs.first().map(|job| job.manifold_run.terms) {
+        Some(TERMS_LOOSE) => arch.dispatch(Batch::<TERMS_LOOSE> { jobs, report, single_lane }),
+        Some(TERMS) => arch.dispatch(Batch::<TERMS> { jobs, report, single_lane }),
+        Some(_) => arch.dispatch(Batch::<TERMS_TIGHT> { jobs, report, single_lane }),
         None => {}
     }
 }
 
-impl Contact {
-    /// What comes after a single ride.
-    pub(super) fn ridden(&self, ride: &Ride) -> Outset {
-        let mut outset = Outset::Left;
-        let riders = &[Rider { contact: self, ride: *ride, place: 0 }];
-        let led = &mut |_: usize, led| outset = led;
-        let arch = Arch::new();
-        match ride.terms {
-            TERMS_LOOSE => arch.dispatch(Alone::<TERMS_LOOSE> { riders, led }),
-            TERMS => arch.dispatch(Alone::<TERMS> { riders, led }),
-            _ => arch.dispatch(Alone::<TERMS_TIGHT> { riders, led }),
-        }
-        outset
-    }
+/// Runs along the slow manifold, compiled for the instructions of the machine.
+struct Batch<'r, 'c, const N: usize> {
+    jobs: &'r [ManifoldJob<'c>],
+    report: &'r mut dyn FnMut(usize, InitialPhase),
+    /// One after the other in a single lane.
+    single_lane: bool,
 }
 
-/// Rides side by side.
-struct Abreast<'r, 'c, const N: usize> {
-    riders: &'r [Rider<'c>],
-    led: &'r mut dyn FnMut(usize, Outset),
-}
-
-impl<const N: usize> WithSimd for Abreast<'_, '_, N> {
+impl<const N: usize> WithSimd for Batch<'_, '_, N> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        if const { !has_lanes::<S>() } {
-            for Rider { contact, ride, place } in self.riders {
-                (self.led)(*place, contact.ridden(ride));
-            }
+        if self.single_lane || const { !has_lanes::<S>() } {
+            run::<Scalar, N>(Scalar::new(), self.jobs, self.report);
         } else {
-            run::<S, N>(simd, self.riders, self.led);
+            run::<S, N>(simd, self.jobs, self.report);
         }
     }
 }
 
-/// A ride in a single lane, compiled for the instructions of the machine.
-struct Alone<'r, 'c, const N: usize> {
-    riders: &'r [Rider<'c>],
-    led: &'r mut dyn FnMut(usize, Outset),
-}
-
-impl<const N: usize> WithSimd for Alone<'_, '_, N> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _simd: S) {
-        run::<Scalar, N>(Scalar::new(), self.riders, self.led);
-    }
-}
-
 /// A contact in its lane.
-struct Seat<'c> {
-    rider: Rider<'c>,
+struct Lane<'c> {
+    job: ManifoldJob<'c>,
     attempt: Attempt,
 }
 
 /// The lanes: what they compute with, and what the pass to come takes from the last.
 struct Lanes<'r, 'c, const N: usize> {
-    bench: Bench<ROWS>,
-    force: Bench<N>,
-    speed: Bench<N>,
-    waiting: std::slice::Iter<'r, Rider<'c>>,
-    led: &'r mut dyn FnMut(usize, Outset),
+    buffer: LaneBuffer<ROWS>,
+    force: LaneBuffer<N>,
+    speed: LaneBuffer<N>,
+    waiting: std::slice::Iter<'r, ManifoldJob<'c>>,
+    report: &'r mut dyn FnMut(usize, InitialPhase),
 }
 
 impl<'c, const N: usize> Lanes<'_, 'c, N> {
-    /// Seat the next rider there is.
-    fn next(&mut self, lane: usize) -> Option<Seat<'c>> {
+    /// Puts the next job into a lane.
+    fn next(&mut self, lane: usize) -> Option<Lane<'c>> {
         loop {
-            let mut rider = *self.waiting.next()?;
-            match rider.ride.step(rider.contact) {
+            let mut job = *self.waiting.next()?;
+            match job.manifold_run.step(job.contact) {
                 Ok(attempt) => {
-                    self.bench.put_constants(lane, FIXED, &rider.contact.constants);
-                    let Riding { spring, damper_n_s_m, plate_kg, .. } = rider.ride.riding;
+                    self.buffer.put_constants(lane, FIXED, &job.contact.constants);
+                    let SpringManifold { spring, damper_n_s_m, plate_kg, .. } =
+                        job.manifold_run.manifold;
                     let spring = [spring.coefficient, spring.exponent, damper_n_s_m, plate_kg];
-                    self.bench.put(lane, SPRING, spring);
-                    let seat = Seat { rider, attempt };
-                    self.begin(lane, &seat);
-                    return Some(seat);
+                    self.buffer.put(lane, SPRING, spring);
+                    let lane_job = Lane { job, attempt };
+                    self.begin(lane, &lane_job);
+                    return Some(lane_job);
                 }
-                Err(way) => (self.led)(rider.place, rider.ride.end(rider.contact, way)),
+                Err(next) => (self.report)(job.place, job.manifold_run.end(job.contact, next)),
             }
         }
     }
 
     /// The first pass of an attempt: no inertia yet, and the plate's velocity as it is.
-    fn begin(&mut self, lane: usize, seat: &Seat<'_>) {
-        let Track { state, clock, .. } = seat.rider.ride.track;
-        let (origin_m, [a0, a1, a2]) = seat.attempt.law;
-        self.bench.put(lane, STATE, state);
-        self.bench.put(lane, UNIT, [clock.rates()[0]]);
-        self.bench.put(lane, PIECE, [origin_m, a0, a1, a2]);
+    fn begin(&mut self, lane: usize, lane_job: &Lane<'_>) {
+        let Track { state, clock, .. } = lane_job.job.manifold_run.track;
+        let (origin_m, [a0, a1, a2]) = lane_job.attempt.law;
+        self.buffer.put(lane, STATE, state);
+        self.buffer.put(lane, UNIT, [clock.rates()[0]]);
+        self.buffer.put(lane, PIECE, [origin_m, a0, a1, a2]);
         self.force.put(lane, 0, [0.0; N]);
         self.speed.put(lane, 0, [0.0; N]);
         self.speed.put(lane, 0, [state[3]]);
-        self.balance(lane, seat);
+        self.balance(lane, lane_job);
     }
 
     /// A pass about the balance of the attempt.
-    fn balance(&mut self, lane: usize, seat: &Seat<'_>) {
-        let Balance { plate_m, force_n } = seat.attempt.balance;
-        let minded_m = minded_m(plate_m, Some(seat.rider.ride.riding.reach_m));
-        self.bench.put(lane, BALANCE, [plate_m, force_n, minded_m]);
+    fn balance(&mut self, lane: usize, lane_job: &Lane<'_>) {
+        let Balance { plate_m, force_n } = lane_job.attempt.balance;
+        let minded_m = minded_m(plate_m, Some(lane_job.job.manifold_run.manifold.reach_m));
+        self.buffer.put(lane, BALANCE, [plate_m, force_n, minded_m]);
     }
 
-    /// Go on with the next attempt, or with the next rider.
+    /// Go on with the next attempt, or with the next job.
     fn go_on(
         &mut self,
         lane: usize,
-        mut seat: Seat<'c>,
-        next: Result<Attempt, Way>,
-    ) -> Option<Seat<'c>> {
+        mut lane_job: Lane<'c>,
+        next: Result<Attempt, Next>,
+    ) -> Option<Lane<'c>> {
         match next {
             Ok(attempt) => {
-                seat.attempt = attempt;
-                self.begin(lane, &seat);
-                Some(seat)
+                lane_job.attempt = attempt;
+                self.begin(lane, &lane_job);
+                Some(lane_job)
             }
-            Err(way) => {
-                let Rider { contact, ride, place } = seat.rider;
-                (self.led)(place, ride.end(contact, way));
+            Err(next) => {
+                let ManifoldJob { contact, manifold_run, place } = lane_job.job;
+                (self.report)(place, manifold_run.end(contact, next));
                 self.next(lane)
             }
         }
@@ -346,85 +353,93 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
         simd: S,
         constants: &Constants<Wide<S>>,
         series: &Series<N, Wide<S>>,
-        seats: &[Option<Seat<'_>>],
+        lanes: &[Option<Lane<'_>>],
     ) {
-        let bench = &mut self.bench;
-        bench.store(SIZE, [constants.last_terms(series, bench.wide(simd, MINDED))]);
-        for (lane, seat) in seats.iter().enumerate() {
-            let Some(Seat { rider: Rider { ride, .. }, .. }) = seat else { continue };
-            let trusted = trusted::<N>(bench.0[SIZE][lane], ride.tolerance);
-            bench.0[TRUSTED][lane] = ride.leash * trusted;
+        let buffer = &mut self.buffer;
+        buffer.store(SIZE, [constants.last_terms(series, buffer.wide(simd, MINDED))]);
+        for (lane, lane_job) in lanes.iter().enumerate() {
+            let Some(Lane { job: ManifoldJob { manifold_run, .. }, .. }) = lane_job else {
+                continue;
+            };
+            let trusted = trusted::<N>(buffer.0[SIZE][lane], manifold_run.tolerance);
+            buffer.0[TRUSTED][lane] = manifold_run.reach_factor * trusted;
         }
-        let span = bench.wide(simd, TRUSTED);
-        bench.store(SLOPE, [series.slip_slope(span)]);
-        bench.store(END, series.state(span));
+        let span = buffer.wide(simd, TRUSTED);
+        buffer.store(SLOPE, [series.slip_slope(span)]);
+        buffer.store(END, series.state(span));
     }
 }
 
-/// All lanes, pass by pass, until the rides are over.
+/// All lanes, pass by pass, until no job is left.
 #[inline(always)]
-fn run<S: Simd, const N: usize>(simd: S, riders: &[Rider<'_>], led: &mut dyn FnMut(usize, Outset)) {
+fn run<S: Simd, const N: usize>(
+    simd: S,
+    jobs: &[ManifoldJob<'_>],
+    report: &mut dyn FnMut(usize, InitialPhase),
+) {
     let mut all = Lanes::<N> {
-        bench: Bench::idle(),
-        force: Bench::idle(),
-        speed: Bench::idle(),
-        waiting: riders.iter(),
-        led,
+        buffer: LaneBuffer::idle(),
+        force: LaneBuffer::idle(),
+        speed: LaneBuffer::idle(),
+        waiting: jobs.iter(),
+        report,
     };
-    let mut seats: [Option<Seat<'_>>; LANES_MAX] = [const { None }; LANES_MAX];
-    let seats = &mut seats[..S::F64_LANES];
-    for (lane, seat) in seats.iter_mut().enumerate() {
-        *seat = all.next(lane);
+    let mut lanes: [Option<Lane<'_>>; LANES_MAX] = [const { None }; LANES_MAX];
+    let lanes = &mut lanes[..S::F64_LANES];
+    for (lane, lane_job) in lanes.iter_mut().enumerate() {
+        *lane_job = all.next(lane);
     }
-    while seats.iter().any(Option::is_some) {
-        let bench = &all.bench;
-        let [coefficient, exponent, damper_n_s_m, plate_kg] = bench.wides(simd, SPRING);
+    while lanes.iter().any(Option::is_some) {
+        let buffer = &all.buffer;
+        let [coefficient, exponent, damper_n_s_m, plate_kg] = buffer.wides(simd, SPRING);
         let spring = Spring { coefficient, exponent, damper_n_s_m, plate_kg };
-        let constants = bench.constants(simd, FIXED);
-        let unit_s = bench.wide(simd, UNIT);
-        let [origin_m, a0, a1, a2] = bench.wides(simd, PIECE);
+        let constants = buffer.constants(simd, FIXED);
+        let unit_s = buffer.wide(simd, UNIT);
+        let [origin_m, a0, a1, a2] = buffer.wides(simd, PIECE);
         let scale = (unit_s, (origin_m, [a0, a1, a2]));
         let lag = Lag { force: all.force.wides(simd, 0), speed: all.speed.wides(simd, 0) };
-        let from = (bench.wides(simd, BALANCE), &lag);
-        let mut series = spring.pass::<N>(&constants, bench.wides(simd, STATE), scale, from);
+        let from = (buffer.wides(simd, BALANCE), &lag);
+        let mut series = spring.pass::<N>(&constants, buffer.wides(simd, STATE), scale, from);
         let next = spring.lag(&series, unit_s);
-        all.bench.store(SPEEDS, [lag.speed[0], next.speed[0]]);
+        all.buffer.store(SPEEDS, [lag.speed[0], next.speed[0]]);
         all.force.store(0, next.force);
         all.speed.store(0, next.speed);
-        let mut verdicts = [Verdict::Again; LANES_MAX];
-        for (lane, (seat, verdict)) in seats.iter_mut().zip(&mut verdicts).enumerate() {
-            let Some(seat) = seat else { continue };
-            let speeds = (all.bench.of(lane, SPEEDS), all.force.0[0][lane]);
-            let Rider { contact, ride, .. } = &seat.rider;
-            *verdict = ride.judge(contact, &mut seat.attempt, speeds);
-            if *verdict == Verdict::Again {
-                all.balance(lane, seat);
+        let mut results = [PassResult::Again; LANES_MAX];
+        for (lane, (lane_job, result)) in lanes.iter_mut().zip(&mut results).enumerate() {
+            let Some(lane_job) = lane_job else { continue };
+            let speeds = (all.buffer.of(lane, SPEEDS), all.force.0[0][lane]);
+            let ManifoldJob { contact, manifold_run, .. } = &lane_job.job;
+            *result = manifold_run.assess(contact, &mut lane_job.attempt, speeds);
+            if *result == PassResult::Again {
+                all.balance(lane, lane_job);
             }
         }
-        if verdicts.contains(&Verdict::Settled) {
+        if results.contains(&PassResult::Settled) {
             // With another speed another slip: the projectile's own velocity is what the force left of it.
             for j in 0..N {
                 series.slip[j] = series.slip[j] + constants.cos * (lag.speed[j] - next.speed[j]);
             }
             series.speed = next.speed;
-            all.look(simd, &constants, &series, seats);
+            all.look(simd, &constants, &series, lanes);
         }
-        for (lane, place) in seats.iter_mut().enumerate() {
-            let verdict = verdicts[lane];
-            let Some(mut seat) = place.take_if(|_| verdict != Verdict::Again) else { continue };
-            let Rider { contact, ride, .. } = &mut seat.rider;
-            let next = if verdict == Verdict::Failed {
-                ride.failed(contact, seat.attempt.asked_back)
-            } else {
-                let seen = Seen {
-                    trusted: all.bench.0[TRUSTED][lane],
-                    state: all.bench.of(lane, END),
-                    rises: all.bench.0[SLOPE][lane] > 0.0,
-                    speed_m_s: all.bench.0[SPEEDS + 1][lane],
-                };
-                ride.take(contact, &seat.attempt, (seen, || series.lane(lane)))
+        for (lane, place) in lanes.iter_mut().enumerate() {
+            let result = results[lane];
+            let Some(mut lane_job) = place.take_if(|_| result != PassResult::Again) else {
+                continue;
             };
-            *place = all.go_on(lane, seat, next);
+            let ManifoldJob { contact, manifold_run, .. } = &mut lane_job.job;
+            let next = if result == PassResult::Failed {
+                manifold_run.failed(contact, lane_job.attempt.asked_back)
+            } else {
+                let end_of_step = StepEnd {
+                    trusted: all.buffer.0[TRUSTED][lane],
+                    state: all.buffer.of(lane, END),
+                    rises: all.buffer.0[SLOPE][lane] > 0.0,
+                    speed_m_s: all.buffer.0[SPEEDS + 1][lane],
+                };
+                manifold_run.take(contact, &lane_job.attempt, (end_of_step, || series.lane(lane)))
+            };
+            *place = all.go_on(lane, lane_job, next);
         }
     }
 }

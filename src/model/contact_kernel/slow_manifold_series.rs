@@ -1,4 +1,4 @@
-//! A plate that rides on its spring: with an exponent below 1/3 the spring is so stiff near its zero that from first contact on
+//! The slow manifold of a spring: with an exponent below 1/3 the spring is so stiff near its zero that from first contact on
 //! the plate is where spring and contact force balance, and swings about that place too fast to matter.
 //!
 //! There k x^n = F cos - m x'' - b x' is solved for x term by term, first without inertia; each further pass takes x'' and x' from
@@ -8,9 +8,9 @@
 
 use crate::model::closed_form::Passage;
 use crate::model::contact_kernel::expansion::{Clock, Constants, Series};
-use crate::model::contact_kernel::integration::{Track, Walk};
+use crate::model::contact_kernel::integration::{Plan, Track};
 use crate::model::contact_kernel::law::{Law as _, Power, product_before, square_before};
-use crate::model::contact_kernel::slow_manifold::Ride;
+use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::{Contact, free, is_linear};
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::wide::Real;
@@ -24,14 +24,14 @@ const NEWTON_LAST: f64 = 1e-8;
 const SWINGS_MIN: f64 = 60.0;
 /// See [`eased`].
 const EASED_MOST: f64 = 1e3;
-/// Tolerances by which a step may miss the next one's start: a plate that swings by more no longer rides.
+/// Tolerances by which a step may miss the next one's start: a plate that oscillates by more has left the manifold.
 const SWING: f64 = 1.0;
-/// Part of the tolerance of what the plate has moved at the start, against its way in the contact.
+/// Part of the tolerance of what the plate has moved at the start, against its displacement in the contact.
 const START: f64 = 0.1;
 
 /// The spring that is ridden on.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Riding {
+pub(super) struct SpringManifold {
     /// k and n.
     pub(super) spring: PowerLaw,
     /// b of a linear damper, N s/m.
@@ -84,21 +84,21 @@ pub(super) struct Spring<R> {
     pub(super) plate_kg: R,
 }
 
-/// Exponent below which a plate rides on its spring from the start.
-pub(super) const RIDES_BELOW: f64 = 1.0 / 3.0;
-/// By how much earlier than need be a riding plate is started at most, so that it rides at first.
+/// Exponent below which a plate follows the manifold from the start.
+pub(super) const MANIFOLD_BELOW: f64 = 1.0 / 3.0;
+/// By how much earlier than necessary a plate is started at most, so that it follows the manifold at first.
 const EARLIEST: f64 = 1e-3;
 /// Part of the tolerance for each of the many steps of a plate that swings fast.
 const SWINGING: f64 = 0.2;
 
 /// By how much less well the place of a plate need be known at `plate_m` that comes to `reach_m` at least. Its swings about the
-/// balance fade more slowly than its way grows, and a step must not lose the plate.
+/// balance fade more slowly than its displacement grows, and a step must not lose the plate.
 pub(super) fn eased(plate_m: f64, reach_m: f64) -> f64 {
     smaller(larger(reach_m / plate_m, 1.0).sqrt(), EASED_MOST)
 }
 
-impl Riding {
-    /// Up to which part of the contact's length the plate need not be looked at: its way grows with power 1/n of the force.
+impl SpringManifold {
+    /// Up to which part of the contact's length the plate need not be looked at: it moves with power 1/n of the force.
     pub(super) fn starts_at(&self, tolerance: f64) -> f64 {
         (START * tolerance).powf(self.spring.exponent)
     }
@@ -127,8 +127,8 @@ impl Riding {
     }
 
     /// Plain steps from there, small enough to follow its swings.
-    pub(super) fn walk(&self, track: Track, (tolerance, terms): (f64, usize)) -> Walk {
-        Walk { track, tolerance: SWINGING * tolerance, reach_m: Some(self.reach_m), terms }
+    pub(super) fn plan(&self, track: Track, (tolerance, terms): (f64, usize)) -> Plan {
+        Plan { track, tolerance: SWINGING * tolerance, reach_m: Some(self.reach_m), terms }
     }
 
     /// Where a contact is from which the first pass looks for the balance.
@@ -284,22 +284,27 @@ fn exp(x: f64) -> f64 {
 }
 
 impl Contact {
-    /// A contact that starts on a spring so stiff near its zero that the plate rides on it; `None` where it does not.
-    pub(super) fn mounted(&self, riding: Riding, tolerance: f64, terms: usize) -> Option<Ride> {
-        let part = riding.starts_at(tolerance);
-        let mut start = self.at_balance(&riding, part, tolerance)?;
-        let earlier = riding.earlier(start.t_s, start.state[2]);
+    /// A contact that starts on a spring so stiff near its zero that the plate follows its manifold; `None` where it does not.
+    pub(super) fn mounted(
+        &self,
+        manifold: SpringManifold,
+        tolerance: f64,
+        terms: usize,
+    ) -> Option<ManifoldRun> {
+        let part = manifold.starts_at(tolerance);
+        let mut start = self.at_balance(&manifold, part, tolerance)?;
+        let earlier = manifold.earlier(start.t_s, start.state[2]);
         if earlier < 1.0 {
             if earlier < EARLIEST {
                 return None;
             }
-            start = self.at_balance(&riding, part * earlier, tolerance)?;
+            start = self.at_balance(&manifold, part * earlier, tolerance)?;
         }
-        Some(Ride::from(riding, start, (tolerance, terms)))
+        Some(ManifoldRun::from(manifold, start, (tolerance, terms)))
     }
 
-    /// Where a riding plate is so early that the projectile has not felt it move.
-    fn at_balance(&self, riding: &Riding, part: f64, tolerance: f64) -> Option<Track> {
+    /// Where a plate on the manifold is so early that the projectile has not felt it move.
+    fn at_balance(&self, manifold: &SpringManifold, part: f64, tolerance: f64) -> Option<Track> {
         let c = &self.constants;
         let passage = Passage {
             geometry: &self.geometry,
@@ -312,23 +317,23 @@ impl Contact {
         let travel_m = smaller(travel_m, self.geometry.pieces().first()?.to_m);
         let (t_s, slip) = free::at_travel(&passage, travel_m, tolerance)?;
         let pressure = c.strength_pa + c.drag_kg_m3 * slip * slip;
-        let plate_m = riding.spring.at_force(c.cos * self.geometry.area_m2(travel_m) * pressure);
+        let plate_m = manifold.spring.at_force(c.cos * self.geometry.area_m2(travel_m) * pressure);
         let clock = Clock::Even { unit_s: 0.5 * t_s };
         Some(self.begin(t_s, [travel_m, slip, plate_m, 0.0], clock))
     }
 
-    /// The spring of a plate that rides on it from first contact, if it is such.
-    pub(super) fn as_riding(&self) -> Option<Riding> {
+    /// The manifold of a plate that follows it from first contact, if there is one.
+    pub(super) fn spring_manifold(&self) -> Option<SpringManifold> {
         let (spring, damper) = (self.spring, self.damper);
-        let rides = spring.coefficient > 0.0 && spring.exponent < RIDES_BELOW;
+        let is_slow = spring.coefficient > 0.0 && spring.exponent < MANIFOLD_BELOW;
         if !(is_linear(damper)
-            && rides
+            && is_slow
             && self.start_m == 0.0
             && self.constants.plate_mobility > 0.0)
         {
             return None;
         }
-        Some(Riding {
+        Some(SpringManifold {
             spring,
             damper_n_s_m: damper.coefficient,
             plate_kg: 1.0 / self.constants.plate_mobility,

@@ -59,16 +59,16 @@ impl Track<'_> {
             Answer::Mechanism => false,
         };
         if !done {
-            self.point();
             let event =
                 self.body.problem.contact.missed_event(self.body.mode, &self.body.hole(), &|| 0.0);
-            if event == Some(EventId::HistoryEnd) {
-                self.record.series.clear();
-                self.apply_transition(EventId::HistoryEnd);
+            match event {
+                // A collision that takes no time.
+                Some(EventId::HistoryEnd) => self.apply_transition(EventId::HistoryEnd),
+                _ => self.point(),
             }
-            let pace = self.body.problem.time_scales();
-            self.control.unit_s = 0.1 * pace.contact_s;
-            self.control.stiff = pace.is_stiff() && !self.body.is_still();
+            let scales = self.body.problem.time_scales();
+            self.control.unit_s = 0.1 * scales.contact_s;
+            self.control.stiff = scales.is_stiff() && !self.body.is_still();
             if !self.control.stiff && self.body.mode == Mode::Penetrating {
                 self.start();
             }

@@ -338,3 +338,98 @@ impl Track<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::impact::problem::Problem;
+    use crate::model::scene::Scene;
+    use crate::model::units::Bare;
+    use crate::model::variables::set_by_name;
+
+    /// Mode, slip and plate velocity after an event, and what is noted of it. The hole is 5 mm of travel deep.
+    fn after(
+        pairs: &str,
+        mode: Mode,
+        event: EventId,
+        [q, u, x, w]: [f64; 4],
+    ) -> (Mode, f64, f64, Vec<EventKind>) {
+        let mut scene = Scene::default();
+        for pair in pairs.split_whitespace() {
+            let (name, value) = pair.split_once('=').unwrap();
+            set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+        }
+        let problem = Problem::of(&Arc::new(scene));
+        let mut track = Track::new(&problem, 1e-9, false);
+        let body = &mut track.body;
+        (body.mode, body.deepest_m) = (mode, 5e-3);
+        body.state = State { t_s: 1e-4, travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w };
+        track.apply_transition(event);
+        let State { slip_m_s, plate_m_s, .. } = track.body.state;
+        let noted = track.record.events.iter().map(|event| event.kind).collect();
+        (track.body.mode, slip_m_s, plate_m_s, noted)
+    }
+
+    type Transition = (&'static str, Mode, EventId, [f64; 4], Mode, EventKind);
+
+    const PLASTIC: &str = "k=1e7 interface=plastic";
+
+    /// Scene, mode, event and state (q, u, x, w), and the mode and the note after it.
+    #[rustfmt::skip]
+    const TRANSITIONS: [Transition; 13] = [
+        ("k=1e5", Mode::Penetrating, EventId::SlipZero, [5e-3, 0.0, 0.0, 20.0], Mode::Fused, EventKind::FirstArrest),
+        ("k=1e5", Mode::Closing, EventId::HoleBottom, [5e-3, 9.0, 0.0, 1.0], Mode::Penetrating, EventKind::Resumption),
+        ("k=1e5", Mode::Withdrawing, EventId::PieceStart, [0.0, -9.0, 0.0, 1.0], Mode::FreeFlight, EventKind::Separation),
+        ("k=1e5", Mode::FreeFlight, EventId::Recontact, [0.0, 9.0, 0.0, 1.0], Mode::Closing, EventKind::Recontact),
+        ("k=1e5", Mode::Penetrating, EventId::PieceEnd, [0.1, 9.0, 0.0, 1.0], Mode::Perforated, EventKind::Perforation),
+        (PLASTIC, Mode::Fused, EventId::PushLimit, [5e-3, 0.0, 5e-3, 1.0], Mode::Penetrating, EventKind::Resumption),
+        (PLASTIC, Mode::Fused, EventId::PullLimit, [5e-3, 0.0, -5e-3, 1.0], Mode::Withdrawing, EventKind::PullOut),
+        ("k=1e7", Mode::Fused, EventId::PushLimit, [5e-3, 0.0, 5e-3, 1.0], Mode::Fused, EventKind::InterfaceExceeded),
+        ("model=half-sine", Mode::Penetrating, EventId::SlipZero, [5e-3, 0.0, 0.0, 9.0], Mode::Withdrawing, EventKind::FirstArrest),
+        ("model=half-sine", Mode::Withdrawing, EventId::HistoryEnd, [5e-3, -9.0, 0.0, 9.0], Mode::Fused, EventKind::FirstArrest),
+        ("model=lumped", Mode::Penetrating, EventId::SlipZero, [5e-3, 0.0, 0.0, 9.0], Mode::Withdrawing, EventKind::FirstArrest),
+        ("model=lumped", Mode::Withdrawing, EventId::ContactLost, [4e-3, -9.0, 0.0, 9.0], Mode::FreeFlight, EventKind::Separation),
+        ("model=lumped", Mode::FreeFlight, EventId::ContactAgain, [4e-3, 9.0, 0.0, 9.0], Mode::Closing, EventKind::Recontact),
+    ];
+
+    #[test]
+    fn each_event_leads_to_its_mode_and_is_noted() {
+        for (pairs, mode, event, state, expected, noted) in TRANSITIONS {
+            let found = after(pairs, mode, event, state);
+            assert_eq!((found.0, found.3), (expected, vec![noted]), "{pairs} {mode:?} {event:?}");
+        }
+    }
+
+    /// What the spring asks of the interface decides: half of 50 kN against a strength of 15 kN and a grip of 1.5 kN.
+    #[test]
+    fn a_plastic_interface_yields_at_once_where_the_spring_asks_too_much() {
+        for (x, expected) in
+            [(5e-3, Mode::Penetrating), (-5e-3, Mode::Withdrawing), (1e-4, Mode::Fused)]
+        {
+            let state = [5e-3, 0.0, x, 1.0];
+            let found =
+                after("k=1e7 interface=plastic", Mode::Penetrating, EventId::SlipZero, state);
+            assert_eq!(found.0, expected, "{x}");
+        }
+    }
+
+    #[test]
+    fn valid_a_rigid_stop_reverses_the_plate_and_a_collision_conserves_momentum() {
+        let hit =
+            |pairs: &str, mode| after(pairs, mode, EventId::StopReached, [4e-3, 7.0, 1e-3, 2.0]);
+        // Alone the plate comes back with e = 0.5, and the projectile keeps its own velocity.
+        let (_, slip, plate, _) = hit("k=1e5 x_stop=0.001 e=0.5", Mode::Penetrating);
+        assert!((plate + 1.0).abs() < 1e-15 && (slip - 10.0).abs() < 1e-14, "{plate} {slip}");
+        let (_, _, plate, noted) = hit("k=1e5 x_stop=0.001 e=0", Mode::Perforated);
+        assert_eq!(plate.to_bits(), 0.0f64.to_bits());
+        assert_eq!(noted, [EventKind::StopHit, EventKind::StopRelease]);
+        // 1/2 of 100 m/s, for bodies of the same mass.
+        let start = [0.0, 100.0, 0.0, 0.0];
+        let (mode, slip, plate, _) =
+            after("model=initial-velocity", Mode::Penetrating, EventId::HistoryEnd, start);
+        assert_eq!((mode, slip.to_bits()), (Mode::Fused, 0));
+        assert!((plate - 50.0).abs() < 1e-13);
+    }
+}

@@ -1,4 +1,4 @@
-//! Which rows of the springs matter to which kind, and the rules between their values.
+//! Rules between the values of the springs.
 
 use super::VariableError;
 use crate::model::mechanism::{curve_of, power_law_of};
@@ -12,63 +12,6 @@ const POINTS_MAX: usize = 2_000;
 pub(super) fn acts(mechanism: &scene::Mechanism) -> bool {
     mechanism.combination != Combination::Alone
         || power_law_of(&mechanism.spring).is_none_or(|law| law.coefficient > 0.0)
-}
-
-/// Whether a key belongs to one of the springs.
-pub(super) fn is_row(key: &str) -> bool {
-    split(key).is_some()
-}
-
-/// The spring's own part of a key, and whether it is the second spring's.
-fn split(key: &str) -> Option<(&str, bool)> {
-    let first = key.strip_prefix("mechanism.spring.").map(|rest| (rest, false));
-    first.or_else(|| key.strip_prefix("mechanism.second.").map(|rest| (rest, true)))
-}
-
-/// Whether a row has any effect on the scene's run.
-pub(super) fn is_used(key: &str, scene: &Scene) -> bool {
-    let Some((row, second)) = split(key) else {
-        return false;
-    };
-    let spring = if second { &scene.mechanism.second } else { &scene.mechanism.spring };
-    is_listed(key, scene)
-        && match (spring.kind, row) {
-            (SpringKind::PowerLaw, "exponent") => spring.coefficient > 0.0,
-            (SpringKind::Normalised, "exponent") => spring.normalised.force_n > 0.0,
-            _ => true,
-        }
-}
-
-/// Whether a list shows a row at all: what belongs to another kind is not even dimmed.
-pub(super) fn is_listed(key: &str, scene: &Scene) -> bool {
-    let Some((row, second)) = split(key) else {
-        return true;
-    };
-    let mechanism = &scene.mechanism;
-    if second && mechanism.combination == Combination::Alone {
-        return false;
-    }
-    let spring = if second { &mechanism.second } else { &mechanism.spring };
-    let kind = spring.kind;
-    let counted = spring.own_mass == OwnMass::Counted;
-    match row {
-        "kind" | "own_mass" => true,
-        "coefficient" => kind == SpringKind::PowerLaw,
-        "exponent" => matches!(kind, SpringKind::PowerLaw | SpringKind::Normalised),
-        "count" => kind != SpringKind::PowerLaw || !spring.is_single(),
-        "mass_kg" => counted || spring.mass_kg.is_some(),
-        row if row.starts_with("wire.") => counted && !kind.is_beam() && spring.mass_kg.is_none(),
-        row => match row.split('.').next() {
-            Some("normalised") => kind == SpringKind::Normalised,
-            Some("beam") => kind.is_beam(),
-            Some("bistable") => kind == SpringKind::Bistable,
-            Some("constant") => kind == SpringKind::ConstantForce,
-            Some("column") => kind == SpringKind::Column,
-            Some("helix") => kind == SpringKind::Helix,
-            Some("crush") => kind == SpringKind::Crush,
-            _ => true,
-        },
-    }
 }
 
 /// The rules between the values of the springs, and between them and the rest of the scene.
@@ -206,7 +149,7 @@ pub fn require_plain(scene: &Scene) -> Result<(), VariableError> {
     }
     refuse(format!(
         "{} is not for the stability map, which varies k, n or b of the thesis's spring k |x|^n and damper: set spring = \
-         power-law, combine = alone, own_mass = ignored, N_spring = 1 (cmra accuracy runs every kind)",
+         power-law, combine = alone, own_mass = ignored, N_spring = 1",
         described(&scene.mechanism)
     ))
 }

@@ -53,7 +53,7 @@ pub fn require_single(scene: &Scene) -> Result<(), VariableError> {
         None => Ok(()),
         Some(base) => Err(VariableError::Together(format!(
             "h_base (stack.base_thickness_m) = {} m makes the scene a stack, and this study looks at one plate: set h_base = none, \
-             elements = 1, or use run or sweep",
+             elements = 1",
             units::shortest(base)
         ))),
     }

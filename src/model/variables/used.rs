@@ -1,43 +1,9 @@
-//! Which variables have any effect on a scene, and which of them a list shows at all; and the rule between the two
-//! stiffnesses of the lumped interface.
+//! Rules between the values of a contact model, and which studies it serves.
 
-use super::{Kind, Variable, VariableError, springs};
+use super::{Kind, Variable, VariableError};
 use crate::model::design::Rod;
-use crate::model::scene::{
-    Closure, ContactModel, InterfaceLaw, Mount, Nose, PlateSize, Scene, StopKind, Target,
-};
+use crate::model::scene::{Closure, ContactModel, Scene, Target};
 use crate::model::units;
-
-/// Whether a variable has any effect on this scene; rows without effect are dimmed in the editor.
-pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
-    let sprung = scene.plate.mount == Mount::Sprung;
-    let mechanism = &scene.mechanism;
-    let model = scene.contact.model;
-    let stop = sprung && mechanism.stop.position_m.is_some() && model != ContactModel::Appendix;
-    match variable.key {
-        "mechanism.damper.exponent" => sprung && mechanism.damper.coefficient > 0.0,
-        "plate.cocking_m" => sprung && springs::acts(mechanism),
-        key if springs::is_row(key) => sprung && springs::is_used(key, scene),
-        "interface.law" => model == ContactModel::Hydrodynamic,
-        "interface.grip" => {
-            model == ContactModel::Hydrodynamic && scene.interface.law == InterfaceLaw::Plastic
-        }
-        "mechanism.stop.position_m" => sprung && model != ContactModel::Appendix,
-        "mechanism.stop.kind" => stop,
-        "mechanism.stop.restitution" => stop && mechanism.stop.kind == StopKind::Rigid,
-        "mechanism.stop.stiffness_n_m" | "mechanism.stop.damping_n_s_m" => {
-            stop && mechanism.stop.kind == StopKind::Elastic
-        }
-        "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
-        "target.flow_strength_pa" => uses_target(scene) && scene.target.closure == Closure::Given,
-        key if key.starts_with("target.") => uses_target(scene),
-        key if key.starts_with("contact.") => model_has(model, key),
-        key => {
-            let sizes = ["plate.mass_ratio", "plate.mass_kg", "plate.face_m"].contains(&key);
-            sprung || !(key.starts_with("mechanism.") || sizes)
-        }
-    }
-}
 
 impl Variable {
     /// The words of a choice, in order; none for a number or a switch.
@@ -47,37 +13,6 @@ impl Variable {
             Kind::Number(_) | Kind::Switch { .. } => &[],
         }
     }
-}
-
-/// Whether the workbench's lists offer the variable: what is listed, less the values of a stop that is not there or of
-/// its other kind. Files keep those, for the stop may come back.
-pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
-    let of_stop =
-        variable.key.starts_with("mechanism.stop.") && variable.key != "mechanism.stop.position_m";
-    is_listed(variable, scene) && (!of_stop || is_used(variable, scene))
-}
-
-/// Whether a list shows the variable at all: what belongs to another interaction model is not even dimmed.
-pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
-    match variable.key {
-        "projectile.density_kg_m3" | "projectile.strength_pa" => is_oblique(scene),
-        "projectile.nose" => scene.projectile.nose != Nose::Hemispherical,
-        "plate.mass_kg" => matches!(scene.plate.size, PlateSize::Mass(_)),
-        "plate.face_m" => matches!(scene.plate.size, PlateSize::Face(_)),
-        "target.yield_pa" => scene.target.closure != Closure::Given,
-        "target.modulus_pa" => scene.target.closure == Closure::Cavity,
-        "mechanism.energy_j_kg" => scene.mechanism.energy_j_kg.is_some(),
-        "stack.base_thickness_m" => true,
-        key if key.starts_with("stack.") => {
-            scene.stack.base_thickness_m.is_some() || scene.stack.elements > 1.0
-        }
-        key if springs::is_row(key) => springs::is_listed(key, scene),
-        key => !key.starts_with("contact.") || model_has(scene.contact.model, key),
-    }
-}
-
-fn is_oblique(scene: &Scene) -> bool {
-    scene.projectile.obliquity_deg > 0.0
 }
 
 /// Tate's critical obliquity of a scene's shot, taken as a rod of its mass and radius, degrees.
@@ -113,26 +48,6 @@ pub(super) fn check_closure(scene: &Scene) -> Result<(), VariableError> {
         )));
     }
     Ok(())
-}
-
-/// Whether a key below `contact.` belongs to this model.
-fn model_has(model: ContactModel, key: &str) -> bool {
-    match key {
-        "contact.model" => true,
-        "contact.duration_s" => model == ContactModel::HalfSine,
-        key if key.starts_with("contact.appendix.") => model == ContactModel::Appendix,
-        _ => model == ContactModel::Lumped,
-    }
-}
-
-/// Whether the plate's material matters: to the other models only where it fills in what was left open.
-fn uses_target(scene: &Scene) -> bool {
-    match scene.contact.model {
-        ContactModel::Hydrodynamic | ContactModel::Appendix => true,
-        ContactModel::HalfSine => scene.contact.duration_s.is_none(),
-        ContactModel::Lumped => scene.contact.load_stiffness_n_m.is_none(),
-        ContactModel::InitialVelocity => false,
-    }
 }
 
 /// The interface cannot give back more than it took.

@@ -8,7 +8,7 @@
 
 use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
-use crate::model::contact_kernel::{Contact, ContactEnd, run_abreast};
+use crate::model::contact_kernel::{Contact, ContactEnd, run_batch};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
 use crate::model::results::{ResultColumn, Source, Studied};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
@@ -151,11 +151,8 @@ impl<'p> Kernel<'p> {
                 self.places.push(place);
             }
         }
-        let ends = run_abreast(
-            &self.contacts,
-            TOLERANCE_FRACTION * scene.run.tolerance,
-            self.displacement,
-        );
+        let ends =
+            run_batch(&self.contacts, TOLERANCE_FRACTION * scene.run.tolerance, self.displacement);
         for (place, end) in self.places.iter().zip(ends) {
             let Some(end) = end else { continue };
             self.plan.place(scene, points[*place]);

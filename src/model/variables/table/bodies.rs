@@ -3,7 +3,8 @@
 use super::{TABLE_9_1, TABLE_9_2};
 use crate::model::scene::{Closure, Mount, Nose, PlateSize};
 use crate::model::units::Quantity;
-use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
+use crate::model::variables::visible::{Visible, is_oblique, is_sprung, uses_target};
+use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable, springs};
 
 /// Projectile, target and plate.
 pub(super) const ROWS: &[Variable] = &[
@@ -12,6 +13,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "m_p",
         label: "projectile mass",
         aliases: &[],
+        visible: Visible::ALWAYS,
         group: Group::Projectile,
         meaning: "projectile mass",
         source: TABLE_9_1,
@@ -22,6 +24,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "R",
         label: "tip radius",
         aliases: &[],
+        visible: Visible::ALWAYS,
         group: Group::Projectile,
         meaning: "radius of the hemispherical tip and of the body behind it",
         source: TABLE_9_1,
@@ -32,6 +35,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "v_i",
         label: "impact velocity",
         aliases: &["vi"],
+        visible: Visible::ALWAYS,
         group: Group::Projectile,
         meaning: "impact velocity",
         source: TABLE_9_1,
@@ -42,6 +46,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "theta",
         label: "obliquity",
         aliases: &[],
+        visible: Visible::ALWAYS,
         group: Group::Projectile,
         meaning: "obliquity, between the projectile's axis and the plate's normal",
         source: "thesis Appendix A.1; 0 throughout chapter 9",
@@ -52,6 +57,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "rho_p",
         label: "density",
         aliases: &[],
+        visible: Visible::when(is_oblique),
         group: Group::Projectile,
         meaning: "projectile density, for the warning of ricochet alone",
         source: "assumption: steel",
@@ -62,6 +68,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "Y_p",
         label: "yield strength",
         aliases: &[],
+        visible: Visible::when(is_oblique),
         group: Group::Projectile,
         meaning: "projectile strength, for the warning of ricochet alone",
         source: "assumption: 1 GPa",
@@ -72,6 +79,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "nose",
         label: "nose shape",
         aliases: &[],
+        visible: Visible::listed_when(|scene| scene.projectile.nose != Nose::Hemispherical),
         group: Group::Projectile,
         meaning: "shape of the nose; the law is for a hemisphere, the others only earn a warning",
         source: "assumption of the model",
@@ -89,6 +97,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "h",
         label: "plate thickness",
         aliases: &[],
+        visible: Visible::used_when(uses_target),
         group: Group::Target,
         meaning: "plate thickness",
         source: TABLE_9_1,
@@ -99,6 +108,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "rho",
         label: "plate density",
         aliases: &[],
+        visible: Visible::used_when(uses_target),
         group: Group::Target,
         meaning: "plate density",
         source: "thesis Table 9.1 (the Appendix has 2780)",
@@ -109,6 +119,9 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "S_y",
         label: "flow strength",
         aliases: &["Sy"],
+        visible: Visible::used_when(|scene| {
+            uses_target(scene) && scene.target.closure == Closure::Given
+        }),
         group: Group::Target,
         meaning: "dynamic flow strength of the plate",
         source: "thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6",
@@ -119,6 +132,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "closure",
         label: "source of S_y",
         aliases: &[],
+        visible: Visible::used_when(uses_target),
         group: Group::Target,
         meaning: "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
         source: "given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))",
@@ -140,6 +154,10 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "Y",
         label: "yield strength",
         aliases: &[],
+        visible: Visible {
+            listed: |scene| scene.target.closure != Closure::Given,
+            used: uses_target,
+        },
         group: Group::Target,
         meaning: "static yield strength, for a closure",
         source: "thesis Appendix A.1: 75.8 MPa",
@@ -150,6 +168,10 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "E",
         label: "elastic modulus",
         aliases: &[],
+        visible: Visible {
+            listed: |scene| scene.target.closure == Closure::Cavity,
+            used: uses_target,
+        },
         group: Group::Target,
         meaning: "modulus of elasticity, for the closure by cavity expansion",
         source: "aluminium 2024; the thesis needs none",
@@ -160,6 +182,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "C_d",
         label: "drag coefficient",
         aliases: &["Cd"],
+        visible: Visible::used_when(uses_target),
         group: Group::Target,
         meaning: "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
         source: TABLE_9_1,
@@ -170,6 +193,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "dishing",
         label: "dishing",
         aliases: &[],
+        visible: Visible::used_when(uses_target),
         group: Group::Target,
         meaning: "the plate's local bulge takes up about one projectile diameter of travel",
         source: "thesis section 8.3.1 and Appendix A.2",
@@ -183,6 +207,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "mount",
         label: "mount",
         aliases: &[],
+        visible: Visible::ALWAYS,
         group: Group::Plate,
         meaning: "sprung: carried by spring and damper; rigid: it cannot move",
         source: "thesis section 9.3 (rigid: the baseline)",
@@ -199,6 +224,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "gamma",
         label: "mass ratio",
         aliases: &[],
+        visible: Visible::used_when(is_sprung),
         group: Group::Plate,
         meaning: "mass ratio, plate mass over projectile mass",
         source: TABLE_9_2,
@@ -220,6 +246,10 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "m_2",
         label: "plate mass",
         aliases: &["m2"],
+        visible: Visible {
+            listed: |scene| matches!(scene.plate.size, PlateSize::Mass(_)),
+            used: is_sprung,
+        },
         group: Group::Plate,
         meaning: "plate mass; gamma = m_2/m_p follows from it",
         source: "none: gamma gives the mass",
@@ -245,6 +275,10 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "face",
         label: "plate side",
         aliases: &[],
+        visible: Visible {
+            listed: |scene| matches!(scene.plate.size, PlateSize::Face(_)),
+            used: is_sprung,
+        },
         group: Group::Plate,
         meaning: "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
         source: "none: gamma gives the mass",
@@ -270,6 +304,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "d",
         label: "cocking distance",
         aliases: &[],
+        visible: Visible::used_when(|scene| is_sprung(scene) && springs::acts(&scene.mechanism)),
         group: Group::Plate,
         meaning: "cocking distance: the plate starts at x = -d, at rest",
         source: TABLE_9_2,

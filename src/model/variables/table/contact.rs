@@ -2,6 +2,7 @@
 
 use crate::model::scene::{ContactModel, InterfaceLaw, Jumps, Reading};
 use crate::model::units::Quantity;
+use crate::model::variables::visible::{Visible, is_hydrodynamic, is_listing};
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
 
 /// A quirk of the listing: printed or corrected.
@@ -12,6 +13,7 @@ macro_rules! quirk {
             symbol: $symbol,
             label: $label,
             aliases: &[],
+            visible: Visible::when(is_listing),
             group: Group::Interface,
             meaning: $meaning,
             source: concat!("thesis Appendix ", $where),
@@ -43,6 +45,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "model",
         label: "contact model",
         aliases: &[],
+        visible: Visible::ALWAYS,
         group: Group::Interface,
         meaning: "how the force between projectile and plate is modelled",
         source: "thesis section 8.2 and Table 8.1",
@@ -59,6 +62,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "t_d",
         label: "pulse duration",
         aliases: &[],
+        visible: Visible::when(|scene| scene.contact.model == ContactModel::HalfSine),
         group: Group::Interface,
         meaning: "duration of the half-sine force history",
         source: "thesis equation 8.9; auto: the hydrodynamic contact on a rigid mount",
@@ -69,6 +73,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "k_load",
         label: "loading",
         aliases: &[],
+        visible: Visible::when(|scene| scene.contact.model == ContactModel::Lumped),
         group: Group::Interface,
         meaning: "stiffness of the lumped interface while it is pressed in",
         source: "thesis Figure 8.6; auto: as deep as the hydrodynamic model on a rigid mount",
@@ -79,6 +84,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "k_unload",
         label: "unloading",
         aliases: &[],
+        visible: Visible::when(|scene| scene.contact.model == ContactModel::Lumped),
         group: Group::Interface,
         meaning: "stiffness of the lumped interface while it springs back, k_load or more",
         source: "thesis Figure 8.6; auto: 100 k_load, an assumption",
@@ -89,6 +95,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "b_2",
         label: "interface damper",
         aliases: &[],
+        visible: Visible::when(|scene| scene.contact.model == ContactModel::Lumped),
         group: Group::Interface,
         meaning: "damper of the lumped interface",
         source: "thesis Figure 8.4; Wu has none",
@@ -99,6 +106,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "dt",
         label: "time step",
         aliases: &[],
+        visible: Visible::when(is_listing),
         group: Group::Interface,
         meaning: "time step of the listing",
         source: "thesis Appendix A.1",
@@ -151,6 +159,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "jumps",
         label: "code jumps",
         aliases: &[],
+        visible: Visible::when(is_listing),
         group: Group::Interface,
         meaning: "whether the listing's jumps work as meant, or (ignored) the area is overwritten once the nose is buried",
         source: "thesis Appendix A.2",
@@ -168,6 +177,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "interface",
         label: "interface law",
         aliases: &["law"],
+        visible: Visible::used_when(is_hydrodynamic),
         group: Group::Interface,
         meaning: "fused: together for good once at common speed; plastic: it carries what its strength allows",
         source: "fused: the thesis; plastic: a rigid-plastic interface",
@@ -185,6 +195,9 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "g",
         label: "grip",
         aliases: &["grip"],
+        visible: Visible::used_when(|scene| {
+            is_hydrodynamic(scene) && scene.interface.law == InterfaceLaw::Plastic
+        }),
         group: Group::Interface,
         meaning: "grip: the greatest pull of the interface is g A S_y",
         source: "assumption: 0.1",
@@ -195,6 +208,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "tol",
         label: "tolerance",
         aliases: &["tolerance"],
+        visible: Visible::ALWAYS,
         group: Group::Run,
         meaning: "relative accuracy asked of depth and time",
         source: "default of this program",
@@ -205,6 +219,7 @@ pub(super) const ROWS: &[Variable] = &[
         symbol: "horizon",
         label: "end of the run",
         aliases: &[],
+        visible: Visible::ALWAYS,
         group: Group::Run,
         meaning: "the time the run goes on to",
         source: "absent: chosen from the scene",

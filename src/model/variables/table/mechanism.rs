@@ -3,6 +3,9 @@
 use super::TABLE_9_2;
 use crate::model::scene::{Combination, StopKind};
 use crate::model::units::Quantity;
+use crate::model::variables::visible::{
+    Visible, has_stop, has_stop_of, is_sprung, is_stack, may_stop,
+};
 use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
 
 /// The damper.
@@ -12,6 +15,7 @@ pub(super) const DAMPER: &[Variable] = &[
         symbol: "b",
         label: "damping",
         aliases: &[],
+        visible: Visible::used_when(is_sprung),
         group: Group::Mechanism,
         meaning: "damper coefficient: the damper's force is b |w|^m sgn(w)",
         source: TABLE_9_2,
@@ -28,6 +32,9 @@ pub(super) const DAMPER: &[Variable] = &[
         symbol: "m",
         label: "damper exponent",
         aliases: &[],
+        visible: Visible::used_when(|scene| {
+            is_sprung(scene) && scene.mechanism.damper.coefficient > 0.0
+        }),
         group: Group::Mechanism,
         meaning: "damper exponent",
         source: "thesis section 9.2.2: 1",
@@ -42,6 +49,7 @@ pub(super) const COMBINATION: &[Variable] = &[
         symbol: "combine",
         label: "second spring",
         aliases: &[],
+        visible: Visible::used_when(is_sprung),
         group: Group::Mechanism,
         meaning: "whether a second spring acts with the first: none, side by side, or one behind the other",
         source: "thesis section 6.2.8; one spring in chapter 9",
@@ -63,9 +71,10 @@ pub(super) const COMBINATION: &[Variable] = &[
         symbol: "e_spring",
         label: "specific energy",
         aliases: &[],
+        visible: Visible { listed: |scene| scene.mechanism.energy_j_kg.is_some(), used: is_sprung },
         group: Group::Mechanism,
         meaning: "energy per mass of the spring or absorber, which gives its least mass",
-        source: "auto: tau^2/(4 rho G) of the wire; `cmra libraries absorbers` has others",
+        source: "auto: tau^2/(4 rho G) of the wire; the library of absorbers has others",
         kind: optional!(SpecificEnergy, Allowed::Positive, "auto", mechanism.energy_j_kg),
     },
 ];
@@ -77,6 +86,7 @@ pub(super) const STOP: &[Variable] = &[
         symbol: "x_stop",
         label: "stop position",
         aliases: &["stop"],
+        visible: Visible::used_when(may_stop),
         group: Group::Stop,
         meaning: "where the plate meets a mechanical stop",
         source: "thesis sections 9.5.1 and 9.6",
@@ -87,6 +97,7 @@ pub(super) const STOP: &[Variable] = &[
         symbol: "stop_kind",
         label: "kind of stop",
         aliases: &[],
+        visible: Visible::used_when(has_stop),
         group: Group::Stop,
         meaning: "rigid: an impact with restitution; elastic: a one-sided spring and damper",
         source: "assumption: the thesis names no kind",
@@ -104,6 +115,7 @@ pub(super) const STOP: &[Variable] = &[
         symbol: "e",
         label: "restitution",
         aliases: &[],
+        visible: Visible::used_when(|scene| has_stop_of(scene, StopKind::Rigid)),
         group: Group::Stop,
         meaning: "restitution of a rigid stop: w becomes -e w",
         source: "assumption",
@@ -114,6 +126,7 @@ pub(super) const STOP: &[Variable] = &[
         symbol: "k_stop",
         label: "stop stiffness",
         aliases: &[],
+        visible: Visible::used_when(|scene| has_stop_of(scene, StopKind::Elastic)),
         group: Group::Stop,
         meaning: "stiffness of an elastic stop",
         source: "assumption",
@@ -124,6 +137,7 @@ pub(super) const STOP: &[Variable] = &[
         symbol: "b_stop",
         label: "stop damping",
         aliases: &[],
+        visible: Visible::used_when(|scene| has_stop_of(scene, StopKind::Elastic)),
         group: Group::Stop,
         meaning: "damping of an elastic stop (it only pushes)",
         source: "assumption",
@@ -138,6 +152,7 @@ pub(super) const STACK: &[Variable] = &[
         symbol: "h_base",
         label: "base thickness",
         aliases: &["base"],
+        visible: Visible::ALWAYS,
         group: Group::Stack,
         meaning: "thickness of a base plate behind the elements, on a rigid mount",
         source: "thesis section 6.2.8; no value there. none: the plate stands alone",
@@ -148,6 +163,7 @@ pub(super) const STACK: &[Variable] = &[
         symbol: "S_base",
         label: "base strength",
         aliases: &[],
+        visible: Visible::listed_when(is_stack),
         group: Group::Stack,
         meaning: "flow strength of the base plate",
         source: "plate: that of the scene's plate",
@@ -158,6 +174,7 @@ pub(super) const STACK: &[Variable] = &[
         symbol: "elements",
         label: "elements",
         aliases: &[],
+        visible: Visible::listed_when(is_stack),
         group: Group::Stack,
         meaning: "how many equal elements, each a plate on its mechanism, stand one behind the other",
         source: "thesis section 6.2.8; 1 throughout chapter 9",
@@ -168,6 +185,7 @@ pub(super) const STACK: &[Variable] = &[
         symbol: "gap",
         label: "gap",
         aliases: &[],
+        visible: Visible::listed_when(is_stack),
         group: Group::Stack,
         meaning: "clear distance behind each plate: a warning where a plate travels farther",
         source: "none: enough",

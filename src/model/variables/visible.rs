@@ -1,0 +1,107 @@
+//! When a list shows a variable, and when it has any effect: predicates on the scene, named in each row of the table.
+
+use super::{Group, Variable};
+use crate::model::scene::{ContactModel, Mount, OwnMass, Scene, Spring, SpringKind, StopKind};
+
+/// When a variable matters.
+#[derive(Clone, Copy)]
+pub struct Visible {
+    /// Whether a list shows it at all: what belongs to another kind of spring or contact model is not even dimmed.
+    pub listed: fn(&Scene) -> bool,
+    /// Whether it has any effect: rows without are dimmed in the editor.
+    pub used: fn(&Scene) -> bool,
+}
+
+impl Visible {
+    /// Always, and it always has an effect.
+    pub(super) const ALWAYS: Self = Self::when(|_| true);
+
+    /// Where it has an effect.
+    pub(super) const fn when(used: fn(&Scene) -> bool) -> Self {
+        Self { listed: used, used }
+    }
+
+    /// Always, but it has an effect only here.
+    pub(super) const fn used_when(used: fn(&Scene) -> bool) -> Self {
+        Self { listed: |_| true, used }
+    }
+
+    /// Only here, and with an effect.
+    pub(super) const fn listed_when(listed: fn(&Scene) -> bool) -> Self {
+        Self { listed, used: |_| true }
+    }
+}
+
+/// Whether a variable has any effect on this scene.
+pub fn is_used(variable: &Variable, scene: &Scene) -> bool {
+    (variable.visible.used)(scene)
+}
+
+/// Whether a list shows the variable at all.
+pub fn is_listed(variable: &Variable, scene: &Scene) -> bool {
+    (variable.visible.listed)(scene)
+}
+
+/// Whether the workbench's lists offer the variable: what is listed, less the values of a stop that is not there or of
+/// its other kind. Files keep those, for the stop may come back.
+pub fn is_offered(variable: &Variable, scene: &Scene) -> bool {
+    let places_stop = variable.key == "mechanism.stop.position_m";
+    let of_stop = variable.group == Group::Stop && !places_stop;
+    is_listed(variable, scene) && (!of_stop || is_used(variable, scene))
+}
+
+pub(super) fn is_oblique(scene: &Scene) -> bool {
+    scene.projectile.obliquity_deg > 0.0
+}
+
+pub(super) fn is_sprung(scene: &Scene) -> bool {
+    scene.plate.mount == Mount::Sprung
+}
+
+pub(super) fn is_stack(scene: &Scene) -> bool {
+    scene.stack.base_thickness_m.is_some() || scene.stack.elements > 1.0
+}
+
+pub(super) fn is_hydrodynamic(scene: &Scene) -> bool {
+    scene.contact.model == ContactModel::Hydrodynamic
+}
+
+pub(super) fn is_listing(scene: &Scene) -> bool {
+    scene.contact.model == ContactModel::Appendix
+}
+
+/// Whether the plate's material matters: to the other models only where it fills in what was left open.
+pub(super) fn uses_target(scene: &Scene) -> bool {
+    match scene.contact.model {
+        ContactModel::Hydrodynamic | ContactModel::Appendix => true,
+        ContactModel::HalfSine => scene.contact.duration_s.is_none(),
+        ContactModel::Lumped => scene.contact.load_stiffness_n_m.is_none(),
+        ContactModel::InitialVelocity => false,
+    }
+}
+
+/// Whether a stop would act.
+pub(super) fn may_stop(scene: &Scene) -> bool {
+    is_sprung(scene) && !is_listing(scene)
+}
+
+pub(super) fn has_stop(scene: &Scene) -> bool {
+    may_stop(scene) && scene.mechanism.stop.position_m.is_some()
+}
+
+pub(super) fn has_stop_of(scene: &Scene, kind: StopKind) -> bool {
+    has_stop(scene) && scene.mechanism.stop.kind == kind
+}
+
+/// Whether the mass of a spring follows from its wire.
+pub(super) fn has_wire(spring: &Spring) -> bool {
+    spring.own_mass == OwnMass::Counted && !spring.kind.is_beam() && spring.mass_kg.is_none()
+}
+
+/// Whether a power law has a force, so that its exponent matters.
+pub(super) fn has_force(spring: &Spring) -> bool {
+    match spring.kind {
+        SpringKind::PowerLaw => spring.coefficient > 0.0,
+        _ => spring.normalised.force_n > 0.0,
+    }
+}
