@@ -1,9 +1,9 @@
 //! The contact kernel: from first contact to first arrest or exit, without series, energy ledger, events or outcome. For sweeps and
 //! searches that request nothing else.
 //!
-//! A contact is planned before it is run ([`Contact::of`]). Without spring and damper it is done in closed form (`free.rs`). Else the
-//! Taylor recurrence of `motion.rs` is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`) and
-//! integrated step by step (`integration.rs`). A law that is singular at the start either hardly matters in the first step
+//! A contact is planned before it is run ([`Contact::of`]). Without spring and damper it is done in closed form (`free.rs`). Else
+//! the Taylor recurrence of `motion.rs` is unrolled at compile time for each kind of spring and damper (`law.rs`, `expansion.rs`)
+//! and integrated step by step (`integration.rs`). A law that is singular at the start either hardly matters in the first step
 //! (`perturbation_start.rs`), or the start is placed by a balance of powers (`similarity_start.rs`). The plate may follow the slow
 //! manifold of a strong damper (`damper_manifold.rs`) or of a stiff spring (`slow_manifold.rs`, `slow_manifold_series.rs`). Many
 //! contacts run side by side in the lanes of a vector (`simd_batch.rs`, `lane_buffer.rs`). Scenes it is not made for (a stop, an
@@ -151,8 +151,8 @@ impl Contact {
         }
     }
 
-    /// Run it so that the plate's displacement, too, is accurate relative to itself: where that is far shorter than the travel, to a
-    /// tighter tolerance.
+    /// Run it so that the plate's displacement, too, is accurate relative to itself: where that is far shorter than the travel, to
+    /// a tighter tolerance.
     pub fn run_minding_plate(&self, tolerance: f64) -> Option<ContactEnd> {
         self.run(self.minding_plate(tolerance))
     }

@@ -161,8 +161,8 @@ impl EventFunction {
         sum
     }
 
-    /// The form at a state, as it is watched: positions and speeds are put exactly on their event, but one of forces has fallen only
-    /// where it is below zero by more than rounding. Forces that have died down, or hold each other, are of either sign.
+    /// The form at a state, as it is watched: positions and speeds are put exactly on their event, but one of forces has fallen
+    /// only where it is below zero by more than rounding. Forces that have died down, or hold each other, are of either sign.
     pub(super) fn watched(&self, motion: &Motion<'_>, state: &State) -> f64 {
         let forces_n = self.forces_n(motion, state);
         self.value(state, forces_n) + self.spared(motion, state, forces_n)

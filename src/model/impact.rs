@@ -42,7 +42,7 @@ const TERMS_CHECK: usize = 21;
 /// Tolerance of the second computation per tolerance of the first, and the least: below it there is only rounding.
 const TIGHTER: f64 = 1e-3;
 const TIGHTEST: f64 = 1e-14;
-/// How many times the usual horizon, and how many times as many swings, an undecided shot is followed.
+/// How many times the usual horizon, and how many times as many oscillations, an undecided shot is followed.
 const FOLLOWED: f64 = 50.0;
 const PATIENCE: usize = 4;
 
@@ -74,8 +74,8 @@ pub fn run(scene: &Arc<Scene>, settings: Settings, observer: Observer<'_>, windo
     run
 }
 
-/// As [`run`] without a series or an estimate, but for longer: a run that swings on undecided is followed for many times as long. The
-/// scene has no horizon.
+/// As [`run`] without a series or an estimate, but for longer: a run that oscillates on undecided is followed for many times as
+/// long. The scene has no horizon.
 pub fn follow(scene: &Arc<Scene>, observer: Observer<'_>) -> Run {
     let mut problem = Problem::of(scene);
     problem.horizon_s *= FOLLOWED;

@@ -1,7 +1,7 @@
 //! The contact kernel's Taylor expansion, unrolled at compile time for each spring and damper, and how far it is trusted.
 //!
-//! Orders that an expansion has not, like all that J or N rule out, stand behind `const { .. }`: the compiler then leaves them alone,
-//! instead of inlining them first and finding out after.
+//! Orders that an expansion has not, like all that J or N rule out, stand behind `const { .. }`: the compiler then leaves them
+//! alone, instead of inlining them first and finding out after.
 //!
 //! Same recurrence as `motion.rs`. The clock may be graded: with t = s³ a force that starts like t^(3n) is far smoother in s,
 //! so that the steps grow from the singular start several times as fast.
@@ -205,8 +205,8 @@ impl<R: Real> Constants<R> {
         s
     }
 
-    /// How large the last terms are in what matters to depth and time, relative. The plate's displacement is measured against `plate_m`,
-    /// m, if that is less than the travel.
+    /// How large the last terms are in what matters to depth and time, relative. The plate's displacement is measured against
+    /// `plate_m`, m, if that is less than the travel.
     #[inline(always)]
     pub(super) fn last_terms<const N: usize>(&self, s: &Series<N, R>, plate_m: R) -> R {
         let length = s.travel[0].abs() + s.travel[1].abs();

@@ -1,4 +1,5 @@
-//! The force laws of the contact kernel, one Taylor coefficient at a time, each compiled for itself. They know no step and no event.
+//! The force laws of the contact kernel, one Taylor coefficient at a time, each compiled for itself. They know no step and no
+//! event.
 
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::power::power;
@@ -26,8 +27,8 @@ impl<const N: usize, R: Real, L: Law<N, R>> Damping<N, R> for L {
     }
 }
 
-/// coefficient · sqrt(w) for a velocity that starts from rest without a jerk, like t²: the root y, which starts like t, follows from
-/// (J + 1) · coefficient J + 1 of y² = driving - per force · coefficient · y.
+/// coefficient · sqrt(w) for a velocity that starts from rest without a jerk, like t²: the root y, which starts like t, follows
+/// from (J + 1) · coefficient J + 1 of y² = driving - per force · coefficient · y.
 #[derive(Clone, Copy)]
 pub(super) struct RootFromRest<const N: usize> {
     coefficient: f64,

@@ -1,7 +1,7 @@
 //! Contacts whose plates follow the slow manifold of their springs: pass by pass, as many side by side as the vectors hold.
 //!
-//! Each lane is at a pass of its own. After a pass it takes another about the new balance, or has settled and takes a step, or fails
-//! and tries a shorter one; and where even that fails it hands over to plain steps. A single contact is one lane.
+//! Each lane is at a pass of its own. After a pass it takes another about the new balance, or has settled and takes a step, or
+//! fails and tries a shorter one; and where even that fails it hands over to plain steps. A single contact is one lane.
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 

@@ -136,8 +136,8 @@ impl SpringManifold {
         Balance { plate_m, force_n: self.spring.force(plate_m) }
     }
 
-    /// The balance from `guess` where the projectile is at `state` and plate inertia and damper hold `lag_n` at this plate velocity:
-    /// Newton's method on the logarithm of both sides, where powers are lines. `None` where nothing pushes.
+    /// The balance from `guess` where the projectile is at `state` and plate inertia and damper hold `lag_n` at this plate
+    /// velocity: Newton's method on the logarithm of both sides, where powers are lines. `None` where nothing pushes.
     pub(super) fn balance(
         &self,
         constants: &Constants,

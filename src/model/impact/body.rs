@@ -46,7 +46,7 @@ impl NearZero {
 #[expect(clippy::struct_excessive_bools, reason = "facts that hold or do not, each by itself")]
 pub(super) struct Body<'a> {
     pub(super) problem: &'a Problem,
-    /// Relative accuracy asked of this computation.
+    /// Relative accuracy of this computation.
     pub(super) tolerance: f64,
     pub(super) state: State,
     pub(super) mode: Mode,
@@ -114,7 +114,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Whether the plate cannot move: rigid, held by its stop, or as good as immobile.
+    /// Whether the plate cannot move: rigid, at rest on its stop, or fixed by its mechanism.
     pub(super) fn is_still(&self) -> bool {
         self.problem.rigid || self.rests_on_stop || self.fixed || self.at_rest
     }
@@ -232,7 +232,7 @@ impl<'a> Body<'a> {
         self.problem.mechanism.stop_at_m.abs() + self.plate_scale_m
     }
 
-    /// Whether the plate moves so slowly during the contact that nothing else feels it.
+    /// Whether the plate moves so slowly during the contact that it matters to nothing else.
     pub(super) fn plate_is_unresolved(&self) -> bool {
         self.is_sliding()
             && self.state.plate_m_s.abs() <= UNFELT * self.tolerance * self.problem.velocity_m_s
@@ -287,7 +287,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Count how often the interface gave way without a noticeably deeper hole.
+    /// Count how often the interface yielded without a noticeably deeper hole.
     pub(super) fn count_yields(&mut self) {
         let noticeable = self.problem.scene.run.tolerance * self.deepest_m;
         if self.deepest_m > self.noticed_m + noticeable {
@@ -298,7 +298,7 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Whether a slip that is to begin would go the wrong way: the force that made the interface give way has changed its sign in
+    /// Whether a slip that is to begin would go the wrong way: the force that made the interface yield has changed its sign in
     /// the same moment.
     pub(super) fn slip_is_held<const N: usize>(&self, e: &Expansion<N>) -> bool {
         let way = match self.mode {

@@ -1,4 +1,4 @@
-//! What the fused interface has to carry: followed until the first swing forward is over.
+//! What the fused interface has to carry: followed until the first forward half-oscillation is over.
 
 use crate::model::impact::track::Track;
 use crate::model::run::Mode;
@@ -6,7 +6,7 @@ use crate::model::run::Mode;
 /// Part of the interface's load by which it may still grow without being followed.
 const DEMANDED: f64 = 1e-9;
 
-/// How far the joined body has come on its first swing forward, in which its mechanism pushes most.
+/// How far the joined body has come on its first forward half-oscillation, in which its mechanism pushes most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Swing {
     /// Not begun.
@@ -18,7 +18,7 @@ pub(super) enum Swing {
 }
 
 impl Track<'_> {
-    /// Note what the interface carries as soon as both bodies are one, and whether their first swing forward is over.
+    /// Note what the interface carries as soon as both bodies are one, and whether their first forward half-oscillation is over.
     pub(super) fn follow_swing(&mut self) {
         if self.body.mode != Mode::Fused {
             return;
@@ -37,8 +37,8 @@ impl Track<'_> {
         };
     }
 
-    /// Whether the fused interface may yet have to carry more than it has so far: until the first swing forward is over, unless
-    /// the energy that is left cannot push harder.
+    /// Whether the fused interface may still have to carry more than it has so far: until the first forward half-oscillation is
+    /// over, unless the energy that is left cannot push harder.
     pub(super) fn demand_may_grow(&self) -> bool {
         let strength = self.body.interface_n();
         self.body.mode == Mode::Fused

@@ -155,7 +155,7 @@ impl Track<'_> {
         }
     }
 
-    /// Whether the interface of the joined body gives way at once, which it then does.
+    /// Whether the interface of the joined body yields at once, which it then does.
     fn yields_at_once(&mut self) -> bool {
         let motion = self.body.motion();
         let carried = if self.body.is_still() {
@@ -209,7 +209,7 @@ impl Track<'_> {
         if self.body.problem.plastic { self.pull_out() } else { self.note_pull() }
     }
 
-    /// The interface gives way forwards.
+    /// The interface yields forwards.
     fn resume(&mut self) {
         if self.body.state.travel_m >= self.body.deepest_m {
             self.deepen();
@@ -327,7 +327,7 @@ impl Track<'_> {
         }
     }
 
-    /// The net push on a plate held by its rigid stop has become negative: it is free until it comes back with speed.
+    /// The net push on a plate at rest on its rigid stop has become negative: it is free until it comes back with speed.
     fn release(&mut self) {
         (self.body.rests_on_stop, self.body.released) = (false, true);
         self.body.w_zero.side = -1.0;

@@ -1,4 +1,4 @@
-//! The engine held to one of its methods, for comparison: [`run`](super::run) chooses by itself.
+//! The simulation by one of its methods only, for comparison: [`run`](super::run) chooses by itself.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 
-/// How the engine is held.
+/// Which method alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Forced {
     /// To Taylor steps, also where a closed form exists.

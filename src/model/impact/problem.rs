@@ -15,7 +15,7 @@ use crate::numerics::{larger, smaller};
 const CREPT: f64 = 1e-14;
 const DECAY_MAX: f64 = 50.0;
 
-/// Swings of the spring, with all energy in it, after which a run ends at the latest, and where the interface may give way.
+/// Oscillations of the spring, with all energy in it, after which a run ends at the latest, and where the interface may yield.
 const SWINGS: f64 = 20.0;
 const SLIPPING_SWINGS: f64 = 100.0;
 
@@ -63,9 +63,9 @@ pub(super) struct Problem {
     pub(super) yields_part: f64,
     /// Penetration on a rigid mount, m; `None` where that perforates, or the contact model knows no depth.
     pub(super) baseline_m: Option<f64>,
-    /// The horizon was asked for: the run goes on to it.
+    /// The scene gives the horizon: the run goes on to it.
     pub(super) horizon_is_asked: bool,
-    /// How many times as long as usual a run that swings on undecided is followed.
+    /// How many times as long as usual a run that oscillates on undecided is followed.
     pub(super) patience: usize,
     /// How far the absorbers among the two springs have been crushed, m.
     pub(super) crushed_m: [f64; 2],
@@ -163,8 +163,8 @@ impl Problem {
         self.geometry.nose.radius_m / self.velocity_m_s
     }
 
-    /// Long enough for the contact, many swings of the spring with all energy in it, a damper to die down, and a plate that creeps
-    /// back against it.
+    /// Long enough for the contact, many oscillations of the spring with all energy in it, a damper to die down, and a plate that
+    /// creeps back against it.
     fn horizon_of_scene(&self) -> f64 {
         let passage_s = self.geometry.exit_m / self.velocity_m_s;
         let longest_s = if self.flows() { passage_s } else { self.contact.scales().duration_s };
@@ -192,7 +192,7 @@ impl Problem {
             0.0
         };
         let mut horizon = contact;
-        // A joined body's first swing tells; one that slips in its hole loses energy for many swings.
+        // The first half-oscillation of a joined body decides; one that slips in its hole loses energy for many oscillations.
         let swings = if self.plastic { SLIPPING_SWINGS } else { SWINGS };
         for part in [swings * swing, fading, self.creeping_s(far)] {
             if part.is_finite() {

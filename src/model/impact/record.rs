@@ -1,4 +1,4 @@
-//! What is written down along the way: series, events, extremes and work.
+//! The record of a run: series, events, extremes and work.
 
 use crate::model::impact::body::Noted;
 use crate::model::impact::problem::Problem;
@@ -25,7 +25,7 @@ const LOOK: Kept = Kept { first: 4_000, intervals: 1_000 };
 /// Part of a series' variation by which it may miss its quantity at the end of a step.
 const CONVERGED: f64 = 1e-7;
 
-/// Energies that have to be integrated along the way, J.
+/// Energies that have to be integrated, J.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[expect(clippy::struct_field_names, reason = "units end every name")]
 pub(super) struct Work {
@@ -51,7 +51,7 @@ pub(super) struct Record<'a> {
     pub(super) separation: Option<(f64, f64)>,
     pub(super) resumed_s: Option<f64>,
     pub(super) peak_contact_n: f64,
-    /// Greatest force of spring, damper and elastic stop, where the greatest displacement does not tell it, N.
+    /// Greatest force of spring, damper and elastic stop, where the greatest displacement does not determine it, N.
     pub(super) peak_mount_n: f64,
     /// Greatest plate displacement so far, m.
     pub(super) max_displacement_m: f64,
@@ -298,8 +298,8 @@ struct Arc<F> {
 }
 
 impl<F: Fn(f64) -> f64> Arc<F> {
-    /// The greatest value: at an end, or where the slope of its series falls through zero. The series only tells where: the value
-    /// there is that of the state. A series that has not converged, although those of the state have, tells nothing.
+    /// The greatest value: at an end, or where the slope of its series falls through zero. The series only shows where: the value
+    /// there is that of the state. A series that has not converged, although those of the state have, says nothing.
     fn greatest<const N: usize>(&self, series: &[f64; N]) -> f64 {
         let (start, end) = (series[0], (self.value)(self.span));
         let best = larger(start, end);

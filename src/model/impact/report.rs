@@ -115,7 +115,7 @@ fn ledger(problem: &Problem, track: &Track<'_>) -> EnergyLedger {
     }
 }
 
-/// What was asked of the mechanism.
+/// The load of the mechanism.
 fn load(problem: &Problem, track: &Track<'_>, farthest: Option<f64>) -> MechanismLoad {
     let (spring, inertia) = (&problem.mechanism.spring, &problem.inertia);
     let speed = track.body.speed_scale_m_s;
@@ -247,7 +247,7 @@ fn omitted(problem: &Problem, track: &Track<'_>) -> Vec<Omission> {
     rows.into_iter().filter(|(omitted, _)| *omitted).map(|(_, what)| what).collect()
 }
 
-/// Of the displacement's maxima on the way only the greatest is an event for people.
+/// Of the displacement's maxima on the way only the greatest is reported as an event.
 fn tidy_events(track: &mut Track<'_>) {
     let greatest = track.record.max_displacement_s;
     let last =

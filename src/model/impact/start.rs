@@ -6,7 +6,7 @@
 
 use crate::model::contact_models::Scales;
 use crate::model::impact::problem::Problem;
-use crate::model::impact::singular_crossing::Taken;
+use crate::model::impact::singular_crossing::Crossed;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::motion::{Expansion, Motion};
@@ -15,8 +15,8 @@ use crate::numerics::{larger, smaller};
 
 /// Radians (or time constants) of the mechanism within the starting time from which on it is stiff.
 const STIFF_FROM: f64 = 300.0;
-/// Where the search for the start begins, and where it ends at the latest at tolerance 1, in units of the contact's duration; and how
-/// both fall with the tolerance: two computations do not share their start, and with it its error.
+/// Where the search for the start begins, and where it ends at the latest at tolerance 1, in units of the contact's duration; and
+/// how both fall with the tolerance: two computations do not share their start, and with it its error.
 const EARLIEST: f64 = 1e-9;
 const LATEST: f64 = 3e-3;
 const START_POWER: f64 = 0.125;
@@ -87,7 +87,7 @@ impl Track<'_> {
         if self.body.rests_on_stop || problem.rigid || !(spring_singular || damper_singular) {
             return;
         }
-        if !spring_singular && let Some(Taken(fired)) = self.cross_singularity() {
+        if !spring_singular && let Some(Crossed(fired)) = self.cross_singularity() {
             if let Some(event) = fired {
                 self.apply_transition(event);
             }

@@ -32,7 +32,7 @@ pub(super) struct StepControl {
     pub(super) creeping_steps: usize,
     /// The implicit method has this stretch because the plate creeps.
     pub(super) creeps: bool,
-    /// Times the force on the plate changed its sign: twice a swing, about whatever it swings.
+    /// Times the force on the plate changed its sign: twice an oscillation.
     pub(super) turns: usize,
     /// The sign of the force on the plate at the last step.
     pub(super) pushed: f64,
@@ -45,9 +45,9 @@ pub(super) struct StepControl {
     pub(super) work: Cell<usize>,
     /// Events that changed what the bodies do.
     pub(super) event_count: usize,
-    /// Where a crossing step through the zero of the spring, and of the damper, was refused last on this way in, m and m/s.
+    /// Where a crossing step through the zero of the spring, and of the damper, was refused last on the approach, m and m/s.
     pub(super) crossing_refused: [f64; 2],
-    /// Where the last crossing step out of each zero ended, m and m/s; 0 once the way is another one.
+    /// Where the last crossing step out of each zero ended, m and m/s; 0 once the direction has changed.
     pub(super) crossed_to: [f64; 2],
     /// What crossing steps that the depth depends on may be off by, relative.
     pub(super) crossing_error: f64,
@@ -84,7 +84,7 @@ impl StepControl {
         let pushed = sign(acceleration);
         if pushed * self.pushed < 0.0 {
             self.turns += 1;
-            // What swings again and again takes many steps without being stiff.
+            // An oscillation takes many steps without being stiff.
             self.stretch_steps = 0;
         }
         self.pushed = if pushed == 0.0 { self.pushed } else { pushed };

@@ -24,7 +24,7 @@ use unknowns::{Carrier, Unknowns};
 const POINTS_PER_STEP: usize = 3;
 /// How far from zero an event function may be where it has fallen, relative to its variation over the step.
 const LANDED: f64 = 1e-9;
-/// The shortest step, relative to the time reached: the clock has no finer ticks.
+/// The shortest step, relative to the time reached: time has no finer resolution.
 const TICK: f64 = 2.0 * f64::EPSILON;
 /// The step, relative to the time reached, at whose end an event is taken wherever in it it falls.
 const CLOSEST: f64 = 4.0 * TICK;
@@ -36,9 +36,9 @@ const ITERATIONS_MAX: usize = 25;
 /// The estimate is of order 4 in the step, the method's local error of order 6: asking the estimate for this times the
 /// tolerance to the power 2/3 (Hairer's RADAU5 does the same) brings the method's own error below the tolerance.
 const LOCAL: f64 = 1e-3;
-/// Displacement of the plate, relative to the travel, up to which the contact does not feel its swings; the estimate, relative to the
-/// impact velocity, below which it follows them all the same; and the power with which the rest of a tighter tolerance still
-/// counts, so that two tolerances do not share their steps.
+/// Displacement of the plate, relative to the travel, up to which the contact is independent of its oscillations; the estimate,
+/// relative to the impact velocity, below which it follows them all the same; and the power with which the rest of a tighter
+/// tolerance still counts, so that two tolerances do not share their steps.
 const UNFELT: f64 = 1e-7;
 const FELT: f64 = 1e-9;
 const BELOW_FELT: f64 = 0.05;
@@ -49,7 +49,7 @@ const POSSIBLE: f64 = 1.5;
 const UNBALANCED: f64 = 1e-2;
 const HALVINGS_MAX: usize = 8;
 
-/// Radians within a step, and part of the forces on the plate that is left for inertia, from which on a plate that crept swings
+/// Radians within a step, and part of the forces on the plate that is left for inertia, from which on a plate that crept oscillates
 /// again, and for how many steps it must.
 const SWINGING_STEP: f64 = 0.5;
 const SWINGING: f64 = 0.2;
@@ -84,7 +84,7 @@ impl Track<'_> {
             };
             let tolerance = self.estimate_allowed();
             let factor = step_factor(solved.error, tolerance);
-            // Within one tick of the clock a stiff force settles, whatever its way: the method is L-stable.
+            // Within one ulp of the time a stiff force settles, whatever its way: the method is L-stable.
             if solved.error > tolerance && !at_tick {
                 h *= smaller(factor, 0.9);
                 self.control.rejected += 1;
@@ -151,7 +151,7 @@ impl Track<'_> {
         energy_j <= POSSIBLE * self.body.problem.energy_j
     }
 
-    /// A plate that no longer creeps swings, and Taylor steps follow a swing with far fewer.
+    /// A plate that no longer creeps oscillates, and Taylor steps follow that with far fewer.
     fn notice_swings(&mut self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) {
         let (motion, state) = (system.motion, &self.body.state);
         let stiffness = motion.stop.stiffness_n_m + motion.spring.tangent(state.plate_m).abs();
@@ -198,7 +198,7 @@ impl Track<'_> {
             + self.body.state.slip_m_s.abs() * self.control.unit_s
             + f64::MIN_POSITIVE;
         let joined = self.body.mode == Mode::Fused;
-        // A swing that an error starts does not die down: it is to be small beside the way the plate will have come.
+        // An oscillation that an error starts does not die down: it is to be small beside the way the plate will have come.
         let yields = self.body.problem.yields_part;
         let part = if yields < UNFELT { 1.0 } else { yields };
         let own_x = larger(self.body.plate_scale_m, f64::MIN_POSITIVE);
@@ -223,8 +223,8 @@ impl Track<'_> {
         self.control.unit_s = h * factor;
         let events = self.active_events();
         let mut fired = None;
-        // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has come
-        // back within it.
+        // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has
+        // come back within it.
         for _ in events.iter() {
             let end = system.state(&solved.stages[2], h);
             let has_changed_sign = |(event, form): &&(EventId, EventFunction)| {
@@ -255,7 +255,7 @@ impl Track<'_> {
             if let Some(landed) = landed {
                 (h, solved, fired) = (part * h, landed, Some(*event));
             } else if h <= CLOSEST * self.body.state.t_s {
-                // No coming closer: the clock has no finer ticks.
+                // No coming closer: time has no finer resolution.
                 fired = Some(*event);
                 break;
             } else {

@@ -29,11 +29,11 @@ const CREEPING_STEP: f64 = 0.5;
 const CREEPING: f64 = 0.02;
 /// Errors that a step may make of the plate's velocity from which on it is followed.
 const UNRESOLVED: f64 = 100.0;
-/// Radians of the spring within a step, and part of its force that is left for inertia, from which on the plate rides: a swing
-/// that small has 1e-12 of the energy in the spring.
+/// Radians of the spring within a step, and part of its force that is left for inertia, from which on the plate follows the slow
+/// manifold: an oscillation that small has 1e-12 of the energy in the spring.
 const RIDING_STEP: f64 = 0.5;
 const RIDING: f64 = 1e-6;
-/// Ticks of the clock up to which a step counts as one that gets nowhere.
+/// Ulps of the time up to which a step counts as one that gets nowhere.
 const SHORT_TICKS: f64 = 4096.0;
 /// Such steps in a row after which the implicit method takes over.
 const CREEPING_STEPS: usize = 50;
@@ -56,7 +56,7 @@ impl Track<'_> {
             self.control.unit_s = h * larger(2.0 * trusted, 1e-3);
             self.control.rejected += 1;
             if self.control.unit_s <= 0.5 * f64::EPSILON * self.body.state.t_s {
-                // Faster than the clock ticks: a plate that creeps against its damper. The implicit method steps over it.
+                // Shorter than the time resolves: a plate that creeps against its damper. The implicit method steps over it.
                 self.control.stiff = true;
                 self.control.unit_s = RESUME * self.body.state.t_s;
             }
@@ -113,9 +113,9 @@ impl Track<'_> {
         (span, fired)
     }
 
-    /// A plate that creeps against its damper, or rides on its spring without swinging: the steps follow the decay rate, or the
-    /// swing's frequency, although nothing decays or swings any more. After some such steps in a row the implicit method takes
-    /// over, which follows only what changes.
+    /// A plate that creeps against its damper, or follows the slow manifold of its spring without oscillating: the steps follow the
+    /// decay rate, or the spring's frequency, although nothing decays or oscillates any more. After some such steps in a row the
+    /// implicit method takes over, which follows only what changes.
     fn notice_stiffness<const N: usize>(
         &mut self,
         motion: &Motion<'_>,
@@ -130,7 +130,7 @@ impl Track<'_> {
         let net_n = larger((motion.coupling * e.contact[0] - e.mechanism[0]).abs() - noise_n, 0.0);
         let damping_n = e.damper[0] + stop.damping_n_s_m * e.plate_speed[0];
         let spring_n = e.mechanism[0] - damping_n;
-        // A velocity that a step may be wrong by tells nothing of what is left for inertia.
+        // A velocity that a step may be wrong by says nothing of what is left for inertia.
         let unresolved = e.plate_speed[0].abs()
             <= UNRESOLVED
                 * self.body.local_tolerance()
@@ -162,7 +162,7 @@ impl Track<'_> {
             let tolerance = self.body.local_tolerance();
             let mut next = trusted_step(&self.scales(e, at), tolerance);
             if self.body.mode == Mode::Fused && self.body.problem.plastic {
-                // The interface gives way by the force it carries: that has to be right, too.
+                // The interface yields by the force it carries: that has to be right, too.
                 let limit = FORCE * self.body.interface_limits_n().0 / self.body.problem.share;
                 let scale = own(&e.mechanism, at) + limit + f64::MIN_POSITIVE;
                 next = smaller(next, trusted_step(&[(&e.mechanism, scale)], tolerance));

@@ -1,7 +1,7 @@
 //! When a run is over: the outcome is decided and the greatest displacement is known, or the horizon is reached.
 //!
 //! Bounds come from energy: what is left, all of it in the spring, tells how far the plate can still go and what force the
-//! interface can still be asked to carry.
+//! interface may still have to carry.
 
 use crate::model::impact::body::MaximumDisplacement;
 use crate::model::impact::demand::Swing;
@@ -12,14 +12,14 @@ use crate::numerics::{larger, smaller};
 
 /// Extra time shown after everything is decided, relative to the contact.
 const TAIL: f64 = 1.25;
-/// Steps spent on it at the most: a stiff mount may swing a million times in it.
+/// Steps spent on it at the most: a stiff mount may oscillate a million times in it.
 const TAIL_STEPS: usize = 200;
 /// Excess of the interface's load over its strength, relative, from which on the remaining slips are taken at once. They
 /// are exact in energy but for the drag, far below rounding at such slips.
 const LAST_SLIPS: f64 = 2e-2;
-/// Loss of energy, relative, from which on the outcome is asked for again: far above rounding, far below a swing's.
+/// Loss of energy, relative, from which on the outcome is computed again: far above rounding, far below an oscillation's.
 const LOST: f64 = 1e-9;
-/// A plate slowed by its damper alone to this part of its speed has arrived, for the eye.
+/// A plate slowed by its damper alone to this part of its speed has arrived, to be drawn.
 const FADED: f64 = 1e-2;
 
 /// What is known of how the run ends.
@@ -29,9 +29,9 @@ pub(super) struct Termination {
     pub(super) decided: Option<(Outcome, usize)>,
     /// The greatest displacement, as far as it is known.
     pub(super) farthest: MaximumDisplacement,
-    /// When the outcome was last asked for, on a curve.
+    /// When the outcome was last computed, on a curve.
     pub(super) asked: Option<Asked>,
-    /// How far the first swing of the joined body has come.
+    /// How far the first half-oscillation of the joined body has come.
     pub(super) swing: Swing,
 }
 
@@ -87,7 +87,7 @@ impl Track<'_> {
     }
 
     /// Whether the outcome is worth asking for again. On a curve that costs roots; without losses, in the same hole, it is what
-    /// it was at the step before, and an undamped mount may swing a million times.
+    /// it was at the step before, and an undamped mount may oscillate a million times.
     fn may_have_decided(&mut self) -> bool {
         if self.body.mode != Mode::Fused || self.body.problem.mechanism.spring.curve().is_none() {
             return true;
@@ -151,8 +151,8 @@ impl Track<'_> {
             && !self.body.problem.mechanism.spring.is_absent()
     }
 
-    /// Without damping, the swing that exceeds the interface's strength loses ever less in ever more slips; they add up to
-    /// the energy above that of the swing whose peak just equals the strength. Once that is little, take them all at once.
+    /// Without damping, the oscillation that exceeds the interface's strength loses ever less in ever more slips; they add up to
+    /// the energy above that of the oscillation whose peak just equals the strength. Once that is little, take them all at once.
     pub(super) fn yield_to_the_end(&mut self) {
         let mechanism = &self.body.problem.mechanism;
         let damped = mechanism.damper.coefficient > 0.0
@@ -175,7 +175,7 @@ impl Track<'_> {
         let (from, strength) = (self.body.state.travel_m, self.body.problem.strength_pa);
         let swept = geometry.swept_m3(from);
         let work = |travel: f64| strength * (geometry.swept_m3(from + travel) - swept);
-        // The swing that is left after a further `travel` must peak at the strength of the then deeper hole.
+        // The oscillation that is left after a further `travel` must peak at the strength of the then deeper hole.
         let overload = |travel: f64| {
             let left = larger(energy - work(travel), 0.0);
             self.body.push_at(left) - geometry.area_m2(from + travel) * strength

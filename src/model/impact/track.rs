@@ -1,9 +1,9 @@
 //! The run itself: stretches of smooth motion between located events.
 //!
-//! A [`Track`] owns the state and knows in which mode the bodies are. Each stretch is advanced by Taylor steps
-//! (`taylor.rs`) or, where those become too many, by the implicit method (`stiff.rs`); when an event function (`active_events.rs`) changes its sign, the
-//! state is put exactly on the event and `events.rs` decides what follows. What rounding has put behind the state already is found
-//! by `missed_event.rs`.
+//! A [`Track`] owns the state and knows in which mode the bodies are. Each stretch is advanced by Taylor steps (`taylor.rs`) or,
+//! where those become too many, by the implicit method (`stiff.rs`); when an event function (`active_events.rs`) changes its sign,
+//! the state is put exactly on the event and `events.rs` decides what follows. What rounding has put behind the state already is
+//! found by `missed_event.rs`.
 
 use std::ops::ControlFlow;
 
@@ -12,7 +12,7 @@ use crate::model::impact::body::Body;
 use crate::model::impact::problem::Problem;
 use crate::model::impact::record::Record;
 use crate::model::impact::report;
-use crate::model::impact::singular_crossing::Taken;
+use crate::model::impact::singular_crossing::Crossed;
 use crate::model::impact::step_control::StepControl;
 use crate::model::impact::termination::Termination;
 use crate::model::mechanism::{PowerKind, sign};
@@ -23,11 +23,11 @@ use crate::numerics::larger;
 
 /// Taylor steps after which a stretch is handed to the implicit method.
 const TAYLOR_STEPS_PER_STRETCH: usize = 20_000;
-/// A passage through zero within this many ticks of the clock takes no time.
+/// A passage through zero within this many ulps of the time takes no time.
 const PASSED_TICKS: f64 = 16.0;
 
-/// Part of the spring's force up to which its damper, times its exponent, lets a plate that came through zero swing: Taylor steps
-/// then follow the swings, with fewer steps than the implicit method.
+/// Part of the spring's force up to which its damper, times its exponent, lets a plate that came through zero oscillate: Taylor
+/// steps then follow the oscillations, with fewer steps than the implicit method.
 const SWINGS_TO: f64 = 3.0;
 
 /// A run in progress.
@@ -81,7 +81,7 @@ impl<'a> Track<'a> {
             self.body.restore_omitted();
             self.come_to_rest();
             self.unload_absorbers();
-            if let Some(Taken(fired)) = self.cross_singularity() {
+            if let Some(Crossed(fired)) = self.cross_singularity() {
                 if let Some(event) = fired {
                     self.apply_transition(event);
                 }
@@ -160,7 +160,7 @@ impl<'a> Track<'a> {
         }
     }
 
-    /// The implicit method rides along a spring that is infinitely steep at zero, but cannot follow a plate that comes
+    /// The implicit method follows a spring that is infinitely steep at zero, but cannot follow a plate that comes
     /// through zero with speed to spare: its unknown, the spring's force, changes sign there at once.
     fn pass_zero_under_implicit_steps(&mut self) {
         let (x, w) = (self.body.state.plate_m, self.body.state.plate_m_s);
@@ -188,7 +188,7 @@ impl<'a> Track<'a> {
                 self.body.w_zero.side = sign(w);
             }
             if x.abs() <= PASSED_TICKS * f64::EPSILON * self.body.state.t_s * w.abs() {
-                // The clock does not see it.
+                // The time does not resolve it.
                 self.body.state.plate_m = -x;
                 self.body.x_zero.side = sign(-x);
                 return;

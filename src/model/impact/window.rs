@@ -36,7 +36,7 @@ impl Window {
         self.wanted.set(true);
     }
 
-    /// What was put in since it was asked for: the run as if it had been cancelled there, or whole but for its error estimate.
+    /// What was put in since it was requested: the run as if it had been cancelled there, or whole but for its error estimate.
     pub fn take(&self) -> Option<Run> {
         self.run.take()
     }
@@ -69,7 +69,7 @@ impl Window {
         }
     }
 
-    /// Put in the run so far, if somebody has asked.
+    /// Put in the run so far, if it was requested.
     pub(super) fn show(&self, so_far: impl FnOnce() -> Run) {
         if self.wanted.replace(false) {
             self.run.replace(Some(so_far()));
@@ -118,7 +118,7 @@ mod tests {
     use crate::model::scene::Scene;
     use crate::model::simulate::{Settings, simulate_openly};
 
-    /// Looks after so many steps of a run that swings on, and the run itself, ended after so many.
+    /// Looks after so many steps of a run that oscillates on, and the run itself, ended after so many.
     fn looks(after: &[usize], end: usize) -> (Vec<Run>, Run) {
         let mut scene = Scene::default();
         scene.mechanism.spring.exponent = 0.3;

@@ -65,7 +65,7 @@ impl Body<'_> {
         } else if !stiff || self.x_zero.omitted {
             self.watch_zero_of_x(events);
         }
-        // A plate that rides on its spring from rest is of either sign until its velocity matters.
+        // A plate that follows the slow manifold of its spring from rest is of either sign until its velocity matters.
         if !(stiff && self.plate_is_unresolved()) {
             self.watch_zero_of_w(events, singular(mechanism.damper));
         }
@@ -83,8 +83,8 @@ impl Body<'_> {
         }
     }
 
-    /// What an elastic stop pushes back with while it touches (or, times -1, what it lacks to push again), N, and what nothing feels
-    /// besides.
+    /// What an elastic stop pushes back with while it touches (or, times -1, what it lacks to push again), N, and what nothing
+    /// feels besides.
     pub(in crate::model::impact) fn stop_force(&self, sign: f64) -> EventFunction {
         let mechanism = &self.problem.mechanism;
         let stop = mechanism.elastic_stop().unwrap_or_default();
@@ -96,8 +96,8 @@ impl Body<'_> {
         }
     }
 
-    /// A force on the plate that drowns in the rounding of the others, N: a stop beside a plate that rides on a spring infinitely
-    /// steep at zero would let go and press again at every step.
+    /// A force on the plate that is lost in the rounding of the others, N: a stop beside a plate that follows the slow manifold of
+    /// a spring infinitely steep at zero would let go and press again at every step.
     fn force_resolution_n(&self) -> f64 {
         let (motion, state) = (self.motion(), &self.state);
         let contact_n = motion.coupling * motion.contact_force(state);

@@ -7,9 +7,10 @@ use crate::numerics::{larger, smaller};
 
 /// Energy below this part of the projectile's at first contact counts as none: velocities of 1e-12 of the impact's.
 pub(in crate::model::impact) const NO_ENERGY: f64 = 1e-24;
-/// How far a stop that gives way to a spring driving the plate away is followed, m.
+/// How far a stop that yields to a spring driving the plate away is followed, m.
 const FARTHEST_M: f64 = 1e3;
-/// How many times the path that the energy above the holding swing pays for is left to slips: the last one may take some more.
+/// How many times the path that the energy above the holding oscillation pays for is left to slips: the last one may take some
+/// more.
 const SLIP_RESERVE: f64 = 1.25;
 
 impl Body<'_> {
@@ -150,8 +151,8 @@ impl Body<'_> {
 
     /// Whether a projectile that still slips to and fro within its hole neither comes to its bottom nor out of it.
     ///
-    /// Each slip begins with more energy than the swing has in which the friction just holds, and loses some of it. So the paths of
-    /// all slips to come but the last add up to no more than what the friction needs to take the energy above that.
+    /// Each slip begins with more energy than the oscillation has in which the friction just holds, and loses some of it. So the
+    /// paths of all slips to come but the last add up to no more than what the friction needs to take the energy above that.
     pub(in crate::model::impact) fn yielding_stays_within(&self, energy_j: f64) -> bool {
         let (geometry, q) = (&self.problem.geometry, self.state.travel_m);
         let way = smaller(q, self.deepest_m - q);
@@ -167,8 +168,8 @@ impl Body<'_> {
             && self.pull_at(left_j) <= friction
     }
 
-    /// The greatest depth for which there is energy left, m: all of it at work at the bottom of the hole. `None` where that would be
-    /// enough to perforate, or where a spring may give more than it has taken.
+    /// The greatest depth for which there is energy left, m: all of it at work at the bottom of the hole. `None` where that would
+    /// be enough to perforate, or where a spring may give more than it has taken.
     pub(in crate::model::impact) fn depth_at_most_m(&self) -> Option<f64> {
         let problem = self.problem;
         let geometry = &problem.geometry;

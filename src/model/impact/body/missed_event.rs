@@ -1,5 +1,5 @@
-//! Events that are there already, without an event function that falls: put behind the state by rounding, or on the very place where another
-//! one has put it.
+//! Events that are there already, without an event function that falls: put behind the state by rounding, or on the very place
+//! where another one has put it.
 
 use super::Body;
 use crate::model::event_function::EventId;
@@ -8,7 +8,8 @@ use crate::model::mechanism::stop::UNSEEN;
 use crate::model::motion::State;
 use crate::model::run::Mode;
 
-/// Part of a displacement by which rounding puts a zero of a spring's force elsewhere, and of a curve's size that is just beyond it.
+/// Part of a displacement by which rounding puts a zero of a spring's force elsewhere, and of a curve's size that is just beyond
+/// it.
 const ROUNDING: f64 = 1e-12;
 const NEARBY: f64 = 1e-9;
 
@@ -18,7 +19,7 @@ impl Body<'_> {
         let State { plate_m: x, plate_m_s: w, .. } = self.state;
         let problem = self.problem;
         let rigid_stop = problem.mechanism.rigid_stop().is_some() && !self.is_still();
-        // So close that the clock, or the displacement's digits, do not tell it from the stop.
+        // So close that neither the time nor the displacement resolves the distance.
         let presses =
             || w == 0.0 && !self.released && self.motion().accelerations(&self.state).1 > 0.0;
         if rigid_stop && x >= problem.mechanism.stop_at_m && (w > 0.0 || presses()) {
@@ -70,7 +71,7 @@ impl Body<'_> {
         if untouched && reaches && !self.stop_lets_go() {
             return Some(EventId::StopReached);
         }
-        // Without any strength the interface gives way where the spring's force changes its sign.
+        // Without any strength the interface yields where the spring's force changes its sign.
         let carries = self.mode == Mode::Fused && self.problem.plastic;
         let ahead = if carries { self.spring_turns(w) } else { 0.0 };
         let (push, pull) = if ahead == 0.0 { (0.0, 0.0) } else { self.interface_limits_n() };
@@ -98,7 +99,7 @@ impl Body<'_> {
         )
     }
 
-    /// Whether a plate on its stop that goes back is turned round so soon that its displacement does not tell.
+    /// Whether a plate on its stop that goes back is turned round so soon that its displacement does not resolve it.
     fn turns_within_resolution(&self) -> bool {
         let (_, rate) = self.motion().accelerations(&self.state);
         let State { plate_m: x, plate_m_s: w, .. } = self.state;

@@ -12,16 +12,16 @@ const CLEAR_OF_DAMPER: f64 = 1e-9;
 const CLEAR_AT: f64 = 1e-9;
 /// Part of the plate's energy, or of the other forces, that a law may have where it is left out.
 const PASSING: f64 = 1e-3;
-/// The neighbourhood takes at least this part of the time reached to cross: the clock has no finer ticks.
+/// The neighbourhood takes at least this part of the time reached to cross: time has no finer resolution.
 const CLOCK: f64 = 1e-13;
 /// The least distance, relative to the tip's radius and the impact velocity: where nothing drives the plate yet, there is no
 /// other measure.
 const LEAST: f64 = 1e-13;
-/// The least half-width relative to the greatest displacement seen: less than that drowns in rounding.
+/// The least half-width relative to the greatest displacement seen: less than that is lost in rounding.
 const FINEST: f64 = 1e-12;
 impl Body<'_> {
-    /// Omits the singular spring until the plate is clear of zero, and gives the time that this takes, s. The distance is fixed now:
-    /// one that shrank on the way would never be reached.
+    /// Omits the singular spring until the plate is clear of zero, and gives the time that this takes, s. The distance is fixed
+    /// now: one that shrank on the way would never be reached.
     pub(in crate::model::impact) fn omit_spring(&mut self) -> f64 {
         let least = LEAST * self.problem.geometry.nose.radius_m;
         let (x, w) = (self.state.plate_m, self.state.plate_m_s);
@@ -29,7 +29,7 @@ impl Body<'_> {
             // As far on the other side as on this one: then what the spring takes it also gives.
             larger(x.abs(), FINEST * self.plate_scale_m)
         } else if x == 0.0 && w != 0.0 {
-            // From zero itself there is no other side: as close as the clock sees.
+            // From zero itself there is no other side: as close as the time resolves.
             larger(CLOCK * self.state.t_s * w.abs(), FINEST * self.plate_scale_m)
         } else {
             larger(larger(self.near_zero_m(), 2.0 * x.abs()), least)

@@ -124,7 +124,7 @@ impl Body<'_> {
         if slip_m_s < 0.0 && plate_m_s >= 0.0 && mechanism.stop.is_none() && driven() {
             return self.motion().accelerations(&self.state).1 >= 0.0;
         }
-        // The projectile flies away, and is already beyond the plate's farthest swing back.
+        // The projectile flies away, and is already beyond the plate's farthest point back.
         let back = mechanism.spring.backward(plate_m, energy);
         v < 0.0 && (plate_m + back) * problem.cos < apart_m
     }
@@ -161,7 +161,7 @@ impl Body<'_> {
         let springless = mechanism.spring.is_absent();
         let damped = mechanism.damper.coefficient > 0.0 || self.stop_touches;
         if mechanism.stop.is_none() && !damped && !springless {
-            // The swing ends where all energy is in the spring, if it holds the plate at all.
+            // The oscillation ends where all energy is in the spring, if it holds the plate at all.
             let back = mechanism.spring.backward(self.state.plate_m, self.energy_j());
             return if w < 0.0 && back.is_infinite() {
                 MaximumDisplacement::Known(so_far)

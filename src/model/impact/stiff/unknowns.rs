@@ -2,7 +2,7 @@
 //!
 //! Where a law's exponent is below one its force is the unknown (`Carrier`). Where the plate touches an elastic stop that is far
 //! from the spring's zero, its displacement is measured from the stop: the stop's force is the stiffness times a small difference
-//! that drowns in the rounding of the displacement itself.
+//! that is lost in the rounding of the displacement itself.
 
 use crate::model::mechanism::{Elastic, PowerLaw, sign};
 use crate::model::motion::{Motion, State, StopForce};
@@ -114,7 +114,7 @@ impl<'a> Unknowns<'a> {
     }
 
     /// Stages to start Newton's method from: the present values; but a force that is zero is where its law is flat, so
-    /// there the plate is taken to ride on its spring under the contact force of the stage.
+    /// there the plate is taken to follow its spring under the contact force of the stage.
     pub(super) fn guess(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
         NODES.map(|node| {
             let mut stage = *y;
@@ -140,8 +140,8 @@ impl<'a> Unknowns<'a> {
         })
     }
 
-    /// Stages of a plate that rides on its spring through the whole step, at the stage's contact force: where Newton's method has
-    /// to change the side of zero, its own slopes, flat at zero, do not lead it there.
+    /// Stages of a plate that follows the slow manifold of its spring through the whole step, at the stage's contact force: where
+    /// Newton's method has to change the side of zero, its own slopes, flat at zero, do not lead it there.
     pub(super) fn riding(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
         NODES.map(|node| {
             let mut stage = *y;
@@ -155,8 +155,8 @@ impl<'a> Unknowns<'a> {
         })
     }
 
-    /// Stages of a plate that goes on at its velocity: where the spring's force is next to nothing its displacement's slope is, too, and
-    /// from there Newton's method would come to the force of where the plate will be by a part of it at a time.
+    /// Stages of a plate that goes on at its velocity: where the spring's force is next to nothing its displacement's slope is,
+    /// too, and from there Newton's method would come to the force of where the plate will be by a part of it at a time.
     pub(super) fn coasting(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
         let state = self.state(y, 0.0);
         NODES.map(|node| {

@@ -1,48 +1,49 @@
-//! The motion with displacement, or velocity, of the plate for a clock.
+//! The motion with displacement, or velocity, of the plate as the independent variable.
 
 use crate::model::event_function::EventId;
 use crate::model::mechanism::{Elastic, PowerKind, sign};
 use crate::model::motion::{Motion, State};
 use crate::numerics::smaller;
 
-/// Part of the displacement that a plate may come back from its farthest point within a crossing step, where its spring is non-integer, too.
+/// Part of the displacement that a plate may come back from its farthest point within a crossing step, where its spring is
+/// non-integer, too.
 const OF_DISPLACEMENT: f64 = 0.3;
 
-/// The law whose zero is passed, and with it what the clock is.
+/// The law whose zero is passed, and with it what the variable is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Law {
-    /// The spring's: the clock is x.
+    /// The spring's: the variable is x.
     Spring,
-    /// The damper's: the clock is w.
+    /// The damper's: the variable is w.
     Damper,
 }
 
-/// Since the start of the crossing step: time, s; path of the projectile, travel and plate together, m; change of its velocity, m/s; and of
-/// what the clock leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement, m.
+/// Since the start of the crossing step: time, s; path of the projectile, travel and plate together, m; change of its velocity,
+/// m/s; and of what the variable leaves of the plate: by x the energy of plate and spring per mass, J/kg; by w the displacement, m.
 pub(super) type Unknowns = [f64; 4];
 
 /// The equations of a crossing step.
-pub(super) struct Clock<'a> {
+pub(super) struct IndependentVariable<'a> {
     pub(super) law: Law,
     pub(super) motion: &'a Motion<'a>,
     /// Where the crossing step starts.
     pub(super) from: State,
-    /// The way in which the clock runs: the sign of its pace.
+    /// The way in which the variable runs: the sign of its pace.
     pub(super) heading: f64,
 }
 
-impl<'a> Clock<'a> {
+impl<'a> IndependentVariable<'a> {
     pub(super) fn new(law: Law, motion: &'a Motion<'a>, from: State) -> Self {
-        let clock = Self { law, motion, from, heading: 0.0 };
-        Self { heading: sign(clock.pace()), ..clock }
+        let variable = Self { law, motion, from, heading: 0.0 };
+        Self { heading: sign(variable.speed()), ..variable }
     }
 
-    /// What the clock shows at the start.
+    /// What the variable shows at the start.
     pub(super) fn now(&self) -> f64 {
         self.shown(&self.from)
     }
 
-    /// What the clock shows at a state.
+    /// What the variable shows at a state.
     pub(super) fn shown(&self, state: &State) -> f64 {
         match self.law {
             Law::Spring => state.plate_m,
@@ -58,7 +59,7 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// The state when the clock shows `z`.
+    /// The state when the variable shows `z`.
     pub(super) fn state(&self, z: f64, y: &Unknowns) -> State {
         let State { t_s, travel_m, slip_m_s, plate_m: x, plate_m_s: w } = self.from;
         let (moved_m, plate_m_s) = match self.law {
@@ -86,7 +87,7 @@ impl<'a> Clock<'a> {
         0.5 * w * w + self.potential(self.from.plate_m)
     }
 
-    /// The unknowns' derivatives by the clock.
+    /// The unknowns' derivatives by the variable.
     pub(super) fn rate(&self, state: &State) -> Unknowns {
         let motion = self.motion;
         let (cos, w) = (motion.coupling, state.plate_m_s);
@@ -105,16 +106,16 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// How fast the clock runs at the start, m/s or m/s².
-    pub(super) fn pace(&self) -> f64 {
+    /// How fast the variable runs at the start, m/s or m/s².
+    pub(super) fn speed(&self) -> f64 {
         match self.law {
             Law::Spring => self.from.plate_m_s,
             Law::Damper => self.motion.accelerations(&self.from).1,
         }
     }
 
-    /// How far from zero a crossing step may begin or end: as far as no more than this share of the plate's energy, or of the force that
-    /// turns it round, is exchanged on the way, and further singularities are further away still.
+    /// How far from zero a crossing step may begin or end: as far as no more than this share of the plate's energy, or of the force
+    /// that turns it round, is exchanged on the way, and further singularities are further away still.
     pub(super) fn room(&self, share: f64) -> f64 {
         let motion = self.motion;
         let (x, w, mobility) = (self.from.plate_m, self.from.plate_m_s, motion.plate_mobility);
