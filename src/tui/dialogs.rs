@@ -1,20 +1,16 @@
 //! What lies on top of the panes: help, palette, preset picker, list of edits, saving, exporting.
 
+pub(in crate::tui) mod ask;
 pub(in crate::tui) mod curve;
 pub(in crate::tui) mod export;
 pub(in crate::tui) mod help;
 pub(in crate::tui) mod history;
-pub(in crate::tui) mod keys;
+pub(in crate::tui) mod list;
 pub mod options;
 pub mod palette;
-pub(in crate::tui) mod path;
 pub(in crate::tui) mod popup;
 pub(in crate::tui) mod presets;
-pub(in crate::tui) mod save;
-pub(in crate::tui) mod table;
 pub(in crate::tui) mod words;
-
-use tui_input::Input;
 
 use crate::files::export::Meta;
 use crate::files::style::Style;
@@ -22,105 +18,90 @@ use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::keymap::{Action, LINES, PANE_KEYS, Scope};
 use crate::tui::message::PresetEntry;
+use crate::tui::widgets::input::TextField;
 
 /// The dialog on top.
 #[derive(Clone, Debug)]
 pub enum Dialog {
-    /// Keys, and what the selected variable means.
-    Help(Picker),
-    /// Every action by name.
-    Palette(Picker),
-    /// Presets to load.
-    Presets(Picker),
-    /// The edits of this session.
-    History(Picker),
-    /// The words the selected variable can be.
-    Words(Picker),
-    /// A name to save under.
-    Save(Save),
+    /// A list to choose from.
+    List(List, Picker),
+    /// A question that a text answers.
+    Ask(Ask),
     /// What to export and where.
     Export(Box<Export>),
-    /// The options.
-    Options(Picker),
-    /// Where to write a table: a path.
-    ExportTable(Table, Save),
-    /// Which file a spring's measured curve is in (of the second spring: true): a path.
-    Curve(bool, Save),
 }
 
-/// A table that a tab writes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Table {
-    /// What Explore shows.
-    Explore,
-    /// What was measured of the methods.
-    Accuracy,
-    /// The shots of the Limit tab.
-    Limit,
-    /// Its comparison at equal areal mass.
-    Comparison,
-    /// Its map of mass efficiency.
-    EfficiencyMap,
-    /// The map of stability.
-    Map,
-    /// The stiff scenes.
-    Battery,
-    /// What the Search tab shows.
-    Search,
-    /// The page of the Thesis tab.
-    Thesis,
-}
-
-impl Table {
-    /// What is written, for the dialog's frame.
-    pub fn title(self) -> &'static str {
+impl Dialog {
+    /// The field that takes characters, if one does.
+    pub fn field_mut(&mut self) -> Option<&mut TextField> {
         match self {
-            Self::Explore => "Export the sweep to CSV",
-            Self::Accuracy => "Export the measurements to CSV",
-            Self::Limit => "Export the shots to CSV",
-            Self::Comparison => "Export the comparison to CSV",
-            Self::EfficiencyMap | Self::Map => "Export the map to CSV",
-            Self::Battery => "Export the stiff scenes to CSV",
-            Self::Search => "Export the results to CSV",
-            Self::Thesis => "Export this page to CSV",
+            Self::List(_, picker) => picker.typing.then_some(&mut picker.filter),
+            Self::Ask(ask) => Some(&mut ask.text),
+            Self::Export(export) => export.field_mut(),
         }
     }
 }
 
-/// A list with a filter.
+/// What a list is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum List {
+    /// Keys, and what the selected variable means.
+    Help,
+    /// Every action by name.
+    Palette,
+    /// Presets to load.
+    Presets,
+    /// The edits of this session.
+    History,
+    /// The words the selected variable can be.
+    Words,
+    /// The options.
+    Options,
+}
+
+impl List {
+    /// The dialog with this row selected.
+    pub fn at(self, selected: usize) -> Dialog {
+        Dialog::List(self, Picker { selected, ..Picker::default() })
+    }
+
+    /// The dialog whose filter takes characters at once.
+    pub fn typing(self) -> Dialog {
+        Dialog::List(self, Picker { typing: true, ..Picker::default() })
+    }
+}
+
+/// The state of a list with a filter.
 #[derive(Clone, Debug, Default)]
 pub struct Picker {
-    /// The filter's text.
-    pub filter: Input,
+    /// The filter.
+    pub filter: TextField,
     /// Characters go into the filter.
     pub typing: bool,
     /// The selected row of those that pass the filter.
     pub selected: usize,
 }
 
-impl Picker {
-    /// A list whose filter takes characters at once.
-    pub fn typing() -> Self {
-        Self { typing: true, ..Self::default() }
-    }
-
-    /// A list with a row selected.
-    pub fn at(selected: usize) -> Self {
-        Self { selected, ..Self::default() }
-    }
-}
-
 /// A dialog for one text: a preset's name, or a path.
 #[derive(Clone, Debug)]
-pub struct Save {
+pub struct Ask {
+    /// What the text is for.
+    pub purpose: Purpose,
     /// The text.
-    pub input: Input,
-    /// The text is the proposed one: the first character replaces it.
-    pub all_selected: bool,
+    pub text: TextField,
     /// A preset or file of this name exists: the answer to "overwrite?" is awaited.
     pub question: bool,
-    /// Why the text is no good, or saving failed.
-    pub error: Option<String>,
+}
+
+/// What a text is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// The name to save the scene under.
+    Preset,
+    /// The file to write the page's table to; what the table is.
+    Table(&'static str),
+    /// The file that has a spring's measured curve (of the second spring: true).
+    Curve(bool),
 }
 
 /// The rows of the export dialog.
@@ -176,13 +157,13 @@ pub struct Export {
     /// Which rows.
     pub what: What,
     /// Rows of a uniform grid, as typed.
-    pub grid: Input,
+    pub grid: TextField,
     /// The runs: name, and whether it goes along.
     pub runs: Vec<(String, bool)>,
     /// The columns of a series: name, and whether it goes along.
     pub columns: Vec<(&'static str, bool)>,
     /// The file.
-    pub path: Input,
+    pub path: TextField,
     /// How the table is spelt.
     pub style: Style,
     /// Where the scene goes.
@@ -210,6 +191,15 @@ impl Export {
         }
         rows.extend([ExportRow::Style, ExportRow::Meta]);
         rows
+    }
+
+    /// The field of the selected row, if it has one.
+    pub fn field_mut(&mut self) -> Option<&mut TextField> {
+        match self.row {
+            ExportRow::Path => Some(&mut self.path),
+            ExportRow::GridRows => Some(&mut self.grid),
+            _ => None,
+        }
     }
 
     /// Change what the selected row chooses, round and round; whether it chooses anything.

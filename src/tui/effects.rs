@@ -441,18 +441,18 @@ mod tests {
         let state = paths.state.clone();
         fs::create_dir_all(state.parent().unwrap()).unwrap();
         fs::write(&state, "").unwrap();
-        let told = || match report(&inbox) {
+        let outcome = || match report(&inbox) {
             EffectReport::Session(saved) => saved,
             other => panic!("{other:?}"),
         };
         io_thread.session_changed(session_of(2.0));
-        let why = told().unwrap_err();
+        let why = outcome().unwrap_err();
         assert!(why.contains("cannot write"), "{why}");
         io_thread.session_changed(session_of(3.0));
         assert!(io_thread.finish(PATIENCE).is_err());
         fs::remove_file(&state).unwrap();
         io_thread.session_changed(session_of(4.0));
-        assert_eq!(told(), Ok(()));
+        assert_eq!(outcome(), Ok(()));
         drop(place);
     }
 

@@ -9,13 +9,15 @@ pub mod run;
 pub mod search;
 pub mod thesis;
 
+use crossterm::event::KeyEvent;
 use ratatui::layout::Rect;
 
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Tab};
 use crate::tui::keymap::{Action, Pane};
-use crate::tui::message::Effect;
+use crate::tui::message::{Content, Effect};
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::input::TextField;
 use crate::worker::Report;
 
 /// A part of the status row: how serious, the text, and a shorter form of it.
@@ -28,6 +30,23 @@ pub(in crate::tui) struct Job {
     pub id: u64,
     /// What it is, for the status row of other tabs.
     pub label: &'static str,
+}
+
+/// A table of a page, to be written to a file or copied.
+pub(in crate::tui) struct Table {
+    /// What is written, for the dialog's frame.
+    pub title: &'static str,
+    /// The file proposed.
+    pub file: String,
+    /// What there is.
+    pub content: Content,
+}
+
+impl Table {
+    /// A table that is a text already.
+    pub(in crate::tui) fn text(title: &'static str, file: String, text: String) -> Self {
+        Self { title, file, content: Content::Text(text) }
+    }
 }
 
 /// A tab of the workbench.
@@ -69,6 +88,26 @@ pub(in crate::tui) trait Page {
 
     /// A report of one of its tasks.
     fn report(&self, _app: &mut App, _report: Report) -> Vec<Effect> {
+        Vec::new()
+    }
+
+    /// The table shown, once there is anything in it.
+    fn table(&self, _app: &App) -> Option<Table> {
+        None
+    }
+
+    /// The field that takes characters in the pane that has the keys.
+    fn field<'a>(&self, _app: &'a App) -> Option<&'a TextField> {
+        None
+    }
+
+    /// The same field, to type into.
+    fn field_mut<'a>(&self, _app: &'a mut App) -> Option<&'a mut TextField> {
+        None
+    }
+
+    /// A key while that field is open.
+    fn press(&self, _app: &mut App, _key: KeyEvent) -> Vec<Effect> {
         Vec::new()
     }
 

@@ -91,7 +91,7 @@ impl Shell {
         let io_thread = IoThread::spawn(paths, known, sender.clone())?;
         let unsaved = io_thread.unsaved();
         let watch = signals::spawn(sender.clone(), move || {
-            // Nobody is left to be told.
+            // Nobody is left to read it.
             let _ = unsaved.save();
             terminal::restore_without_waiting();
         })?;
@@ -149,11 +149,11 @@ impl Shell {
         self.io_thread.session_changed(start::session(&self.app, &self.recent));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
-        let said = match self.io_thread.finish(patience) {
+        let session = match self.io_thread.finish(patience) {
             Ok(aside) => aside.map(|aside| effects::of_another(&aside)),
             Err(why) => Some(format!("the session was not kept: {why}")),
         };
-        (summary.then(|| self.app.summary()), said)
+        (summary.then(|| self.app.summary()), session)
     }
 
     /// Wait for something, deal with all that has come, and draw if it is time.

@@ -14,7 +14,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
 use crate::tui::keymap::Keymap;
 use crate::tui::pages::run::charts::Window;
-use crate::tui::pages::run::runs::{LETTERS, Pin, name_of};
+use crate::tui::pages::run::runs::{LETTERS, Pin};
 use crate::tui::theme::{ColourDepth, GlyphChoice, Theme};
 use crate::tui::update::done;
 
@@ -231,7 +231,7 @@ fn restore(app: &mut App, last: Session, glyphs: GlyphChoice) {
     for (letter, (_, scene)) in LETTERS.into_iter().zip(last.pins) {
         app.pins.push(Pin {
             letter,
-            name: name_of(&scene, &app.base.name, &app.base.scene),
+            name: app.name_of(&scene),
             scene: Arc::new(scene),
             run: None,
             visible: true,
@@ -303,8 +303,8 @@ mod tests {
         assert_eq!(again.scene, app.scene);
         assert_eq!((again.theme, again.threads), (app.theme, Some(1)));
         assert_eq!(session(&again, &[PathBuf::from("a.toml")]), kept);
-        let said = again.notice.expect("it says so").text;
-        assert!(said.contains("modified, 1 pinned run"), "{said}");
+        let text = again.notice.expect("it says so").text;
+        assert!(text.contains("modified, 1 pinned run"), "{text}");
         // What the command line asks for goes before what the session has.
         let mut fixed = state();
         restore(&mut fixed, kept, GlyphChoice::Fixed(GlyphSet::Ascii));
@@ -334,37 +334,37 @@ mod tests {
 
     #[test]
     fn without_a_home_it_does_not_claim_to_keep_the_session() {
-        let fresh = || Options { scene: None, fresh: true, glyphs: GlyphChoice::Auto };
-        let (mut state, ..) = app(fresh(), None);
-        let said = state.notice.clone().expect("it is said").text;
-        assert!(said.contains("cannot be kept") && said.contains("HOME"), "{said}");
+        let options = || Options { scene: None, fresh: true, glyphs: GlyphChoice::Auto };
+        let (mut state, ..) = app(options(), None);
+        let text = state.notice.clone().expect("it is said").text;
+        assert!(text.contains("cannot be kept") && text.contains("HOME"), "{text}");
         let escape = KeyEvent::new(KeyCode::Esc, KeyModifiers::NONE);
         update::update(&mut state, Message::Key(escape));
-        let said = state.notice.expect("it is said").text;
-        assert!(said.contains("the session is not kept"), "{said}");
+        let text = state.notice.expect("it is said").text;
+        assert!(text.contains("the session is not kept"), "{text}");
     }
 
     #[test]
     fn another_start_keeps_a_session_that_would_be_lost() {
         let place = tempfile::tempdir().unwrap();
         let paths = Paths::below(place.path());
-        let fresh = || Options { scene: None, fresh: true, glyphs: GlyphChoice::Auto };
+        let options = || Options { scene: None, fresh: true, glyphs: GlyphChoice::Auto };
         let mut last = Session { preset: Some("thesis-baseline".to_owned()), ..Session::default() };
         last.scene = preset::baseline().unwrap().scene;
         last.recent.push(PathBuf::from("a.toml"));
         // Nothing in it that a preset does not have: nothing to keep.
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, recent, _) = app(fresh(), Some(&paths));
+        let (state, recent, _) = app(options(), Some(&paths));
         assert!(state.notice.is_none());
         assert_eq!(recent, last.recent);
         assert!(!paths.previous_session_file().exists());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, _, _) = app(fresh(), Some(&paths));
+        let (state, _, _) = app(options(), Some(&paths));
         assert_eq!(state.pins.len(), 0);
-        let said = state.log.last().unwrap().text.clone();
-        assert!(said.contains("1 pinned run") && said.contains("session.previous.toml"), "{said}");
+        let text = state.log.last().unwrap().text.clone();
+        assert!(text.contains("1 pinned run") && text.contains("session.previous.toml"), "{text}");
         let kept = session::load(&paths.previous_session_file()).session;
         assert_eq!(kept, Some(last));
     }

@@ -6,7 +6,7 @@ use crate::tui::app::App;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::keymap::{Action, Key, Pane, works_in};
 use crate::tui::message::{Effect, Message};
-use crate::tui::widgets::input;
+use crate::tui::widgets::input::TEXT_MAX;
 use crate::tui::{dialogs, pages};
 use crate::worker::Report;
 
@@ -35,7 +35,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
             Vec::new()
         }
         Message::Paste(_) | Message::Wheel(..) if app.layout().body.is_none() => Vec::new(),
-        Message::Paste(text) => input::paste(app, &text),
+        Message::Paste(text) => paste(app, &text),
         Message::Click(target) => pointer::click(app, target),
         Message::Wheel(up, target) if app.dialog.is_none() => pointer::wheel(app, up, target),
         Message::Wheel(up, _) => {
@@ -76,23 +76,49 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
         return unseen(app, action);
     }
     if app.dialog.is_some() {
-        return dialogs::keys::press(app, key);
+        return dialogs::list::press(app, key);
     }
     if app.find.field.is_some() {
         return find::press(app, key);
     }
     if app.is_typing() {
-        return match app.pane() {
-            Pane::Variables => pages::run::editor::field::press(app, key),
-            Pane::ExploreSetup => pages::explore::setup::keys::press(app, key),
-            _ => pages::search::keys::press(app, key),
-        };
+        return pages::of(app.tab).press(app, key);
     }
     if let Some(action) = action.filter(|action| works_in(*action, app.pane())) {
         return act::act(app, action);
     }
     app.history.commit();
     app.hint(key);
+    Vec::new()
+}
+
+/// Pasted text goes into the open field, without line breaks and control characters; else it is ignored with a note.
+fn paste(app: &mut App, text: &str) -> Vec<Effect> {
+    app.notice = None;
+    let clean: String =
+        text.trim().chars().filter(|c| !c.is_control()).take(TEXT_MAX + 1).collect();
+    if clean.chars().count() > TEXT_MAX {
+        let text = format!("pasted text is ignored: it is longer than {TEXT_MAX} characters");
+        app.say(Severity::Warning, text);
+        return Vec::new();
+    }
+    let is_typing = app.is_typing();
+    let field = match &mut app.dialog {
+        Some(dialog) => dialog.field_mut(),
+        None if is_typing => pages::of(app.tab).field_mut(app),
+        None => app.find.field.as_mut(),
+    };
+    match field {
+        Some(field) => field.insert(&clean),
+        None => app.say(
+            Severity::Note,
+            "pasted text is ignored here: open a field first (Enter on a variable)",
+        ),
+    }
+    dialogs::list::after_typing(app);
+    if app.dialog.is_none() {
+        find::follow(app);
+    }
     Vec::new()
 }
 
@@ -128,12 +154,7 @@ fn close_top(app: &mut App) -> bool {
 impl App {
     /// Whether a value is being typed in the pane that has the keys.
     pub fn is_typing(&self) -> bool {
-        match self.pane() {
-            Pane::Variables => self.editor.field.is_some(),
-            Pane::ExploreSetup => self.sweeping.field.is_some(),
-            Pane::SearchSetup => self.searching.field.is_some(),
-            _ => false,
-        }
+        pages::of(self.tab).field(self).is_some()
     }
 
     /// Say that a key does nothing here, where a person may have expected something.

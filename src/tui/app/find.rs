@@ -1,15 +1,14 @@
 //! Finding by text: how well a text matches, and the field of `/`.
 
-use tui_input::Input;
-
 use crate::model::results::{RESULTS, ResultColumn};
 use crate::study::sweep;
+use crate::tui::widgets::input::TextField;
 
 /// The field of `/` while it is open, and the texts that lists are filtered by.
 #[derive(Clone, Debug, Default)]
 pub struct Find {
     /// The text being typed.
-    pub field: Option<Input>,
+    pub field: Option<TextField>,
     /// Claims shown: those that match.
     pub claims: String,
     /// Lines of the log shown: those that contain it.

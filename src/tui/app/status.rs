@@ -55,16 +55,7 @@ impl App {
 
     /// Why an open field refuses its text, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
-        let error = match self.pane() {
-            Pane::Variables => self.editor.field.as_ref().and_then(|field| field.error.clone()),
-            Pane::ExploreSetup => {
-                self.sweeping.field.as_ref().and_then(|field| field.error.clone())
-            }
-            Pane::SearchSetup => {
-                self.searching.field.as_ref().and_then(|field| field.error.clone())
-            }
-            _ => None,
-        };
+        let error = pages::of(self.tab).field(self).and_then(|field| field.error.clone());
         if let Some(error) = error {
             return Some((Severity::Error, error));
         }

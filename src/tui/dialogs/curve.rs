@@ -3,16 +3,18 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crossterm::event::{KeyCode, KeyEvent};
-use tui_input::Input;
-
 use crate::model::scene::SpringKind;
-use crate::model::variables;
+use crate::model::{units, variables};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::dialogs::{Dialog, Save, path};
+use crate::tui::dialogs::{Ask, Dialog, Purpose, ask};
 use crate::tui::message::Effect;
 use crate::tui::update::edit;
+use crate::tui::widgets::input::TextField;
+
+/// The titles of the dialog.
+pub(in crate::tui) const TITLES: (&str, &str) =
+    ("Measured curve of the spring (CSV)", "Tab completes  Enter reads  Esc keeps");
 
 /// After a word was taken: a spring that is a table now asks for its file.
 pub(in crate::tui) fn ask(app: &mut App, word: &str) {
@@ -22,29 +24,36 @@ pub(in crate::tui) fn ask(app: &mut App, word: &str) {
         _ => return,
     };
     if word == SpringKind::Table.word() {
-        let save =
-            Save { input: Input::default(), all_selected: false, question: false, error: None };
-        app.dialog = Some(Dialog::Curve(second, save));
+        ask::open(app, Purpose::Curve(second), TextField::default());
     }
 }
 
-/// A key while the dialog is open: Tab completes, Enter reads, Esc keeps the points there are.
-pub(in crate::tui) fn press(
-    app: &mut App,
-    second: bool,
-    state: Save,
-    key: KeyEvent,
-) -> Vec<Effect> {
-    if key.code == KeyCode::Tab {
-        let typed = state.input.value().to_owned();
-        app.dialog = Some(Dialog::Curve(second, state));
-        return vec![Effect::Complete(typed)];
+/// What the file has to be, and the points there are.
+pub(in crate::tui) fn hint(app: &App, second: bool) -> String {
+    let mechanism = &app.scene.mechanism;
+    let spring = if second { &mechanism.second } else { &mechanism.spring };
+    format!(
+        "displacement in m, force in N, a point a line, as in 0.01,1000. Now: {} (Esc keeps them)",
+        extent(&spring.table.points)
+    )
+}
+
+/// `3 points, x = 0 to 0.05 m`.
+pub(in crate::tui) fn extent(points: &[[f64; 2]]) -> String {
+    match (points.first(), points.last()) {
+        (Some(first), Some(last)) => format!(
+            "{} points, x = {} to {} m",
+            points.len(),
+            units::shortest(first[0]),
+            units::shortest(last[0])
+        ),
+        _ => "no points".to_owned(),
     }
-    let read = |app: &App, state: &mut Save, _overwrite| {
-        path::typed(app, state, "curve.csv")
-            .map_or_else(Vec::new, |path| vec![Effect::ReadCurve(second, path)])
-    };
-    path::press(app, state, key, read, |state| Dialog::Curve(second, state))
+}
+
+/// Whether the file is asked for.
+fn is_asked(dialog: Option<&Dialog>) -> bool {
+    matches!(dialog, Some(Dialog::Ask(Ask { purpose: Purpose::Curve(_), .. })))
 }
 
 /// The file was read, or could not be: its points become the spring's as one edit, or the dialog says why not.
@@ -69,14 +78,14 @@ pub(in crate::tui) fn read(
     });
     match (taken, &mut app.dialog) {
         (Ok((scene, count)), dialog) => {
-            if matches!(dialog, Some(Dialog::Curve(..))) {
+            if is_asked(dialog.as_ref()) {
                 *dialog = None;
             }
             app.say(Severity::Note, format!("spring: {count} points from {name} (u undoes)"));
             edit::commit_scene(app, scene, format!("spring curve from {name}"), None)
         }
-        (Err(text), Some(Dialog::Curve(_, save))) => {
-            save.error = Some(text);
+        (Err(text), Some(Dialog::Ask(state))) => {
+            state.text.error = Some(text);
             Vec::new()
         }
         (Err(text), _) => {

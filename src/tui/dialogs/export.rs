@@ -6,16 +6,15 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
-use tui_input::Input;
 
 use crate::files::csv::{self, NamedRun, Rows};
 use crate::files::export::{ExportRequest, Meta};
 use crate::files::style::Style;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::dialogs::{Dialog, Export, ExportRow, What, path};
+use crate::tui::dialogs::{Dialog, Export, ExportRow, What, ask};
 use crate::tui::message::Effect;
-use crate::tui::widgets::input;
+use crate::tui::widgets::input::TextField;
 
 /// Rows of a grid when nothing else is asked for, and the most there may be.
 const GRID_ROWS: (usize, usize) = (1001, 1_000_000);
@@ -27,10 +26,10 @@ pub(in crate::tui) fn open(app: &mut App) {
         app.say(Severity::Error, "nothing to export yet: r runs the scene");
         return;
     }
-    let path = Input::new(format!("{}.csv", path::base_stem(app)));
+    let path = TextField::new(format!("{}.csv", ask::base_stem(app)));
     app.dialog = Some(Dialog::Export(Box::new(Export {
         what: What::Series,
-        grid: Input::new(GRID_ROWS.0.to_string()),
+        grid: TextField::new(GRID_ROWS.0.to_string()),
         runs: runs.into_iter().map(|(name, _)| (name, true)).collect(),
         columns: csv::columns(Rows::Series, false).into_iter().map(|name| (name, true)).collect(),
         path,
@@ -95,16 +94,7 @@ pub(in crate::tui) fn click(app: &mut App, row: usize) -> Vec<Effect> {
 }
 
 fn typed(state: &mut Export, key: KeyEvent) {
-    let field = match state.row {
-        ExportRow::Path => &mut state.path,
-        ExportRow::GridRows => &mut state.grid,
-        ExportRow::What
-        | ExportRow::Style
-        | ExportRow::Meta
-        | ExportRow::Run(_)
-        | ExportRow::Column(_) => return,
-    };
-    if input::press(field, &mut false, key) {
+    if state.field_mut().is_some_and(|field| field.press(key)) {
         state.question = false;
         state.error = None;
         state.completions.clear();
@@ -145,7 +135,7 @@ fn all_or_none(state: &mut Export) {
 
 /// `NAME.csv` becomes `NAME-2.csv`, and that `NAME-3.csv`.
 fn rename(state: &mut Export) {
-    state.path = Input::new(path::next_name(state.path.value()));
+    state.path = TextField::new(ask::next_name(state.path.value()));
     state.row = ExportRow::Path;
     state.question = false;
 }

@@ -1,10 +1,20 @@
-//! The lines of the options menu. No drawing.
+//! The options menu: characters, colours, mouse, auto-run, threads, interface law and contact model, each switched by name.
 
-pub(in crate::tui) mod draw;
-pub(in crate::tui) mod keys;
+use ratatui::layout::Rect;
 
-use crate::model::variables;
+use crate::model::variables::{self, Kind, VARIABLES, Value};
+use crate::study::sweep::crew::Crew;
 use crate::tui::app::App;
+use crate::tui::app::notice::Severity;
+use crate::tui::app::status::wrap;
+use crate::tui::dialogs::popup::frame;
+use crate::tui::dialogs::{self, Picker};
+use crate::tui::keymap::Action;
+use crate::tui::message::{Effect, Target};
+use crate::tui::theme::Role;
+use crate::tui::update::{edit, jobs};
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{paint_row, put};
 
 /// One line of the menu.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,4 +81,98 @@ impl OptionRow {
             Self::Contact => "the force between projectile and plate",
         }
     }
+}
+
+/// Switch one by name.
+pub(in crate::tui) fn switch(app: &mut App, action: Action) -> Vec<Effect> {
+    let row = match action {
+        Action::Glyphs => OptionRow::Characters,
+        Action::Theme => OptionRow::Colours,
+        Action::Mouse => OptionRow::Mouse,
+        Action::AutoRun => OptionRow::AutoRun,
+        _ => OptionRow::Interface,
+    };
+    let effects = change(app, row, true);
+    let (name, value) = row.shown(app);
+    app.say(Severity::Note, format!("{name}: {value}"));
+    effects
+}
+
+pub(in crate::tui) fn change(app: &mut App, row: OptionRow, forward: bool) -> Vec<Effect> {
+    match row {
+        OptionRow::Characters => {
+            app.theme.glyphs = app.theme.glyphs.next();
+            vec![Effect::SaveSession]
+        }
+        OptionRow::Colours => {
+            app.theme.depth = app.theme.depth.next(app.best_depth);
+            vec![Effect::SaveSession]
+        }
+        OptionRow::Mouse => {
+            app.mouse = !app.mouse;
+            vec![Effect::Mouse(app.mouse)]
+        }
+        OptionRow::AutoRun => {
+            app.auto_run = !app.auto_run;
+            let run = app.auto_run && app.is_stale();
+            let mut effects = if run { jobs::run_now(app) } else { Vec::new() };
+            effects.push(Effect::SaveSession);
+            effects
+        }
+        OptionRow::Threads => {
+            // In a circle: one a core, then 1, 2, up to as many as there are cores.
+            let most = Crew::of_machine().threads;
+            let now = app.threads.map_or(0, |count| count.min(most));
+            let next = dialogs::wrap(now, if forward { 1 } else { -1 }, most + 1);
+            app.threads = (next > 0).then_some(next);
+            vec![Effect::SaveSession]
+        }
+        OptionRow::Interface => next_word(app, "interface.law", forward),
+        OptionRow::Contact => next_word(app, "contact.model", forward),
+    }
+}
+
+/// The next word of a choice that the scene makes sense with.
+fn next_word(app: &mut App, key: &str, forward: bool) -> Vec<Effect> {
+    let Some(index) = VARIABLES.iter().position(|one| one.key == key) else { return Vec::new() };
+    let Kind::Choice(choice) = &VARIABLES[index].kind else { return Vec::new() };
+    let count = choice.words.len();
+    let now = (choice.get)(&app.scene);
+    let mut refused = None;
+    for step in 1..count {
+        let at = if forward { (now + step) % count } else { (now + count - step) % count };
+        match edit::set(app, index, Value::Word(choice.words[at]), None) {
+            Ok(effects) => return effects,
+            Err(error) => refused = Some(error),
+        }
+    }
+    if let Some(error) = refused {
+        app.say(Severity::Error, error);
+    }
+    Vec::new()
+}
+
+/// Where the values begin.
+const VALUE: u16 = 18;
+
+/// Draw it.
+pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
+    let count = OptionRow::ALL.len();
+    let rows = u16::try_from(count).unwrap_or(u16::MAX);
+    let inner = frame(app, screen, (58, rows + 6), ("Options", "h/l changes"), canvas);
+    for (at, row) in (0..inner.height).zip(OptionRow::ALL) {
+        let (name, value) = row.shown(app);
+        put(canvas, inner, (1, at), name, app.theme.style(Role::Text));
+        put(canvas, inner, (VALUE, at), &format!("< {value} >"), app.theme.style(Role::Title));
+        if usize::from(at) == picker.selected {
+            paint_row(canvas, inner, at, app.theme.style(Role::Selection));
+        }
+    }
+    let meaning = OptionRow::ALL.get(picker.selected).map_or("", |row| row.meaning());
+    let lines = wrap(meaning, usize::from(inner.width.saturating_sub(2)));
+    for (row, line) in (rows + 1..inner.height).zip(lines) {
+        put(canvas, inner, (1, row), &line, app.theme.style(Role::Dim));
+    }
+    let area = Rect { height: rows.min(inner.height), ..inner };
+    canvas.rows(area, (0, count), |row| Some(Target::DialogRow(row)));
 }

@@ -1,13 +1,16 @@
 //! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym, and what Enter does with each.
 
-pub(in crate::tui) mod keys;
-
 use crate::model::variables::{VARIABLES, is_offered};
 use crate::tui::app::find::{rank, ranked};
+use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Tab};
-use crate::tui::keymap::{COMMANDS, Command};
-use crate::tui::message::PresetEntry;
+use crate::tui::dialogs::{Picker, presets};
+use crate::tui::keymap::{COMMANDS, Command, Pane};
+use crate::tui::message::{Effect, PresetEntry};
+use crate::tui::pages;
 use crate::tui::pages::explore::state::numeric;
+use crate::tui::pages::run::editor::field;
+use crate::tui::update::act;
 
 /// Something that can be called by name.
 #[derive(Clone, Copy)]
@@ -112,4 +115,41 @@ fn lower(name: &str) -> String {
         // A name such as "V50" or "Monte Carlo" keeps its capitals after the first letter.
         first.to_lowercase().chain(letters).collect()
     })
+}
+
+/// Do what the selected row of the palette is for.
+pub(in crate::tui) fn chosen(app: &mut App, picker: &Picker) -> Vec<Effect> {
+    let found = app.palette(picker.filter.value());
+    match found.get(picker.selected).copied() {
+        None => {
+            let typed = picker.filter.value().trim().to_owned();
+            app.say(Severity::Note, format!("nothing is called `{typed}`"));
+            Vec::new()
+        }
+        Some(Item::Command(command)) => call(app, command),
+        Some(Item::Variable(index)) => {
+            app.focus_on(Pane::Variables);
+            app.editor.filter.clear();
+            app.editor.selected = index;
+            field::open(app)
+        }
+        Some(Item::Preset(entry)) => {
+            let entry = entry.clone();
+            presets::take(app, entry)
+        }
+    }
+}
+
+/// Call an action, in the pane it belongs to.
+pub(in crate::tui) fn call(app: &mut App, command: &Command) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    if let Some(pane) = command.pane.filter(|pane| *pane != app.pane()) {
+        let before = app.tab;
+        app.focus_on(pane);
+        if app.tab != before {
+            effects = pages::of(app.tab).enter(app);
+        }
+    }
+    effects.extend(act::act(app, command.action));
+    effects
 }

@@ -4,26 +4,29 @@ use ratatui::layout::Rect;
 use ratatui::widgets::{Clear, Widget};
 
 use crate::tui::app::App;
-use crate::tui::dialogs::{Dialog, Picker, export, help, history, options, presets, save, words};
+use crate::tui::dialogs::{
+    Dialog, List, Picker, ask, export, help, history, options, presets, words,
+};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{put, window};
+use crate::tui::widgets::text::put;
 
 /// Draw the dialog, if one is open.
 pub(in crate::tui) fn render(app: &App, screen: Rect, canvas: &mut Canvas<'_>) {
     match &app.dialog {
-        Some(Dialog::Help(picker)) => help::help(app, picker, screen, canvas),
-        Some(Dialog::Palette(picker)) => help::palette(app, picker, screen, canvas),
-        Some(Dialog::Presets(picker)) => presets::render(app, picker, screen, canvas),
-        Some(Dialog::History(picker)) => history::render(app, picker, screen, canvas),
-        Some(Dialog::Options(picker)) => options::draw::render(app, picker, screen, canvas),
-        Some(Dialog::Words(picker)) => words::render(app, picker, screen, canvas),
-        Some(Dialog::Export(state)) => export::draw::render(app, state, screen, canvas),
-        Some(Dialog::Save(state)) => save::render(app, state, screen, canvas),
-        Some(Dialog::ExportTable(table, state)) => {
-            save::path(app, state, (screen, (table.title(), "Enter writes")), canvas);
+        Some(Dialog::List(list, picker)) => {
+            let draw = match list {
+                List::Help => help::help,
+                List::Palette => help::palette,
+                List::Presets => presets::render,
+                List::History => history::render,
+                List::Options => options::render,
+                List::Words => words::render,
+            };
+            draw(app, picker, screen, canvas);
         }
-        Some(Dialog::Curve(second, state)) => save::curve(app, (*second, state), screen, canvas),
+        Some(Dialog::Export(state)) => export::draw::render(app, state, screen, canvas),
+        Some(Dialog::Ask(state)) => ask::render(app, state, screen, canvas),
         None => {}
     }
 }
@@ -60,9 +63,8 @@ pub(in crate::tui) fn frame(
 pub(in crate::tui) fn filter(app: &App, picker: &Picker, area: Rect, canvas: &mut Canvas<'_>) {
     if picker.typing {
         let end = put(canvas, area, (0, 0), "> ", app.theme.style(Role::Key));
-        let (shown, at) = window(&picker.filter, area.width.saturating_sub(end));
-        put(canvas, area, (end, 0), &shown, app.theme.style(Role::Text));
-        canvas.cursor = Some((area.x + (end + at).min(area.width.saturating_sub(1)), area.y));
+        let room = area.width.saturating_sub(end);
+        picker.filter.draw(canvas, (area, 0), (end, room), app.theme);
     } else {
         put(canvas, area, (0, 0), "/ to search", app.theme.style(Role::Dim));
     }

@@ -1,17 +1,22 @@
-//! The preset picker: names at the left, what a preset is and would change at the right.
+//! The preset picker: names at the left, what a preset is and would change at the right; and what Enter and Space do in it.
 
 use ratatui::layout::Rect;
 
+use crate::model::library::Entry;
 use crate::model::scene::Scene;
-use crate::model::variables::{VARIABLES, Variable};
-use crate::tui::app::App;
+use crate::model::variables::{self, VARIABLES, Variable};
+use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{clip, wrap};
+use crate::tui::app::{App, Base, Origin};
 use crate::tui::dialogs::palette::shown_in;
 use crate::tui::dialogs::popup::{filter, frame};
-use crate::tui::dialogs::{Picker, preset_rows};
-use crate::tui::message::{PresetEntry, Target};
+use crate::tui::dialogs::{Dialog, List, Picker, preset_rows};
+use crate::tui::message::{Effect, PresetEntry, Target};
 use crate::tui::pages::run::editor::shown_value;
+use crate::tui::pages::run::runs;
+use crate::tui::pages::thesis;
 use crate::tui::theme::Role;
+use crate::tui::update::edit;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::text::{first_row, paint_row, put};
 
@@ -150,4 +155,93 @@ fn paragraphs(text: &str) -> Vec<String> {
         begins_anew = line.is_empty();
     }
     paragraphs
+}
+
+/// Load the selected preset; a path opens its file. What is refused leaves the list open.
+pub(in crate::tui) fn chosen(app: &mut App, picker: &Picker) -> Vec<Effect> {
+    let typed = picker.filter.value();
+    let stay = || Some(Dialog::List(List::Presets, picker.clone()));
+    match selected_preset(app, picker) {
+        Some(entry) => {
+            let refused = entry.problem.is_some();
+            let effects = take(app, entry);
+            if refused || (effects.is_empty() && app.dialog.is_none() && app.is_refused()) {
+                app.dialog = stay();
+            }
+            effects
+        }
+        None if looks_like_path(typed) => vec![Effect::Load(typed.trim().into())],
+        None => {
+            let typed = clip(typed.trim(), 24);
+            let text = format!("no preset matches; a file is opened by its path: ./{typed}.toml");
+            app.say(Severity::Note, text);
+            app.dialog = stay();
+            Vec::new()
+        }
+    }
+}
+
+/// Load a preset and show what it is about; put a part of a library into the scene.
+pub(in crate::tui) fn take(app: &mut App, entry: PresetEntry) -> Vec<Effect> {
+    if let Some(problem) = entry.problem {
+        app.say(Severity::Error, format!("{} cannot be loaded: {problem}", entry.name));
+        return Vec::new();
+    }
+    match &entry.part {
+        Some(part) => take_part(app, part),
+        None => thesis::keys::show(app, base_of(entry)),
+    }
+}
+
+fn looks_like_path(text: &str) -> bool {
+    let text = text.trim();
+    text.contains('/') || std::path::Path::new(text).extension().is_some_and(|end| end == "toml")
+}
+
+fn selected_preset(app: &App, picker: &Picker) -> Option<PresetEntry> {
+    let rows = preset_rows(&app.presets, picker.filter.value());
+    rows.get(picker.selected).map(|entry| (*entry).clone())
+}
+
+fn base_of(entry: PresetEntry) -> Base {
+    let origin = match entry.origin {
+        "bundled" => Origin::Bundled,
+        "mine" => Origin::Mine,
+        _ => Origin::Other,
+    };
+    Base { name: entry.name, origin, scene: entry.scene.into() }
+}
+
+/// Pin the selected preset.
+pub(in crate::tui) fn pin(app: &mut App, picker: &Picker) -> Vec<Effect> {
+    let Some(entry) = selected_preset(app, picker) else { return Vec::new() };
+    if let Some(problem) = entry.problem {
+        app.say(Severity::Error, format!("{} cannot be pinned: {problem}", entry.name));
+        return Vec::new();
+    }
+    match entry.scene_on(&app.scene) {
+        Ok(scene) => runs::keys::pin(app, entry.name, scene.into()),
+        Err(error) => {
+            app.say(Severity::Error, error.to_string());
+            Vec::new()
+        }
+    }
+}
+
+/// Takes an entry of a library into the scene, as one edit; one that makes no sense is refused.
+fn take_part(app: &mut App, part: &Entry) -> Vec<Effect> {
+    let mut scene = (*app.scene).clone();
+    let made = part.apply(&mut scene).and_then(|()| variables::validate(&scene));
+    if let Err(error) = made {
+        app.say(Severity::Error, error.to_string());
+        return Vec::new();
+    }
+    let label = format!("{} {}", part.library.word(), part.name);
+    let effects = edit::commit_scene(app, scene, label.clone(), None);
+    if part.warning.is_empty() {
+        app.say(Severity::Note, format!("{label} (u undoes)"));
+    } else {
+        app.say(Severity::Warning, format!("{}: {}", part.name, part.warning));
+    }
+    effects
 }

@@ -14,17 +14,17 @@ use crate::tui::widgets::text::{first_row, paint_row, put};
 
 /// Columns of the dialog.
 const WIDTH: u16 = 58;
-/// Rows for what is said below the words.
-const SAID: u16 = 3;
+/// Rows for the meaning below the words.
+const NOTE_ROWS: u16 = 3;
 
 /// Draw it.
 pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
     let variable = app.editor.variable();
     let words = variable.words();
     let count = u16::try_from(words.len()).unwrap_or(u16::MAX);
-    let size = (WIDTH, count.saturating_add(SAID + 3));
+    let size = (WIDTH, count.saturating_add(NOTE_ROWS + 3));
     let inner = frame(app, screen, size, (variable.symbol, "Enter takes it"), canvas);
-    let list = Rect { height: inner.height.saturating_sub(SAID + 1).min(count), ..inner };
+    let list = Rect { height: inner.height.saturating_sub(NOTE_ROWS + 1).min(count), ..inner };
     let now = variable.value(&app.scene);
     let first = first_row(picker.selected, usize::from(list.height), words.len());
     for (row, (index, word)) in (0..list.height).zip(words.iter().enumerate().skip(first)) {

@@ -10,15 +10,21 @@ pub(in crate::tui) mod progress;
 pub mod setup;
 pub mod state;
 
+use std::sync::Arc;
+
+use crossterm::event::KeyEvent;
 use ratatui::layout::Rect;
 
+use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
+use crate::tui::dialogs::ask;
 use crate::tui::keymap::{Action, Pane};
-use crate::tui::message::Effect;
+use crate::tui::message::{Content, Effect};
 use crate::tui::pages::explore::state::Picture;
-use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
+use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::input::TextField;
 use crate::worker::Report;
 
 /// What the workbench asks of this tab.
@@ -55,6 +61,32 @@ impl Page for Tab {
     fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
         keys::report(app, report.body);
         Vec::new()
+    }
+
+    fn table(&self, app: &App) -> Option<Table> {
+        let found = app.sweeping.found(app.picture())?;
+        let plan = found.grid.plan();
+        let names: Vec<&str> = plan.axes().iter().map(Axis::symbol).collect();
+        let content = Content::Grid(app.name_of(plan.base()), Arc::clone(&found.grid));
+        Some(Table {
+            title: "Export the sweep to CSV",
+            file: format!("{}-{}.csv", ask::base_stem(app), names.join("-")),
+            content,
+        })
+    }
+
+    fn field<'a>(&self, app: &'a App) -> Option<&'a TextField> {
+        let field = app.sweeping.field.as_ref().filter(|_| app.pane() == Pane::ExploreSetup);
+        field.map(|field| &field.text)
+    }
+
+    fn field_mut<'a>(&self, app: &'a mut App) -> Option<&'a mut TextField> {
+        let has_keys = app.pane() == Pane::ExploreSetup;
+        app.sweeping.field.as_mut().filter(|_| has_keys).map(|field| &mut field.text)
+    }
+
+    fn press(&self, app: &mut App, key: KeyEvent) -> Vec<Effect> {
+        setup::keys::press(app, key)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

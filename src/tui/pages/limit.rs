@@ -9,11 +9,13 @@ pub mod state;
 
 use ratatui::layout::Rect;
 
+use crate::report::{compare, limit};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
+use crate::tui::dialogs::ask;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
-use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
+use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
 use crate::tui::widgets::Canvas;
 use crate::worker::{Report, Slot};
 
@@ -57,6 +59,29 @@ impl Page for Tab {
             keys::report(app, report.body);
         }
         Vec::new()
+    }
+
+    fn table(&self, app: &App) -> Option<Table> {
+        let stem = ask::base_stem(app);
+        let table = match app.pane() {
+            Pane::Residual => {
+                let report = app.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
+                let text = limit::shots(&app.name_of(&report.scene), report).csv();
+                let file = format!("{}-limit.csv", ask::stem(app, &report.scene));
+                Table::text("Export the shots to CSV", file, text)
+            }
+            Pane::Comparison => {
+                let (scene, found) = app.limit.comparison.as_ref()?;
+                let text = compare::table(&app.name_of(scene), &found.report).csv();
+                Table::text("Export the comparison to CSV", format!("{stem}-compare.csv"), text)
+            }
+            _ => {
+                let (scene, found) = app.limit.comparison.as_ref()?;
+                let text = compare::map_table(&app.name_of(scene), found.map.as_ref()?).csv();
+                Table::text("Export the map to CSV", format!("{stem}-mass-efficiency.csv"), text)
+            }
+        };
+        Some(table)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -5,11 +5,13 @@ pub mod stability;
 
 use ratatui::layout::Rect;
 
+use crate::report::stability as stability_table;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
+use crate::tui::dialogs::ask;
 use crate::tui::keymap::{Action, Pane};
-use crate::tui::message::Effect;
-use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
+use crate::tui::message::{Content, Effect};
+use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
 use crate::tui::widgets::Canvas;
 use crate::worker::{Report, Slot};
 
@@ -80,6 +82,31 @@ impl Page for Tab {
             _ => stability::keys::report_battery(app, report.body),
         }
         Vec::new()
+    }
+
+    fn table(&self, app: &App) -> Option<Table> {
+        Some(match app.pane() {
+            Pane::Accuracy => {
+                let report = app.accuracy.report.as_ref()?;
+                let found = Box::new((app.name_of(&report.scene), (**report).clone()));
+                Table {
+                    title: "Export the measurements to CSV",
+                    file: format!("{}-accuracy.csv", ask::stem(app, &report.scene)),
+                    content: Content::Accuracy(found),
+                }
+            }
+            Pane::Battery => {
+                let rows = app.stability.rows();
+                let text = (!rows.is_empty()).then(|| stability_table::table(rows).csv())?;
+                Table::text("Export the stiff scenes to CSV", "battery.csv".to_owned(), text)
+            }
+            _ => {
+                let (scene, map) = app.stability.map.as_ref()?;
+                let text = stability_table::map_table(&app.name_of(scene), map).csv();
+                let file = format!("{}-map.csv", ask::stem(app, scene));
+                Table::text("Export the map to CSV", file, text)
+            }
+        })
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

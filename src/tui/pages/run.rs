@@ -11,6 +11,7 @@ pub(in crate::tui) mod side;
 pub mod steps;
 pub mod summary;
 
+use crossterm::event::KeyEvent;
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
@@ -20,6 +21,7 @@ use crate::tui::message::Effect;
 use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
 use crate::tui::update;
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::input::TextField;
 use crate::worker::Report;
 
 /// What the workbench asks of this tab.
@@ -54,6 +56,20 @@ impl Page for Tab {
 
     fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
         update::jobs::report(app, report)
+    }
+
+    fn field<'a>(&self, app: &'a App) -> Option<&'a TextField> {
+        let field = app.editor.field.as_ref().filter(|_| app.pane() == Pane::Variables);
+        field.map(|field| &field.text)
+    }
+
+    fn field_mut<'a>(&self, app: &'a mut App) -> Option<&'a mut TextField> {
+        let has_keys = app.pane() == Pane::Variables;
+        app.editor.field.as_mut().filter(|_| has_keys).map(|field| &mut field.text)
+    }
+
+    fn press(&self, app: &mut App, key: KeyEvent) -> Vec<Effect> {
+        editor::field::press(app, key)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

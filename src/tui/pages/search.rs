@@ -7,6 +7,7 @@ pub mod lines;
 pub mod setup;
 pub mod state;
 
+use crossterm::event::KeyEvent;
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
@@ -14,8 +15,9 @@ use crate::tui::app::layout::{NARROW, setup_width, split_left};
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
-use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
+use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::input::TextField;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -76,6 +78,25 @@ impl Page for Tab {
     fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
         keys::report(app, report.body);
         Vec::new()
+    }
+
+    fn table(&self, app: &App) -> Option<Table> {
+        let file = app.searching.page.file().to_owned();
+        Some(Table::text("Export the results to CSV", file, app.search_csv()?))
+    }
+
+    fn field<'a>(&self, app: &'a App) -> Option<&'a TextField> {
+        let field = app.searching.field.as_ref().filter(|_| app.pane() == Pane::SearchSetup);
+        field.map(|field| &field.text)
+    }
+
+    fn field_mut<'a>(&self, app: &'a mut App) -> Option<&'a mut TextField> {
+        let has_keys = app.pane() == Pane::SearchSetup;
+        app.searching.field.as_mut().filter(|_| has_keys).map(|field| &mut field.text)
+    }
+
+    fn press(&self, app: &mut App, key: KeyEvent) -> Vec<Effect> {
+        keys::press(app, key)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -6,11 +6,13 @@ pub mod state;
 
 use ratatui::layout::Rect;
 
+use crate::report::thesis;
+use crate::study::thesis::Row;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
-use crate::tui::pages::{Job, Page, StatusPart, jobs, note};
+use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
 use crate::tui::widgets::Canvas;
 use crate::worker::Report;
 
@@ -61,6 +63,19 @@ impl Page for Tab {
     fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
         keys::report(app, report.body);
         Vec::new()
+    }
+
+    fn table(&self, app: &App) -> Option<Table> {
+        let (file, text) = match app.pane() {
+            Pane::Principles => ("principles.csv", thesis::principles().csv()),
+            Pane::Screening => ("screening.csv", thesis::screening(&app.thesis.weights).csv()),
+            _ => {
+                // Of the claims those that are shown, as far as they are checked.
+                let shown: Vec<Row> = app.claims().into_iter().cloned().collect();
+                ("claims.csv", (!shown.is_empty()).then(|| thesis::claims(&shown).csv())?)
+            }
+        };
+        Some(Table::text("Export this page to CSV", file.to_owned(), text))
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

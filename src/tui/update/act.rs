@@ -1,14 +1,13 @@
 //! One action: the page that is shown comes first, then what the action means anywhere.
 
-use crate::model::units;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Tab};
-use crate::tui::dialogs::{Dialog, Picker, export, options};
+use crate::tui::dialogs::{List, ask, export, options};
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
-use crate::tui::pages::run::{runs, runs as run_words};
+use crate::tui::pages;
+use crate::tui::pages::run::runs;
 use crate::tui::update::{edit, find};
-use crate::tui::{dialogs, pages};
 
 /// Do it, in the pane that has the keys.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
@@ -89,20 +88,22 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
         A::Undo => return edit::undo(app),
         A::Redo => return edit::redo(app),
         A::ResetAll => return edit::reset_all(app),
-        A::History => app.dialog = Some(Dialog::History(Picker::at(app.history.done))),
-        A::Palette => app.dialog = Some(Dialog::Palette(Picker::typing())),
-        A::Help => app.dialog = Some(Dialog::Help(Picker::default())),
-        A::Options => app.dialog = Some(Dialog::Options(Picker::default())),
+        A::History => app.dialog = Some(List::History.at(app.history.done)),
+        A::Palette => app.dialog = Some(List::Palette.typing()),
+        A::Help => app.dialog = Some(List::Help.at(0)),
+        A::Options => app.dialog = Some(List::Options.at(0)),
         A::Presets => {
-            app.dialog = Some(Dialog::Presets(Picker::default()));
+            app.dialog = Some(List::Presets.at(0));
             return vec![Effect::ListPresets];
         }
-        A::Save => return dialogs::keys::save(app),
-        A::Export => export::open(app),
-        A::Copy => return copy(app),
+        A::Save => return ask::save(app),
+        A::Export if of_runs(app.tab) => export::open(app),
+        A::Export => ask::export(app),
+        A::Copy if of_runs(app.tab) => return runs::keys::copy(app),
+        A::Copy => return ask::copy(app),
         A::Models => return runs::keys::models(app),
         A::Interface | A::AutoRun | A::Glyphs | A::Theme | A::Mouse => {
-            return options::keys::switch(app, action);
+            return options::switch(app, action);
         }
         A::Cancel | A::Back | A::Quit | A::QuitWithSummary => return leave(app, action),
         A::FullPane => {
@@ -262,28 +263,7 @@ fn back(app: &mut App) {
     }
 }
 
-fn copy(app: &mut App) -> Vec<Effect> {
-    let Some(shown) = &app.shown else {
-        app.say(Severity::Error, "nothing to copy yet: r runs the scene");
-        return Vec::new();
-    };
-    let run = &shown.run;
-    let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), units::shortest);
-    let name = run_words::name_of(&run.scene, &app.base.name, &app.base.scene);
-    let lines = [
-        format!("scene\t{name}"),
-        format!("outcome\t{}", run.outcome),
-        format!(
-            "first_arrest_penetration_m\t{}",
-            number(run.first_arrest.map(|arrest| arrest.penetration_m))
-        ),
-        format!("first_arrest_time_s\t{}", number(run.first_arrest.map(|arrest| arrest.t_s))),
-        format!("final_penetration_m\t{}", number(run.final_penetration_m)),
-        format!("percent_of_baseline\t{}", number(run.percent_of_baseline())),
-        format!("peak_contact_force_n\t{}", number(run.peak_contact_force_n)),
-        format!("max_plate_displacement_m\t{}", number(run.max_plate_displacement_m)),
-        format!("residual_velocity_m_s\t{}", number(run.residual_velocity_m_s)),
-        format!("interface_demand_ratio\t{}", number(run.interface_demand_ratio)),
-    ];
-    vec![Effect::Copy(lines.join("\n") + "\n")]
+/// Whether what a tab exports and copies are runs, not a table of its own.
+fn of_runs(tab: Tab) -> bool {
+    matches!(tab, Tab::Run | Tab::Log)
 }

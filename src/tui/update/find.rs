@@ -2,7 +2,6 @@
 //! other lists the selection goes to the best match.
 
 use crossterm::event::{KeyCode, KeyEvent};
-use tui_input::Input;
 
 use crate::study::principles::PRINCIPLES;
 use crate::study::screening::CRITERIA;
@@ -12,7 +11,7 @@ use crate::tui::app::notice::Severity;
 use crate::tui::keymap::Pane;
 use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::SetupRow;
-use crate::tui::widgets::input;
+use crate::tui::widgets::input::TextField;
 
 /// Open the field, with the text the list is filtered by.
 pub(in crate::tui) fn open(app: &mut App) {
@@ -32,7 +31,7 @@ pub(in crate::tui) fn open(app: &mut App) {
             return;
         }
     };
-    app.find.field = Some(Input::new(text));
+    app.find.field = Some(TextField::new(text));
 }
 
 /// A key while it is open: the list follows every character.
@@ -52,9 +51,7 @@ pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
             }
         }
         _ => {
-            if let Some(field) = &mut app.find.field
-                && input::press(field, &mut false, key)
-            {
+            if app.find.field.as_mut().is_some_and(|field| field.press(key)) {
                 follow(app);
             }
         }

@@ -13,7 +13,7 @@ use crate::tui::{dialogs, pages};
 pub(in crate::tui) fn click(app: &mut App, target: Target) -> Vec<Effect> {
     app.notice = None;
     if app.dialog.is_some() {
-        return dialogs::keys::click(app, target);
+        return dialogs::list::click(app, target);
     }
     if is_typing(app) {
         app.say(Severity::Note, "a field is open: Enter takes it, Esc leaves it as it was");

@@ -2,16 +2,16 @@
 
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
-use tui_input::Input;
 
 use crate::tui::app::App;
-use crate::tui::dialogs::Dialog;
+use crate::tui::dialogs::{Dialog, List, Purpose};
 use crate::tui::keymap::{Action, PANE_KEYS, Pane};
 use crate::tui::pages::explore::state::{Picture, SetupRow, has_family};
 use crate::tui::pages::search::state::Page;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, put, put_line, window};
+use crate::tui::widgets::input::TextField;
+use crate::tui::widgets::text::{columns, put, put_line};
 
 type Keys = &'static [(&'static str, &'static str)];
 
@@ -41,16 +41,14 @@ pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// The field of `/`, and what ends it.
-fn find(app: &App, field: &Input, area: Rect, canvas: &mut Canvas<'_>) {
+fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
     let lead = format!("/ find in {}: ", app.pane().label());
     let start = put(canvas, area, (1, 0), &lead, app.theme.style(Role::Key));
     let hint = "Enter keep  Esc all";
     let room = area.width.saturating_sub(start + columns(hint) + 2);
-    let (shown, at) = window(field, room);
-    put(canvas, area, (start, 0), &shown, app.theme.style(Role::Text));
+    field.draw(canvas, (area, 0), (start, room), app.theme);
     let hint_at = area.width.saturating_sub(columns(hint) + 1);
     put(canvas, area, (hint_at, 0), hint, app.theme.style(Role::Dim));
-    canvas.cursor = Some((area.x + start + at, area.y));
 }
 
 /// While a quantity is typed.
@@ -80,39 +78,23 @@ fn special(app: &App) -> Option<Keys> {
 }
 
 fn in_dialog(dialog: &Dialog) -> Keys {
+    const REPLACE: Keys = &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")];
     match dialog {
-        Dialog::Help(picker) if picker.typing => {
-            &[("Enter", "do it"), ("Esc", "all keys"), ("Up/Down", "move")]
-        }
-        Dialog::Help(_) => &[("q", "close"), ("j/k", "move"), ("Enter", "do it"), ("/", "search")],
-        Dialog::Palette(_) => &[("Enter", "do it"), ("Esc", "close"), ("Up/Down", "move")],
-        Dialog::Presets(picker) if picker.typing => {
-            &[("Enter", "load"), ("Esc", "all presets"), ("Up/Down", "move")]
-        }
-        Dialog::Presets(_) => &[
-            ("Enter", "load"),
-            ("Space", "pin only"),
-            ("j/k", "move"),
-            ("/", "search, or a file's path"),
-            ("q", "close"),
-        ],
-        Dialog::History(_) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
-        Dialog::Words(_) => &[("Enter", "take it"), ("j/k", "move"), ("q", "close")],
-        Dialog::Save(save) if save.question => {
-            &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
-        }
-        Dialog::ExportTable(_, save) if save.question => {
-            &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]
-        }
-        Dialog::Options(_) => &[("j/k", "move"), ("h/l", "change"), ("Esc", "close")],
-        Dialog::ExportTable(..) => {
-            &[("Enter", "write"), ("Tab", "complete path"), ("Esc", "close")]
-        }
-        Dialog::Curve(..) => &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")],
-        Dialog::Save(_) => &[("Enter", "save"), ("Esc", "do not save")],
-        Dialog::Export(export) if export.question => {
-            &[("o", "overwrite"), ("r", "rename"), ("Esc", "back")]
-        }
+        Dialog::List(list, picker) => in_list(*list, picker.typing),
+        Dialog::Ask(ask) => match (ask.purpose, ask.question) {
+            (Purpose::Preset, true) => {
+                &[("y", "overwrite"), ("n", "another name"), ("Esc", "do not save")]
+            }
+            (_, true) => REPLACE,
+            (Purpose::Preset, false) => &[("Enter", "save"), ("Esc", "do not save")],
+            (Purpose::Table(_), false) => {
+                &[("Enter", "write"), ("Tab", "complete path"), ("Esc", "close")]
+            }
+            (Purpose::Curve(_), false) => {
+                &[("Tab", "complete"), ("Enter", "read"), ("Esc", "keep")]
+            }
+        },
+        Dialog::Export(export) if export.question => REPLACE,
         Dialog::Export(_) => &[
             ("Enter", "write"),
             ("Up/Down", "move"),
@@ -121,6 +103,27 @@ fn in_dialog(dialog: &Dialog) -> Keys {
             ("Tab", "complete path"),
             ("Esc", "close"),
         ],
+    }
+}
+
+fn in_list(list: List, typing: bool) -> Keys {
+    match (list, typing) {
+        (List::Help, true) => &[("Enter", "do it"), ("Esc", "all keys"), ("Up/Down", "move")],
+        (List::Help, false) => {
+            &[("q", "close"), ("j/k", "move"), ("Enter", "do it"), ("/", "search")]
+        }
+        (List::Palette, _) => &[("Enter", "do it"), ("Esc", "close"), ("Up/Down", "move")],
+        (List::Presets, true) => &[("Enter", "load"), ("Esc", "all presets"), ("Up/Down", "move")],
+        (List::Presets, false) => &[
+            ("Enter", "load"),
+            ("Space", "pin only"),
+            ("j/k", "move"),
+            ("/", "search, or a file's path"),
+            ("q", "close"),
+        ],
+        (List::History, _) => &[("Enter", "go to this state"), ("j/k", "move"), ("q", "close")],
+        (List::Words, _) => &[("Enter", "take it"), ("j/k", "move"), ("q", "close")],
+        (List::Options, _) => &[("j/k", "move"), ("h/l", "change"), ("Esc", "close")],
     }
 }
 

@@ -1,38 +1,91 @@
-//! Keys and pasted text into a one-line field.
+//! One-line fields: what is typed or pasted into them, what ends them, and how they are drawn.
+
+use std::ops::{Deref, DerefMut};
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::layout::Rect;
 use tui_input::{Input, InputRequest};
 
-use crate::tui::app::App;
-use crate::tui::app::notice::Severity;
-use crate::tui::dialogs;
-use crate::tui::dialogs::{Dialog, ExportRow};
-use crate::tui::keymap::Pane;
-use crate::tui::message::Effect;
-use crate::tui::update::find;
+use crate::tui::theme::{Role, Theme};
+use crate::tui::widgets::Canvas;
+use crate::tui::widgets::text::{put, window};
 
 /// No field of the workbench takes a longer text: characters that nobody means to type (a paste that came as keys, a book on
 /// the keyboard) are dropped.
-const TEXT_MAX: usize = 1024;
+pub(in crate::tui) const TEXT_MAX: usize = 1024;
 
-/// Put a key into a field; whether it was one for a field. While `all_selected`, the whole text is selected.
-pub(in crate::tui) fn press(input: &mut Input, all_selected: &mut bool, key: KeyEvent) -> bool {
-    let Some(request) = request(key) else {
-        return false;
-    };
-    let replaces = matches!(
-        request,
-        InputRequest::InsertChar(_) | InputRequest::DeletePrevChar | InputRequest::DeleteNextChar
-    );
-    if *all_selected && replaces {
-        input.reset();
+/// A text being typed.
+#[derive(Clone, Debug, Default)]
+pub struct TextField {
+    /// The text, and the cursor in it.
+    pub input: Input,
+    /// The whole text is selected: the first character replaces it.
+    pub all_selected: bool,
+    /// Why the text is refused.
+    pub error: Option<String>,
+}
+
+impl TextField {
+    /// A field with a text and the cursor behind it.
+    pub fn new(text: impl Into<String>) -> Self {
+        Self { input: Input::new(text.into()), ..Self::default() }
     }
-    *all_selected = false;
-    let adds = matches!(request, InputRequest::InsertChar(_));
-    if !adds || input.value().chars().count() < TEXT_MAX {
-        input.handle(request);
+
+    /// A field whose text is selected.
+    pub fn selected(text: impl Into<String>) -> Self {
+        Self { all_selected: true, ..Self::new(text) }
     }
-    true
+
+    /// The text.
+    pub fn value(&self) -> &str {
+        self.input.value()
+    }
+
+    /// Put a key into the field; whether it was one for a field.
+    pub fn press(&mut self, key: KeyEvent) -> bool {
+        let Some(request) = request(key) else { return false };
+        let replaces = matches!(
+            request,
+            InputRequest::InsertChar(_)
+                | InputRequest::DeletePrevChar
+                | InputRequest::DeleteNextChar
+        );
+        if self.all_selected && replaces {
+            self.input.reset();
+        }
+        self.all_selected = false;
+        let adds = matches!(request, InputRequest::InsertChar(_));
+        if !adds || self.value().chars().count() < TEXT_MAX {
+            self.input.handle(request);
+        }
+        self.error = None;
+        true
+    }
+
+    /// Put a text into the field, as if it had been typed.
+    pub fn insert(&mut self, text: &str) {
+        for c in text.chars() {
+            self.press(KeyEvent::new(KeyCode::Char(c), KeyModifiers::NONE));
+        }
+    }
+
+    /// Draw the text from a column of a row on, and the cursor in it.
+    pub(in crate::tui) fn draw(
+        &self,
+        canvas: &mut Canvas<'_>,
+        (area, row): (Rect, u16),
+        (start, room): (u16, u16),
+        theme: Theme,
+    ) {
+        let (shown, at) = window(&self.input, room);
+        let role = match (self.error.is_some(), self.all_selected) {
+            (true, _) => Role::Error,
+            (false, true) => Role::Selection,
+            (false, false) => Role::Text,
+        };
+        put(canvas, area, (start, row), &shown, theme.style(role));
+        canvas.cursor = Some((area.x + start + at, area.y + row));
+    }
 }
 
 fn request(key: KeyEvent) -> Option<InputRequest> {
@@ -59,72 +112,80 @@ fn request(key: KeyEvent) -> Option<InputRequest> {
     }
 }
 
-/// Pasted text goes into the open field, without line breaks and control characters; else it is ignored with a note.
-pub(in crate::tui) fn paste(app: &mut App, text: &str) -> Vec<Effect> {
-    app.notice = None;
-    let clean: String =
-        text.trim().chars().filter(|c| !c.is_control()).take(TEXT_MAX + 1).collect();
-    if clean.chars().count() > TEXT_MAX {
-        let text = format!("pasted text is ignored: it is longer than {TEXT_MAX} characters");
-        app.say(Severity::Warning, text);
-        return Vec::new();
-    }
-    let mut never = false;
-    let pane = app.pane();
-    let setup = app.sweeping.field.as_mut().filter(|_| pane == Pane::ExploreSetup);
-    let setup = setup.map(|field| (&mut field.input, &mut field.all_selected, &mut field.error));
-    let search = app.searching.field.as_mut().filter(|_| pane == Pane::SearchSetup);
-    let search = search.map(|field| (&mut field.input, &mut field.all_selected, &mut field.error));
-    let open = app.editor.field.as_mut().filter(|_| pane == Pane::Variables);
-    let open = open.map(|field| (&mut field.input, &mut field.all_selected, &mut field.error));
-    let (input, all_selected) = match (&mut app.dialog, open.or(setup).or(search)) {
-        (Some(Dialog::Save(save) | Dialog::ExportTable(_, save) | Dialog::Curve(_, save)), _) => {
-            (&mut save.input, &mut save.all_selected)
-        }
-        (Some(Dialog::Export(export)), _) if export.row == ExportRow::Path => {
-            (&mut export.path, &mut never)
-        }
-        (Some(Dialog::Export(export)), _) if export.row == ExportRow::GridRows => {
-            (&mut export.grid, &mut never)
-        }
-        (Some(Dialog::Help(picker) | Dialog::Palette(picker) | Dialog::Presets(picker)), _)
-            if picker.typing =>
-        {
-            (&mut picker.filter, &mut never)
-        }
-        (None, Some((input, all_selected, error))) => {
-            *error = None;
-            (input, all_selected)
-        }
-        (None, None) if app.find.field.is_some() => {
-            return paste_into_find(app, &clean);
-        }
-        (Some(_) | None, _) => {
-            app.say(
-                Severity::Note,
-                "pasted text is ignored here: open a field first (Enter on a variable)",
-            );
-            return Vec::new();
-        }
-    };
-    if *all_selected {
-        input.reset();
-        *all_selected = false;
-    }
-    for c in clean.chars() {
-        input.handle(InputRequest::InsertChar(c));
-    }
-    dialogs::keys::after_typing(app);
-    Vec::new()
+/// The field of a row of a form.
+#[derive(Clone, Debug)]
+pub struct Field<R> {
+    /// The row.
+    pub row: R,
+    /// Its text.
+    pub text: TextField,
 }
 
-/// Into the field of `/`; the list follows.
-fn paste_into_find(app: &mut App, text: &str) -> Vec<Effect> {
-    if let Some(field) = &mut app.find.field {
-        for c in text.chars() {
-            field.handle(InputRequest::InsertChar(c));
+/// What a key in the field of a row asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Typed {
+    /// Nothing more.
+    Nothing,
+    /// Leave the old value.
+    Close,
+    /// Take the text, then move the selection by so many rows.
+    Commit(isize),
+    /// Take the text, then go to the next pane or the previous one.
+    Leave(bool),
+}
+
+impl<R> Field<R> {
+    /// The field of a row, its old text selected.
+    pub fn new(row: R, text: impl Into<String>) -> Self {
+        Self { row, text: TextField::selected(text) }
+    }
+
+    /// Put a key into the field; `enter`: by how many rows Enter moves the selection.
+    pub fn typed(&mut self, key: KeyEvent, enter: isize) -> Typed {
+        match key.code {
+            KeyCode::Esc => Typed::Close,
+            KeyCode::Enter => Typed::Commit(enter),
+            KeyCode::Down => Typed::Commit(1),
+            KeyCode::Up => Typed::Commit(-1),
+            KeyCode::Tab => Typed::Leave(true),
+            KeyCode::BackTab => Typed::Leave(false),
+            _ => {
+                self.press(key);
+                Typed::Nothing
+            }
         }
     }
-    find::follow(app);
-    Vec::new()
+
+    /// Draw the field over its row as `[ 1.25_  ]`, from a column on.
+    pub(in crate::tui) fn draw_boxed(
+        &self,
+        canvas: &mut Canvas<'_>,
+        (area, row): (Rect, u16),
+        (start, room): (u16, u16),
+        theme: Theme,
+    ) {
+        let bracket = theme.style(Role::Focus);
+        let blank = " ".repeat(usize::from(room));
+        put(canvas, area, (start, row), &blank, theme.style(Role::Text));
+        put(canvas, area, (start - 1, row), "[", bracket);
+        self.draw(canvas, (area, row), (start, room), theme);
+        put(canvas, area, (start + room, row), "]", bracket);
+        if self.error.is_some() {
+            put(canvas, area, (0, row), "x", theme.style(Role::Error));
+        }
+    }
+}
+
+impl<R> Deref for Field<R> {
+    type Target = TextField;
+
+    fn deref(&self) -> &TextField {
+        &self.text
+    }
+}
+
+impl<R> DerefMut for Field<R> {
+    fn deref_mut(&mut self) -> &mut TextField {
+        &mut self.text
+    }
 }

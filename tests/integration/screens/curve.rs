@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cmra::model::scene::SpringKind;
 use cmra::model::variables::VARIABLES;
-use cmra::tui::dialogs::Dialog;
+use cmra::tui::dialogs::{Ask, Dialog, Purpose};
 use cmra::tui::message::{Effect, EffectReport, Message};
 
 use super::bench::Bench;
@@ -28,7 +28,11 @@ fn report(bench: &mut Bench, points: Result<&[[f64; 2]], &str>) {
 #[test]
 fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     let mut bench = asking();
-    assert!(matches!(bench.app.dialog, Some(Dialog::Curve(false, _))), "{:?}", bench.app.dialog);
+    assert!(
+        matches!(bench.app.dialog, Some(Dialog::Ask(Ask { purpose: Purpose::Curve(false), .. }))),
+        "{:?}",
+        bench.app.dialog
+    );
     assert_eq!(bench.app.scene.mechanism.spring.kind, SpringKind::Table);
     let screen = bench.screen();
     for words in ["Measured curve of the spring", "0.01,1000", "3 points, x = 0 to 0.05 m"] {

@@ -12,7 +12,7 @@ use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
 use cmra::tui::app::Tab;
 use cmra::tui::app::notice::Severity;
-use cmra::tui::dialogs::Dialog;
+use cmra::tui::dialogs::{Dialog, List};
 use cmra::tui::keymap::{LINES, PANE_KEYS, Pane};
 use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
 use cmra::tui::pages::run::charts::Window;
@@ -95,7 +95,7 @@ fn a_bad_text_stays_with_its_reason_and_the_last_good_value_stays_live() {
     let mut bench = bench();
     bench.press("<Enter>12 mm<Enter>");
     let field = bench.app.editor.field.clone().unwrap();
-    assert_eq!(field.input.value(), "12 mm");
+    assert_eq!(field.value(), "12 mm");
     assert!(bench.message().contains("`mm` is not a unit of this quantity (column 4)"));
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
     assert!(bench.jobs().is_empty());
@@ -354,7 +354,10 @@ fn eight_pins_are_the_most() {
 fn a_pin_of_a_scene_that_is_not_on_the_screen_is_computed() {
     let mut bench = bench();
     bench.keys("pj ");
-    assert!(matches!(bench.app.dialog, Some(Dialog::Presets(_))), "the picker stays open");
+    assert!(
+        matches!(bench.app.dialog, Some(Dialog::List(List::Presets, _))),
+        "the picker stays open"
+    );
     assert_eq!(bench.app.pins[0].name, "rigid-mount");
     assert!(bench.app.pins[0].run.is_some());
     assert!(!bench.app.is_modified());

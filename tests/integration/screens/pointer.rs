@@ -7,7 +7,7 @@ use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
 use cmra::study::principles::PRINCIPLES;
 use cmra::tui::app::Tab;
-use cmra::tui::dialogs::Dialog;
+use cmra::tui::dialogs::{Dialog, List};
 use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Message, Target};
 use cmra::tui::theme::GlyphSet;
@@ -54,7 +54,7 @@ fn a_click_selects_a_variable_and_a_second_one_opens_it() {
     bench.press("1.6e8");
     let other = find(&bench, "v_i");
     click(&mut bench, other);
-    assert_eq!(bench.app.editor.field.as_ref().unwrap().input.value(), "1.6e8");
+    assert_eq!(bench.app.editor.field.as_ref().unwrap().value(), "1.6e8");
     assert!(bench.message().contains("Enter takes it"), "{}", bench.message());
 }
 
@@ -121,7 +121,9 @@ fn a_click_beside_everything_does_nothing() {
     bench.press("?");
     // The wheel walks through the dialog's list.
     bench.send(Message::Wheel(false, None));
-    assert!(matches!(&bench.app.dialog, Some(Dialog::Help(picker)) if picker.selected == 1));
+    assert!(
+        matches!(&bench.app.dialog, Some(Dialog::List(List::Help, picker)) if picker.selected == 1)
+    );
 }
 
 #[test]
@@ -129,7 +131,7 @@ fn a_very_long_paste_is_refused_and_the_field_keeps_its_text() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("<Enter>1");
     bench.send(Message::Paste("9".repeat(2_000_000)));
-    assert_eq!(bench.app.editor.field.as_ref().unwrap().input.value(), "1");
+    assert_eq!(bench.app.editor.field.as_ref().unwrap().value(), "1");
     assert!(bench.message().contains("longer than"), "{}", bench.message());
 }
 
@@ -283,7 +285,9 @@ fn a_click_in_a_dialog_selects_a_second_one_takes_it_and_one_beside_closes_it() 
     bench.press("p");
     let at = find(&bench, "heavy-plate");
     click(&mut bench, at);
-    assert!(matches!(&bench.app.dialog, Some(Dialog::Presets(picker)) if picker.selected == 3));
+    assert!(
+        matches!(&bench.app.dialog, Some(Dialog::List(List::Presets, picker)) if picker.selected == 3)
+    );
     click(&mut bench, at);
     assert!(bench.app.dialog.is_none());
     assert!((bench.app.scene.plate.mass_ratio - 5.0).abs() < 1e-12);
@@ -314,7 +318,7 @@ fn a_click_in_the_export_dialog_ticks_and_never_throws_a_path_away() {
     limit::answer(&mut bench);
     bench.press("e");
     click(&mut bench, (0, 0));
-    assert!(matches!(&bench.app.dialog, Some(Dialog::ExportTable(..))));
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(_))));
 }
 
 #[test]

@@ -264,7 +264,7 @@ fn a_refused_text_stays_with_its_reason() {
         let before = Arc::clone(&bench.app.scene);
         keys(&mut bench, &format!("<Enter>{text}<Enter>"));
         let field = bench.app.sweeping.field.clone().expect("the field is still open");
-        assert_eq!(field.input.value(), text);
+        assert_eq!(field.value(), text);
         for fragment in fragments {
             assert!(bench.message().contains(fragment), "{}: {fragment}", bench.message());
         }
@@ -348,7 +348,7 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
     );
     assert_eq!(text.lines().count(), 1 + 25);
     bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x.csv".into()))));
-    assert!(matches!(&bench.app.dialog, Some(Dialog::ExportTable(_, save)) if save.question));
+    assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
     bench.press("y");
     let forced = bench
         .effects

@@ -1,7 +1,6 @@
 //! The export dialog: file, kind, runs and columns, with the absolute path and the first lines as they would be.
 
 use ratatui::layout::Rect;
-use tui_input::Input;
 
 use crate::files::export::Meta;
 use crate::tui::app::App;
@@ -11,6 +10,7 @@ use crate::tui::dialogs::{Export, ExportRow, What};
 use crate::tui::message::Target;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::input::TextField;
 use crate::tui::widgets::text::{first_row, put, window};
 
 /// Column the values begin in.
@@ -79,7 +79,7 @@ fn one(
     }
     let column = VALUE + 2;
     let style = app.theme.style(if here { Role::Selection } else { Role::Text });
-    let input: Option<&Input> = match row {
+    let field: Option<&TextField> = match row {
         ExportRow::Path => Some(&state.path),
         ExportRow::GridRows => Some(&state.grid),
         ExportRow::What
@@ -88,14 +88,16 @@ fn one(
         | ExportRow::Run(_)
         | ExportRow::Column(_) => None,
     };
-    let Some(input) = input else {
+    let Some(field) = field else {
         put(canvas, list, (column, at), &text, style);
         return;
     };
-    let (shown, place) = window(input, list.width.saturating_sub(column + 1));
-    put(canvas, list, (column, at), &shown, app.theme.style(Role::Text));
+    let room = list.width.saturating_sub(column + 1);
     if here {
-        canvas.cursor = Some((list.x + column + place, list.y + at));
+        field.draw(canvas, (list, at), (column, room), app.theme);
+    } else {
+        let (shown, _) = window(&field.input, room);
+        put(canvas, list, (column, at), &shown, app.theme.style(Role::Text));
     }
 }
 

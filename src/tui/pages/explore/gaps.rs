@@ -14,7 +14,7 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     let (along, up) = grid.counts();
     let mut points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
     if points.any(|(x, y)| matches!(grid.cell(x, y, output), Cell::Value(_))) {
-        return said(&format!("no {name} above 0: a log scale shows none"), &["Y: linear scale"]);
+        return lines(&format!("no {name} above 0: a log scale shows none"), &["Y: linear scale"]);
     }
     let counts = grid.outcomes();
     let all = counts.total();
@@ -22,23 +22,26 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     if counts.perforated == all {
         let instead = "or show residual_velocity_m_s (Tab, Show)";
         let cure = ["lower v_i, or raise h or S_y (Tab, Hold)", instead];
-        return said(&format!("every point perforates: no {name}"), &cure);
+        return lines(&format!("every point perforates: no {name}"), &cure);
     }
     if counts.arrested + counts.separated == all {
         let why = match column.name {
             "residual_velocity_m_s" | "exit_time_s" => "every point is stopped",
             _ => Fate::Arrested.without_value(column),
         };
-        return said(&format!("no {name}: {why}"), &[other]);
+        return lines(&format!("no {name}: {why}"), &[other]);
     }
     if counts.moving == all {
         let cure = ["a longer horizon decides them (Tab, Hold)", other];
-        return said(&format!("every point still moves at the end: no {name}"), &cure);
+        return lines(&format!("every point still moves at the end: no {name}"), &cure);
     }
     if counts.failed == all {
-        return said("every point failed", &["Enter opens one in the Run tab, and 6:Log says why"]);
+        return lines(
+            "every point failed",
+            &["Enter opens one in the Run tab, and 7:Log says why"],
+        );
     }
-    said(&format!("no point has a {name}"), &[&counts.to_string(), other])
+    lines(&format!("no point has a {name}"), &[&counts.to_string(), other])
 }
 
 /// How many points came to rest and still have no value of an output, with the letter of these gaps and what it means.
@@ -55,6 +58,7 @@ pub(in crate::tui) fn at_rest(grid: &Grid, output: usize) -> Option<String> {
     Some(format!("{} {}: {why}", 1 + without.count(), fate.letter()))
 }
 
-fn said(what: &str, cures: &[&str]) -> Vec<String> {
+/// The reason, then what to do about it.
+fn lines(what: &str, cures: &[&str]) -> Vec<String> {
     std::iter::once(what).chain(cures.iter().copied()).map(str::to_owned).collect()
 }

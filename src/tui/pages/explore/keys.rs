@@ -7,7 +7,6 @@ use crate::study::sweep::{Axis, Spacing};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::{Scale, ViewRange};
-use crate::tui::dialogs::{Table, table};
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::{Effect, Message};
 use crate::tui::pages::explore::setup;
@@ -96,11 +95,7 @@ pub(in crate::tui) fn compute(app: &mut App) -> Vec<Effect> {
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
         Action::Run => return Some(compute(app)),
-        Action::Export => {
-            table::open(app, Table::Explore);
-            return Some(Vec::new());
-        }
-        Action::Copy => return Some(table::copy(app, Table::Explore)),
+        Action::Export | Action::Copy => return None,
         Action::Mark => return Some(pin(app)),
         Action::Contour => {
             app.sweeping.contour = match app.sweeping.contour {

@@ -3,8 +3,6 @@
 pub(in crate::tui) mod draw;
 pub(in crate::tui) mod keys;
 
-use tui_input::Input;
-
 use crate::model::results::ResultColumn;
 use crate::model::scene::SweepAxis;
 use crate::model::units;
@@ -37,19 +35,6 @@ pub enum SetupRow {
     Output,
     /// A held variable, by index into the table.
     Held(usize),
-}
-
-/// A text being typed in the setup.
-#[derive(Clone, Debug)]
-pub struct SetupField {
-    /// The row.
-    pub row: SetupRow,
-    /// The text.
-    pub input: Input,
-    /// The old text is still selected: the first character replaces it.
-    pub all_selected: bool,
-    /// Why the text is no good.
-    pub error: Option<String>,
 }
 
 /// What a row shows: its name, its value, its unit.

@@ -16,9 +16,9 @@ use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, Fate, Plan, USUAL_OUTPUTS};
 use crate::tui::app::App;
 use crate::tui::chart::scale::ViewRange;
+use crate::tui::widgets::input::Field;
 
 pub use crate::tui::pages::explore::gaps::no_value;
-pub use crate::tui::pages::explore::setup::SetupField;
 pub use crate::tui::pages::explore::setup::SetupRow;
 
 /// Curves of a family unless another number is chosen.
@@ -55,11 +55,11 @@ pub struct Computing {
     pub picture: Picture,
     /// What is swept.
     pub plan: Arc<Plan>,
-    /// Points done and in all, once told.
+    /// Points done and in all, once known.
     pub points: Option<(usize, usize)>,
-    /// Time gone when that was told.
+    /// Time gone when that was reported.
     pub elapsed: Duration,
-    /// It was said that it will take more than a minute.
+    /// A message says that it will take more than a minute.
     pub warned: bool,
 }
 
@@ -152,7 +152,7 @@ pub struct Sweeping {
     /// The part of the variable along that is in view, by picture; `None`: all of it.
     pub zoom: [Option<ViewRange>; 2],
     /// The open field.
-    pub field: Option<SetupField>,
+    pub field: Option<Field<SetupRow>>,
     /// The output shown, of those computed.
     pub output: usize,
     /// Values on a logarithmic scale.
@@ -331,16 +331,16 @@ impl App {
 
     /// What is under the cursor, in at most this many columns: units and long names go first.
     pub fn sweep_readout(&self, width: usize) -> Option<String> {
-        for words in [Words::Long, Words::Short] {
+        for words in [Detail::Long, Detail::Short] {
             let text = self.readout_with(words)?;
             if text.chars().count() <= width {
                 return Some(text);
             }
         }
-        self.readout_with(Words::Least)
+        self.readout_with(Detail::Least)
     }
 
-    fn readout_with(&self, words: Words) -> Option<String> {
+    fn readout_with(&self, words: Detail) -> Option<String> {
         let picture = self.picture();
         let grid = &self.sweeping.found(picture)?.grid;
         let (x, y) = self.cursor_point(grid);
@@ -348,9 +348,9 @@ impl App {
         let at = |(place, axis): (usize, &Axis)| {
             let value = grid.coordinate((x, y), place);
             let shown = match words {
-                Words::Long => axis_value(axis, value),
-                Words::Short => units::significant(value, 5),
-                Words::Least => units::significant(value, 4),
+                Detail::Long => axis_value(axis, value),
+                Detail::Short => units::significant(value, 5),
+                Detail::Least => units::significant(value, 4),
             };
             format!("{} {shown}", axis.symbol())
         };
@@ -363,7 +363,7 @@ impl App {
         parts.clear();
         let (shown, _) = self.shown_output(grid);
         for (index, output) in grid.plan().outputs().iter().enumerate() {
-            if words == Words::Least && index != shown {
+            if words == Detail::Least && index != shown {
                 continue;
             }
             let name = words.of(output);
@@ -413,14 +413,14 @@ impl App {
 
 /// How much room a readout has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Words {
+enum Detail {
     Long,
     Short,
     /// Only the output that is shown.
     Least,
 }
 
-impl Words {
+impl Detail {
     /// The name of an output.
     fn of(self, output: &ResultColumn) -> String {
         match (self, output.name) {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::dialogs::{Table, table, wrap};
+use crate::tui::dialogs::wrap;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
 use crate::tui::pages::run::runs;
@@ -39,18 +39,8 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
 
 /// What an action does here; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    let table = match app.pane() {
-        Pane::Comparison => Table::Comparison,
-        Pane::EfficiencyMap => Table::EfficiencyMap,
-        _ => Table::Limit,
-    };
     match action {
-        Action::Export => {
-            table::open(app, table);
-            return Some(Vec::new());
-        }
-        Action::Copy => return Some(table::copy(app, table)),
-        Action::Run if table == Table::Limit => return Some(find(app)),
+        Action::Run if app.pane() == Pane::Residual => return Some(find(app)),
         Action::Run => return Some(compare(app)),
         _ => {}
     }

@@ -3,12 +3,11 @@
 pub(in crate::tui) mod draw;
 pub(in crate::tui) mod field;
 
-use tui_input::Input;
-
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{Group, VARIABLES, Value, Variable, is_offered};
 use crate::tui::app::find::{rank, ranked};
+use crate::tui::widgets::input::Field;
 
 /// The list of variables and the open field.
 #[derive(Clone, Debug, Default)]
@@ -17,23 +16,10 @@ pub struct Editor {
     pub selected: usize,
     /// The text that the rows shown match.
     pub filter: String,
-    /// The open field.
-    pub field: Option<Field>,
+    /// The open field, and the variable whose value it is, by index into the table.
+    pub field: Option<Field<usize>>,
     /// The arrow step in use: the variable and its decade, kept while the arrows go on.
     pub stride: Option<(usize, i32)>,
-}
-
-/// A value being typed.
-#[derive(Clone, Debug)]
-pub struct Field {
-    /// The variable, by index into the table.
-    pub variable: usize,
-    /// The text.
-    pub input: Input,
-    /// The old value is still selected: the first character replaces it.
-    pub all_selected: bool,
-    /// Why the text is no value.
-    pub error: Option<String>,
 }
 
 /// One row of the list.

@@ -10,6 +10,8 @@ use crate::model::run::{Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::units::{self, Engineering};
 use crate::model::variables::VARIABLES;
+use crate::tui::app::App;
+use crate::tui::pages::run::editor::shown_value;
 
 /// The letters pins get, in order.
 pub const LETTERS: [char; 8] = ['A', 'B', 'C', 'D', 'E', 'F', 'G', 'H'];
@@ -55,24 +57,19 @@ pub struct RunView<'a> {
     pub old: bool,
 }
 
-/// A name for a scene: the preset's where nothing differs, else what differs (`gamma=1 d=0.5`).
-pub fn name_of(scene: &Scene, base_name: &str, base: &Scene) -> String {
-    let differing = crate::tui::app::App::differing(scene, base);
-    if differing.is_empty() {
-        return base_name.to_owned();
-    }
-    let parts: Vec<String> = differing
-        .into_iter()
-        .map(|index| {
+impl App {
+    /// A name for a scene: the preset's where nothing differs, else what differs (`gamma=1 d=0.5`).
+    pub fn name_of(&self, scene: &Scene) -> String {
+        let differing = Self::differing(scene, &self.base.scene);
+        if differing.is_empty() {
+            return self.base.name.clone();
+        }
+        let shown = |index: usize| {
             let variable = &VARIABLES[index];
-            format!(
-                "{}={}",
-                variable.symbol,
-                crate::tui::pages::run::editor::shown_value(variable, scene, 24)
-            )
-        })
-        .collect();
-    parts.join(" ")
+            format!("{}={}", variable.symbol, shown_value(variable, scene, 24))
+        };
+        differing.into_iter().map(shown).collect::<Vec<_>>().join(" ")
+    }
 }
 
 /// A length in mm with four figures, `-` where it does not exist.

@@ -5,7 +5,7 @@ use crate::model::run::{Outcome, Run, Warning};
 use crate::tui::app::App;
 use crate::tui::app::notice::times;
 use crate::tui::app::status::wrap;
-use crate::tui::pages::run::runs::{engineering, millimetres, name_of};
+use crate::tui::pages::run::runs::{engineering, millimetres};
 
 impl App {
     /// The last result in a few lines, for the main screen after leaving.
@@ -14,7 +14,7 @@ impl App {
             return format!("{}: not run", self.base.name);
         };
         let run = &shown.run;
-        let name = name_of(&run.scene, &self.base.name, &self.base.scene);
+        let name = self.name_of(&run.scene);
         let mut lines = vec![format!("scene         {name}")];
         lines.extend(results(run));
         // How it ended stands beside the outcome already.

@@ -16,10 +16,10 @@ use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::search::lines::LETTERS;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Page, Row, SearchField};
+use crate::tui::pages::search::state::{Page, Row};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, first_row, paint_row, put, text_role, window};
+use crate::tui::widgets::text::{columns, first_row, paint_row, put, text_role};
 use crate::worker::searches::Answer;
 
 /// Where a row's label and value begin.
@@ -39,7 +39,7 @@ pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mu
     };
     let below = app.searching.words_height(right.height, lines.len());
     if below == right.height {
-        words(app, &lines, right, canvas);
+        lines_below(app, &lines, right, canvas);
         return;
     }
     let top = Rect { height: right.height - below, ..right };
@@ -54,7 +54,7 @@ pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mu
         turn(app, top, canvas);
     } else {
         let rest = Rect { y: right.y + top.height, height: below, ..right };
-        words(app, &lines, rest, canvas);
+        lines_below(app, &lines, rest, canvas);
     }
 }
 
@@ -99,29 +99,16 @@ fn setup(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         if on && *row == selected {
             put(canvas, inner, (0, at), ">", app.theme.style(Role::Title));
             match app.searching.field.as_ref().filter(|field| field.row == *row) {
-                Some(field) => open(app, field, (inner, at), canvas),
+                Some(field) => {
+                    let wide = matches!(field.row, Row::Result | Row::Output);
+                    let start = if wide { LABEL } else { VALUE };
+                    let room = inner.width.saturating_sub(start + 1);
+                    field.draw_boxed(canvas, (inner, at), (start, room), app.theme);
+                }
                 None => paint_row(canvas, inner, at, app.theme.style(Role::Selection)),
             }
         }
     }
-}
-
-/// The field over the row, to the end of the pane.
-fn open(app: &App, field: &SearchField, (area, at): (Rect, u16), canvas: &mut Canvas<'_>) {
-    let wide = matches!(field.row, Row::Result | Row::Output);
-    let start = if wide { LABEL } else { VALUE };
-    let room = area.width.saturating_sub(start + 1);
-    let (shown, place) = window(&field.input, room);
-    let style = app.theme.style(match (field.error.is_some(), field.all_selected) {
-        (true, _) => Role::Error,
-        (false, true) => Role::Selection,
-        (false, false) => Role::Text,
-    });
-    put(canvas, area, (start, at), &" ".repeat(usize::from(room)), app.theme.style(Role::Text));
-    put(canvas, area, (start - 1, at), "[", app.theme.style(Role::Focus));
-    put(canvas, area, (start, at), &shown, style);
-    put(canvas, area, (start + room, at), "]", app.theme.style(Role::Focus));
-    canvas.cursor = Some((area.x + start + place, area.y + at));
 }
 
 /// What stands where nothing has been found yet.
@@ -139,7 +126,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
 }
 
-fn words(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut Canvas<'_>) {
+fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup: press r" } else { "" };
     let title = format!("{}{old}", app.searching.page.title());
     let focused = app.has_focus(Pane::Search);
@@ -212,7 +199,12 @@ fn sought(
     let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
     let y = measure_axis(report.measure, values, app.searching.log.1, String::new());
     let Some(y) = y.filter(|_| points.iter().any(|point| point.1.is_finite())) else {
-        return words(app, &[(Severity::Warning, "no point has a value".to_owned())], area, canvas);
+        return lines_below(
+            app,
+            &[(Severity::Warning, "no point has a value".to_owned())],
+            area,
+            canvas,
+        );
     };
     let x = crate::tui::pages::explore::curves::chart_axis(&report.axis);
     let x = Axis { view: app.searching.zoomed.unwrap_or(x.view), ..x };
@@ -264,7 +256,7 @@ fn front(app: &App, (area, focused): (Rect, bool), canvas: &mut Canvas<'_>) {
     let y = measure_axis(measures[up], ys.into_iter(), tab.log.1, String::new());
     let Some((x, y)) = x.zip(y) else {
         let text = "no design keeps every constraint".to_owned();
-        return words(app, &[(Severity::Warning, text)], area, canvas);
+        return lines_below(app, &[(Severity::Warning, text)], area, canvas);
     };
     let x = Axis { view: tab.zoomed.unwrap_or(x.view), ..x };
     let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
@@ -313,7 +305,7 @@ fn histogram(app: &App, (area, focused): (Rect, bool), canvas: &mut Canvas<'_>) 
     let sorted = &summary.sorted;
     let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
         let text = "no sample has this result: Tab, then another one under Show".to_owned();
-        return words(app, &[(Severity::Warning, text)], area, canvas);
+        return lines_below(app, &[(Severity::Warning, text)], area, canvas);
     };
     let width = (most - least) / BINS as f64;
     let mut steps = Vec::new();

@@ -5,8 +5,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use crossterm::event::{KeyCode, KeyEvent};
-use tui_input::Input;
+use crossterm::event::KeyEvent;
 
 use crate::model::results::RESULTS;
 use crate::study::quantities::{parse_value, quantity};
@@ -15,7 +14,7 @@ use crate::tui::app::App;
 use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::notice::Severity;
-use crate::tui::dialogs::{Table, table, wrap};
+use crate::tui::dialogs::wrap;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::numeric;
@@ -23,11 +22,11 @@ use crate::tui::pages::search;
 use crate::tui::pages::search::bounds::{bound, read_bound, read_end};
 use crate::tui::pages::search::setup::Setup;
 use crate::tui::pages::search::state;
-use crate::tui::pages::search::state::{Page, Row, SearchField};
+use crate::tui::pages::search::state::{Page, Row};
 use crate::tui::update::act::rows_moved;
 use crate::tui::update::jobs::Found;
 use crate::tui::update::{edit, jobs};
-use crate::tui::widgets::input;
+use crate::tui::widgets::input::{Field, Typed};
 use crate::worker::studies::StudyKind;
 use crate::worker::{Finding, ReportBody};
 
@@ -51,11 +50,7 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
         Action::Run => return Some(look(app)),
-        Action::Export => {
-            table::open(app, Table::Search);
-            return Some(Vec::new());
-        }
-        Action::Copy => return Some(table::copy(app, Table::Search)),
+        Action::Export | Action::Copy => return None,
         _ if app.pane() == Pane::SearchSetup => return in_setup(app, action),
         Action::Enter => return Some(load(app)),
         Action::Mark => return Some(pin(app)),
@@ -340,8 +335,7 @@ fn open_field(app: &mut App) -> Vec<Effect> {
         }
         Row::Heading(_) => {}
         _ => {
-            let input = Input::new(app.search_text(row));
-            app.searching.field = Some(SearchField { row, input, all_selected: true, error: None });
+            app.searching.field = Some(Field::new(row, app.search_text(row)));
         }
     }
     Vec::new()
@@ -349,26 +343,22 @@ fn open_field(app: &mut App) -> Vec<Effect> {
 
 /// A key while a field of the setup is open.
 pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
-    match key.code {
-        KeyCode::Esc => app.searching.field = None,
-        KeyCode::Enter | KeyCode::Tab | KeyCode::BackTab => return commit(app, 0),
-        KeyCode::Down => return commit(app, 1),
-        KeyCode::Up => return commit(app, -1),
-        _ => {
-            if let Some(field) = &mut app.searching.field
-                && input::press(&mut field.input, &mut field.all_selected, key)
-            {
-                field.error = None;
-            }
+    let Some(field) = &mut app.searching.field else { return Vec::new() };
+    match field.typed(key, 0) {
+        Typed::Nothing => Vec::new(),
+        Typed::Close => {
+            app.searching.field = None;
+            Vec::new()
         }
+        Typed::Commit(by) => commit(app, by),
+        Typed::Leave(_) => commit(app, 0),
     }
-    Vec::new()
 }
 
 /// Take the text and go on; a text that is refused stays, with the reason, and nothing else changes.
 fn commit(app: &mut App, then: isize) -> Vec<Effect> {
-    let Some(field) = app.searching.field.take() else { return Vec::new() };
-    let text = field.input.value().trim().to_owned();
+    let Some(mut field) = app.searching.field.take() else { return Vec::new() };
+    let text = field.value().trim().to_owned();
     // The bounds of a held variable are a proposal: typed again they are taken.
     let same = text == app.search_text(field.row) && !matches!(field.row, Row::Bound(_));
     let untouched = field.all_selected || same;
@@ -381,7 +371,8 @@ fn commit(app: &mut App, then: isize) -> Vec<Effect> {
             after_edit(app)
         }
         Err(error) => {
-            app.searching.field = Some(SearchField { error: Some(error), ..field });
+            field.error = Some(error);
+            app.searching.field = Some(field);
             Vec::new()
         }
     }

@@ -1,7 +1,5 @@
 //! What is looked for, as a list of rows that can be stepped and typed into. No drawing.
 
-use tui_input::Input;
-
 use crate::model::results::ResultColumn;
 use crate::model::scene::Scene;
 use crate::model::units::{self, significant};
@@ -108,19 +106,6 @@ pub enum Row {
     Percent,
     /// Samples.
     Samples,
-}
-
-/// A text being typed.
-#[derive(Clone, Debug)]
-pub struct SearchField {
-    /// The row.
-    pub row: Row,
-    /// The text.
-    pub input: Input,
-    /// The old text is still selected: the first character replaces it.
-    pub all_selected: bool,
-    /// Why the text is no good.
-    pub error: Option<String>,
 }
 
 /// Short names of the usual objectives.

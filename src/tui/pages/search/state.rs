@@ -16,10 +16,12 @@ use crate::tui::chart::scale::{Scale, ViewRange};
 use crate::tui::keymap::Pane;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::search;
-pub use crate::tui::pages::search::bounds::Bound;
 use crate::tui::pages::search::setup::brief;
-pub use crate::tui::pages::search::setup::{Row, SearchField, Setup};
+use crate::tui::widgets::input::Field;
 use crate::worker::searches::{Answer, Request};
+
+pub use crate::tui::pages::search::bounds::Bound;
+pub use crate::tui::pages::search::setup::{Row, Setup};
 
 /// A page of the tab.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -87,7 +89,7 @@ pub struct Searching {
     /// The selected row of the setup.
     pub row: Row,
     /// The open field.
-    pub field: Option<SearchField>,
+    pub field: Option<Field<Row>>,
     /// What is looked for.
     pub setup: Setup,
     /// What was found, page by page.
@@ -443,7 +445,7 @@ impl App {
                 parts.push(same(Severity::Warning, "another setup's results: press r".to_owned()));
             }
             (None, _, Some(found)) => {
-                let (done, runs) = told(&found.answer);
+                let (done, runs) = completeness(&found.answer);
                 let word = if done { "done" } else { "Cancelled. Showing partial results." };
                 let severity = if done { Severity::Note } else { Severity::Warning };
                 parts.push(same(severity, word.to_owned()));
@@ -459,8 +461,7 @@ impl App {
     /// What is shown as a table; `None` where there is nothing.
     pub fn search_csv(&self) -> Option<String> {
         let found = self.searching.shown()?;
-        let name =
-            crate::tui::pages::run::runs::name_of(&found.scene, &self.base.name, &self.base.scene);
+        let name = self.name_of(&found.scene);
         Some(match (&found.answer, &*found.request) {
             (Answer::Seek(it), _) => report::seek::table(&name, it).csv(),
             (Answer::Front(front), Request::Front(task)) => {
@@ -475,7 +476,7 @@ impl App {
 }
 
 /// Whether an answer is whole, and how much went into it.
-fn told(answer: &Answer) -> (bool, Option<String>) {
+fn completeness(answer: &Answer) -> (bool, Option<String>) {
     match answer {
         Answer::Seek(report) => (report.is_complete, Some(format!("{} runs", report.runs))),
         Answer::Front(front) => {

@@ -9,7 +9,6 @@ use crate::study::thesis::Opens;
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
-use crate::tui::dialogs::{Table, table};
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
 use crate::tui::pages::explore;
@@ -61,8 +60,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
             weigh(app, weights, None);
             app.say(Severity::Note, "the weight is that of Table 7.1 again (u undoes)");
         }
-        Action::Export => table::open(app, Table::Thesis),
-        Action::Copy => return Some(table::copy(app, Table::Thesis)),
+        Action::Export | Action::Copy => return None,
         _ => {
             let by = rows_moved(action, app.list_rows())?;
             app.move_in_thesis(by);

@@ -7,10 +7,10 @@ use crate::tui::app::App;
 use crate::tui::app::status::clip;
 use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
-use crate::tui::pages::explore::state::{Picture, SetupField, SetupRow};
+use crate::tui::pages::explore::state::{Picture, SetupRow};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, first_row, paint_row, put, window};
+use crate::tui::widgets::text::{columns, first_row, paint_row, put};
 
 /// Columns within a row: cursor, `*`, label, value, unit.
 const LABEL: u16 = 2;
@@ -40,7 +40,11 @@ pub(in crate::tui) fn render(app: &App, picture: Picture, area: Rect, canvas: &m
         if on && *row == selected {
             put(canvas, inner, (0, at), ">", app.theme.style(Role::Title));
             match app.sweeping.field.as_ref().filter(|field| field.row == *row) {
-                Some(field) => open(app, field, (inner, at), canvas),
+                Some(field) => {
+                    let start = if field.row == SetupRow::Output { LABEL } else { VALUE };
+                    let room = inner.width.saturating_sub(start + 1);
+                    field.draw_boxed(canvas, (inner, at), (start, room), app.theme);
+                }
                 None => paint_row(canvas, inner, at, app.theme.style(Role::Selection)),
             }
         }
@@ -86,25 +90,4 @@ fn line(
     if end < UNIT && UNIT + columns(shown.unit) <= area.width {
         put(canvas, area, (UNIT, at), shown.unit, style(Role::Dim));
     }
-}
-
-/// The field over the row: `[ 7.5MN/m_ ]`, to the end of the pane.
-fn open(app: &App, field: &SetupField, (area, at): (Rect, u16), canvas: &mut Canvas<'_>) {
-    let start = if field.row == SetupRow::Output { LABEL } else { VALUE };
-    let room = area.width.saturating_sub(start + 1);
-    let (shown, place) = window(&field.input, room);
-    let style = app.theme.style(match (field.error.is_some(), field.all_selected) {
-        (true, _) => Role::Error,
-        (false, true) => Role::Selection,
-        (false, false) => Role::Text,
-    });
-    let blank = " ".repeat(usize::from(room));
-    put(canvas, area, (start, at), &blank, app.theme.style(Role::Text));
-    put(canvas, area, (start - 1, at), "[", app.theme.style(Role::Focus));
-    put(canvas, area, (start, at), &shown, style);
-    put(canvas, area, (start + room, at), "]", app.theme.style(Role::Focus));
-    if field.error.is_some() {
-        put(canvas, area, (0, at), "x", app.theme.style(Role::Error));
-    }
-    canvas.cursor = Some((area.x + start + place, area.y + at));
 }

@@ -5,8 +5,7 @@
 
 use std::ops::RangeInclusive;
 
-use crossterm::event::{KeyCode, KeyEvent};
-use tui_input::Input;
+use crossterm::event::KeyEvent;
 
 use crate::model::results::RESULTS;
 use crate::model::scene::{Scene, Sweep};
@@ -22,14 +21,14 @@ use crate::tui::dialogs::wrap;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::{
-    Picture, SetupField, SetupRow, Spread, Sweeping, has_family, numeric, sweep_of,
+    Picture, SetupRow, Spread, Sweeping, has_family, numeric, sweep_of,
 };
 use crate::tui::pages::run::keys::step_of;
 use crate::tui::pages::run::steps;
 use crate::tui::pages::run::steps::Size;
 use crate::tui::update::act::rows_moved;
 use crate::tui::update::edit;
-use crate::tui::widgets::input;
+use crate::tui::widgets::input::{Field, Typed};
 
 /// The numbers of points the arrows go through.
 const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
@@ -76,8 +75,7 @@ fn open(app: &mut App, picture: Picture, row: SetupRow) -> Vec<Effect> {
             crate::tui::pages::run::editor::field::open(app)
         }
         row => {
-            let input = Input::new(app.setup_text(row));
-            app.sweeping.field = Some(SetupField { row, input, all_selected: true, error: None });
+            app.sweeping.field = Some(Field::new(row, app.setup_text(row)));
             Vec::new()
         }
     }
@@ -90,30 +88,23 @@ pub(in crate::tui) fn toggle_spacing(app: &mut App) -> Vec<Effect> {
 
 /// A key while a field of the setup is open.
 pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
-    match key.code {
-        KeyCode::Esc => {
+    let Some(field) = &mut app.sweeping.field else { return Vec::new() };
+    match field.typed(key, 1) {
+        Typed::Nothing => Vec::new(),
+        Typed::Close => {
             app.sweeping.field = None;
             Vec::new()
         }
-        KeyCode::Enter | KeyCode::Down => commit(app, 1),
-        KeyCode::Up => commit(app, -1),
-        KeyCode::Tab | KeyCode::BackTab => commit(app, 0),
-        _ => {
-            if let Some(field) = &mut app.sweeping.field
-                && input::press(&mut field.input, &mut field.all_selected, key)
-            {
-                field.error = None;
-            }
-            Vec::new()
-        }
+        Typed::Commit(by) => commit(app, by),
+        Typed::Leave(_) => commit(app, 0),
     }
 }
 
 /// Take the text and go on; a text that is refused stays, with the reason, and nothing else changes.
 fn commit(app: &mut App, then: isize) -> Vec<Effect> {
-    let Some(field) = app.sweeping.field.take() else { return Vec::new() };
+    let Some(mut field) = app.sweeping.field.take() else { return Vec::new() };
     let picture = app.picture();
-    let text = field.input.value().trim().to_owned();
+    let text = field.value().trim().to_owned();
     let result = if field.all_selected || text == app.setup_text(field.row) {
         Ok(Vec::new())
     } else {
@@ -125,7 +116,8 @@ fn commit(app: &mut App, then: isize) -> Vec<Effect> {
             effects
         }
         Err(error) => {
-            app.sweeping.field = Some(SetupField { error: Some(error), ..field });
+            field.error = Some(error);
+            app.sweeping.field = Some(field);
             Vec::new()
         }
     }

@@ -8,7 +8,6 @@ use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::Scale;
-use crate::tui::dialogs::{Table, table};
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::numerics::accuracy::TARGETS;
@@ -39,8 +38,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     match action {
         Action::Run => return Some(measure(app)),
         Action::Enter => return Some(use_method(app)),
-        Action::Export => table::open(app, Table::Accuracy),
-        Action::Copy => return Some(table::copy(app, Table::Accuracy)),
+        Action::Export | Action::Copy => return None,
         Action::Left => app.accuracy.move_cursor(-1, columns),
         Action::Right => app.accuracy.move_cursor(1, columns),
         Action::FarLeft => app.accuracy.move_cursor(-10, columns),

@@ -7,7 +7,6 @@ use crate::model::variables::{VARIABLES, Value};
 use crate::study::stability::map::{Axis, Method};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::dialogs::{Table, table};
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
 use crate::tui::update::act::{cursor_moved, rows_moved};
@@ -36,16 +35,7 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
 
 /// What an action does here; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    let table = if app.pane() == Pane::Battery { Table::Battery } else { Table::Map };
-    match action {
-        Action::Export => {
-            table::open(app, table);
-            Some(Vec::new())
-        }
-        Action::Copy => Some(table::copy(app, table)),
-        _ if table == Table::Battery => in_battery(app, action),
-        _ => in_map(app, action),
-    }
+    if app.pane() == Pane::Battery { in_battery(app, action) } else { in_map(app, action) }
 }
 
 fn in_battery(app: &mut App, action: Action) -> Option<Vec<Effect>> {

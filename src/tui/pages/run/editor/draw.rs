@@ -8,13 +8,14 @@ use crate::model::units;
 use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
-use crate::tui::dialogs::save::extent;
+use crate::tui::dialogs::curve::extent;
 use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
-use crate::tui::pages::run::editor::{Field, Row, shown_value};
+use crate::tui::pages::run::editor::{Row, shown_value};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, paint_row, put, window};
+use crate::tui::widgets::input::Field;
+use crate::tui::widgets::text::{columns, paint_row, put};
 
 /// Columns within a row: cursor, `*`, symbol, value, flag, unit.
 const SYMBOL: u16 = 2;
@@ -120,7 +121,7 @@ fn variable(
     let warned = used && is_outside;
     let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
     let style = app.theme.style(if used { Role::Text } else { Role::Dim });
-    let field = app.editor.field.as_ref().filter(|field| field.variable == index);
+    let field = app.editor.field.as_ref().filter(|field| field.row == index);
 
     if differs {
         put(canvas, list, (1, row), "*", app.theme.style(Role::Note));
@@ -163,26 +164,14 @@ fn variable(
 fn open_field(
     app: &App,
     variable: &Variable,
-    field: &Field,
+    field: &Field<usize>,
     (list, row): (Rect, u16),
     canvas: &mut Canvas<'_>,
 ) {
-    let text = field.input.value();
-    let long = columns(text) >= VALUE_WIDTH;
+    let long = columns(field.value()) >= VALUE_WIDTH;
     let Columns { value, unit, .. } = Columns::of(list.width);
     let room = if long { list.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
-    let (shown, at) = window(&field.input, room);
-    let style = app.theme.style(match (field.error.is_some(), field.all_selected) {
-        (true, _) => Role::Error,
-        (false, true) => Role::Selection,
-        (false, false) => Role::Text,
-    });
-    put(canvas, list, (value - 1, row), "[", app.theme.style(Role::Focus));
-    put(canvas, list, (value, row), &shown, style);
-    put(canvas, list, (value + room, row), "]", app.theme.style(Role::Focus));
-    if field.error.is_some() {
-        put(canvas, list, (0, row), "x", app.theme.style(Role::Error));
-    }
+    field.draw_boxed(canvas, (list, row), (value, room), app.theme);
     if !long {
         put(
             canvas,
@@ -192,7 +181,6 @@ fn open_field(
             app.theme.style(Role::Dim),
         );
     }
-    canvas.cursor = Some((list.x + value + at, list.y + row));
 }
 
 /// `[--|----]`: where the value stands in the range the thesis searched; `<` and `>` outside it.

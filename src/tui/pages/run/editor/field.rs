@@ -1,18 +1,16 @@
 //! The open field of a variable.
 
-use crossterm::event::{KeyCode, KeyEvent};
-use tui_input::Input;
+use crossterm::event::KeyEvent;
 
 use crate::model::units::Bare;
 use crate::model::variables::{Kind, VARIABLES};
 use crate::tui::app::App;
-use crate::tui::dialogs::{Dialog, Picker};
+use crate::tui::dialogs::List;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
-use crate::tui::pages::run::editor::Field;
 use crate::tui::pages::run::steps::Size;
 use crate::tui::update::{act, edit};
-use crate::tui::widgets::input;
+use crate::tui::widgets::input::{Field, Typed};
 
 /// Words from which on a list is clearer than going to the next one.
 const WORDS_LISTED: usize = 3;
@@ -23,17 +21,13 @@ pub(in crate::tui) fn open(app: &mut App) -> Vec<Effect> {
     match &variable.kind {
         Kind::Choice(choice) if choice.words.len() >= WORDS_LISTED => {
             let now = (choice.get)(&app.scene);
-            app.dialog = Some(Dialog::Words(Picker::at(now)));
+            app.dialog = Some(List::Words.at(now));
             Vec::new()
         }
         Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, true, Size::Plain),
         Kind::Number(_) => {
-            app.editor.field = Some(Field {
-                variable: app.editor.selected,
-                input: Input::new(variable.show(&app.scene)),
-                all_selected: true,
-                error: None,
-            });
+            let text = variable.show(&app.scene);
+            app.editor.field = Some(Field::new(app.editor.selected, text));
             Vec::new()
         }
     }
@@ -41,37 +35,25 @@ pub(in crate::tui) fn open(app: &mut App) -> Vec<Effect> {
 
 /// A key while the field is open.
 pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
-    match key.code {
-        KeyCode::Esc => {
+    let Some(field) = &mut app.editor.field else { return Vec::new() };
+    match field.typed(key, 1) {
+        Typed::Nothing => Vec::new(),
+        Typed::Close => {
             app.editor.field = None;
             Vec::new()
         }
-        KeyCode::Enter | KeyCode::Down => commit(app, |app| app.editor.move_by(&app.scene, 1)),
-        KeyCode::Up => commit(app, |app| app.editor.move_by(&app.scene, -1)),
-        KeyCode::Tab => commit(app, |app| {
-            act::act(app, Action::FocusNext);
+        Typed::Commit(by) => commit(app, |app| app.editor.move_by(&app.scene, by)),
+        Typed::Leave(forward) => commit(app, |app| {
+            act::act(app, if forward { Action::FocusNext } else { Action::FocusPrevious });
         }),
-        KeyCode::BackTab => commit(app, |app| {
-            act::act(app, Action::FocusPrevious);
-        }),
-        _ => {
-            if let Some(field) = &mut app.editor.field
-                && input::press(&mut field.input, &mut field.all_selected, key)
-            {
-                field.error = None;
-            }
-            Vec::new()
-        }
     }
 }
 
 /// Take the text as the new value and go on; a text that is no value stays, with the reason, and nothing else changes.
 fn commit(app: &mut App, then: impl FnOnce(&mut App)) -> Vec<Effect> {
-    let Some(field) = app.editor.field.take() else {
-        return Vec::new();
-    };
-    let variable = &VARIABLES[field.variable];
-    let text = field.input.value();
+    let Some(mut field) = app.editor.field.take() else { return Vec::new() };
+    let variable = &VARIABLES[field.row];
+    let text = field.value();
     let unchanged = field.all_selected || text.trim() == variable.show(&app.scene);
     let result = if unchanged {
         Ok(Vec::new())
@@ -79,7 +61,7 @@ fn commit(app: &mut App, then: impl FnOnce(&mut App)) -> Vec<Effect> {
         variable
             .parse(&app.scene, text, Bare::Stored)
             .map_err(|error| error.to_string())
-            .and_then(|value| edit::set(app, field.variable, value, None))
+            .and_then(|value| edit::set(app, field.row, value, None))
     };
     match result {
         Ok(effects) => {
@@ -87,7 +69,8 @@ fn commit(app: &mut App, then: impl FnOnce(&mut App)) -> Vec<Effect> {
             effects
         }
         Err(error) => {
-            app.editor.field = Some(Field { error: Some(error), ..field });
+            field.error = Some(error);
+            app.editor.field = Some(field);
             Vec::new()
         }
     }

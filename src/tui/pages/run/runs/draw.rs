@@ -10,7 +10,7 @@ use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::MARKERS;
 use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
-use crate::tui::pages::run::runs::{Pin, final_depth, millimetres, name_of};
+use crate::tui::pages::run::runs::{Pin, final_depth, millimetres};
 use crate::tui::pages::run::summary::results;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -65,7 +65,7 @@ pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut 
     let (shown, name_width) = fitting(table, inner.width);
     header(app, inner, shown, name_width, canvas);
     let mut row = 1;
-    let now = name_of(&app.scene, &app.base.name, &app.base.scene);
+    let now = app.name_of(&app.scene);
     let run = app.shown.as_ref().map(|shown| &*shown.run);
     let mut line = |index: usize, letter: &str, name: &str, run: Option<&Run>, visible: bool| {
         let place = Place { inner, row, shown, name_width };

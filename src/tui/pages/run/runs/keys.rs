@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use crate::model::scene::Scene;
+use crate::model::units;
 use crate::model::variables;
 use crate::study::models::by_every_model;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::message::Effect;
-use crate::tui::pages::run::runs::{LETTERS, Pin, name_of};
+use crate::tui::pages::run::runs::{LETTERS, Pin};
 use crate::tui::update::{edit, jobs};
 
 /// Pin the scene, or unpin it where it is pinned already.
@@ -16,7 +17,7 @@ pub(in crate::tui) fn pin_scene(app: &mut App) -> Vec<Effect> {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *app.scene).cloned() {
         return unpinned(app, pin);
     }
-    let name = name_of(&app.scene, &app.base.name, &app.base.scene);
+    let name = app.name_of(&app.scene);
     let scene = Arc::clone(&app.scene);
     pin(app, name, scene)
 }
@@ -185,4 +186,31 @@ pub(in crate::tui) fn show_or_hide(app: &mut App) -> Vec<Effect> {
         }
     }
     Vec::new()
+}
+
+/// Copy the results of the run shown.
+pub(in crate::tui) fn copy(app: &mut App) -> Vec<Effect> {
+    let Some(shown) = &app.shown else {
+        app.say(Severity::Error, "nothing to copy yet: r runs the scene");
+        return Vec::new();
+    };
+    let run = &shown.run;
+    let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), units::shortest);
+    let name = app.name_of(&run.scene);
+    let lines = [
+        format!("scene\t{name}"),
+        format!("outcome\t{}", run.outcome),
+        format!(
+            "first_arrest_penetration_m\t{}",
+            number(run.first_arrest.map(|arrest| arrest.penetration_m))
+        ),
+        format!("first_arrest_time_s\t{}", number(run.first_arrest.map(|arrest| arrest.t_s))),
+        format!("final_penetration_m\t{}", number(run.final_penetration_m)),
+        format!("percent_of_baseline\t{}", number(run.percent_of_baseline())),
+        format!("peak_contact_force_n\t{}", number(run.peak_contact_force_n)),
+        format!("max_plate_displacement_m\t{}", number(run.max_plate_displacement_m)),
+        format!("residual_velocity_m_s\t{}", number(run.residual_velocity_m_s)),
+        format!("interface_demand_ratio\t{}", number(run.interface_demand_ratio)),
+    ];
+    vec![Effect::Copy(lines.join("\n") + "\n")]
 }
