@@ -21,6 +21,7 @@ mod error;
 mod explain;
 mod fit;
 mod help;
+mod install;
 mod join;
 mod json;
 mod libraries;
@@ -133,6 +134,8 @@ enum Command {
     Completions(CompletionsArguments),
     /// Print the manual page, in roff
     Man(man::ManArguments),
+    /// Install manual pages and shell completions
+    Install(install::InstallArguments),
 }
 
 #[derive(Debug, Args)]
@@ -207,5 +210,6 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Paths) => paths::run(),
         Some(Command::Completions(arguments)) => completions::run(arguments.shell),
         Some(Command::Man(arguments)) => man::run(&arguments),
+        Some(Command::Install(arguments)) => install::run(&arguments),
     }
 }

@@ -17,10 +17,15 @@ use crate::model::variables::VARIABLES;
 
 /// Print the script.
 pub(super) fn run(shell: Shell) -> Result<ExitCode, CliError> {
+    output::print(&String::from_utf8_lossy(&script(shell)))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The completion script of a shell.
+pub(super) fn script(shell: Shell) -> Vec<u8> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut named(Arguments::command()), "cmra", &mut script);
-    output::print(&String::from_utf8_lossy(&script))?;
-    Ok(ExitCode::SUCCESS)
+    script
 }
 
 /// The commands with the words that each of their arguments may begin with. Only for completion: they accept more.

@@ -31,6 +31,7 @@ const GROUPS: [(&str, &[&str]); 4] = [
             "paths",
             "completions",
             "man",
+            "install",
         ],
     ),
 ];

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use clap::{Args, CommandFactory as _};
+use clap::{Args, Command, CommandFactory as _};
 
 use crate::cli::{Arguments, CliError, output};
 use crate::files::error::did_you_mean;
@@ -15,21 +15,47 @@ pub(super) struct ManArguments {
 
 /// Print a page.
 pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
-    let mut command = Arguments::command();
-    command.build();
+    let mut command = program();
     if let Some(name) = &arguments.subcommand {
         let found = command.find_subcommand(name).cloned();
         let known = || {
-            let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+            let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
             did_you_mean(name, &names).unwrap_or_else(|| format!("use one of {}", names.join(", ")))
         };
         let page =
             found.ok_or_else(|| CliError::Subcommand { name: name.clone(), known: known() })?;
         command = page;
     }
-    let mut page = Vec::new();
-    let title = command.get_display_name().unwrap_or("cmra").to_owned();
-    clap_mangen::Man::new(command).title(title).render(&mut page).map_err(CliError::Stdout)?;
-    output::print(&String::from_utf8_lossy(&page))?;
+    output::print(&String::from_utf8_lossy(&page(command)?.content))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A manual page.
+pub(super) struct Page {
+    /// `cmra`, or `cmra-run` for a subcommand.
+    pub(super) title: String,
+    /// In roff.
+    pub(super) content: Vec<u8>,
+}
+
+/// The page of the program, and one a subcommand.
+pub(super) fn pages() -> Result<Vec<Page>, CliError> {
+    let program = program();
+    let subcommands = program.get_subcommands().cloned();
+    std::iter::once(program.clone()).chain(subcommands).map(page).collect()
+}
+
+/// The whole command line, with the full names of its subcommands.
+fn program() -> Command {
+    let mut program = Arguments::command();
+    program.build();
+    program
+}
+
+fn page(command: Command) -> Result<Page, CliError> {
+    let title = command.get_display_name().unwrap_or("cmra").to_owned();
+    let mut content = Vec::new();
+    let man = clap_mangen::Man::new(command).title(title.clone());
+    man.render(&mut content).map_err(CliError::Stdout)?;
+    Ok(Page { title, content })
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use directories::ProjectDirs;
+use directories::{BaseDirs, ProjectDirs};
 
 use crate::files::error::FileError;
 
@@ -15,6 +15,14 @@ pub struct Paths {
     pub config: PathBuf,
     /// Session, log and reports of a crash.
     pub state: PathBuf,
+}
+
+/// Where `man` and the shells look for what this user has installed: `$XDG_DATA_HOME`, by default `~/.local/share`.
+///
+/// # Errors
+/// [`FileError::NoHome`] when the system knows no home directory.
+pub fn share_of_user() -> Result<PathBuf, FileError> {
+    BaseDirs::new().map(|dirs| dirs.data_dir().to_owned()).ok_or(FileError::NoHome)
 }
 
 impl Paths {

@@ -449,6 +449,27 @@ fn completions_and_manual_pages_are_printed() {
 }
 
 #[test]
+fn manual_pages_and_completions_are_installed_where_man_and_shells_look() {
+    let place = Place::new();
+    for (arguments, share) in [("install", "data"), ("install --prefix opt", "opt/share")] {
+        let done = place.cmra(arguments);
+        assert_eq!(done.code, 0, "{}", done.err);
+        for (path, content) in [
+            ("man/man1/cmra.1", ".TH cmra 1"),
+            ("man/man1/cmra-run.1", ".TH cmra-run 1"),
+            ("bash-completion/completions/cmra", "complete -F _cmra"),
+            ("zsh/site-functions/_cmra", "#compdef cmra"),
+            ("fish/vendor_completions.d/cmra.fish", "complete -c cmra"),
+        ] {
+            let written = place.path(&format!("{share}/{path}"));
+            let written =
+                fs::read_to_string(&written).unwrap_or_else(|error| panic!("{path}: {error}"));
+            assert!(written.contains(content), "{share}/{path}");
+        }
+    }
+}
+
+#[test]
 fn help_and_version_are_results() {
     let place = Place::new();
     for arguments in ["--help", "run --help", "--version"] {
