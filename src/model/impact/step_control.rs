@@ -102,11 +102,11 @@ impl StepControl {
     pub(super) fn budget_used_up(&self, body: &Body<'_>, is_first: bool) -> Option<EndReason> {
         let in_first_contact = is_first && body.mode == Mode::Penetrating;
         let patience = body.problem.patience;
-        let oscillates = !body.problem.horizon_is_asked
-            && !in_first_contact
-            && self.turns + self.event_count > TURNS_MAX * patience;
+        let oscillates =
+            !body.problem.horizon_is_asked && self.turns + self.event_count > TURNS_MAX * patience;
+        let is_undecided = !in_first_contact && self.steps > UNDECIDED_STEPS * patience;
         let is_worked_off = self.work.get() > WORK_MAX;
-        if oscillates && (self.steps > UNDECIDED_STEPS * patience || is_worked_off) {
+        if oscillates && (is_undecided || is_worked_off) {
             Some(EndReason::Swings)
         } else if self.event_count > EVENTS_MAX {
             Some(EndReason::EventBudget)
