@@ -50,8 +50,9 @@ enum Class {
     NotFinite,
     /// Two tolerances give different outcomes, or results further apart than the estimate says.
     SilentlyWrong,
-    /// Two tolerances differ by far, and the estimate says so.
+    /// Two tolerances differ by far, and the estimate says so; or one of them is undecided, and says so.
     ToldWrong,
+    /// The energy ledger does not close, and a warning says so.
     Energy,
     TimeRunsBack,
     StepUnderflow,
@@ -64,15 +65,12 @@ enum Class {
 
 impl Class {
     /// Whether it is a shortfall outside of the numerical envelope, too: a named end is none there, nor a difference that the estimate
-    /// tells.
+    /// or a warning tells.
     fn is_silent(self) -> bool {
         match self {
-            Self::Panic
-            | Self::NotFinite
-            | Self::SilentlyWrong
-            | Self::Energy
-            | Self::TimeRunsBack => true,
+            Self::Panic | Self::NotFinite | Self::SilentlyWrong | Self::TimeRunsBack => true,
             Self::ToldWrong
+            | Self::Energy
             | Self::StepUnderflow
             | Self::StepBudget
             | Self::EventBudget
@@ -214,7 +212,9 @@ fn compare(scene: &Arc<Scene>, run: &Run) -> Option<(Class, String)> {
         return None;
     }
     if second.outcome != run.outcome {
-        return Some((Class::SilentlyWrong, format!("{} at {TIGHT:e}", second.outcome)));
+        let is_undecided = [run.outcome, second.outcome].contains(&Outcome::Moving);
+        let class = if is_undecided { Class::ToldWrong } else { Class::SilentlyWrong };
+        return Some((class, format!("{} at {TIGHT:e}", second.outcome)));
     }
     let difference = (measure(run)? / measure(&second)? - 1.0).abs();
     if difference <= DIFFERENCE_MAX {
@@ -403,6 +403,21 @@ fn plates_come_through_the_zero_of_a_steep_spring() {
         assert!(residual < RESIDUAL_MAX, "{index}: {residual:e}");
         assert_eq!(class, None, "{index}");
     }
+}
+
+/// Nearly all energy is in the spring, and the damper takes it within the contact or long after it.
+#[test]
+fn a_plate_that_creeps_against_its_damper_loses_no_energy() {
+    for index in [4_524, 7_192, 7_584, 8_718] {
+        assert_eq!(numbered(index).1, None, "{index}");
+    }
+}
+
+/// The stop holds the spring with 4.6 MN, and rounding of that hides the plate's velocity.
+#[test]
+fn a_plate_between_a_cocked_spring_and_its_elastic_stop_is_followed_in_few_steps() {
+    let scene = draw::scene(&draw::changes_inside(8_297));
+    assert_eq!(class_of(&course_of(&scene)), None);
 }
 
 #[test]

@@ -235,7 +235,7 @@ impl Track<'_> {
             self.body.x_zero.side = -self.body.x_zero.side;
         } else if self.body.plate_is_unresolved() {
             // Below what Taylor steps resolve: the implicit method follows the spring's force instead.
-            (self.control.stiff, self.control.creeps) = (true, true);
+            self.control.stiff = true;
             self.control.unit_s = UNFELT_STEP * self.body.state.t_s;
         } else {
             self.omit_spring();

@@ -30,8 +30,6 @@ pub(super) struct StepControl {
     pub(super) stretch_steps: usize,
     /// Taylor steps in a row in which the plate crept against its damper.
     pub(super) creeping_steps: usize,
-    /// The implicit method has this stretch because the plate creeps.
-    pub(super) creeps: bool,
     /// Times the force on the plate changed its sign: twice an oscillation.
     pub(super) turns: usize,
     /// The sign of the force on the plate at the last step.
@@ -63,7 +61,6 @@ impl StepControl {
             stiff: false,
             stretch_steps: 0,
             creeping_steps: 0,
-            creeps: false,
             turns: 0,
             pushed: 0.0,
             steps: 0,

@@ -54,6 +54,9 @@ const HALVINGS_MAX: usize = 8;
 const SWINGING_STEP: f64 = 0.5;
 const SWINGING: f64 = 0.2;
 const SWINGING_STEPS: usize = 20;
+/// How far the rounding of the plate's velocity is to lie below what the estimate of a step may be: Newton's method, and the estimate
+/// itself, see nothing below it.
+const ROUNDING_SHARE: f64 = 100.0;
 /// The least scale of the slip relative to its own value.
 const SLIP_ROUNDED: f64 = 1e-2;
 
@@ -90,8 +93,7 @@ impl Track<'_> {
                 self.control.rejected += 1;
                 continue;
             }
-            if self.control.creeps
-                && !at_tick
+            if !at_tick
                 && halvings < HALVINGS_MAX
                 && self.imbalance_j(&system, &solved, h).abs()
                     > UNBALANCED * self.body.tolerance * self.body.problem.energy_j
@@ -168,12 +170,12 @@ impl Track<'_> {
         if self.control.creeping_steps > SWINGING_STEPS {
             self.control.creeping_steps = 0;
             self.control.stretch_steps = 0;
-            (self.control.stiff, self.control.creeps) = (false, false);
+            self.control.stiff = false;
         }
     }
 
-    /// What the plate's energy is off by over a step, J: a plate that creeps has all of it in its spring, where errors of the
-    /// displacement that do not matter to anything else show.
+    /// What the plate's energy is off by over a step, J: where its spring holds nearly all energy, errors of the displacement that do
+    /// not matter to the contact show in it.
     fn imbalance_j(&self, system: &Unknowns<'_>, solved: &Step<4>, h: f64) -> f64 {
         let motion = system.motion;
         let spring = &self.body.problem.mechanism.spring;
@@ -197,19 +199,34 @@ impl Track<'_> {
         let travel = self.body.state.travel_m.abs()
             + self.body.state.slip_m_s.abs() * self.control.unit_s
             + f64::MIN_POSITIVE;
-        let joined = self.body.mode == Mode::Fused;
         // An oscillation that an error starts does not die down: it is to be small beside the way the plate will have come.
         let yields = self.body.problem.yields_part;
         let part = if yields < UNFELT { 1.0 } else { yields };
-        let own_x = larger(self.body.plate_scale_m, f64::MIN_POSITIVE);
-        let own_w = larger(self.body.speed_scale_m_s, f64::MIN_POSITIVE);
+        let (x, w) = if self.body.mode == Mode::Fused {
+            let (x, w) = (self.body.plate_scale_m, self.body.speed_scale_m_s);
+            (larger(x, f64::MIN_POSITIVE), larger(w, f64::MIN_POSITIVE))
+        } else {
+            let state = &self.body.state;
+            (part * travel + state.plate_m.abs(), part * speed + state.plate_m_s.abs())
+        };
+        let known_w = self.rounding_of_speed_m_s() * ROUNDING_SHARE / self.estimate_allowed();
         [
             travel,
             // A slip far above the impact's, of a plate thrown by its spring, is known to its own rounding only.
             larger(speed, SLIP_ROUNDED * self.body.state.slip_m_s.abs()),
-            if joined { own_x } else { part * travel + self.body.state.plate_m.abs() },
-            if joined { own_w } else { part * speed + self.body.state.plate_m_s.abs() },
+            x,
+            larger(known_w, w),
         ]
+    }
+
+    /// What the rounding of the forces on the plate leaves open of its velocity over the next step, m/s.
+    fn rounding_of_speed_m_s(&self) -> f64 {
+        let (motion, state) = (self.body.motion(), &self.body.state);
+        let force_n =
+            larger(motion.spring.force(state.plate_m).abs(), motion.stop.force(state).abs());
+        let damping = motion.damper.tangent(state.plate_m_s).abs() + motion.stop.damping_n_s_m;
+        let mobility = motion.plate_mobility * self.control.unit_s;
+        f64::EPSILON * force_n * mobility / (1.0 + damping * mobility)
     }
 
     fn accept(

@@ -149,7 +149,7 @@ impl Track<'_> {
             if creeps || rides || is_short { self.control.creeping_steps + 1 } else { 0 };
         if self.control.creeping_steps > CREEPING_STEPS {
             self.control.creeping_steps = 0;
-            (self.control.stiff, self.control.creeps) = (true, true);
+            self.control.stiff = true;
         }
     }
 

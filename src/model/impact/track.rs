@@ -124,7 +124,6 @@ impl<'a> Track<'a> {
         self.handle(event);
         if self.body.mode != before {
             self.control.stiff = false;
-            self.control.creeps = false;
             self.body.at_rest = false;
             self.control.stretch_steps = 0;
         }
