@@ -34,7 +34,7 @@ impl Points<'_> {
 
     /// All points (x, y).
     pub fn iter(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
-        (0..self.len()).map(|index| match self {
+        (0..self.len()).map(move |index| match self {
             Self::Slice(points) => points[index],
             Self::Made(_, make) => make(index),
         })
