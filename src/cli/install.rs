@@ -1,6 +1,5 @@
 //! `cmra install`: manual pages and completion scripts, where `man` and the shells look for them.
 
-use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -9,7 +8,6 @@ use clap_complete::Shell;
 
 use crate::cli::{CliError, completions, man, output};
 use crate::files::atomic::{self, Existing};
-use crate::files::error::FileError;
 use crate::files::paths;
 
 #[derive(Debug, Args)]
@@ -42,9 +40,7 @@ pub(super) fn run(arguments: &InstallArguments) -> Result<ExitCode, CliError> {
         files.push((share.join(path), completions::script(shell)));
     }
     for (path, content) in &files {
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder).map_err(|source| FileError::write(folder, source))?;
-        }
+        atomic::make_folder_of(path)?;
         atomic::write(path, content, Existing::Replace)?;
     }
     output::print(&format!("manual pages  {} ({page_count})\n", pages.display()))?;

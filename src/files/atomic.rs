@@ -40,6 +40,15 @@ pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), File
     write_all(&[(path.to_owned(), content)], existing)
 }
 
+/// Make the folder of a file, where it is missing.
+///
+/// # Errors
+/// [`FileError::Write`].
+pub fn make_folder_of(path: &Path) -> Result<(), FileError> {
+    let folder = directory_of(path);
+    fs::create_dir_all(folder).map_err(|source| FileError::write(folder, source))
+}
+
 /// Whether a file could be written here now: its name is free or may be replaced, and its directory takes files. Nothing is left
 /// behind.
 ///

@@ -194,9 +194,7 @@ pub fn save_file(path: &Path, scene: &Scene, existing: Existing) -> Result<(), F
         }
         Err(problem) => return Err(problem),
     };
-    if let Some(directory) = path.parent() {
-        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
-    }
+    atomic::make_folder_of(path)?;
     atomic::write(path, text.as_bytes(), existing)
 }
 

@@ -98,9 +98,7 @@ pub fn save(
     session: &Session,
     known: &mut Known,
 ) -> Result<Option<PathBuf>, FileError> {
-    if let Some(directory) = path.parent() {
-        fs::create_dir_all(directory).map_err(|source| FileError::write(directory, source))?;
-    }
+    atomic::make_folder_of(path)?;
     // Another workbench that saves between the reading and the writing below would be overwritten unseen.
     let _lock = Lock::wait(&path.with_extension("lock"));
     let writer = known.writer.get_or_insert_with(new_writer).clone();

@@ -11,7 +11,7 @@ use crate::model::scene::Scene;
 use crate::study::sweep::crew::Crew;
 use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::{Keymap, Pane};
-use crate::tui::message::PresetEntry;
+use crate::tui::message::{Effect, PresetEntry};
 use crate::tui::pages;
 use crate::tui::pages::explore::state::Sweeping;
 use crate::tui::pages::limit::state::Ballistic;
@@ -325,6 +325,12 @@ impl App {
         let notice = Notice { severity, text };
         self.keep(notice.clone());
         self.notice = Some(notice);
+    }
+
+    /// Say why an action is refused; nothing follows from it.
+    pub(in crate::tui) fn refuse(&mut self, why: impl Into<String>) -> Vec<Effect> {
+        self.say(Severity::Error, why);
+        Vec::new()
     }
 
     /// Keep a message for the Log tab; of very many the oldest go.

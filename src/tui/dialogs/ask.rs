@@ -52,10 +52,7 @@ pub(in crate::tui) fn copy(app: &mut App) -> Vec<Effect> {
     };
     match text {
         Ok(text) => vec![Effect::Copy(text)],
-        Err(why) => {
-            app.say(Severity::Error, why);
-            Vec::new()
-        }
+        Err(why) => app.refuse(why),
     }
 }
 

@@ -88,9 +88,6 @@ pub(in crate::tui) fn read(
             state.text.error = Some(text);
             Vec::new()
         }
-        (Err(text), _) => {
-            app.say(Severity::Error, text);
-            Vec::new()
-        }
+        (Err(text), _) => app.refuse(text),
     }
 }

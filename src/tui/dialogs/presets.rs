@@ -184,8 +184,7 @@ pub(in crate::tui) fn chosen(app: &mut App, picker: &Picker) -> Vec<Effect> {
 /// Load a preset and show what it is about; put a part of a library into the scene.
 pub(in crate::tui) fn take(app: &mut App, entry: PresetEntry) -> Vec<Effect> {
     if let Some(problem) = entry.problem {
-        app.say(Severity::Error, format!("{} cannot be loaded: {problem}", entry.name));
-        return Vec::new();
+        return app.refuse(format!("{} cannot be loaded: {problem}", entry.name));
     }
     match &entry.part {
         Some(part) => take_part(app, part),
@@ -216,15 +215,11 @@ fn base_of(entry: PresetEntry) -> Base {
 pub(in crate::tui) fn pin(app: &mut App, picker: &Picker) -> Vec<Effect> {
     let Some(entry) = selected_preset(app, picker) else { return Vec::new() };
     if let Some(problem) = entry.problem {
-        app.say(Severity::Error, format!("{} cannot be pinned: {problem}", entry.name));
-        return Vec::new();
+        return app.refuse(format!("{} cannot be pinned: {problem}", entry.name));
     }
     match entry.scene_on(&app.scene) {
         Ok(scene) => runs::keys::pin(app, entry.name, scene.into()),
-        Err(error) => {
-            app.say(Severity::Error, error.to_string());
-            Vec::new()
-        }
+        Err(error) => app.refuse(error.to_string()),
     }
 }
 
@@ -233,8 +228,7 @@ fn take_part(app: &mut App, part: &Entry) -> Vec<Effect> {
     let mut scene = (*app.scene).clone();
     let made = part.apply(&mut scene).and_then(|()| variables::validate(&scene));
     if let Err(error) = made {
-        app.say(Severity::Error, error.to_string());
-        return Vec::new();
+        return app.refuse(error.to_string());
     }
     let label = format!("{} {}", part.library.word(), part.name);
     let effects = edit::commit_scene(app, scene, label.clone(), None);

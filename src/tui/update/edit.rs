@@ -73,6 +73,28 @@ pub(in crate::tui) fn commit_scene(
     commit(app, after, label, stepping)
 }
 
+/// Make the design under a cursor the current scene, or say why there is none.
+pub(in crate::tui) fn load_design(
+    app: &mut App,
+    design: Result<(Scene, String), String>,
+) -> Vec<Effect> {
+    match design {
+        Ok((scene, _)) if scene == *app.scene => {
+            app.say(Severity::Note, "the scene is this design already: 1 shows its run");
+            Vec::new()
+        }
+        Ok((scene, label)) => load_scene(app, scene, &label),
+        Err(why) => app.refuse(why),
+    }
+}
+
+/// Make a scene the current one, as one edit, and say so.
+pub(in crate::tui) fn load_scene(app: &mut App, scene: Scene, label: &str) -> Vec<Effect> {
+    let effects = commit_scene(app, scene, format!("load {label}"), None);
+    app.say(Severity::Note, format!("loaded {label}: 1 shows its run, u undoes"));
+    effects
+}
+
 /// Make another scene current and compare it with another preset, as one edit.
 pub(in crate::tui) fn load(app: &mut App, base: Base) -> Vec<Effect> {
     let label = format!("load {}", base.name);
@@ -208,10 +230,7 @@ pub(in crate::tui) fn reset(app: &mut App) -> Vec<Effect> {
             }
             effects
         }
-        Err(error) => {
-            app.say(Severity::Error, error);
-            Vec::new()
-        }
+        Err(error) => app.refuse(error),
     }
 }
 
@@ -278,10 +297,7 @@ fn edge(variable: &Variable, up: bool) -> String {
 fn finish(app: &mut App, index: usize, value: Value, stepping: Option<usize>) -> Vec<Effect> {
     match set(app, index, value, stepping) {
         Ok(effects) => effects,
-        Err(error) => {
-            app.say(Severity::Error, error);
-            Vec::new()
-        }
+        Err(error) => app.refuse(error),
     }
 }
 

@@ -96,7 +96,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     match action {
         Action::Run => return Some(compute(app)),
         Action::Export | Action::Copy => return None,
-        Action::Mark => return Some(pin(app)),
+        Action::Mark => return Some(runs::keys::pin_design(app, app.sweep_design())),
         Action::Contour => {
             app.sweeping.contour = match app.sweeping.contour {
                 Contour::Cursor => Contour::Off,
@@ -117,7 +117,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         Action::PanLeft => zoom(app, |view, scale, _| view.panned(scale, -PAN)),
         Action::PanRight => zoom(app, |view, scale, _| view.panned(scale, PAN)),
         Action::ZoomFit => app.sweeping.zoom[app.picture() as usize] = None,
-        Action::Enter => return Some(load(app)),
+        Action::Enter => return Some(edit::load_design(app, app.sweep_design())),
         _ => move_cursor(app, cursor_moved(action, FAR)?),
     }
     Some(Vec::new())
@@ -188,36 +188,6 @@ fn neighbour(grid: &Grid, here: usize, axis: usize, by: isize) -> usize {
 /// Put the cursor on a point.
 pub(in crate::tui) fn jump(app: &mut App, point: (usize, usize)) {
     app.sweeping.cursor[app.picture() as usize] = Some(point);
-}
-
-/// Load the design under the cursor into the scene, as one edit.
-fn load(app: &mut App) -> Vec<Effect> {
-    match app.sweep_design() {
-        Ok((scene, _)) if scene == *app.scene => {
-            app.say(Severity::Note, "the scene is this design already: 1 shows its run");
-            Vec::new()
-        }
-        Ok((scene, words)) => {
-            let effects = edit::commit_scene(app, scene, format!("load {words}"), None);
-            app.say(Severity::Note, format!("loaded {words}: 1 shows its run, u undoes"));
-            effects
-        }
-        Err(why) => {
-            app.say(Severity::Error, why);
-            Vec::new()
-        }
-    }
-}
-
-/// Pin the design under the cursor.
-fn pin(app: &mut App) -> Vec<Effect> {
-    match app.sweep_design() {
-        Ok((scene, words)) => runs::keys::pin(app, words, Arc::new(scene)),
-        Err(why) => {
-            app.say(Severity::Error, why);
-            Vec::new()
-        }
-    }
 }
 
 /// A report of the sweep.

@@ -80,11 +80,7 @@ fn in_curve(app: &mut App, action: Action) -> Option<Vec<Effect>> {
 
 fn load_shot(app: &mut App) -> Vec<Effect> {
     if app.limit_is_old() {
-        app.say(
-            Severity::Error,
-            "these results belong to another scene: press r to find its limit",
-        );
-        return Vec::new();
+        return app.refuse("these results belong to another scene: press r to find its limit");
     }
     let Some(velocity_m_s) = app.limit.shot().map(|shot| shot.impact_m_s) else {
         app.say(Severity::Note, "no shot under the cursor: h and l move it");
@@ -93,14 +89,7 @@ fn load_shot(app: &mut App) -> Vec<Effect> {
     let mut scene = (*app.scene).clone();
     scene.projectile.velocity_m_s = velocity_m_s;
     let text = format!("v_i = {} m/s", crate::model::units::significant(velocity_m_s, 4));
-    loaded(app, scene, &text)
-}
-
-/// Make a scene the current one, as one edit, and say so.
-fn loaded(app: &mut App, scene: crate::model::scene::Scene, what: &str) -> Vec<Effect> {
-    let effects = edit::commit_scene(app, scene, format!("load {what}"), None);
-    app.say(Severity::Note, format!("loaded {what}: 1 shows its run, u undoes"));
-    effects
+    edit::load_scene(app, scene, &text)
 }
 
 fn in_comparison(app: &mut App, action: Action) -> Option<Vec<Effect>> {
@@ -117,12 +106,9 @@ fn in_comparison(app: &mut App, action: Action) -> Option<Vec<Effect>> {
             (Ok(scene), Some(absorber)) => {
                 let name = format!("absorber {}", absorber.name);
                 app.limit.absorber = 0;
-                loaded(app, scene, &name)
+                edit::load_scene(app, scene, &name)
             }
-            (Err(why), _) => {
-                app.say(Severity::Error, why);
-                Vec::new()
-            }
+            (Err(why), _) => app.refuse(why),
         }),
         _ => {
             let rows = rows_moved(action, 8)?;
@@ -133,15 +119,15 @@ fn in_comparison(app: &mut App, action: Action) -> Option<Vec<Effect>> {
 }
 
 fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    if matches!(action, Action::Enter | Action::Mark) {
-        return Some(match app.efficiency_design() {
-            Ok((scene, words)) if action == Action::Enter => loaded(app, scene, &words),
-            Ok((scene, words)) => runs::keys::pin(app, words, Arc::new(scene)),
-            Err(why) => {
-                app.say(Severity::Error, why);
-                Vec::new()
-            }
-        });
+    match action {
+        Action::Enter => {
+            return Some(match app.efficiency_design() {
+                Ok((scene, label)) => edit::load_scene(app, scene, &label),
+                Err(why) => app.refuse(why),
+            });
+        }
+        Action::Mark => return Some(runs::keys::pin_design(app, app.efficiency_design())),
+        _ => {}
     }
     let (x, y) = cursor_moved(action, FAR_CELLS)?;
     let map = app.comparison().and_then(|found| found.map.as_ref());
@@ -160,8 +146,7 @@ fn compare(app: &mut App) -> Vec<Effect> {
     let scene = match app.compared_scene() {
         Ok(scene) => Arc::new(scene),
         Err(why) => {
-            app.say(Severity::Error, why);
-            return Vec::new();
+            return app.refuse(why);
         }
     };
     let kind = StudyKind::Search(Arc::new(Request::Compare));

@@ -18,6 +18,7 @@ use crate::tui::dialogs::wrap;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::numeric;
+use crate::tui::pages::run::runs;
 use crate::tui::pages::search;
 use crate::tui::pages::search::bounds::{bound, read_bound, read_end};
 use crate::tui::pages::search::setup::Setup;
@@ -52,8 +53,8 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         Action::Run => return Some(look(app)),
         Action::Export | Action::Copy => return None,
         _ if app.pane() == Pane::SearchSetup => return in_setup(app, action),
-        Action::Enter => return Some(load(app)),
-        Action::Mark => return Some(pin(app)),
+        Action::Enter => return Some(edit::load_design(app, app.search_design())),
+        Action::Mark => return Some(runs::keys::pin_design(app, app.search_design())),
         Action::View => return Some(view(app)),
         Action::Sort => app.searching.sort_next(),
         Action::LogX if app.searching.page != Page::Front => {
@@ -168,35 +169,6 @@ fn look(app: &mut App) -> Vec<Effect> {
     let (running, effects) = jobs::study(app, StudyKind::Search(request), scene);
     app.searching.running = Some(running);
     effects
-}
-
-/// Load the design under the cursor into the scene.
-fn load(app: &mut App) -> Vec<Effect> {
-    match app.search_design() {
-        Ok((scene, _)) if scene == *app.scene => {
-            app.say(Severity::Note, "the scene is this design already: 1 shows its run");
-            Vec::new()
-        }
-        Ok((scene, label)) => {
-            let effects = edit::commit_scene(app, scene, format!("load {label}"), None);
-            app.say(Severity::Note, format!("loaded {label}: 1 shows its run, u undoes"));
-            effects
-        }
-        Err(why) => {
-            app.say(Severity::Error, why);
-            Vec::new()
-        }
-    }
-}
-
-fn pin(app: &mut App) -> Vec<Effect> {
-    match app.search_design() {
-        Ok((scene, label)) => crate::tui::pages::run::runs::keys::pin(app, label, Arc::new(scene)),
-        Err(why) => {
-            app.say(Severity::Error, why);
-            Vec::new()
-        }
-    }
 }
 
 /// A report of the search.

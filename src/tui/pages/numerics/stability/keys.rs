@@ -79,8 +79,7 @@ fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
 /// Load the value of the row under the cursor into the scene.
 fn load(app: &mut App) -> Vec<Effect> {
     if app.map_is_old() || app.stability.map.is_none() {
-        app.say(Severity::Error, "no map of this scene: press r to compute it");
-        return Vec::new();
+        return app.refuse("no map of this scene: press r to compute it");
     }
     let found = app.stability.map.as_ref().zip(app.stability.cursor());
     let Some(((_, map), (row, _))) = found else { return Vec::new() };
@@ -94,10 +93,7 @@ fn load(app: &mut App) -> Vec<Effect> {
             app.say(Severity::Note, text);
             effects
         }
-        Err(error) => {
-            app.say(Severity::Error, error);
-            Vec::new()
-        }
+        Err(error) => app.refuse(error),
     }
 }
 

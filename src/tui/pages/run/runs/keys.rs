@@ -22,6 +22,17 @@ pub(in crate::tui) fn pin_scene(app: &mut App) -> Vec<Effect> {
     pin(app, name, scene)
 }
 
+/// Pin the design under a cursor, or say why there is none.
+pub(in crate::tui) fn pin_design(
+    app: &mut App,
+    design: Result<(Scene, String), String>,
+) -> Vec<Effect> {
+    match design {
+        Ok((scene, label)) => pin(app, label, Arc::new(scene)),
+        Err(why) => app.refuse(why),
+    }
+}
+
 /// Freeze a scene under the next free letter; its result is the one on the screen, or is computed.
 pub(in crate::tui) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec<Effect> {
     if let Some(pin) = app.pins.iter().find(|pin| *pin.scene == *scene) {
@@ -31,11 +42,8 @@ pub(in crate::tui) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec
     }
     let free = |letter: &char| app.pins.iter().all(|pin| pin.letter != *letter);
     let Some(letter) = LETTERS.into_iter().find(free) else {
-        app.say(
-            Severity::Error,
-            "all eight pins A to H are taken: Space on one in the pane Runs unpins it",
-        );
-        return Vec::new();
+        return app
+            .refuse("all eight pins A to H are taken: Space on one in the pane Runs unpins it");
     };
     let run = app
         .shown
@@ -63,8 +71,7 @@ pub(in crate::tui) fn models(app: &mut App) -> Vec<Effect> {
         }
     }
     if let (true, Some(reason)) = (wanted.is_empty(), &refused) {
-        app.say(Severity::Error, reason.clone());
-        return Vec::new();
+        return app.refuse(reason.clone());
     }
     let is_pinned = |app: &App, scene: &Scene| app.pins.iter().any(|pin| *pin.scene == *scene);
     let missing: Vec<_> =
@@ -82,8 +89,7 @@ pub(in crate::tui) fn models(app: &mut App) -> Vec<Effect> {
             "{} models need a pin each, and {room} of the eight pins are free: Space on one in the pane Runs unpins it",
             missing.len()
         );
-        app.say(Severity::Error, text);
-        return Vec::new();
+        return app.refuse(text);
     }
     let mut effects = Vec::new();
     for (name, scene) in missing {
@@ -150,8 +156,7 @@ pub(in crate::tui) fn put_back(app: &mut App, pin: Pin) -> Vec<Effect> {
     }
     let free = |letter: &char| app.pins.iter().all(|other| other.letter != *letter);
     let Some(letter) = std::iter::once(pin.letter).chain(LETTERS).find(free) else {
-        app.say(Severity::Error, "all eight pins A to H are taken: nothing was put back");
-        return Vec::new();
+        return app.refuse("all eight pins A to H are taken: nothing was put back");
     };
     // A job under way when it was taken away has reported to nobody.
     app.pins.push(Pin { letter, job: None, ..pin });
@@ -191,8 +196,7 @@ pub(in crate::tui) fn show_or_hide(app: &mut App) -> Vec<Effect> {
 /// Copy the results of the run shown.
 pub(in crate::tui) fn copy(app: &mut App) -> Vec<Effect> {
     let Some(shown) = &app.shown else {
-        app.say(Severity::Error, "nothing to copy yet: r runs the scene");
-        return Vec::new();
+        return app.refuse("nothing to copy yet: r runs the scene");
     };
     let run = &shown.run;
     let number = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), units::shortest);
