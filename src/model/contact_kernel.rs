@@ -238,7 +238,7 @@ impl Contact {
             self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? })
         };
         Some(match self.spring_manifold() {
-            Some(manifold) => manifold.plan(track, (tolerance, terms)),
+            Some(manifold) => manifold.plan(track, tolerance, terms),
             None => Plan { track, tolerance, reach_m: None, terms },
         })
     }

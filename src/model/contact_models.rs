@@ -55,7 +55,9 @@ pub(super) trait ContactModel: Debug + Send + Sync {
     fn scales(&self) -> Scales;
 
     /// Travel at which contact begins in a hole made by this travel, m.
-    fn slack_m(&self, deepest_m: f64) -> f64;
+    fn slack_m(&self, _deepest_m: f64) -> f64 {
+        0.0
+    }
 
     /// Travel that stands for the hole's depth, m; `None` where the model knows none.
     fn hole_m(&self, deepest_m: f64) -> Option<f64>;

@@ -20,7 +20,7 @@ pub fn law(law: InterfaceLaw) -> &'static str {
 fn standing(standing: &Standing) -> &'static str {
     match standing {
         Standing::OnFront => "on the front",
-        Standing::Beaten { .. } => "beaten",
+        Standing::Dominated { .. } => "beaten",
         Standing::Breaks(_) => "breaks a constraint",
         Standing::NoValue(_) => "no value",
         Standing::Impossible => "impossible",
@@ -151,7 +151,7 @@ fn of_front(task: &Task, front: &Front) -> Value {
         let mut object = challengers.object(row, is_own);
         object.remove("outcome");
         let by = match candidate.standing {
-            Standing::Beaten { by } => Some(by),
+            Standing::Dominated { by } => Some(by),
             Standing::OnFront
             | Standing::Breaks(_)
             | Standing::NoValue(_)

@@ -14,7 +14,7 @@ pub struct Progress {
     pub total: usize,
 }
 
-/// Is given the progress of a study, and what there is so far where the study has parts to show; `Break` stops the study, which
+/// Receives the progress of a study, and the result so far where the study has parts to show. `Break` stops the study, which
 /// keeps what it has.
 pub type Watch<'w, P> = &'w mut dyn FnMut(Progress, Option<&P>) -> ControlFlow<()>;
 

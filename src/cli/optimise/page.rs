@@ -99,7 +99,9 @@ fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
     let found: Vec<String> = found.collect();
     let words = match &candidate.standing {
         Standing::OnFront => "on the front: no design of it is better".to_owned(),
-        Standing::Beaten { by } => format!("off the front: design {} is better throughout", by + 1),
+        Standing::Dominated { by } => {
+            format!("off the front: design {} is better throughout", by + 1)
+        }
         Standing::Breaks(at) => format!("breaks {}", task.constraints[*at].words()),
         Standing::NoValue(fate) => match missing(task, candidate) {
             Some(column) if column.name == "peak_mount_force_n" => {

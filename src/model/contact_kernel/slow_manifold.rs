@@ -85,7 +85,8 @@ impl ManifoldRun {
     pub(super) fn from(
         manifold: SpringManifold,
         start: Track,
-        (tolerance, terms): (f64, usize),
+        tolerance: f64,
+        terms: usize,
     ) -> Self {
         Self {
             manifold,
@@ -201,7 +202,7 @@ impl ManifoldRun {
         match next {
             Next::Ended(end) => InitialPhase::Ended(end),
             Next::Handed(track) if track.steps > 0 => {
-                InitialPhase::Steps(self.manifold.plan(track, (self.tolerance, self.terms)))
+                InitialPhase::Steps(self.manifold.plan(track, self.tolerance, self.terms))
             }
             Next::Handed(_) | Next::Left => contact.start(self.tolerance, self.terms),
         }

@@ -127,7 +127,7 @@ impl SpringManifold {
     }
 
     /// Plain steps from there, small enough to follow its swings.
-    pub(super) fn plan(&self, track: Track, (tolerance, terms): (f64, usize)) -> Plan {
+    pub(super) fn plan(&self, track: Track, tolerance: f64, terms: usize) -> Plan {
         Plan { track, tolerance: SWINGING * tolerance, reach_m: Some(self.reach_m), terms }
     }
 
@@ -300,7 +300,7 @@ impl Contact {
             }
             start = self.at_balance(&manifold, part * earlier, tolerance)?;
         }
-        Some(ManifoldRun::from(manifold, start, (tolerance, terms)))
+        Some(ManifoldRun::from(manifold, start, tolerance, terms))
     }
 
     /// Where a plate on the manifold is so early that the projectile has not felt it move.

@@ -94,10 +94,6 @@ impl ContactModel for HalfSine {
         }
     }
 
-    fn slack_m(&self, _deepest_m: f64) -> f64 {
-        0.0
-    }
-
     fn hole_m(&self, deepest_m: f64) -> Option<f64> {
         Some(deepest_m)
     }

@@ -48,10 +48,6 @@ impl ContactModel for InitialVelocity {
         self.scales
     }
 
-    fn slack_m(&self, _deepest_m: f64) -> f64 {
-        0.0
-    }
-
     fn hole_m(&self, _deepest_m: f64) -> Option<f64> {
         None
     }

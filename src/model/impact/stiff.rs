@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use crate::model::event_function::{EventFunction, EventId};
 use crate::model::impact::track::{Track, is_finite};
-use crate::model::motion::State;
+use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::implicit::{
     ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor,
@@ -64,7 +64,9 @@ impl Track<'_> {
     /// One implicit step, shortened to the first event.
     pub(super) fn stiff_step(&mut self) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = self.body.motion();
-        let system = Unknowns::of(&motion, &self.body.state, self.stiff_scale());
+        let tolerance = self.estimate_allowed();
+        let scale = self.stiff_scale(&motion, tolerance);
+        let system = Unknowns::of(&motion, &self.body.state, scale);
         let y = system.fold(&self.body.state, self.body.compensation_m);
         let mut h = self.control.unit_s;
         let left = self.until_s() - self.body.state.t_s;
@@ -85,7 +87,6 @@ impl Track<'_> {
                 self.control.rejected += 1;
                 continue;
             };
-            let tolerance = self.estimate_allowed();
             let factor = step_factor(solved.error, tolerance);
             // Within one ulp of the time a stiff force settles, whatever its way: the method is L-stable.
             if solved.error > tolerance && !at_tick {
@@ -194,7 +195,8 @@ impl Track<'_> {
         gained
     }
 
-    fn stiff_scale(&self) -> [f64; 4] {
+    /// The sizes against which errors are measured where a step's estimate may be so much of them.
+    fn stiff_scale(&self, motion: &Motion<'_>, tolerance: f64) -> [f64; 4] {
         let speed = self.body.problem.velocity_m_s;
         let travel = self.body.state.travel_m.abs()
             + self.body.state.slip_m_s.abs() * self.control.unit_s
@@ -209,7 +211,7 @@ impl Track<'_> {
             let state = &self.body.state;
             (part * travel + state.plate_m.abs(), part * speed + state.plate_m_s.abs())
         };
-        let known_w = self.rounding_of_speed_m_s() * ROUNDING_SHARE / self.estimate_allowed();
+        let known_w = self.rounding_of_speed_m_s(motion) * ROUNDING_SHARE / tolerance;
         [
             travel,
             // A slip far above the impact's, of a plate thrown by its spring, is known to its own rounding only.
@@ -220,8 +222,8 @@ impl Track<'_> {
     }
 
     /// What the rounding of the forces on the plate leaves open of its velocity over the next step, m/s.
-    fn rounding_of_speed_m_s(&self) -> f64 {
-        let (motion, state) = (self.body.motion(), &self.body.state);
+    fn rounding_of_speed_m_s(&self, motion: &Motion<'_>) -> f64 {
+        let state = &self.body.state;
         let force_n =
             larger(motion.spring.force(state.plate_m).abs(), motion.stop.force(state).abs());
         let damping = motion.damper.tangent(state.plate_m_s).abs() + motion.stop.damping_n_s_m;

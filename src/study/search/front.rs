@@ -113,7 +113,7 @@ pub enum Standing {
     /// Nothing on the front beats it.
     OnFront,
     /// This design of the front is better in every objective it differs in.
-    Beaten {
+    Dominated {
         /// Its place on the front.
         by: usize,
     },
@@ -420,9 +420,9 @@ impl Search<'_> {
         }
         let mut state = state.borrow_mut();
         let State { known, front, .. } = &mut *state;
-        let beaten = |design: &Design| self.judge(&design.measures).dominates(&better.judged);
+        let dominates = |design: &Design| self.judge(&design.measures).dominates(&better.judged);
         if let Some(design) = known.get(&bits(&better.shares))
-            && !front.designs.iter().any(beaten)
+            && !front.designs.iter().any(dominates)
         {
             front.designs.retain(|other| !better.judged.dominates(&self.judge(&other.measures)));
             front.designs.push(design.clone());
@@ -442,7 +442,7 @@ impl Search<'_> {
             (None, false) => Standing::NoValue(fate),
             (None, true) => {
                 let by = front.iter().position(beats);
-                by.map_or(Standing::OnFront, |by| Standing::Beaten { by })
+                by.map_or(Standing::OnFront, |by| Standing::Dominated { by })
             }
         }
     }

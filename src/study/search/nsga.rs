@@ -115,9 +115,9 @@ pub fn evolve(
 pub fn front(people: &[Individual]) -> Vec<Individual> {
     let mut best: Vec<Individual> = Vec::new();
     for one in people.iter().filter(|one| one.judged.is_feasible()) {
-        let beaten = people.iter().any(|other| other.judged.dominates(&one.judged));
+        let dominated = people.iter().any(|other| other.judged.dominates(&one.judged));
         let known = best.iter().any(|other| other.judged.objectives == one.judged.objectives);
-        if !beaten && !known {
+        if !dominated && !known {
             best.push(one.clone());
         }
     }
@@ -155,21 +155,21 @@ struct Place {
 fn rank(people: &[Individual]) -> Vec<Place> {
     let count = people.len();
     let mut beats = vec![Vec::new(); count];
-    let mut beaten_by = vec![0usize; count];
+    let mut dominated_by = vec![0usize; count];
     for a in 0..count {
         for b in a + 1..count {
             let (one, other) = (&people[a].judged, &people[b].judged);
             if one.dominates(other) {
                 beats[a].push(b);
-                beaten_by[b] += 1;
+                dominated_by[b] += 1;
             } else if other.dominates(one) {
                 beats[b].push(a);
-                beaten_by[a] += 1;
+                dominated_by[a] += 1;
             }
         }
     }
     let mut places = vec![Place { front: 0, crowding: 0.0 }; count];
-    let mut current: Vec<usize> = (0..count).filter(|at| beaten_by[*at] == 0).collect();
+    let mut current: Vec<usize> = (0..count).filter(|at| dominated_by[*at] == 0).collect();
     let mut front = 0;
     while !current.is_empty() {
         for (at, crowding) in current.iter().zip(crowding(people, &current)) {
@@ -178,8 +178,8 @@ fn rank(people: &[Individual]) -> Vec<Place> {
         let mut next = Vec::new();
         for at in &current {
             for other in &beats[*at] {
-                beaten_by[*other] -= 1;
-                if beaten_by[*other] == 0 {
+                dominated_by[*other] -= 1;
+                if dominated_by[*other] == 0 {
                     next.push(*other);
                 }
             }

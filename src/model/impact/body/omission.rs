@@ -4,13 +4,13 @@ use super::Body;
 use crate::model::mechanism::sign;
 use crate::numerics::{larger, smaller};
 
-/// Half-width of the neighbourhood of zero in which a singular power law is left out, relative to the greatest value seen.
+/// Half-width of the neighbourhood of zero in which a singular power law is omitted, relative to the greatest value seen.
 /// A spring gives on one side of it what it takes on the other; a damper does not, and a plate may creep near zero.
 const CLEAR_OF_SPRING: f64 = 1e-6;
 const CLEAR_OF_DAMPER: f64 = 1e-9;
 /// Tolerance from which down the spring's neighbourhood shrinks.
 const CLEAR_AT: f64 = 1e-9;
-/// Part of the plate's energy, or of the other forces, that a law may have where it is left out.
+/// Part of the plate's energy, or of the other forces, that a law may have where it is omitted.
 const PASSING: f64 = 1e-3;
 /// The neighbourhood takes at least this part of the time reached to cross: time has no finer resolution.
 const CLOCK: f64 = 1e-13;
@@ -68,18 +68,18 @@ impl Body<'_> {
         }
     }
 
-    /// How close to zero displacement the singular spring is left out: so close that it holds little of the plate's energy.
+    /// How close to zero displacement the singular spring is omitted: so close that it holds little of the plate's energy.
     pub(in crate::model::impact) fn near_zero_m(&self) -> f64 {
         let (spring, w) = (self.spring(), self.state.plate_m_s);
         let energy = 0.5 * self.problem.plate_kg * w * w;
-        // Tighter computations come closer, so that two of them do not share what is left out.
+        // Tighter computations come closer, so that two of them do not share what is omitted.
         let closer = smaller((self.tolerance / CLEAR_AT).sqrt(), 1.0);
         let clear_m = CLEAR_OF_SPRING * closer * self.plate_scale_m;
         let passing = smaller(clear_m, spring.at_integral(PASSING * energy));
         larger(passing, CLOCK * self.state.t_s * w.abs())
     }
 
-    /// How close to zero velocity the singular damper is left out: so close that other forces turn the plate round.
+    /// How close to zero velocity the singular damper is omitted: so close that other forces turn the plate round.
     pub(super) fn near_zero_m_s(&self) -> f64 {
         let damper = self.problem.mechanism.damper;
         let motion = self.motion();

@@ -86,7 +86,7 @@ fn the_designs_of_the_thesis_stand_on_it_or_off_it() {
     for candidate in &front.candidates {
         let value = |at: usize| candidate.measures[at];
         match candidate.standing {
-            Standing::Beaten { by } => {
+            Standing::Dominated { by } => {
                 let better = &front.designs[by].measures;
                 let pairs: Vec<(f64, f64)> =
                     (0..4).map(|at| (better[at].unwrap(), value(at).unwrap())).collect();

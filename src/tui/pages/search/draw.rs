@@ -45,9 +45,9 @@ pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mu
     let top = Rect { height: right.height - below, ..right };
     let focused = below == 0 && app.has_focus(Pane::Search);
     match &found.answer {
-        Answer::Seek(report) => sought(app, report, (top, focused), canvas),
-        Answer::Front(_) => front(app, (top, focused), canvas),
-        Answer::Scatter(_) => histogram(app, (top, focused), canvas),
+        Answer::Seek(report) => sought(app, report, top, focused, canvas),
+        Answer::Front(_) => front(app, top, focused, canvas),
+        Answer::Scatter(_) => histogram(app, top, focused, canvas),
         Answer::Sensitivity(_) | Answer::Compare(_) => {}
     }
     if below == 0 {
@@ -188,12 +188,7 @@ fn measure_axis(
     Some(Axis::new(label, view).scale(scale).unit(unit))
 }
 
-fn sought(
-    app: &App,
-    report: &seek::Report,
-    (area, focused): (Rect, bool),
-    canvas: &mut Canvas<'_>,
-) {
+fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let points: Vec<(f64, f64)> =
         report.scan.iter().map(|(x, y)| (*x, y.unwrap_or(f64::NAN))).collect();
     let values = report.scan.iter().filter_map(|point| point.1).chain([report.target]);
@@ -239,7 +234,7 @@ fn sought(
 }
 
 /// Designs as points, the scene and the thesis's designs as letters.
-fn front(app: &App, (area, focused): (Rect, bool), canvas: &mut Canvas<'_>) {
+fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let tab = &app.searching;
     let Some((found, task)) = tab.front() else { return };
     let (across, up) = tab.across(task);
@@ -300,7 +295,7 @@ fn mark(
 }
 
 /// How often a value falls into each of some bins, as steps.
-fn histogram(app: &App, (area, focused): (Rect, bool), canvas: &mut Canvas<'_>) {
+fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let Some((_, summary)) = app.scattered() else { return };
     let sorted = &summary.sorted;
     let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {

@@ -162,7 +162,7 @@ fn candidates(front: &Front, task: &Task, width: usize) -> Vec<Line> {
 fn standing(candidate: &Candidate, task: &Task) -> Line {
     match &candidate.standing {
         Standing::OnFront => note("on the front".to_owned()),
-        Standing::Beaten { .. } => note("off it: dominated".to_owned()),
+        Standing::Dominated { .. } => note("off it: dominated".to_owned()),
         Standing::Breaks(at) => {
             (Severity::Warning, format!("breaks {}", task.constraints[*at].words()))
         }

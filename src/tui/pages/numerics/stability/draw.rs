@@ -71,7 +71,7 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         return;
     }
     cells(app, map, plot, canvas);
-    values(app, map, (inner, plot), canvas);
+    values(app, map, inner, plot, canvas);
     legend(app, inner, canvas);
     let (rows, steps) = (map.values.len(), map.dt_s.len());
     canvas.hit(plot, |at| {
@@ -164,7 +164,7 @@ fn decades(steps: &[f64], width: u16) -> Vec<(u16, String)> {
 }
 
 /// The values of rows and columns.
-fn values(app: &App, map: &Map, (inner, plot): (Rect, Rect), canvas: &mut Canvas<'_>) {
+fn values(app: &App, map: &Map, inner: Rect, plot: Rect, canvas: &mut Canvas<'_>) {
     let style = app.theme.style(Role::Text);
     let rows = map.values.len();
     let every = if plot.height < 24 { 3 } else { 6 };

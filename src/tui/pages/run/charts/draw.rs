@@ -41,7 +41,7 @@ pub(in crate::tui) fn render(app: &App, areas: &[Rect], focused: bool, canvas: &
 }
 
 /// Say what the areas of a chart are to the mouse.
-fn hits(app: &App, chart: usize, (area, layout): (Rect, &chart::Layout), canvas: &mut Canvas<'_>) {
+fn hits(app: &App, chart: usize, area: Rect, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
     canvas.pane(area, Pane::Charts);
     canvas.plot_columns.get_or_insert(layout.plot.width);
     if app.charts.quantities[chart] != Quantity::MountForce {
@@ -59,7 +59,7 @@ fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     chart.focused = focused;
     let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
     let drawn = chart.render(upper, canvas, app.theme);
-    hits(app, app.charts.selected, (area, &drawn.layout), canvas);
+    hits(app, app.charts.selected, area, &drawn.layout, canvas);
     nothing_yet(app, upper, canvas);
     if below > 0 {
         let rows = Rect { y: inner.bottom() - below, height: below, ..inner };
@@ -88,7 +88,7 @@ fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
     align_gutters(&mut charts, areas);
     for (index, (chart, area)) in charts.iter().zip(areas).enumerate() {
         let drawn = chart.render(*area, canvas, app.theme);
-        hits(app, index, (*area, &drawn.layout), canvas);
+        hits(app, index, *area, &drawn.layout, canvas);
         nothing_yet(app, *area, canvas);
     }
 }
