@@ -20,7 +20,7 @@ use std::borrow::Cow;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::text::{Line, Span};
+use ratatui::text::Span;
 
 use crate::tui::theme::{GlyphSet, PaneFrame, Theme, ascii_pass};
 
@@ -36,7 +36,7 @@ mod titles;
 mod trace;
 
 pub use crate::report::unit::Unit;
-pub use curve::{Curve, Emphasis, MARKERS, Points, Side};
+pub use curve::{Curve, Emphasis, MARKERS, Side};
 pub use heatmap::{HeatCell, Heatmap};
 pub use layout::Layout;
 pub use levels::Levels;
@@ -83,13 +83,6 @@ impl<'a> Axis<'a> {
         self.scale = scale;
         self
     }
-
-    /// With or without numbers.
-    #[must_use]
-    pub fn labels(mut self, labels: Labels) -> Self {
-        self.labels = labels;
-        self
-    }
 }
 
 /// Whether the numbers of the horizontal axis are written: of charts stacked on one time axis only the lowest needs them.
@@ -128,8 +121,6 @@ pub enum Frame {
     Boxed,
     /// A box without its lower line, for charts stacked on each other.
     OpenBelow,
-    /// A title line only.
-    Bare,
 }
 
 /// Whether the curves are named.
@@ -170,15 +161,6 @@ pub struct Chart<'a> {
     pub focused: bool,
 }
 
-/// What a drawn chart tells its caller.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Drawn {
-    /// Where everything lies.
-    pub layout: Layout,
-    /// Points a logarithmic axis could not show because a value is not positive.
-    pub left_out: usize,
-}
-
 impl<'a> Chart<'a> {
     /// A chart with curves and axes and nothing else.
     pub fn new(
@@ -208,13 +190,16 @@ impl<'a> Chart<'a> {
         self.plan(area, Theme::PLAIN).layout
     }
 
-    /// Draws the chart into an area.
-    pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Drawn {
+    /// Draws the chart into an area, and tells where everything lies.
+    pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
         let area = area.intersection(buffer.area);
         let plan = self.plan(area, theme);
-        self.draw_frame(&plan, area, buffer, theme);
+        self.pane().right(plan.right).titled(plan.title).render(area, buffer, theme);
+        if let Some(row) = plan.layout.legend {
+            buffer.set_line(row.x + 1, row.y, &plan.legend, row.width.saturating_sub(1));
+        }
         paint::paint(self, &plan.layout, buffer, theme);
-        Drawn { layout: plan.layout, left_out: plan.left_out }
+        plan.layout
     }
 
     /// The chart as lines of text, blanks at their ends removed: what `--plain` prints.
@@ -228,41 +213,10 @@ impl<'a> Chart<'a> {
         buffer_lines(&buffer)
     }
 
-    fn inner(&self, area: Rect) -> Rect {
-        match self.frame {
-            Frame::Boxed => PaneFrame::default().inner(area),
-            Frame::OpenBelow => PaneFrame::default().open_below().inner(area),
-            Frame::Bare => {
-                let top = area.height.min(1);
-                Rect { y: area.y + top, height: area.height - top, ..area }
-            }
-        }
-    }
-
-    fn draw_frame(&self, plan: &Plan<'_>, area: Rect, buffer: &mut Buffer, theme: Theme) {
-        let title = Line::from(plan.title.as_str());
-        let pane = PaneFrame::new(title.clone()).right(plan.right.clone()).focused(self.focused);
-        match self.frame {
-            Frame::Boxed => {
-                pane.render(area, buffer, theme);
-            }
-            Frame::OpenBelow => {
-                pane.open_below().render(area, buffer, theme);
-            }
-            Frame::Bare if area.height > 0 => {
-                let style = theme.title(self.focused);
-                let right = u16::try_from(plan.right.width()).unwrap_or(u16::MAX);
-                buffer.set_line(area.x, area.y, &title.patch_style(style), area.width);
-                let used = u16::try_from(Span::raw(&plan.title).width()).unwrap_or(u16::MAX);
-                if used.saturating_add(right).saturating_add(2) <= area.width {
-                    buffer.set_line(area.right() - right, area.y, &plan.right, right);
-                }
-            }
-            Frame::Bare => {}
-        }
-        if let Some(row) = plan.layout.legend {
-            buffer.set_line(row.x + 1, row.y, &plan.legend, row.width.saturating_sub(1));
-        }
+    /// Its frame.
+    fn pane(&self) -> PaneFrame<'_> {
+        let pane = PaneFrame::default().focused(self.focused);
+        if self.frame == Frame::OpenBelow { pane.open_below() } else { pane }
     }
 }
 

@@ -12,7 +12,7 @@ pub mod glyphs;
 pub mod pane;
 
 pub use colours::ColourDepth;
-pub use glyphs::{GlyphChoice, GlyphSet, Lines, ascii_pass, ascii_text};
+pub use glyphs::{GlyphChoice, GlyphSet, Lines, ascii_pass};
 pub use pane::PaneFrame;
 
 /// The columns a text takes on the screen: a wide character takes two, a mark on another one none.

@@ -74,7 +74,7 @@ impl Heatmap<'_> {
             focused: self.focused,
             ..Chart::new(&*self.title, self.x.clone(), self.y.clone(), Vec::new())
         };
-        let layout = chart.render(area, buffer, theme).layout;
+        let layout = chart.render(area, buffer, theme);
         if layout.plot.is_empty() {
             return layout;
         }

@@ -78,12 +78,6 @@ impl Levels {
         let above = self.bounds.partition_point(|bound| *bound <= value);
         above.saturating_sub(1).min(self.bands() - 1)
     }
-
-    /// The bounds between two bands.
-    pub fn inner(&self) -> &[f64] {
-        let last = self.bounds.len() - 1;
-        &self.bounds[1.min(last)..last]
-    }
 }
 
 /// A multiple of a step; by division where the step is below one, so that the digits are round.

@@ -105,18 +105,6 @@ impl ViewRange {
         }
     }
 
-    /// The least range that holds both.
-    #[must_use]
-    pub fn union(self, other: Self) -> Self {
-        Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
-    }
-
-    /// Grown as far as needed to hold a value; one that is not finite changes nothing.
-    #[must_use]
-    pub fn including(self, value: f64) -> Self {
-        if value.is_finite() { Self::new(self.lo.min(value), self.hi.max(value)) } else { self }
-    }
-
     /// Grown by a fraction of its span at both ends.
     #[must_use]
     pub fn padded(self, scale: Scale, fraction: f64) -> Self {
@@ -164,23 +152,6 @@ impl ViewRange {
             let by = (hi - lo) * fraction;
             (lo + by, hi + by)
         })
-    }
-
-    /// Moved, and where it is wider also narrowed, to lie within `bounds`.
-    #[must_use]
-    pub fn within(self, scale: Scale, bounds: Self) -> Self {
-        let (bounds, view) = (bounds.on(scale), self.on(scale));
-        let [lo, hi, least, most] =
-            [view.lo, view.hi, bounds.lo, bounds.hi].map(|value| scale.place(value));
-        if hi - lo >= most - least {
-            bounds
-        } else if lo < least {
-            Self::new(bounds.lo, scale.back(least + (hi - lo)))
-        } else if hi > most {
-            Self::new(scale.back(most - (hi - lo)), bounds.hi)
-        } else {
-            view
-        }
     }
 
     /// Changes the bounds in the space of the scale. A result too narrow to show leaves the range as it is.
@@ -358,15 +329,6 @@ mod tests {
         assert!((log.lo() - 1.0).abs() < 1e-12 && (log.hi() - 100.0).abs() < 1e-9);
     }
 
-    #[test]
-    fn within_moves_before_it_narrows() {
-        let all = ViewRange::new(0.0, 100.0);
-        let linear = Scale::Linear;
-        assert_eq!(ViewRange::new(-10.0, 20.0).within(linear, all), ViewRange::new(0.0, 30.0));
-        assert_eq!(ViewRange::new(90.0, 130.0).within(linear, all), ViewRange::new(60.0, 100.0));
-        assert_eq!(ViewRange::new(-90.0, 130.0).within(linear, all), all);
-    }
-
     fn any_f64() -> impl Strategy<Value = f64> {
         prop_oneof![
             4 => -1e6..1e6_f64,
@@ -395,7 +357,7 @@ mod tests {
             let zoomed = view.zoomed(scale, c, d);
             let all = [
                 view, zoomed, view.on(scale), view.panned(scale, c), view.padded(scale, 0.1),
-                zoomed.within(scale, view), view.including(d), view.union(ViewRange::new(c, d)), view.rounded(scale),
+                view.rounded(scale),
             ];
             for range in all {
                 prop_assert!(sane(range), "{:?}", range);

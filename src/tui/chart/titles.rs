@@ -17,8 +17,6 @@ pub(super) struct Plan<'a> {
     pub(super) right: Line<'a>,
     /// In a row of its own.
     pub(super) legend: Line<'a>,
-    /// Points a logarithmic axis cannot show.
-    pub(super) left_out: usize,
 }
 
 impl Chart<'_> {
@@ -26,7 +24,7 @@ impl Chart<'_> {
     /// chart, only the curves' markers stay.
     pub(super) fn plan(&self, area: Rect, theme: Theme) -> Plan<'_> {
         let left_out = self.left_out();
-        let inner = self.inner(area);
+        let inner = self.pane().inner(area);
         let room = usize::from(area.width.saturating_sub(8));
         let legend = self.legend_line(theme);
         let axis = |layout: &Layout| axis_text(&self.x, layout.x_ticks.exponent);
@@ -35,7 +33,7 @@ impl Chart<'_> {
         let title = self.title_text(&layout, left_out);
         let both = join(legend.clone(), axis(&layout));
         if Span::raw(&title).width() + both.width() <= room {
-            return Plan { layout, title, right: both, legend: Line::default(), left_out };
+            return Plan { layout, title, right: both, legend: Line::default() };
         }
         let layout = layout::layout(self, inner, legend.width() > 0);
         let title = self.title_text(&layout, left_out);
@@ -49,7 +47,7 @@ impl Chart<'_> {
         } else {
             (axis, legend)
         };
-        Plan { layout, title, right, legend, left_out }
+        Plan { layout, title, right, legend }
     }
 
     /// Points that a logarithmic axis cannot show.

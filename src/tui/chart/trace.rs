@@ -54,7 +54,7 @@ pub(super) fn trace(
 ) {
     let mut pen = Pen { canvas, owner, previous: None, column: None };
     let width = pen.canvas.size().0;
-    for (x, y) in curve.points.iter() {
+    for (x, y) in curve.points.iter().copied() {
         if let (Some(x), Some(y)) = (maps.0.position(x), maps.1.position(y)) {
             let point = pen.canvas.in_dots(x, y);
             pen.point(point, whole_below(point.0, width));
@@ -70,7 +70,7 @@ pub(super) fn left_out(curve: &Curve<'_>, x_scale: Scale, y_scale: Scale) -> usi
     if x_scale == Scale::Linear && y_scale == Scale::Linear {
         return 0;
     }
-    let finite = curve.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+    let finite = curve.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
     finite.filter(|(x, y)| !(x_scale.shows(*x) && y_scale.shows(*y))).count()
 }
 

@@ -147,8 +147,6 @@ pub struct Lines {
     pub level: char,
     /// Vertical line at the crosshair.
     pub crosshair: char,
-    /// Something was cut off here.
-    pub ellipsis: char,
 }
 
 const ASCII_LINES: Lines = Lines {
@@ -165,7 +163,6 @@ const ASCII_LINES: Lines = Lines {
     event: ':',
     level: '.',
     crosshair: '|',
-    ellipsis: '~',
 };
 
 const BLOCK_LINES: Lines = Lines {
@@ -182,10 +179,9 @@ const BLOCK_LINES: Lines = Lines {
     event: ':',
     level: '·',
     crosshair: '│',
-    ellipsis: '~',
 };
 
-const BRAILLE_LINES: Lines = Lines { event: '┊', level: '┈', ellipsis: '…', ..BLOCK_LINES };
+const BRAILLE_LINES: Lines = Lines { event: '┊', level: '┈', ..BLOCK_LINES };
 
 /// Replaces every character that is not ASCII by one that is, cell by cell; the last step of a frame in ASCII mode.
 pub fn ascii_pass(buffer: &mut Buffer) {
@@ -195,11 +191,6 @@ pub fn ascii_pass(buffer: &mut Buffer) {
             cell.set_char(replacement);
         }
     }
-}
-
-/// The same for a text.
-pub fn ascii_text(text: &str) -> String {
-    text.chars().map(ascii).collect()
 }
 
 /// The nearest ASCII character of the same width in cells; `?` where there is none.

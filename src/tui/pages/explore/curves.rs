@@ -149,7 +149,7 @@ fn curves(
         focused: is_first && app.has_focus(Pane::Explore),
         ..Chart::new(title, along_axis, y, curves.collect())
     };
-    let layout = chart.render(area, canvas, app.theme).layout;
+    let layout = chart.render(area, canvas, app.theme);
     marks(app, grid, output, (layout.plot, layout.x), canvas);
     if grid.is_full() {
         canvas.plot(&layout, |x, _| {

@@ -167,7 +167,7 @@ impl<'a> ChartView<'a> {
             focused: app.has_focus(Pane::Explore),
             ..Chart::new(title, chart_axis(&axes[0]), chart_axis(&axes[1]), Vec::new())
         };
-        let layout = chart.render(area, canvas, app.theme).layout;
+        let layout = chart.render(area, canvas, app.theme);
         let plot = layout.plot;
         let cursor = app.cursor_point(self.grid).0;
         // The cursor's point last: it lies over others in its cell.

@@ -164,7 +164,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         focused: app.has_focus(Pane::Residual),
         ..Chart::new(title, x, y, curves)
     };
-    let layout = chart.render(area, canvas, app.theme).layout;
+    let layout = chart.render(area, canvas, app.theme);
     marks(app, report, (layout.plot, layout.x, layout.y), canvas);
     let shots = report.shots.iter();
     let places = shots.map(|shot| Some((shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0))));

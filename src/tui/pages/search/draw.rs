@@ -220,7 +220,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
         crosshair: selected.map(|found| found.place.at),
         ..Chart::new(report.measure.title(), x, y, vec![curve])
     };
-    let layout = chart.render(area, canvas, app.theme).layout;
+    let layout = chart.render(area, canvas, app.theme);
     for (x, value) in &report.scan {
         let fate = report.gaps.iter().find(|gap| {
             let (a, b) = if gap.from < gap.to { (gap.from, gap.to) } else { (gap.to, gap.from) };
@@ -263,7 +263,7 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         crosshair: selected,
         ..Chart::new(title, x, y, Vec::new())
     };
-    let layout = chart.render(area, canvas, app.theme).layout;
+    let layout = chart.render(area, canvas, app.theme);
     let plot = (layout.plot, layout.x, layout.y);
     let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
     for design in &designs {

@@ -138,7 +138,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         focused: app.dialog.is_none(),
         ..Chart::new(title, x, y, slopes.chain(spreads).chain(drawn).collect())
     };
-    let layout = chart.render(area, canvas, app.theme).layout;
+    let layout = chart.render(area, canvas, app.theme);
     canvas.plot_columns = Some(layout.plot.width);
     canvas.plot(&layout, |time_s, _| Some(Target::RunTime(time_s)));
 }

@@ -58,8 +58,8 @@ fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     chart.frame = Frame::OpenBelow;
     chart.focused = focused;
     let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
-    let drawn = chart.render(upper, canvas, app.theme);
-    hits(app, app.charts.selected, area, &drawn.layout, canvas);
+    let layout = chart.render(upper, canvas, app.theme);
+    hits(app, app.charts.selected, area, &layout, canvas);
     nothing_yet(app, upper, canvas);
     if below > 0 {
         let rows = Rect { y: inner.bottom() - below, height: below, ..inner };
@@ -87,8 +87,8 @@ fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
     }
     align_gutters(&mut charts, areas);
     for (index, (chart, area)) in charts.iter().zip(areas).enumerate() {
-        let drawn = chart.render(*area, canvas, app.theme);
-        hits(app, index, *area, &drawn.layout, canvas);
+        let layout = chart.render(*area, canvas, app.theme);
+        hits(app, index, *area, &layout, canvas);
         nothing_yet(app, *area, canvas);
     }
 }
