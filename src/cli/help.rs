@@ -8,7 +8,8 @@ use clap::{Args, Command, CommandFactory as _};
 use crate::cli::{Arguments, CliError, output};
 use crate::files::error::did_you_mean;
 use crate::tui::app::status::wrap;
-use crate::tui::keymap::{Keymap, LINES, PANE_KEYS, Scope};
+use crate::tui::keymap::{Keymap, LINES, Scope};
+use crate::tui::pages::all_panes;
 
 /// The commands by what they are for. A test checks that each stands in one group.
 const GROUPS: [(&str, &[&str]); 4] = [
@@ -160,13 +161,11 @@ fn keys() -> String {
     table(&mut text, true);
     text.push_str("\nIn forms, charts and tables\n");
     table(&mut text, false);
-    let mut pane = None;
-    for row in PANE_KEYS {
-        if pane != Some(row.pane) {
-            pane = Some(row.pane);
-            let _ = writeln!(text, "\n{}", row.pane.label());
+    for pane in all_panes() {
+        let _ = writeln!(text, "\n{}", pane.label);
+        for row in pane.keys {
+            line(&mut text, &map.label(row.action), row.help);
         }
-        line(&mut text, &map.label(row.action), row.help);
     }
     text
 }

@@ -2,17 +2,17 @@
 //!
 //! [`crate::tui::update`] changes it, [`crate::tui::view`] draws it. What the session file keeps is taken from here.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
 use crate::files::clean;
+use crate::files::session::Session;
 use crate::model::scene::Scene;
 use crate::study::sweep::crew::Crew;
 use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::{Keymap, Pane};
-use crate::tui::message::{Effect, PresetEntry};
-use crate::tui::pages;
+use crate::tui::message::{Effect, FileTask, PresetEntry};
 use crate::tui::pages::explore::state::Sweeping;
 use crate::tui::pages::limit::state::Ballistic;
 use crate::tui::pages::numerics::accuracy::Accuracy;
@@ -22,7 +22,9 @@ use crate::tui::pages::run::editor::Editor;
 use crate::tui::pages::run::runs::{Pin, RunView, Shown};
 use crate::tui::pages::search::state::Searching;
 use crate::tui::pages::thesis::state::Thesis;
+use crate::tui::pages::{self, Tab};
 use crate::tui::theme::{ColourDepth, Theme};
+use crate::tui::widgets::input::Field;
 
 pub mod find;
 pub mod history;
@@ -40,80 +42,6 @@ use notice::{Notice, Severity};
 
 /// Messages kept of a session.
 const LOG_MAX: usize = 2000;
-
-/// The tabs, in the order of the title row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tab {
-    /// One impact: variables, charts, runs.
-    Run,
-    /// Curves or a map of a quantity over one variable or two.
-    Explore,
-    /// The ballistic limit, the residual velocity, and the comparison at equal areal mass.
-    Limit,
-    /// Goal seek, Pareto front, sensitivity, Monte Carlo.
-    Search,
-    /// Accuracy and stability of the methods.
-    Numerics,
-    /// The thesis: its claims, its principles, its screening matrix.
-    Thesis,
-    /// Warnings, events, energy, cost and messages.
-    Log,
-}
-
-impl Tab {
-    /// All tabs, in order.
-    pub const ALL: [Self; 7] = [
-        Self::Run,
-        Self::Explore,
-        Self::Limit,
-        Self::Search,
-        Self::Numerics,
-        Self::Thesis,
-        Self::Log,
-    ];
-
-    /// The text in the title row, with the key that leads there.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Run => "1:Run",
-            Self::Explore => "2:Explore",
-            Self::Limit => "3:Limit",
-            Self::Search => "4:Search",
-            Self::Numerics => "5:Numerics",
-            Self::Thesis => "6:Thesis",
-            Self::Log => "7:Log",
-        }
-    }
-
-    /// Its place in the title row, from 0.
-    pub fn index(self) -> usize {
-        Self::ALL.iter().position(|tab| *tab == self).unwrap_or(0)
-    }
-
-    /// The tab of a pane.
-    pub fn of(pane: Pane) -> Self {
-        match pane {
-            Pane::Variables | Pane::Charts | Pane::Runs => Self::Run,
-            Pane::ExploreSetup | Pane::Explore => Self::Explore,
-            Pane::Comparison | Pane::Residual | Pane::EfficiencyMap => Self::Limit,
-            Pane::SearchSetup | Pane::Search => Self::Search,
-            Pane::Accuracy | Pane::StabilityMap | Pane::Battery => Self::Numerics,
-            Pane::Claims | Pane::Principles | Pane::Screening => Self::Thesis,
-            Pane::Log => Self::Log,
-        }
-    }
-}
-
-/// The pane of each tab that has the focus at the start.
-const FOCUS: [Pane; 7] = [
-    Pane::Variables,
-    Pane::Explore,
-    Pane::Residual,
-    Pane::SearchSetup,
-    Pane::Accuracy,
-    Pane::Claims,
-    Pane::Log,
-];
 
 /// Where a preset comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,9 +81,11 @@ pub struct App {
     /// The tab shown.
     pub tab: Tab,
     /// The pane of each tab that has the focus.
-    pub focus: [Pane; 7],
+    pub focus: [Pane; Tab::ALL.len()],
     /// The tabs whose focused pane fills the body.
-    pub full_pane: [bool; 7],
+    pub full_pane: [bool; Tab::ALL.len()],
+    /// The open field, of a row of the pane that has the keys.
+    pub field: Option<Field>,
     /// The keys in force.
     pub keymap: Keymap,
     /// This is the first start: a line says how to begin, until the first edit.
@@ -164,7 +94,7 @@ pub struct App {
     pub scene: Arc<Scene>,
     /// The preset it came from.
     pub base: Base,
-    /// The list of variables and the open field.
+    /// The list of variables.
     pub editor: Editor,
     /// Edits that can be undone.
     pub history: History,
@@ -212,6 +142,8 @@ pub struct App {
     pub session_lost: bool,
     /// Threads of sweeps and studies; `None`: one for each core.
     pub threads: Option<usize>,
+    /// Files opened or saved lately, newest first.
+    pub recent: Vec<PathBuf>,
     /// Where relative paths start.
     pub directory: PathBuf,
 }
@@ -224,8 +156,9 @@ impl App {
             theme,
             best_depth: theme.depth,
             tab: Tab::Run,
-            focus: FOCUS,
-            full_pane: [false; 7],
+            focus: Tab::ALL.map(|tab| pages::of(tab).about().panes[0].pane),
+            full_pane: [false; Tab::ALL.len()],
+            field: None,
             keymap: Keymap::default(),
             first_run: false,
             scene: Arc::clone(&base.scene),
@@ -254,6 +187,7 @@ impl App {
             presets: Vec::new(),
             session_lost: false,
             threads: None,
+            recent: Vec::new(),
             directory,
         }
     }
@@ -265,7 +199,7 @@ impl App {
 
     /// Where everything stands.
     pub fn layout(&self) -> Layout {
-        layout::layout(self.size, pages::of(self.tab).names().len() > 1)
+        layout::layout(self.size, pages::of(self.tab).about().pages.len() > 1)
     }
 
     /// Rows of a list that fills the body.
@@ -295,7 +229,7 @@ impl App {
 
     /// Give a pane the keys; its tab is shown.
     pub fn focus_on(&mut self, pane: Pane) {
-        self.tab = Tab::of(pane);
+        self.tab = pane.tab;
         self.focus[self.tab.index()] = pane;
     }
 
@@ -325,6 +259,19 @@ impl App {
         let notice = Notice { severity, text };
         self.keep(notice.clone());
         self.notice = Some(notice);
+    }
+
+    /// Note a file that was opened or saved; a relative path is one of the directory.
+    pub(in crate::tui) fn note_recent(&mut self, path: &Path) {
+        let mut session =
+            Session { recent: std::mem::take(&mut self.recent), ..Session::default() };
+        session.note_recent(&self.directory.join(path));
+        self.recent = session.recent;
+    }
+
+    /// Ask for the presets there are, the files opened lately among them.
+    pub(in crate::tui) fn list_presets(&self) -> Effect {
+        Effect::Files(FileTask::ListPresets(self.recent.clone()))
     }
 
     /// Say why an action is refused; nothing follows from it.

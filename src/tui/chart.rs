@@ -41,7 +41,6 @@ pub use heatmap::{HeatCell, Heatmap};
 pub use layout::Layout;
 pub use levels::Levels;
 pub use scale::{Mapping, Scale, ViewRange};
-use titles::Plan;
 
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]

@@ -16,8 +16,9 @@ use crate::files::export::Meta;
 use crate::files::style::Style;
 use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::keymap::{Action, LINES, PANE_KEYS, Scope};
+use crate::tui::keymap::{Action, LINES, Line, Scope};
 use crate::tui::message::PresetEntry;
+use crate::tui::pages;
 use crate::tui::widgets::input::TextField;
 
 /// The dialog on top.
@@ -252,29 +253,24 @@ pub struct HelpRow {
 
 /// What help lists: the keys of the focused pane first, with what they do there, then those that work everywhere.
 pub fn help_rows(app: &App, typed: &str) -> Vec<HelpRow> {
-    let pane = app.pane();
-    let own = PANE_KEYS.iter().filter(|row| row.pane == pane).map(|row| HelpRow {
+    let pane = pages::spec(app.pane());
+    let own = pane.keys.iter().map(|row| HelpRow {
         keys: app.keymap.label(row.action),
-        pane: pane.label(),
+        pane: pane.label,
         help: row.help,
         action: row.action,
     });
-    let in_scope = |wanted: bool| {
-        LINES.iter().filter(move |line| match line.scope {
-            Scope::Everywhere => !wanted,
-            Scope::Panes(panes) => wanted && panes.contains(&pane),
-        })
-    };
-    let line = |label: &'static str| {
-        move |line: &'static crate::tui::keymap::Line| HelpRow {
+    let lines = |everywhere: bool| {
+        let scoped = move |line: &&Line| (line.scope == Scope::Everywhere) == everywhere;
+        let label = if everywhere { "" } else { pane.label };
+        LINES.iter().filter(|line| line.works_in(pane)).filter(scoped).map(move |line| HelpRow {
             keys: app.keymap.line_label(line),
             pane: label,
             help: line.meaning,
             action: line.keys[0].0,
-        }
+        })
     };
-    let rows =
-        own.chain(in_scope(true).map(line(pane.label()))).chain(in_scope(false).map(line("")));
+    let rows = own.chain(lines(false)).chain(lines(true));
     ranked(rows, |row| rank(typed, &[&row.keys], row.help))
 }
 

@@ -27,7 +27,9 @@ use crate::files::sweep;
 use crate::model::scene::Scene;
 use crate::report::accuracy;
 use crate::tui::complete;
-use crate::tui::message::{Content, EffectReport, ExportOutcome, Message, PresetEntry};
+use crate::tui::message::{
+    Content, EffectReport, ExportOutcome, FileTask as Task, Message, PresetEntry,
+};
 
 /// How long a changed session may stay unsaved.
 const SESSION_DELAY: Duration = Duration::from_secs(1);
@@ -35,24 +37,10 @@ const SESSION_DELAY: Duration = Duration::from_secs(1);
 /// Whether the session was saved: where that of another workbench was put aside for it, or why it was not, in words.
 type Kept = Result<Option<PathBuf>, String>;
 
-/// Something to do with files.
-pub(super) enum Task {
-    /// Save the scene as an own preset.
-    SavePreset { name: String, scene: Box<Scene>, overwrite: bool },
-    /// Write an export.
-    Export(Box<ExportRequest>),
-    /// Write a table.
-    ExportTable { path: PathBuf, overwrite: bool, content: Content },
-    /// Tell which presets there are, these files among them.
-    ListPresets(Vec<PathBuf>),
-    /// Read a scene file.
-    Load(PathBuf),
-    /// Read a measured curve for a spring (the second one: true).
-    ReadCurve(bool, PathBuf),
-    /// Complete a path.
-    Complete(String),
-    /// Write copied text to a file; the text says where else it went.
-    KeepCopy { text: String, sent: String },
+/// What the thread is asked.
+pub(super) enum Request {
+    /// Do something with files.
+    Task(Task),
     /// The session has changed: it lies in [`Unsaved`].
     SessionChanged,
     /// Save the session now and say so.
@@ -86,7 +74,7 @@ impl Unsaved {
 
 /// The thread and its inbox.
 pub(super) struct IoThread {
-    tasks: Sender<Task>,
+    requests: Sender<Request>,
     unsaved: Unsaved,
 }
 
@@ -100,7 +88,7 @@ impl IoThread {
         known: Known,
         inbox: Sender<Incoming>,
     ) -> std::io::Result<Self> {
-        let (tasks, receive) = mpsc::channel();
+        let (requests, receive) = mpsc::channel();
         let unsaved =
             Unsaved { session: Arc::default(), known: Arc::new(Mutex::new(known)), paths };
         let queue = FileQueue {
@@ -110,12 +98,16 @@ impl IoThread {
             shares: Cell::new(false),
         };
         thread::Builder::new().name("io_thread".to_owned()).spawn(move || queue.serve(&receive))?;
-        Ok(Self { tasks, unsaved })
+        Ok(Self { requests, unsaved })
     }
 
     /// Have something done.
     pub(super) fn ask(&self, task: Task) {
-        if self.tasks.send(task).is_err() {
+        self.request(Request::Task(task));
+    }
+
+    fn request(&self, request: Request) {
+        if self.requests.send(request).is_err() {
             log::error!("the thread for files has ended; nothing is saved any more");
         }
     }
@@ -123,7 +115,7 @@ impl IoThread {
     /// Have the session saved soon.
     pub(super) fn session_changed(&self, session: Session) {
         *self.unsaved.lock() = Some(Box::new(session));
-        self.ask(Task::SessionChanged);
+        self.request(Request::SessionChanged);
     }
 
     /// The session that has yet to be saved, for whoever must save it when the loop cannot.
@@ -137,7 +129,7 @@ impl IoThread {
     /// Why the session was not saved, in words.
     pub(super) fn finish(&self, patience: Duration) -> Kept {
         let (done, wait) = mpsc::channel();
-        let asked = self.tasks.send(Task::Finish(done)).is_ok();
+        let asked = self.requests.send(Request::Finish(done)).is_ok();
         match wait.recv_timeout(patience) {
             Ok(saved) if asked => saved,
             // Stuck behind a slow task: the session comes first.
@@ -157,7 +149,7 @@ struct FileQueue {
 }
 
 impl FileQueue {
-    fn serve(&self, tasks: &Receiver<Task>) {
+    fn serve(&self, requests: &Receiver<Request>) {
         let mut session_due: Option<Instant> = None;
         let mut waiting = VecDeque::new();
         loop {
@@ -165,17 +157,17 @@ impl FileQueue {
                 session_due = None;
                 self.save();
             }
-            let next = next_task(tasks, &mut waiting, session_due);
+            let next = next_request(requests, &mut waiting, session_due);
             match next {
-                Ok(Task::SessionChanged) => {
+                Ok(Request::SessionChanged) => {
                     session_due.get_or_insert_with(|| Instant::now() + SESSION_DELAY);
                 }
-                Ok(Task::Finish(done)) => {
+                Ok(Request::Finish(done)) => {
                     session_due = None;
                     // The loop may have lost patience.
                     let _ = done.send(self.unsaved.save().unwrap_or(Ok(None)));
                 }
-                Ok(task) => self.contained(task),
+                Ok(Request::Task(task)) => self.contained(task),
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => {
                     self.save();
@@ -203,15 +195,15 @@ impl FileQueue {
     /// Do one task and report; a panic ends the task, not the thread.
     fn contained(&self, task: Task) {
         let done = panic::catch_unwind(AssertUnwindSafe(|| self.do_task(task)));
-        if let Ok(Some(report)) = done {
+        if let Ok(report) = done {
             // The loop may be over already.
             let _ = self.inbox.send(Incoming::Message(Message::Done(report)));
         }
     }
 
-    fn do_task(&self, task: Task) -> Option<EffectReport> {
+    fn do_task(&self, task: Task) -> EffectReport {
         let paths = self.unsaved.paths.as_ref();
-        let report = match task {
+        match task {
             Task::SavePreset { name, scene, overwrite } => {
                 EffectReport::Saved(save_preset(paths, name, &scene, overwrite))
             }
@@ -230,41 +222,39 @@ impl FileQueue {
                 EffectReport::Curve(second, path, points)
             }
             Task::Complete(text) => EffectReport::Completions(complete::paths(&text)),
-            Task::KeepCopy { text, sent } => EffectReport::Copied(keep_copy(paths, &text, &sent)),
-            Task::SessionChanged | Task::Finish(_) => return None,
-        };
-        Some(report)
+            Task::KeepCopy(text, sent) => EffectReport::Copied(keep_copy(paths, &text, &sent)),
+        }
     }
 }
 
-/// The next task; waits for one until the session is due.
-fn next_task(
-    tasks: &Receiver<Task>,
-    waiting: &mut VecDeque<Task>,
+/// The next request; waits for one until the session is due.
+fn next_request(
+    requests: &Receiver<Request>,
+    waiting: &mut VecDeque<Request>,
     session_due: Option<Instant>,
-) -> Result<Task, RecvTimeoutError> {
-    waiting.extend(tasks.try_iter());
+) -> Result<Request, RecvTimeoutError> {
+    waiting.extend(requests.try_iter());
     drop_outdated(waiting);
     match (waiting.pop_front(), session_due) {
-        (Some(task), _) => Ok(task),
-        (None, Some(due)) => tasks.recv_timeout(due.saturating_duration_since(Instant::now())),
-        (None, None) => Ok(tasks.recv()?),
+        (Some(request), _) => Ok(request),
+        (None, Some(due)) => requests.recv_timeout(due.saturating_duration_since(Instant::now())),
+        (None, None) => Ok(requests.recv()?),
     }
 }
 
 /// Leave out questions whose answer nobody waits for: completions and lists that were asked for again, and on leaving all.
-fn drop_outdated(waiting: &mut VecDeque<Task>) {
-    let leaving = waiting.iter().any(|task| matches!(task, Task::Finish(_)));
-    let newest = |question: fn(&Task) -> bool| waiting.iter().rposition(question);
-    let completion = newest(|task| matches!(task, Task::Complete(_)));
-    let list = newest(|task| matches!(task, Task::ListPresets(_)));
+fn drop_outdated(waiting: &mut VecDeque<Request>) {
+    let leaving = waiting.iter().any(|request| matches!(request, Request::Finish(_)));
+    let newest = |question: fn(&Request) -> bool| waiting.iter().rposition(question);
+    let completion = newest(|request| matches!(request, Request::Task(Task::Complete(_))));
+    let list = newest(|request| matches!(request, Request::Task(Task::ListPresets(_))));
     let mut at = 0;
-    waiting.retain(|task| {
+    waiting.retain(|request| {
         at += 1;
-        match task {
-            Task::Complete(_) => !leaving && completion == Some(at - 1),
-            Task::ListPresets(_) => !leaving && list == Some(at - 1),
-            Task::Load(_) | Task::ReadCurve(..) => !leaving,
+        match request {
+            Request::Task(Task::Complete(_)) => !leaving && completion == Some(at - 1),
+            Request::Task(Task::ListPresets(_)) => !leaving && list == Some(at - 1),
+            Request::Task(Task::Load(_) | Task::ReadCurve(..)) => !leaving,
             _ => true,
         }
     });
@@ -509,30 +499,33 @@ mod tests {
 
     #[test]
     fn of_questions_asked_again_only_the_newest_is_answered_and_on_leaving_none() {
-        let complete = |text: &str| Task::Complete(text.to_owned());
-        let copy = || Task::KeepCopy { text: String::new(), sent: String::new() };
-        let of = |tasks: Vec<Task>| -> VecDeque<Task> {
-            let mut waiting = VecDeque::from(tasks);
+        let complete = |text: &str| Request::Task(Task::Complete(text.to_owned()));
+        let copy = || Request::Task(Task::KeepCopy(String::new(), String::new()));
+        let of = |requests: Vec<Request>| -> VecDeque<Request> {
+            let mut waiting = VecDeque::from(requests);
             drop_outdated(&mut waiting);
             waiting
         };
-        let list = || Task::ListPresets(Vec::new());
+        let list = || Request::Task(Task::ListPresets(Vec::new()));
         let mut left = of(vec![complete("a"), copy(), list(), complete("b"), list(), copy()]);
         assert!(matches!(
             left.make_contiguous(),
-            [Task::KeepCopy { .. }, Task::Complete(text), Task::ListPresets(_), Task::KeepCopy { .. }]
+            [Request::Task(Task::KeepCopy(..)), Request::Task(Task::Complete(text)), Request::Task(Task::ListPresets(_)), Request::Task(Task::KeepCopy(..))]
                 if text == "b"
         ));
         let (done, _wait) = mpsc::channel();
-        let load = Task::Load(PathBuf::new());
-        let mut left = of(vec![complete("a"), copy(), load, list(), Task::Finish(done)]);
-        assert!(matches!(left.make_contiguous(), [Task::KeepCopy { .. }, Task::Finish(_)]));
+        let load = Request::Task(Task::Load(PathBuf::new()));
+        let mut left = of(vec![complete("a"), copy(), load, list(), Request::Finish(done)]);
+        assert!(matches!(
+            left.make_contiguous(),
+            [Request::Task(Task::KeepCopy(..)), Request::Finish(_)]
+        ));
     }
 
     #[test]
     fn copied_text_is_in_a_file_too_and_the_message_says_where() {
         let (_place, paths, io_thread, inbox) = start();
-        io_thread.ask(Task::KeepCopy { text: "depth 7 mm".to_owned(), sent: "copied".to_owned() });
+        io_thread.ask(Task::KeepCopy("depth 7 mm".to_owned(), "copied".to_owned()));
         let EffectReport::Copied(text) = report(&inbox) else {
             panic!("not copied");
         };

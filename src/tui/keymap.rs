@@ -7,108 +7,80 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 mod commands;
 mod lines;
-mod panes;
 
-pub use commands::{COMMANDS, Command};
+pub use commands::{Call, Command, commands};
+pub(in crate::tui) use lines::Bound;
 pub use lines::{LINES, Line, Scope};
-pub use panes::{PANE_KEYS, PaneKey};
 
-/// A pane: what can have the focus.
+use crate::tui::dialogs::options::OptionRow;
+use crate::tui::pages::Tab;
+
+/// A pane: what can have the focus, by its tab and its place among the tab's panes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Pane {
-    /// The list of variables.
-    Variables,
-    /// The charts of the Run tab.
-    Charts,
-    /// The table of runs.
-    Runs,
-    /// The setup of Explore.
-    ExploreSetup,
-    /// The curves or the map of Explore.
-    Explore,
-    /// The comparison at equal areal mass.
-    Comparison,
-    /// The residual velocity over the impact velocity.
-    Residual,
-    /// The map of mass efficiency.
-    EfficiencyMap,
-    /// The setup of a search.
-    SearchSetup,
-    /// What a search found.
-    Search,
-    /// Error against run time.
-    Accuracy,
-    /// The map of stability.
-    StabilityMap,
-    /// The stiff and extreme scenes.
-    Battery,
-    /// The claims of the thesis.
-    Claims,
-    /// Its design principles.
-    Principles,
-    /// Its screening matrix.
-    Screening,
-    /// The log.
-    Log,
+pub struct Pane {
+    /// The tab it is in.
+    pub tab: Tab,
+    at: u8,
 }
 
 impl Pane {
-    /// All panes, in the order of the tabs.
-    pub const ALL: [Self; 17] = [
-        Self::Variables,
-        Self::Charts,
-        Self::Runs,
-        Self::ExploreSetup,
-        Self::Explore,
-        Self::Comparison,
-        Self::Residual,
-        Self::EfficiencyMap,
-        Self::SearchSetup,
-        Self::Search,
-        Self::Accuracy,
-        Self::StabilityMap,
-        Self::Battery,
-        Self::Claims,
-        Self::Principles,
-        Self::Screening,
-        Self::Log,
-    ];
-
-    /// Its name in help, palette and messages.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Variables => "Variables",
-            Self::Charts => "Charts",
-            Self::Runs => "Runs",
-            Self::ExploreSetup => "Explore setup",
-            Self::Explore => "Explore",
-            Self::Comparison => "Comparison",
-            Self::Residual => "Residual velocity",
-            Self::EfficiencyMap => "Mass efficiency",
-            Self::SearchSetup => "Search setup",
-            Self::Search => "Search results",
-            Self::Accuracy => "Accuracy",
-            Self::StabilityMap => "Stability",
-            Self::Battery => "Stiff scenes",
-            Self::Claims => "Claims",
-            Self::Principles => "Principles",
-            Self::Screening => "Screening",
-            Self::Log => "Log",
-        }
+    /// A pane of a tab, each with a number of its own.
+    pub const fn of(tab: Tab, at: u8) -> Self {
+        Self { tab, at }
     }
+}
+
+/// What a page says of a pane.
+pub struct PaneSpec {
+    /// Which one.
+    pub pane: Pane,
+    /// Its name in help, palette and messages.
+    pub label: &'static str,
+    /// What it has for keys to act on.
+    pub has: &'static [Part],
+    /// What keys do in it in particular, the most useful first: the order of the footer, which drops the last ones on a narrow screen.
+    pub keys: &'static [PaneKey],
+}
+
+impl PaneSpec {
+    /// Whether an action means something in the pane.
+    pub fn knows(&self, action: Action) -> bool {
+        let line = LINES.iter().find(|line| line.keys.iter().any(|(one, _, _)| *one == action));
+        line.is_none_or(|line| line.works_in(self))
+    }
+}
+
+/// What a pane can have for keys to act on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Rows that have a value to change.
+    Form,
+    /// A chart that can be zoomed.
+    Chart,
+    /// A table that can be sorted.
+    Table,
+}
+
+/// What a key does in particular in a pane.
+pub struct PaneKey {
+    /// Which: its key is that of the action.
+    pub action: Action,
+    /// A word or two for the footer: `load`; empty where it stands in help only.
+    pub short: &'static str,
+    /// A sentence for help.
+    pub help: &'static str,
+}
+
+/// A row of the keys of a pane.
+pub const fn key(action: Action, short: &'static str, help: &'static str) -> PaneKey {
+    PaneKey { action, short, help }
 }
 
 /// Everything the workbench can do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[expect(missing_docs, reason = "each action is described once, in the tables, for people")]
 pub enum Action {
-    TabRun,
-    TabExplore,
-    TabLimit,
-    TabSearch,
-    TabNumerics,
-    TabThesis,
-    TabLog,
+    Tab(Tab),
     TabNext,
     TabPrevious,
     FocusNext,
@@ -164,28 +136,12 @@ pub enum Action {
     ResetAll,
     History,
     Models,
-    Interface,
+    Switch(OptionRow),
     FitVertical,
     Contour,
     FitResiduals,
     SlopeGuides,
     SpreadBars,
-    AutoRun,
-    Glyphs,
-    Theme,
-    Mouse,
-    PageGoalSeek,
-    PageFront,
-    PageSensitivity,
-    PageMonteCarlo,
-    PageComparison,
-    PageResidual,
-    PageAccuracy,
-    PageStability,
-    PageBattery,
-    PageClaims,
-    PagePrinciples,
-    PageScreening,
 }
 
 /// A key with its modifiers.
@@ -339,18 +295,10 @@ pub fn name(action: Action) -> &'static str {
     bound.clone().find(|(one, _, _)| *one == action).map_or("", |(_, name, _)| name)
 }
 
-/// Whether an action means something in a pane.
-pub fn works_in(action: Action, pane: Pane) -> bool {
-    let line = LINES.iter().find(|line| line.keys.iter().any(|(one, _, _)| *one == action));
-    line.is_none_or(|line| match line.scope {
-        Scope::Everywhere => true,
-        Scope::Panes(panes) => panes.contains(&pane),
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tui::pages::all_panes;
 
     /// No key has two meanings, about twenty lines hold everywhere, and no pane has more than eight of its own.
     #[test]
@@ -371,20 +319,19 @@ mod tests {
         let everywhere =
             LINES.iter().filter(|line| matches!(line.scope, Scope::Everywhere)).count();
         assert!(everywhere <= 24, "{everywhere} lines hold everywhere");
-        for pane in Pane::ALL {
-            let own = LINES.iter().filter(|line| match line.scope {
-                Scope::Everywhere => false,
-                Scope::Panes(panes) => panes.contains(&pane),
-            });
-            assert!(own.count() <= 8, "{pane:?}");
+        for pane in all_panes() {
+            let own = LINES.iter().filter(|line| line.scope != Scope::Everywhere);
+            assert!(own.filter(|line| line.works_in(pane)).count() <= 8, "{}", pane.label);
         }
     }
 
     #[test]
     fn what_a_pane_says_of_its_keys_works_there() {
-        for row in PANE_KEYS {
-            assert!(works_in(row.action, row.pane), "{:?} in {:?}", row.action, row.pane);
-            assert!(!Keymap::default().keys(row.action).is_empty(), "{:?}", row.action);
+        for pane in all_panes() {
+            for row in pane.keys {
+                assert!(pane.knows(row.action), "{:?} in {}", row.action, pane.label);
+                assert!(!Keymap::default().keys(row.action).is_empty(), "{:?}", row.action);
+            }
         }
     }
 

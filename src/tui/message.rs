@@ -12,10 +12,8 @@ use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
 use crate::report::accuracy::Named;
 use crate::study::sweep::grid::Grid;
-use crate::tui::app::Tab;
 use crate::tui::keymap::{Action, Pane};
-use crate::tui::pages::explore::state::SetupRow;
-use crate::tui::pages::search::state::Row;
+use crate::tui::pages::Tab;
 use crate::worker::{Report, Task};
 
 /// What can happen.
@@ -50,43 +48,23 @@ pub enum Message {
 pub enum Target {
     /// A tab in the title row.
     Tab(Tab),
-    /// A variable, by index into the table.
-    Variable(usize),
-    /// A time in one of the charts, s since first contact.
-    Time {
-        /// Which chart, from the top.
-        chart: usize,
-        /// The time.
-        t_s: f64,
-    },
-    /// A run in the table of runs: 0 is the current one.
-    Run(usize),
-    /// An event of the current run, by its place.
-    Event(usize),
-    /// A pane, beside its parts.
-    Pane(Pane),
-    /// A row of the setup of a sweep.
-    Setup(SetupRow),
-    /// A point of a sweep.
-    Point((usize, usize)),
-    /// A row of the setup of a search.
-    SearchSetup(Row),
-    /// A run time in the chart of the Accuracy tab, s.
-    RunTime(f64),
-    /// A method of the Accuracy tab, by its place.
-    Method(usize),
-    /// A cell of the map of the Stability tab: row and column.
-    Cell(usize, usize),
-    /// A row of the list that the tab shows: battery, claims, principles, criteria.
-    Row(usize),
-    /// A shot of the Limit tab, by its place in the curve.
-    Shot(usize),
-    /// A cell of the map of mass efficiency.
-    Efficiency(usize, usize),
     /// A page of the tab, by its place among the names.
     Page(usize),
-    /// A design of the front in the Search tab, by its place.
-    Design(usize),
+    /// A pane, beside its parts.
+    Pane(Pane),
+    /// A row of a list or a form.
+    Row(Pane, usize),
+    /// A cell of a map.
+    Cell(Pane, (usize, usize)),
+    /// A value of the axis across of a chart.
+    Value {
+        /// The pane of the chart.
+        pane: Pane,
+        /// Which of its charts, from the top.
+        chart: usize,
+        /// The value.
+        value: f64,
+    },
     /// A row of the list in the dialog on top.
     DialogRow(usize),
     /// Beside the dialog on top.
@@ -196,6 +174,28 @@ pub enum Effect {
     Cancel(u64),
     /// Send a message after a delay.
     After(Duration, Message),
+    /// Have something done with files.
+    Files(FileTask),
+    /// Save the session soon (edits in quick succession are saved once).
+    SaveSession,
+    /// Copy to the clipboard of the terminal (OSC 52), and to a file as a fallback.
+    Copy(String),
+    /// Capture the mouse or let it go.
+    Mouse(bool),
+    /// Clear and redraw everything.
+    Redraw,
+    /// Restore the terminal and stop until `fg`.
+    Suspend,
+    /// Leave; with the last summary printed on the main screen or without.
+    Quit {
+        /// Print the summary of the last run after leaving.
+        summary: bool,
+    },
+}
+
+/// Something to do with files, on a thread of its own.
+#[derive(Clone, Debug)]
+pub enum FileTask {
     /// Save the scene as a preset of the user's, keeping the comments of an existing file.
     SavePreset {
         /// Name without extension.
@@ -216,29 +216,16 @@ pub enum Effect {
         /// What goes into it.
         content: Content,
     },
-    /// Save the session soon (edits in quick succession are saved once).
-    SaveSession,
-    /// List presets.
-    ListPresets,
+    /// List the presets there are, these files among them.
+    ListPresets(Vec<PathBuf>),
     /// Read a scene file.
     Load(PathBuf),
     /// Read a measured curve for a spring (the second one: true).
     ReadCurve(bool, PathBuf),
     /// Complete a path.
     Complete(String),
-    /// Copy to the clipboard of the terminal (OSC 52), and to a file as a fallback.
-    Copy(String),
-    /// Capture the mouse or let it go.
-    Mouse(bool),
-    /// Clear and redraw everything.
-    Redraw,
-    /// Restore the terminal and stop until `fg`.
-    Suspend,
-    /// Leave; with the last summary printed on the main screen or without.
-    Quit {
-        /// Print the summary of the last run after leaving.
-        summary: bool,
-    },
+    /// Write copied text to a file; the second text says where else it went.
+    KeepCopy(String, String),
 }
 
 /// What goes into a table that is written.

@@ -1,5 +1,5 @@
-//! The pages: for every tab its panes, the names of its pages, what it computes when it is shown, what keys do in it, and what it
-//! says. The loop of the workbench knows only this.
+//! The pages: for every tab its panes and their keys, the names of its pages, what it computes when it is shown, what keys do in
+//! it, and what it says. The loop of the workbench knows only this.
 
 pub mod explore;
 pub mod limit;
@@ -9,28 +9,18 @@ pub mod run;
 pub mod search;
 pub mod thesis;
 
-use crossterm::event::KeyEvent;
+use crossterm::event::{KeyCode, KeyModifiers};
 use ratatui::layout::Rect;
 
+use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Tab};
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::{Action, Bound, Command, Key, Pane, PaneSpec};
 use crate::tui::message::{Content, Effect};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::input::TextField;
 use crate::worker::Report;
 
 /// A part of the status row: how serious, the text, and a shorter form of it.
 pub type StatusPart = (Severity, String, String);
-
-/// A task of a page that has not ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::tui) struct Job {
-    /// Its number.
-    pub id: u64,
-    /// What it is, for the status row of other tabs.
-    pub label: &'static str,
-}
 
 /// A table of a page, to be written to a file or copied.
 pub(in crate::tui) struct Table {
@@ -49,14 +39,37 @@ impl Table {
     }
 }
 
-/// A tab of the workbench.
-pub(in crate::tui) trait Page {
-    /// The panes of the page shown, in the order in which Tab goes through them.
-    fn panes(&self, app: &App) -> &'static [Pane];
+/// The rows of a list or a form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::tui) struct Rows {
+    /// How many can be selected.
+    pub count: usize,
+    /// The selected one.
+    pub selected: usize,
+    /// How many are shown at once.
+    pub shown: usize,
+}
 
+/// What never changes of a tab.
+pub(in crate::tui) struct About {
+    /// Its name in the title row.
+    pub name: &'static str,
     /// The names of its pages, where it has several.
-    fn names(&self) -> &'static [&'static str] {
-        &[]
+    pub pages: &'static [&'static str],
+    /// All of its panes; the first one has the focus at the start.
+    pub panes: &'static [PaneSpec],
+    /// What can be called by name in the palette.
+    pub commands: &'static [Command],
+}
+
+/// A tab of the workbench. What is asked of a pane is asked of the one that has the keys, which is one of the page's own.
+pub(in crate::tui) trait Page: Sync {
+    /// What never changes of it.
+    fn about(&self) -> &'static About;
+
+    /// The panes shown, in the order in which Tab goes through them.
+    fn shown_panes(&self, _app: &App) -> Vec<Pane> {
+        self.about().panes.iter().map(|spec| spec.pane).collect()
     }
 
     /// The page shown, by its place among the names.
@@ -74,8 +87,18 @@ pub(in crate::tui) trait Page {
         Vec::new()
     }
 
-    /// What a key does here; `None` where the page has no meaning for it.
+    /// Another of its panes has been given the keys.
+    fn focused(&self, _app: &mut App) -> Vec<Effect> {
+        Vec::new()
+    }
+
+    /// What a key does here; `None` where the page has no meaning of its own for it.
     fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>>;
+
+    /// Whether a key that the pane lists has nothing to act on as things are.
+    fn is_idle(&self, _app: &App, _action: Action) -> bool {
+        false
+    }
 
     /// What stands under the cursor, or what the selected row means.
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)>;
@@ -83,8 +106,8 @@ pub(in crate::tui) trait Page {
     /// The status row, the most important part first.
     fn status(&self, app: &App) -> Vec<StatusPart>;
 
-    /// What it is computing.
-    fn running(&self, app: &App) -> Vec<Job>;
+    /// The numbers of the tasks it has submitted that have not ended.
+    fn running(&self, app: &App) -> Vec<u64>;
 
     /// A report of one of its tasks.
     fn report(&self, _app: &mut App, _report: Report) -> Vec<Effect> {
@@ -96,52 +119,133 @@ pub(in crate::tui) trait Page {
         None
     }
 
-    /// The field that takes characters in the pane that has the keys.
-    fn field<'a>(&self, _app: &'a App) -> Option<&'a TextField> {
+    /// The rows of the pane, where it is a list or a form.
+    fn rows(&self, _app: &App) -> Option<Rows> {
         None
     }
 
-    /// The same field, to type into.
-    fn field_mut<'a>(&self, _app: &'a mut App) -> Option<&'a mut TextField> {
+    /// Select a row of the pane.
+    fn select(&self, _app: &mut App, _row: usize) {}
+
+    /// What a row of the pane is found by with `/`; `None` where nothing can be found.
+    fn row_name(&self, _app: &App, _row: usize) -> Option<String> {
         None
     }
 
-    /// A key while that field is open.
-    fn press(&self, _app: &mut App, _key: KeyEvent) -> Vec<Effect> {
-        Vec::new()
+    /// What a click on the selected row does.
+    fn second_click(&self, _app: &App) -> Action {
+        Action::Enter
     }
+
+    /// The text that the rows of the pane are filtered by, where `/` filters them.
+    fn filter<'a>(&self, _app: &'a mut App) -> Option<&'a mut String> {
+        None
+    }
+
+    /// The text that the field of a row opens with.
+    fn text(&self, _app: &App, _row: usize) -> String {
+        String::new()
+    }
+
+    /// Whether the open field takes a number with a unit.
+    fn takes_unit(&self, _app: &App) -> bool {
+        false
+    }
+
+    /// Whether a text says something else than the row does.
+    fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
+        text != self.text(app, row)
+    }
+
+    /// Where Enter goes from the field of a row.
+    fn after_enter(&self) -> Option<Action> {
+        Some(Action::Down)
+    }
+
+    /// Take what was typed into the field of a row.
+    ///
+    /// # Errors
+    /// Why it is refused; nothing is changed then.
+    fn take(&self, _app: &mut App, _row: usize, _text: &str) -> Result<Vec<Effect>, String> {
+        Ok(Vec::new())
+    }
+
+    /// Put the cursor on a cell of the map in the pane.
+    fn go_to_cell(&self, _app: &mut App, _cell: (usize, usize)) {}
+
+    /// Put the crosshair of a chart of the pane on a value of its axis across.
+    fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}
 
     /// Draw its panes into the body of the screen.
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>);
 }
 
-/// The page of a tab.
-pub(in crate::tui) fn of(tab: Tab) -> &'static dyn Page {
-    match tab {
-        Tab::Run => &run::Tab,
-        Tab::Explore => &explore::Tab,
-        Tab::Limit => &limit::Tab,
-        Tab::Search => &search::Tab,
-        Tab::Numerics => &numerics::Tab,
-        Tab::Thesis => &thesis::Tab,
-        Tab::Log => &log::Tab,
+macro_rules! pages {
+    ($($tab:ident, $page:expr, $id:literal, $key:literal, $about:literal;)*) => {
+        /// The tabs, in the order of the title row.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Tab {
+            $(#[doc = $about] $tab,)*
+        }
+
+        impl Tab {
+            /// All tabs, in order.
+            pub const ALL: [Self; [$($key),*].len()] = [$(Self::$tab),*];
+        }
+
+        /// The keys that lead to the tabs.
+        pub(in crate::tui) const TAB_KEYS: &[Bound] = &[
+            $((Action::Tab(Tab::$tab), $id, &[Key(KeyCode::Char($key), KeyModifiers::NONE)]),)*
+        ];
+
+        /// The page of a tab.
+        pub(in crate::tui) fn of(tab: Tab) -> &'static dyn Page {
+            match tab {
+                $(Tab::$tab => &$page,)*
+            }
+        }
+    };
+}
+
+pages! {
+    Run, run::RunTab, "tab-run", '1', "One impact: variables, charts, runs.";
+    Explore, explore::ExploreTab, "tab-explore", '2', "Curves or a map of a quantity over one variable or two.";
+    Limit, limit::LimitTab, "tab-limit", '3', "The ballistic limit, and the comparison at equal areal mass.";
+    Search, search::SearchTab, "tab-search", '4', "Goal seek, Pareto front, sensitivity, Monte Carlo.";
+    Numerics, numerics::NumericsTab, "tab-numerics", '5', "Accuracy and stability of the methods.";
+    Thesis, thesis::ThesisTab, "tab-thesis", '6', "The thesis: its claims, its principles, its screening matrix.";
+    Log, log::LogTab, "tab-log", '7', "Warnings, events, energy, cost and messages.";
+}
+
+impl Tab {
+    /// Its place in the title row, from 0.
+    pub fn index(self) -> usize {
+        self as usize
     }
+
+    /// The text in the title row, with the key that leads there.
+    pub fn title(self) -> String {
+        format!("{}:{}", self.index() + 1, of(self).about().name)
+    }
+}
+
+/// All panes, in the order of the tabs.
+pub fn all_panes() -> impl Iterator<Item = &'static PaneSpec> {
+    Tab::ALL.into_iter().flat_map(|tab| of(tab).about().panes)
+}
+
+/// What a page says of a pane.
+pub fn spec(pane: Pane) -> &'static PaneSpec {
+    let panes = of(pane.tab).about().panes;
+    panes.iter().find(|spec| spec.pane == pane).unwrap_or(&panes[0])
 }
 
 pub(in crate::tui) fn note(text: Option<String>) -> Option<(Severity, String)> {
     text.map(|text| (Severity::Note, text))
 }
 
-/// The jobs of a page by their numbers.
-pub(in crate::tui) fn jobs(
-    label: &'static str,
-    ids: impl IntoIterator<Item = Option<u64>>,
-) -> Vec<Job> {
-    ids.into_iter().flatten().map(|id| Job { id, label }).collect()
-}
-
-/// The jobs of all pages.
-pub(in crate::tui) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, Job)> {
+/// The tasks of all pages that have not ended.
+pub(in crate::tui) fn all_jobs(app: &App) -> impl Iterator<Item = (Tab, u64)> {
     let of = |tab: Tab| of(tab).running(app).into_iter().map(move |job| (tab, job));
     Tab::ALL.into_iter().flat_map(of)
 }

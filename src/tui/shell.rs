@@ -2,21 +2,20 @@
 
 use std::collections::{HashSet, VecDeque};
 use std::io;
-use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::time::{Duration, Instant};
 
 use crossterm::clipboard::CopyToClipboard;
 use crossterm::event::{MouseEvent, MouseEventKind};
 
-use super::effects::{self, IoThread, Task};
+use super::effects::{self, IoThread};
 use super::pace::Pace;
 use super::signals::{self, Signal, Watch};
 use super::terminal::{self, Guard, Stopped};
 use super::{Incoming, Options, input, start};
 use crate::files::paths::Paths;
 use crate::tui::app::App;
-use crate::tui::message::{Effect, EffectReport, Message};
+use crate::tui::message::{Effect, EffectReport, FileTask, Message};
 use crate::tui::{update, view};
 use crate::worker::{Report, Slot, Worker};
 
@@ -67,8 +66,6 @@ pub(super) struct Shell {
     /// What came while the process was being stopped.
     put_off: VecDeque<Incoming>,
     last_look: Instant,
-    /// Files opened or saved lately, newest first.
-    recent: Vec<PathBuf>,
     _watch: Watch,
 }
 
@@ -85,7 +82,7 @@ impl Shell {
             // The loop may be over already.
             let _ = for_reports.send(Incoming::Message(Message::Report(report)));
         })?;
-        let (mut app, recent, known) = start::app(options, paths.as_ref());
+        let (mut app, known) = start::app(options, paths.as_ref());
         let effects = update::start(&mut app);
         log::info!("cmra {} started", env!("CARGO_PKG_VERSION"));
         let io_thread = IoThread::spawn(paths, known, sender.clone())?;
@@ -110,7 +107,6 @@ impl Shell {
             newest: None,
             put_off: VecDeque::new(),
             last_look: now,
-            recent,
             _watch: watch,
         };
         input::spawn(sender)?;
@@ -146,7 +142,7 @@ impl Shell {
             Ending::Quit { summary } => (FINISH_QUIT, *summary),
             Ending::Signal(_) | Ending::HungUp | Ending::Broken(_) => (FINISH_FORCED, false),
         };
-        self.io_thread.session_changed(start::session(&self.app, &self.recent));
+        self.io_thread.session_changed(start::session(&self.app));
         // The person sees the prompt while the disk is still busy.
         drop(self.guard);
         let session = match self.io_thread.finish(patience) {
@@ -253,9 +249,6 @@ impl Shell {
             if let Message::Report(report) = &message {
                 self.note(report);
             }
-            if let Message::Done(EffectReport::Loaded(Ok((name, _)))) = &message {
-                start::note_recent(&mut self.recent, &self.app.directory, Path::new(name));
-            }
             let effects = update::update(&mut self.app, message);
             self.pace.change();
             for effect in effects {
@@ -304,20 +297,8 @@ impl Shell {
             }
             Effect::Cancel(id) => self.worker.cancel(id),
             Effect::After(delay, message) => self.timers.push((Instant::now() + delay, message)),
-            Effect::SavePreset { name, scene, overwrite } => {
-                self.io_thread.ask(Task::SavePreset { name, scene, overwrite });
-            }
-            Effect::Export(request) => self.io_thread.ask(Task::Export(request)),
-            Effect::ExportTable { path, overwrite, content } => {
-                self.io_thread.ask(Task::ExportTable { path, overwrite, content });
-            }
-            Effect::SaveSession => {
-                self.io_thread.session_changed(start::session(&self.app, &self.recent));
-            }
-            Effect::ListPresets => self.io_thread.ask(Task::ListPresets(self.recent.clone())),
-            Effect::Load(path) => self.io_thread.ask(Task::Load(path)),
-            Effect::ReadCurve(second, path) => self.io_thread.ask(Task::ReadCurve(second, path)),
-            Effect::Complete(text) => self.io_thread.ask(Task::Complete(text)),
+            Effect::Files(task) => self.io_thread.ask(task),
+            Effect::SaveSession => self.io_thread.session_changed(start::session(&self.app)),
             Effect::Copy(text) => self.copy(text)?,
             Effect::Mouse(on) => self.guard.set_mouse(on)?,
             Effect::Redraw => self.guard.redraw_all()?,
@@ -344,7 +325,7 @@ impl Shell {
                 CLIPBOARD_MAX / 1024
             )
         };
-        self.io_thread.ask(Task::KeepCopy { text, sent });
+        self.io_thread.ask(FileTask::KeepCopy(text, sent));
         Ok(())
     }
 

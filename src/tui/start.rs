@@ -1,7 +1,7 @@
 //! From the command line and the last session to the state the workbench starts with, and back to the session.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use super::Options;
@@ -25,8 +25,8 @@ const WINDOW: &str = "window";
 const AUTO_RUN: &str = "auto_run";
 const THREADS: &str = "threads";
 
-/// The state to start with, the files opened or saved lately, and the session's file as it was found.
-pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>, Known) {
+/// The state to start with, and the session's file as it was found.
+pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Known) {
     let theme = Theme::detect(options.glyphs, environment);
     let directory = std::env::current_dir().unwrap_or_default();
     let mut loaded =
@@ -35,7 +35,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     if let Some(paths) = paths {
         atomic::clear_leftovers(&paths.presets);
     }
-    let mut recent = loaded.session.as_ref().map(|last| last.recent.clone()).unwrap_or_default();
+    let recent = loaded.session.as_ref().map(|last| last.recent.clone()).unwrap_or_default();
     let kept = match (paths, &loaded.session) {
         (Some(paths), Some(last)) if options.fresh || options.scene.is_some() => {
             keep_previous(last, paths)
@@ -45,11 +45,13 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     if options.fresh {
         loaded.session = None;
     }
+    let mut opened = None;
     let mut app = match (options.scene, loaded.session) {
         (Some(preset), _) => {
-            if let preset::Origin::File(path) = &preset.origin {
-                note_recent(&mut recent, &directory, path);
-            }
+            opened = match &preset.origin {
+                preset::Origin::File(path) => Some(path.clone()),
+                _ => None,
+            };
             App::new(base_of(preset), theme, directory)
         }
         (None, Some(last)) => {
@@ -60,6 +62,10 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
         }
         (None, None) => App::new(baseline(), theme, directory),
     };
+    app.recent = recent;
+    if let Some(path) = opened {
+        app.note_recent(&path);
+    }
     app.first_run = is_first && app.is_baseline();
     if let Some(paths) = paths {
         configure(&mut app, &paths.config, options.glyphs);
@@ -73,7 +79,7 @@ pub(super) fn app(options: Options, paths: Option<&Paths>) -> (App, Vec<PathBuf>
     if paths.is_none() {
         done::session(&mut app, &Err(FileError::NoHome.to_string()));
     }
-    (app, recent, loaded.known)
+    (app, loaded.known)
 }
 
 /// Take over keys, colours and characters of the configuration; what is refused is said, and the usual ones stay.
@@ -134,7 +140,7 @@ fn keep_previous(last: &Session, paths: &Paths) -> Option<(Severity, String)> {
 }
 
 /// What the session file keeps of the state.
-pub(super) fn session(app: &App, recent: &[PathBuf]) -> Session {
+pub(super) fn session(app: &App) -> Session {
     let detected = Theme::detect(GlyphChoice::Auto, environment);
     let mut view = BTreeMap::new();
     let mut keep = |key: &str, word: &str| view.insert(key.to_owned(), word.to_owned());
@@ -159,7 +165,7 @@ pub(super) fn session(app: &App, recent: &[PathBuf]) -> Session {
         preset: Some(kept_name(app)),
         pins: app.pins.iter().map(|pin| (pin.letter.to_string(), (*pin.scene).clone())).collect(),
         view,
-        recent: recent.to_vec(),
+        recent: app.recent.clone(),
     }
 }
 
@@ -174,13 +180,6 @@ fn kept_name(app: &App) -> String {
     } else {
         name.clone()
     }
-}
-
-/// Put a file at the head of those opened or saved lately; a relative path is one of this directory.
-pub(super) fn note_recent(recent: &mut Vec<PathBuf>, directory: &Path, path: &Path) {
-    let mut session = Session { recent: std::mem::take(recent), ..Session::default() };
-    session.note_recent(&directory.join(path));
-    *recent = session.recent;
 }
 
 fn environment(name: &str) -> Option<String> {
@@ -268,6 +267,8 @@ fn greeting(app: &App) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::path::PathBuf;
+
     use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
     use super::*;
@@ -297,12 +298,14 @@ mod tests {
         app.threads = Some(1);
         app.charts.window = Window::Whole;
         app.theme.glyphs = app.theme.glyphs.next();
-        let kept = session(&app, &[PathBuf::from("a.toml")]);
+        app.recent = vec![PathBuf::from("a.toml")];
+        let kept = session(&app);
         let mut again = state();
         restore(&mut again, kept.clone(), GlyphChoice::Auto);
         assert_eq!(again.scene, app.scene);
         assert_eq!((again.theme, again.threads), (app.theme, Some(1)));
-        assert_eq!(session(&again, &[PathBuf::from("a.toml")]), kept);
+        again.recent.clone_from(&app.recent);
+        assert_eq!(session(&again), kept);
         let text = again.notice.expect("it says so").text;
         assert!(text.contains("modified, 1 pinned run"), "{text}");
         // What the command line asks for goes before what the session has.
@@ -315,7 +318,7 @@ mod tests {
     fn files_are_kept_by_their_whole_paths() {
         let mut app = state();
         app.directory = PathBuf::from("/somewhere");
-        let named = |app: &App| session(app, &[]).preset.unwrap();
+        let named = |app: &App| session(app).preset.unwrap();
         assert_eq!(named(&app), "thesis-baseline");
         app.base.origin = Origin::Other;
         for (name, kept) in [
@@ -326,10 +329,9 @@ mod tests {
             app.base.name = name.to_owned();
             assert_eq!(named(&app), kept);
         }
-        let mut recent = Vec::new();
-        note_recent(&mut recent, &app.directory, Path::new("a.toml"));
-        note_recent(&mut recent, &app.directory, Path::new("/somewhere/a.toml"));
-        assert_eq!(recent, [PathBuf::from("/somewhere/a.toml")]);
+        app.note_recent(Path::new("a.toml"));
+        app.note_recent(Path::new("/somewhere/a.toml"));
+        assert_eq!(app.recent, [PathBuf::from("/somewhere/a.toml")]);
     }
 
     #[test]
@@ -354,14 +356,14 @@ mod tests {
         last.recent.push(PathBuf::from("a.toml"));
         // Nothing in it that a preset does not have: nothing to keep.
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, recent, _) = app(options(), Some(&paths));
+        let (state, _) = app(options(), Some(&paths));
         assert!(state.notice.is_none());
-        assert_eq!(recent, last.recent);
+        assert_eq!(state.recent, last.recent);
         assert!(!paths.previous_session_file().exists());
         // A pin would be lost.
         last.pins.push(("A".to_owned(), last.scene.clone()));
         session::save(&paths.session_file(), &last, &mut Known::default()).unwrap();
-        let (state, _, _) = app(options(), Some(&paths));
+        let (state, _) = app(options(), Some(&paths));
         assert_eq!(state.pins.len(), 0);
         let text = state.log.last().unwrap().text.clone();
         assert!(text.contains("1 pinned run") && text.contains("session.previous.toml"), "{text}");

@@ -4,7 +4,7 @@ use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
 use crate::tui::app::App;
 use crate::tui::app::notice::{Notice, Severity};
-use crate::tui::keymap::{Action, Key, Pane, works_in};
+use crate::tui::keymap::{Action, Key, PaneSpec, Part};
 use crate::tui::message::{Effect, Message};
 use crate::tui::widgets::input::TEXT_MAX;
 use crate::tui::{dialogs, pages};
@@ -13,6 +13,7 @@ use crate::worker::Report;
 pub(in crate::tui) mod act;
 pub(in crate::tui) mod done;
 pub(in crate::tui) mod edit;
+pub(in crate::tui) mod field;
 pub(in crate::tui) mod find;
 pub(in crate::tui) mod jobs;
 mod pointer;
@@ -21,7 +22,7 @@ mod pointer;
 pub fn start(app: &mut App) -> Vec<Effect> {
     let mut effects = jobs::submit_now(app);
     effects.extend(jobs::submit_pins(app));
-    effects.push(Effect::ListPresets);
+    effects.push(app.list_presets());
     effects
 }
 
@@ -59,7 +60,7 @@ pub fn update(app: &mut App, message: Message) -> Vec<Effect> {
 
 /// A report goes to the page that submitted the task; those of replaced tasks are dropped.
 fn reported(app: &mut App, report: Report) -> Vec<Effect> {
-    let page = pages::all_jobs(app).find(|(_, job)| job.id == report.id).map(|(tab, _)| tab);
+    let page = pages::all_jobs(app).find(|(_, job)| *job == report.id).map(|(tab, _)| tab);
     if report.body.is_last() {
         app.jobs.long.retain(|id| *id != report.id);
     }
@@ -81,10 +82,10 @@ fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
     if app.find.field.is_some() {
         return find::press(app, key);
     }
-    if app.is_typing() {
-        return pages::of(app.tab).press(app, key);
+    if app.field.is_some() {
+        return field::press(app, key);
     }
-    if let Some(action) = action.filter(|action| works_in(*action, app.pane())) {
+    if let Some(action) = action.filter(|action| pages::spec(app.pane()).knows(*action)) {
         return act::act(app, action);
     }
     app.history.commit();
@@ -102,11 +103,9 @@ fn paste(app: &mut App, text: &str) -> Vec<Effect> {
         app.say(Severity::Warning, text);
         return Vec::new();
     }
-    let is_typing = app.is_typing();
     let field = match &mut app.dialog {
         Some(dialog) => dialog.field_mut(),
-        None if is_typing => pages::of(app.tab).field_mut(app),
-        None => app.find.field.as_mut(),
+        None => app.field.as_mut().map(|field| &mut field.text).or(app.find.field.as_mut()),
     };
     match field {
         Some(field) => field.insert(&clean),
@@ -144,19 +143,12 @@ fn everywhere(app: &mut App, action: Option<Action>) -> Option<Vec<Effect>> {
 /// Close the dialog or field on top; whether there was one.
 fn close_top(app: &mut App) -> bool {
     let open = app.dialog.take().is_some();
-    let field = app.editor.field.take().is_some();
+    let field = app.field.take().is_some();
     let find = app.find.field.take().is_some();
-    let setup = app.sweeping.field.take().is_some();
-    let search = app.searching.field.take().is_some();
-    open || field || find || setup || search
+    open || field || find
 }
 
 impl App {
-    /// Whether a value is being typed in the pane that has the keys.
-    pub fn is_typing(&self) -> bool {
-        pages::of(self.tab).field(self).is_some()
-    }
-
     /// Say that a key does nothing here, where a person may have expected something.
     fn hint(&mut self, key: KeyEvent) {
         let is_key = matches!(
@@ -172,14 +164,16 @@ impl App {
         }
         let label = Key::of(key).label();
         let action = self.keymap.action(key);
-        let works = |pane: &&Pane| action.is_some_and(|action| works_in(action, **pane));
-        let elsewhere = pages::of(self.tab).panes(self).iter().find(works);
+        let here = pages::spec(self.pane());
+        let works = |pane: &&PaneSpec| action.is_some_and(|action| pane.knows(action));
+        let shown = pages::of(self.tab).shown_panes(self).into_iter().map(pages::spec);
+        let elsewhere = shown.filter(|pane| pane.pane != here.pane).find(works);
         let text = match (key.code, elsewhere) {
-            (KeyCode::Char(c), _) if c.is_ascii_digit() && self.pane() == Pane::Variables => {
+            (KeyCode::Char(c), _) if c.is_ascii_digit() && here.has.contains(&Part::Form) => {
                 format!("no tab has the number {c}: Enter opens the value to type it")
             }
-            (_, Some(pane)) if *pane != self.pane() => {
-                format!("`{label}` does nothing here, but in {}: Tab goes there", pane.label())
+            (_, Some(pane)) => {
+                format!("`{label}` does nothing here, but in {}: Tab goes there", pane.label)
             }
             (_, _) => format!("`{label}` does nothing here: ? lists the keys"),
         };

@@ -9,7 +9,9 @@ use crate::tui::chart::Layout;
 use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 
+pub(in crate::tui) mod form;
 pub(in crate::tui) mod input;
+pub(in crate::tui) mod list;
 pub(in crate::tui) mod table;
 pub(in crate::tui) mod text;
 

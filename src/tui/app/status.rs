@@ -3,11 +3,11 @@
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::model::variables::Kind;
 use crate::tui::app::notice::{Severity, demand};
-use crate::tui::app::{App, Tab, show_duration};
-use crate::tui::keymap::Pane;
+use crate::tui::app::{App, show_duration};
+use crate::tui::pages::numerics::{ACCURACY, STABILITY};
 use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs::{RunView, engineering};
-use crate::tui::pages::{self, StatusPart};
+use crate::tui::pages::{self, StatusPart, Tab};
 use crate::tui::theme::columns;
 
 /// Most lines of a message.
@@ -55,8 +55,7 @@ impl App {
 
     /// Why an open field refuses its text, or the newest message.
     fn urgent(&self) -> Option<(Severity, String)> {
-        let error = pages::of(self.tab).field(self).and_then(|field| field.error.clone());
-        if let Some(error) = error {
+        if let Some(error) = self.field.as_ref().and_then(|field| field.error.clone()) {
             return Some((Severity::Error, error));
         }
         if let Some(notice) = &self.notice {
@@ -118,8 +117,8 @@ impl App {
     /// Whether the tab shows nothing because its study looks at one plate and the scene is a stack.
     pub fn needs_single_plate(&self) -> bool {
         let is_empty = match self.pane() {
-            Pane::Accuracy => self.accuracy.report.is_none(),
-            Pane::StabilityMap => self.stability.map.is_none(),
+            ACCURACY => self.accuracy.report.is_none(),
+            STABILITY => self.stability.map.is_none(),
             _ => false,
         };
         is_empty && crate::model::variables::require_single(&self.scene).is_err()
@@ -165,8 +164,8 @@ impl App {
     pub fn status(&self) -> Vec<StatusPart> {
         let mut parts = pages::of(self.tab).status(self);
         let others = pages::all_jobs(self).filter(|(tab, _)| *tab != self.tab && *tab != Tab::Run);
-        for (_, job) in others {
-            let text = format!("{} is computing", job.label);
+        for (tab, _) in others {
+            let text = format!("{} is computing", tab.title());
             let at = parts.len().min(1);
             parts.insert(at, (Severity::Note, text.clone(), text));
         }
@@ -362,6 +361,18 @@ pub fn clip(text: &str, width: usize) -> String {
     }
     let (kept, _) = text.split_at(fits(text, width.saturating_sub(2)));
     kept.trim_end().to_owned() + ".."
+}
+
+/// The first of some texts, each shorter than the one before, that goes into so many columns; the last one is cut.
+pub fn fitting(texts: impl IntoIterator<Item = String>, width: usize) -> String {
+    let mut shortest = String::new();
+    for text in texts {
+        if columns(&text) <= width {
+            return text;
+        }
+        shortest = text;
+    }
+    clip(&shortest, width)
 }
 
 /// How many bytes of a text go into so many columns.

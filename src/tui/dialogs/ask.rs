@@ -13,7 +13,7 @@ use crate::tui::app::status::wrap;
 use crate::tui::app::{App, Origin};
 use crate::tui::dialogs::popup::frame;
 use crate::tui::dialogs::{Ask, Dialog, Purpose, curve};
-use crate::tui::message::{Content, Effect};
+use crate::tui::message::{Content, Effect, FileTask};
 use crate::tui::pages;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
@@ -29,7 +29,7 @@ pub(in crate::tui) fn open(app: &mut App, purpose: Purpose, text: TextField) {
 pub(in crate::tui) fn save(app: &mut App) -> Vec<Effect> {
     let name = proposed_name(app);
     open(app, Purpose::Preset, TextField::selected(name));
-    vec![Effect::ListPresets]
+    vec![app.list_presets()]
 }
 
 /// Ask for the file to write the table shown to, if there is anything in it.
@@ -85,7 +85,7 @@ pub(in crate::tui) fn press(app: &mut App, mut state: Ask, key: KeyEvent) -> Vec
         KeyCode::Enter if state.question => {}
         KeyCode::Enter => effects = accept(app, &mut state, false),
         KeyCode::Tab if is_path => {
-            effects = vec![Effect::Complete(state.text.value().to_owned())];
+            effects = vec![Effect::Files(FileTask::Complete(state.text.value().to_owned()))];
         }
         _ => {
             if state.text.press(key) {
@@ -105,11 +105,14 @@ fn accept(app: &App, state: &mut Ask, overwrite: bool) -> Vec<Effect> {
         Purpose::Table(_) => typed_path(app, state, "table.csv").and_then(|path| {
             let table = pages::of(app.tab).table(app);
             let table = table.ok_or_else(|| "there is nothing to write any more".to_owned())?;
-            Ok(vec![Effect::ExportTable { path, overwrite, content: table.content }])
+            Ok(vec![Effect::Files(FileTask::ExportTable {
+                path,
+                overwrite,
+                content: table.content,
+            })])
         }),
-        Purpose::Curve(second) => {
-            typed_path(app, state, "curve.csv").map(|path| vec![Effect::ReadCurve(second, path)])
-        }
+        Purpose::Curve(second) => typed_path(app, state, "curve.csv")
+            .map(|path| vec![Effect::Files(FileTask::ReadCurve(second, path))]),
     };
     accepted.unwrap_or_else(|error| {
         state.text.error = Some(error);
@@ -146,7 +149,7 @@ fn save_as(app: &App, state: &mut Ask, overwrite: bool) -> Result<Vec<Effect>, S
         return Ok(Vec::new());
     }
     let scene = Box::new((*app.scene).clone());
-    Ok(vec![Effect::SavePreset { name, scene, overwrite }])
+    Ok(vec![Effect::Files(FileTask::SavePreset { name, scene, overwrite })])
 }
 
 /// The next name of a series: `run.csv`, `run-2.csv`, `run-3.csv`.
@@ -184,7 +187,8 @@ pub(in crate::tui) fn render(app: &App, state: &Ask, screen: Rect, canvas: &mut 
     let inner = frame(app, screen, (width, 9), titles, canvas);
     let start = put(canvas, inner, (0, 1), label, app.theme.style(Role::Title));
     let field = TextField { error: None, ..state.text.clone() };
-    field.draw(canvas, (inner, 1), (start, inner.width.saturating_sub(start + 1)), app.theme);
+    let width = inner.width.saturating_sub(start + 1);
+    field.draw(canvas, Rect { x: inner.x + start, y: inner.y + 1, width, height: 1 }, app.theme);
     let (text, role) = match (&state.text.error, state.question) {
         (_, true) => (question(app, state), Role::Warning),
         (Some(error), false) => (format!("x {error}"), Role::Error),

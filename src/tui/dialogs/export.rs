@@ -13,7 +13,7 @@ use crate::files::style::Style;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::{Dialog, Export, ExportRow, What, ask};
-use crate::tui::message::Effect;
+use crate::tui::message::{Effect, FileTask};
 use crate::tui::widgets::input::TextField;
 
 /// Rows of a grid when nothing else is asked for, and the most there may be.
@@ -64,7 +64,7 @@ pub(in crate::tui) fn press(app: &mut App, mut state: Export, key: KeyEvent) -> 
         KeyCode::Char('r') if state.question => rename(&mut state),
         KeyCode::Enter => effects = submit(app, &mut state, false),
         KeyCode::Tab if state.row == ExportRow::Path => {
-            effects = vec![Effect::Complete(state.path.value().to_owned())];
+            effects = vec![Effect::Files(FileTask::Complete(state.path.value().to_owned()))];
         }
         KeyCode::Down | KeyCode::Tab => state.move_by(1),
         KeyCode::Up | KeyCode::BackTab => state.move_by(-1),
@@ -145,7 +145,7 @@ fn submit(app: &App, state: &mut Export, overwrite: bool) -> Vec<Effect> {
         Ok(request) => {
             state.question = false;
             state.error = None;
-            vec![Effect::Export(Box::new(request))]
+            vec![Effect::Files(FileTask::Export(Box::new(request)))]
         }
         Err(error) => {
             state.error = Some(error);

@@ -7,18 +7,19 @@ use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::dialogs::popup::{filter, frame};
 use crate::tui::dialogs::{HelpRow, Picker, help_rows};
-use crate::tui::keymap::Pane;
-use crate::tui::message::Target;
+use crate::tui::pages;
+use crate::tui::pages::run;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{first_row, paint_row, put};
+use crate::tui::widgets::list::List;
+use crate::tui::widgets::text::put;
 
 /// Where the sentence of a row begins.
 const SENTENCE: u16 = 14;
 
 /// Keys: what the selected variable means on top, then the keys of the focused pane, then the others.
 pub(in crate::tui) fn help(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
-    let title = format!("Keys of {}, then of every pane", app.pane().label());
+    let title = format!("Keys of {}, then of every pane", pages::spec(app.pane()).label);
     let inner = frame(app, screen, (92, 48), (title.as_str(), "q closes"), canvas);
     let about = about(app, usize::from(inner.width));
     let mut top = 0;
@@ -47,23 +48,20 @@ pub(in crate::tui) fn palette(app: &App, picker: &Picker, screen: Rect, canvas: 
     if found.is_empty() {
         put(canvas, list, (0, 0), "nothing has this name", app.theme.style(Role::Dim));
     }
-    let first = first_row(picker.selected, usize::from(list.height), found.len());
-    for (row, (index, item)) in (0..list.height).zip(found.iter().enumerate().skip(first)) {
+    let rows = List { count: found.len(), selected: picker.selected, painted: true };
+    rows.in_dialog(canvas, list, app.theme, |canvas, row, index| {
+        let item = &found[index];
         let mark = if item.kind() == "broken" { "!" } else { " " };
-        put(canvas, list, (0, row), mark, app.theme.style(Role::Warning));
-        put(canvas, list, (2, row), &clip(item.name(), 40), app.theme.style(Role::Text));
-        let kind = list.width.saturating_sub(10);
-        put(canvas, list, (kind, row), item.kind(), app.theme.style(Role::Dim));
-        if index == picker.selected {
-            paint_row(canvas, list, row, app.theme.style(Role::Selection));
-        }
-    }
+        put(canvas, row, (0, 0), mark, app.theme.style(Role::Warning));
+        put(canvas, row, (2, 0), &clip(item.name(), 40), app.theme.style(Role::Text));
+        let kind = row.width.saturating_sub(10);
+        put(canvas, row, (kind, 0), item.kind(), app.theme.style(Role::Dim));
+    });
     let does = found.get(picker.selected).map_or_else(String::new, |item| app.palette_does(item));
     let foot = Rect { y: list.bottom(), height: DOES, ..list };
     for (row, line) in (0..DOES).zip(wrap(&does, usize::from(foot.width))) {
         put(canvas, foot, (0, row), &line, app.theme.style(Role::Title));
     }
-    canvas.rows(list, (first, found.len()), |row| Some(Target::DialogRow(row)));
 }
 
 /// Rows that say what Enter does.
@@ -78,22 +76,23 @@ fn list(app: &App, rows: &[HelpRow], selected: usize, area: Rect, canvas: &mut C
         put(canvas, area, (0, 0), "nothing matches", app.theme.style(Role::Dim));
     }
     let room = usize::from(area.width.saturating_sub(SENTENCE));
-    let first = first_row(selected, usize::from(area.height), rows.len());
-    for (row, (index, line)) in (0..area.height).zip(rows.iter().enumerate().skip(first)) {
-        let keys = clip(&line.keys, usize::from(SENTENCE) - 2);
-        put(canvas, area, (0, row), &keys, app.theme.style(Role::Key));
-        let role = if line.pane.is_empty() { Role::Dim } else { Role::Text };
-        put(canvas, area, (SENTENCE, row), &clip(line.help, room), app.theme.style(role));
-        if index == selected {
-            paint_row(canvas, area, row, app.theme.style(Role::Selection));
-        }
-    }
-    canvas.rows(area, (first, rows.len()), |row| Some(Target::DialogRow(row)));
+    List { count: rows.len(), selected, painted: true }.in_dialog(
+        canvas,
+        area,
+        app.theme,
+        |canvas, row, index| {
+            let line = &rows[index];
+            let keys = clip(&line.keys, usize::from(SENTENCE) - 2);
+            put(canvas, row, (0, 0), &keys, app.theme.style(Role::Key));
+            let role = if line.pane.is_empty() { Role::Dim } else { Role::Text };
+            put(canvas, row, (SENTENCE, 0), &clip(line.help, room), app.theme.style(role));
+        },
+    );
 }
 
 /// Meaning, allowed values, range and source of the selected variable, while the list of variables has the keys.
 fn about(app: &App, width: usize) -> Vec<(String, Role)> {
-    if app.pane() != Pane::Variables {
+    if app.pane() != run::VARIABLES {
         return Vec::new();
     }
     let variable = app.editor.variable();

@@ -6,10 +6,10 @@ use crate::tui::app::App;
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::Picker;
 use crate::tui::dialogs::popup::frame;
-use crate::tui::message::Target;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{first_row, paint_row, put};
+use crate::tui::widgets::list::List;
+use crate::tui::widgets::text::put;
 
 /// Draw it.
 pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &mut Canvas<'_>) {
@@ -22,24 +22,15 @@ pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &
         ("Edits of this session", "Enter goes there"),
         canvas,
     );
-    let first = first_row(picker.selected, usize::from(inner.height), edits.len() + 1);
-    for (row, index) in (0..inner.height).zip(first..=edits.len()) {
-        let text = match index.checked_sub(1) {
-            None => "the start".to_owned(),
-            Some(at) => edits[at].label.clone(),
+    let list = List { count: edits.len() + 1, selected: picker.selected, painted: true };
+    list.in_dialog(canvas, inner, app.theme, |canvas, row, index| {
+        let label = index.checked_sub(1).map_or("the start", |at| &edits[at].label);
+        let (mark, role, undone) = match index.cmp(&app.history.done) {
+            std::cmp::Ordering::Less => (' ', Role::Text, ""),
+            std::cmp::Ordering::Equal => ('>', Role::Title, ""),
+            std::cmp::Ordering::Greater => (' ', Role::Dim, "  (undone)"),
         };
-        let (mark, role) = match index.cmp(&app.history.done) {
-            std::cmp::Ordering::Less => (' ', Role::Text),
-            std::cmp::Ordering::Equal => ('>', Role::Title),
-            std::cmp::Ordering::Greater => (' ', Role::Dim),
-        };
-        let undone = if index > app.history.done { "  (undone)" } else { "" };
-        let line = format!("{mark} {index:>3}  {text}{undone}");
-        let line = clip(&line, usize::from(inner.width));
-        put(canvas, inner, (0, row), &line, app.theme.style(role));
-        if index == picker.selected {
-            paint_row(canvas, inner, row, app.theme.style(Role::Selection));
-        }
-    }
-    canvas.rows(inner, (first, edits.len() + 1), |row| Some(Target::DialogRow(row)));
+        let line = format!("{mark} {index:>3}  {label}{undone}");
+        put(canvas, row, (0, 0), &clip(&line, usize::from(row.width)), app.theme.style(role));
+    });
 }

@@ -9,15 +9,15 @@ use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
 use crate::tui::dialogs::popup::frame;
 use crate::tui::dialogs::{self, Picker};
-use crate::tui::keymap::Action;
-use crate::tui::message::{Effect, Target};
+use crate::tui::message::Effect;
 use crate::tui::theme::Role;
 use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{paint_row, put};
+use crate::tui::widgets::list::List;
+use crate::tui::widgets::text::put;
 
 /// One line of the menu.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum OptionRow {
     /// The characters charts are drawn with.
     Characters,
@@ -84,14 +84,7 @@ impl OptionRow {
 }
 
 /// Switch one by name.
-pub(in crate::tui) fn switch(app: &mut App, action: Action) -> Vec<Effect> {
-    let row = match action {
-        Action::Glyphs => OptionRow::Characters,
-        Action::Theme => OptionRow::Colours,
-        Action::Mouse => OptionRow::Mouse,
-        Action::AutoRun => OptionRow::AutoRun,
-        _ => OptionRow::Interface,
-    };
+pub(in crate::tui) fn switch(app: &mut App, row: OptionRow) -> Vec<Effect> {
     let effects = change(app, row, true);
     let (name, value) = row.shown(app);
     app.say(Severity::Note, format!("{name}: {value}"));
@@ -160,19 +153,16 @@ pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &
     let count = OptionRow::ALL.len();
     let rows = u16::try_from(count).unwrap_or(u16::MAX);
     let inner = frame(app, screen, (58, rows + 6), ("Options", "h/l changes"), canvas);
-    for (at, row) in (0..inner.height).zip(OptionRow::ALL) {
-        let (name, value) = row.shown(app);
-        put(canvas, inner, (1, at), name, app.theme.style(Role::Text));
-        put(canvas, inner, (VALUE, at), &format!("< {value} >"), app.theme.style(Role::Title));
-        if usize::from(at) == picker.selected {
-            paint_row(canvas, inner, at, app.theme.style(Role::Selection));
-        }
-    }
+    let area = Rect { height: rows.min(inner.height), ..inner };
+    let list = List { count, selected: picker.selected, painted: true };
+    list.in_dialog(canvas, area, app.theme, |canvas, row, index| {
+        let (name, value) = OptionRow::ALL[index].shown(app);
+        put(canvas, row, (1, 0), name, app.theme.style(Role::Text));
+        put(canvas, row, (VALUE, 0), &format!("< {value} >"), app.theme.style(Role::Title));
+    });
     let meaning = OptionRow::ALL.get(picker.selected).map_or("", |row| row.meaning());
     let lines = wrap(meaning, usize::from(inner.width.saturating_sub(2)));
     for (row, line) in (rows + 1..inner.height).zip(lines) {
         put(canvas, inner, (1, row), &line, app.theme.style(Role::Dim));
     }
-    let area = Rect { height: rows.min(inner.height), ..inner };
-    canvas.rows(area, (0, count), |row| Some(Target::DialogRow(row)));
 }

@@ -1,15 +1,14 @@
 //! What `:` finds: pages and actions, variables, presets and parts of libraries, by name or synonym, and what Enter does with each.
 
 use crate::model::variables::{VARIABLES, is_offered};
+use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Tab};
 use crate::tui::dialogs::{Picker, presets};
-use crate::tui::keymap::{COMMANDS, Command, Pane};
+use crate::tui::keymap::{Call, Command, commands};
 use crate::tui::message::{Effect, PresetEntry};
-use crate::tui::pages;
 use crate::tui::pages::explore::state::numeric;
-use crate::tui::pages::run::editor::field;
+use crate::tui::pages::{self, Tab, run};
 use crate::tui::update::act;
 
 /// Something that can be called by name.
@@ -63,7 +62,7 @@ impl Item<'_> {
 impl App {
     /// What matches, best first; with nothing typed, the pages and actions.
     pub fn palette(&self, typed: &str) -> Vec<Item<'_>> {
-        let commands = COMMANDS.iter().map(Item::Command);
+        let commands = commands().map(Item::Command);
         if typed.trim().is_empty() {
             return commands.collect();
         }
@@ -79,7 +78,10 @@ impl App {
     pub fn palette_does(&self, item: &Item<'_>) -> String {
         match item {
             Item::Command(command) => {
-                let key = self.keymap.label(command.action);
+                let key = match command.call {
+                    Call::Do(action) | Call::In(_, action) => self.keymap.label(action),
+                    Call::Show(..) => String::new(),
+                };
                 let key = if key.is_empty() { String::new() } else { format!(" (key {key})") };
                 format!("Enter: {}{key}", lower(command.name))
             }
@@ -128,10 +130,10 @@ pub(in crate::tui) fn chosen(app: &mut App, picker: &Picker) -> Vec<Effect> {
         }
         Some(Item::Command(command)) => call(app, command),
         Some(Item::Variable(index)) => {
-            app.focus_on(Pane::Variables);
+            app.focus_on(run::VARIABLES);
             app.editor.filter.clear();
             app.editor.selected = index;
-            field::open(app)
+            run::keys::open(app)
         }
         Some(Item::Preset(entry)) => {
             let entry = entry.clone();
@@ -140,16 +142,20 @@ pub(in crate::tui) fn chosen(app: &mut App, picker: &Picker) -> Vec<Effect> {
     }
 }
 
-/// Call an action, in the pane it belongs to.
-pub(in crate::tui) fn call(app: &mut App, command: &Command) -> Vec<Effect> {
-    let mut effects = Vec::new();
-    if let Some(pane) = command.pane.filter(|pane| *pane != app.pane()) {
-        let before = app.tab;
-        app.focus_on(pane);
-        if app.tab != before {
-            effects = pages::of(app.tab).enter(app);
+/// Do what a command is for, in the pane it belongs to.
+fn call(app: &mut App, command: &Command) -> Vec<Effect> {
+    match command.call {
+        Call::Do(action) => act::act(app, action),
+        Call::Show(pane, page) => act::show(app, pane, page),
+        Call::In(pane, action) => {
+            let mut effects = Vec::new();
+            let before = app.tab;
+            app.focus_on(pane);
+            if app.tab != before {
+                effects = pages::of(app.tab).enter(app);
+            }
+            effects.extend(act::act(app, action));
+            effects
         }
     }
-    effects.extend(act::act(app, command.action));
-    effects
 }

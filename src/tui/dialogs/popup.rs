@@ -64,7 +64,7 @@ pub(in crate::tui) fn filter(app: &App, picker: &Picker, area: Rect, canvas: &mu
     if picker.typing {
         let end = put(canvas, area, (0, 0), "> ", app.theme.style(Role::Key));
         let room = area.width.saturating_sub(end);
-        picker.filter.draw(canvas, (area, 0), (end, room), app.theme);
+        picker.filter.draw(canvas, Rect { x: area.x + end, width: room, ..area }, app.theme);
     } else {
         put(canvas, area, (0, 0), "/ to search", app.theme.style(Role::Dim));
     }

@@ -11,14 +11,15 @@ use crate::tui::app::{App, Base, Origin};
 use crate::tui::dialogs::palette::shown_in;
 use crate::tui::dialogs::popup::{filter, frame};
 use crate::tui::dialogs::{Dialog, List, Picker, preset_rows};
-use crate::tui::message::{Effect, PresetEntry, Target};
+use crate::tui::message::{Effect, FileTask, PresetEntry};
 use crate::tui::pages::run::editor::shown_value;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::thesis;
 use crate::tui::theme::Role;
 use crate::tui::update::edit;
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{first_row, paint_row, put};
+use crate::tui::widgets::list::List as RowList;
+use crate::tui::widgets::text::put;
 
 /// Columns of the list of names.
 const NAMES: u16 = 32;
@@ -46,25 +47,22 @@ pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &
         let text = "none; Enter opens a file by its path";
         put(canvas, body, (0, 0), text, app.theme.style(Role::Dim));
     }
-    let first = first_row(picker.selected, usize::from(left.height), rows.len());
-    for (row, (index, entry)) in (0..left.height).zip(rows.iter().enumerate().skip(first)) {
-        let room = usize::from(left.width.saturating_sub(11));
+    let list = RowList { count: rows.len(), selected: picker.selected, painted: true };
+    list.in_dialog(canvas, left, app.theme, |canvas, row, index| {
+        let entry = rows[index];
+        let room = usize::from(row.width.saturating_sub(11));
         let (mark, role) = match entry.problem {
             Some(_) => ("!", Role::Warning),
             None => (" ", Role::Text),
         };
-        put(canvas, left, (0, row), mark, app.theme.style(role));
-        put(canvas, left, (1, row), &clip(&entry.name, room), app.theme.style(role));
-        let at = left.width.saturating_sub(8);
-        put(canvas, left, (at, row), entry.origin, app.theme.style(Role::Dim));
-        if index == picker.selected {
-            paint_row(canvas, left, row, app.theme.style(Role::Selection));
-        }
-    }
+        put(canvas, row, (0, 0), mark, app.theme.style(role));
+        put(canvas, row, (1, 0), &clip(&entry.name, room), app.theme.style(role));
+        let at = row.width.saturating_sub(8);
+        put(canvas, row, (at, 0), entry.origin, app.theme.style(Role::Dim));
+    });
     if let Some(entry) = rows.get(picker.selected) {
         about(app, entry, right, canvas);
     }
-    canvas.rows(left, (first, rows.len()), |row| Some(Target::DialogRow(row)));
 }
 
 /// Title, changes, then comment and notes as far as there is room.
@@ -170,7 +168,7 @@ pub(in crate::tui) fn chosen(app: &mut App, picker: &Picker) -> Vec<Effect> {
             }
             effects
         }
-        None if looks_like_path(typed) => vec![Effect::Load(typed.trim().into())],
+        None if looks_like_path(typed) => vec![Effect::Files(FileTask::Load(typed.trim().into()))],
         None => {
             let typed = clip(typed.trim(), 24);
             let text = format!("no preset matches; a file is opened by its path: ./{typed}.toml");

@@ -7,10 +7,10 @@ use crate::tui::app::App;
 use crate::tui::app::status::wrap;
 use crate::tui::dialogs::Picker;
 use crate::tui::dialogs::popup::frame;
-use crate::tui::message::Target;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{first_row, paint_row, put};
+use crate::tui::widgets::list::List;
+use crate::tui::widgets::text::put;
 
 /// Columns of the dialog.
 const WIDTH: u16 = 58;
@@ -26,20 +26,17 @@ pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &
     let inner = frame(app, screen, size, (variable.symbol, "Enter takes it"), canvas);
     let list = Rect { height: inner.height.saturating_sub(NOTE_ROWS + 1).min(count), ..inner };
     let now = variable.value(&app.scene);
-    let first = first_row(picker.selected, usize::from(list.height), words.len());
-    for (row, (index, word)) in (0..list.height).zip(words.iter().enumerate().skip(first)) {
-        let is_now = now == Value::Word(word);
+    let rows = List { count: words.len(), selected: picker.selected, painted: true };
+    rows.in_dialog(canvas, list, app.theme, |canvas, row, index| {
+        let is_now = now == Value::Word(words[index]);
         let mark = if is_now { "> " } else { "  " };
-        let role = if refusal(app, word).is_some() { Role::Dim } else { Role::Text };
-        put(canvas, list, (0, row), mark, app.theme.style(Role::Title));
-        let end = put(canvas, list, (2, row), word, app.theme.style(role));
+        let role = if refusal(app, words[index]).is_some() { Role::Dim } else { Role::Text };
+        put(canvas, row, (0, 0), mark, app.theme.style(Role::Title));
+        let end = put(canvas, row, (2, 0), words[index], app.theme.style(role));
         if is_now {
-            put(canvas, list, (end + 2, row), "now", app.theme.style(Role::Dim));
+            put(canvas, row, (end + 2, 0), "now", app.theme.style(Role::Dim));
         }
-        if index == picker.selected {
-            paint_row(canvas, list, row, app.theme.style(Role::Selection));
-        }
-    }
+    });
     let refused = words.get(picker.selected).and_then(|word| refusal(app, word));
     let (text, role) = match refused {
         Some(text) => (text, Role::Warning),
@@ -53,7 +50,6 @@ pub(in crate::tui) fn render(app: &App, picker: &Picker, screen: Rect, canvas: &
     for (row, line) in (0..below.height).zip(wrap(&text, usize::from(below.width))) {
         put(canvas, below, (0, row), &line, app.theme.style(role));
     }
-    canvas.rows(list, (first, words.len()), |row| Some(Target::DialogRow(row)));
 }
 
 /// Why the scene makes no sense with this word; `None` where it does.

@@ -1,51 +1,53 @@
-//! Every action by name, with the words people look for it by: what `:` finds and the options menu shows.
+//! Every action by name, with the words people look for it by: what `:` finds.
 
 use super::Action as A;
 use super::{Action, Pane};
+use crate::tui::dialogs::options::OptionRow as O;
+use crate::tui::pages::{self, Tab};
 
-/// An action that can be called by name.
+/// Something that can be called by name.
 pub struct Command {
     /// What it does.
-    pub action: Action,
+    pub call: Call,
     /// Its name, a verb first.
     pub name: &'static str,
     /// Other words it is found by.
     pub synonyms: &'static str,
-    /// The pane it acts on, which is shown first; `None`: the one that has the focus.
-    pub pane: Option<Pane>,
+}
+
+/// What a command does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Call {
+    /// An action, in the pane that has the keys.
+    Do(Action),
+    /// An action of a pane, which is shown first.
+    In(Pane, Action),
+    /// Shows a pane, with one of the pages of its tab where the pane has several.
+    Show(Pane, Option<usize>),
+}
+
+impl Command {
+    /// An action by name.
+    pub const fn new(call: Call, name: &'static str, synonyms: &'static str) -> Self {
+        Self { call, name, synonyms }
+    }
 }
 
 const fn named(action: Action, name: &'static str, synonyms: &'static str) -> Command {
-    Command { action, name, synonyms, pane: None }
+    Command::new(Call::Do(action), name, synonyms)
 }
 
-const fn of(pane: Pane, action: Action, name: &'static str, synonyms: &'static str) -> Command {
-    Command { action, name, synonyms, pane: Some(pane) }
+/// All of them: tabs and pages first, then what acts anywhere, then what acts on a pane.
+pub fn commands() -> impl Iterator<Item = &'static Command> {
+    let of = |within: bool| {
+        let all = Tab::ALL.into_iter().flat_map(|tab| pages::of(tab).about().commands);
+        all.filter(move |command| matches!(command.call, Call::In(..)) == within)
+    };
+    of(false).chain(GENERAL).chain(of(true))
 }
 
-/// All of them: pages first, then what acts anywhere, then what acts on a pane.
 #[rustfmt::skip]
-pub static COMMANDS: &[Command] = &[
-    named(A::TabRun, "Run tab", "variables charts curves impact simulation"),
-    named(A::TabExplore, "Explore tab", "sweep surface map family curves parameter study heat map"),
-    named(A::TabLimit, "Limit tab", "stopped perforated"),
-    named(A::TabSearch, "Search tab", "find a design"),
-    named(A::TabNumerics, "Numerics tab", "method solver integrator"),
-    named(A::TabThesis, "Thesis tab", "reproduce"),
-    named(A::TabLog, "Log tab", "messages warnings events energy paths"),
-    named(A::PageGoalSeek, "Goal seek", "seek target solve inverse root"),
-    named(A::PageFront, "Pareto front", "optimise optimize best designs knee trade-off"),
-    named(A::PageSensitivity, "Sensitivity", "sobol morris importance ranking"),
-    named(A::PageMonteCarlo, "Monte Carlo", "uncertainty scatter spread distribution histogram"),
-    named(A::PageResidual, "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
-    named(A::PageComparison, "Comparison at equal areal mass", "does it pay mass efficiency compare worth absorber"),
-    named(A::PageAccuracy, "Accuracy", "error run time cost method tolerance convergence order"),
-    named(A::PageStability, "Stability", "largest stable step fixed step map"),
-    named(A::PageBattery, "Stiff scenes", "battery extreme cases"),
-    named(A::PageClaims, "Claims", "reproduce thesis check verdict"),
-    named(A::PagePrinciples, "Principles", "families functions"),
-    named(A::PageScreening, "Screening", "matrix weights criteria concepts"),
-
+static GENERAL: &[Command] = &[
     named(A::Help, "Help", "keys"),
     named(A::Options, "Options", "settings preferences menu"),
     named(A::Presets, "Presets", "load open threats materials absorbers scenes file"),
@@ -59,29 +61,16 @@ pub static COMMANDS: &[Command] = &[
     named(A::Mark, "Pin this run", "compare keep mark"),
     named(A::ResetAll, "Reset all variables to the preset", "start again default"),
     named(A::FullPane, "Show this pane alone", "full zoom maximise"),
-    named(A::Interface, "Switch the interface law", "fused plastic"),
+    named(A::Switch(O::Interface), "Switch the interface law", "fused plastic"),
     named(A::Models, "Pin this scene by every contact model", "compare interaction half-sine initial velocity lumped appendix"),
-    named(A::AutoRun, "Switch auto-run", "run after every edit"),
-    named(A::Glyphs, "Next set of characters", "ascii block braille glyphs"),
-    named(A::Theme, "Next set of colours", "theme colors"),
-    named(A::Mouse, "Switch the mouse", "click wheel release"),
+    named(A::Switch(O::Contact), "Next contact model", "interaction half-sine initial velocity lumped appendix"),
+    named(A::Switch(O::Threads), "Next number of threads", "cores processors parallel"),
+    named(A::Switch(O::AutoRun), "Switch auto-run", "run after every edit"),
+    named(A::Switch(O::Characters), "Next set of characters", "ascii block braille glyphs"),
+    named(A::Switch(O::Colours), "Next set of colours", "theme colors"),
+    named(A::Switch(O::Mouse), "Switch the mouse", "click wheel release"),
     named(A::Redraw, "Redraw the screen", "clear refresh"),
     named(A::Suspend, "Suspend", "shell background"),
     named(A::Quit, "Quit", "exit leave"),
     named(A::QuitWithSummary, "Quit with a summary", "exit print"),
-
-    of(Pane::Variables, A::Find, "Find a variable", "filter search"),
-    of(Pane::Charts, A::View, "Next quantity of the chart", "velocity force displacement stress yield"),
-    of(Pane::Charts, A::Window, "Contact or whole response", "window time"),
-    of(Pane::Charts, A::SecondAxis, "Second axis of the chart", "right"),
-    of(Pane::Charts, A::Difference, "Differences to the first pinned run", "compare subtract"),
-    of(Pane::Charts, A::EventNext, "Next event", "arrest cursor"),
-    of(Pane::Charts, A::FitVertical, "Fit the vertical axis to the view or to everything", "scale"),
-    of(Pane::Charts, A::LogX, "Logarithmic or linear time axis", "log x"),
-    of(Pane::Charts, A::LogY, "Logarithmic or linear value axis", "log y"),
-    of(Pane::Charts, A::ZoomFit, "Show everything", "fit zoom"),
-    of(Pane::Explore, A::Contour, "Contour through the cursor", "level line"),
-    of(Pane::Explore, A::FitResiduals, "Toggle residuals of the quadratic fit", "response surface r2"),
-    of(Pane::Accuracy, A::SlopeGuides, "Toggle reference slopes", "order guides"),
-    of(Pane::Accuracy, A::SpreadBars, "Toggle bars of the timings", "spread"),
 ];

@@ -3,19 +3,22 @@
 use crossterm::event::{KeyCode, KeyModifiers};
 
 use super::Action as A;
-use super::{Action, Key, Pane};
+use super::{Action, Key, PaneSpec, Part};
+use crate::tui::pages::TAB_KEYS;
 
 /// Where a line of the table works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
     /// In every pane.
     Everywhere,
-    /// In these.
-    Panes(&'static [Pane]),
+    /// In the panes that have such a part.
+    With(Part),
+    /// In the panes that list one of its keys.
+    Listed,
 }
 
 /// An action, its name in the configuration, and its keys, the one to show first.
-pub(super) type Bound = (Action, &'static str, &'static [Key]);
+pub(in crate::tui) type Bound = (Action, &'static str, &'static [Key]);
 
 /// One line of the table.
 pub struct Line {
@@ -25,6 +28,20 @@ pub struct Line {
     pub keys: &'static [Bound],
     /// What they always mean.
     pub meaning: &'static str,
+}
+
+impl Line {
+    /// Whether its keys mean something in a pane.
+    pub fn works_in(&self, pane: &PaneSpec) -> bool {
+        match self.scope {
+            Scope::Everywhere => true,
+            Scope::With(part) => pane.has.contains(&part),
+            Scope::Listed => pane
+                .keys
+                .iter()
+                .any(|row| self.keys.iter().any(|(action, _, _)| *action == row.action)),
+        }
+    }
 }
 
 const fn plain(c: char) -> Key {
@@ -47,32 +64,20 @@ const fn everywhere(keys: &'static [Bound], meaning: &'static str) -> Line {
     Line { scope: Scope::Everywhere, keys, meaning }
 }
 
-const fn within(panes: &'static [Pane], keys: &'static [Bound], meaning: &'static str) -> Line {
-    Line { scope: Scope::Panes(panes), keys, meaning }
+const fn with(part: Part, keys: &'static [Bound], meaning: &'static str) -> Line {
+    Line { scope: Scope::With(part), keys, meaning }
 }
 
-/// The panes with a chart that can be zoomed.
-const CHARTS: &[Pane] =
-    &[Pane::Charts, Pane::Explore, Pane::Residual, Pane::Search, Pane::Accuracy];
-/// The forms and lists whose rows have a value.
-const FORMS: &[Pane] = &[Pane::Variables, Pane::ExploreSetup, Pane::SearchSetup, Pane::Screening];
-/// The tables.
-const TABLES: &[Pane] = &[Pane::Search, Pane::Battery, Pane::Claims];
+const fn listed(keys: &'static [Bound], meaning: &'static str) -> Line {
+    Line { scope: Scope::Listed, keys, meaning }
+}
 
 use KeyCode as C;
 
 /// The key table.
 #[rustfmt::skip]
 pub static LINES: &[Line] = &[
-    everywhere(&[
-        (A::TabRun, "tab-run", &[plain('1')]),
-        (A::TabExplore, "tab-explore", &[plain('2')]),
-        (A::TabLimit, "tab-limit", &[plain('3')]),
-        (A::TabSearch, "tab-search", &[plain('4')]),
-        (A::TabNumerics, "tab-numerics", &[plain('5')]),
-        (A::TabThesis, "tab-thesis", &[plain('6')]),
-        (A::TabLog, "tab-log", &[plain('7')]),
-    ], "go to the tab; again: its next page"),
+    everywhere(TAB_KEYS, "go to the tab; again: its next page"),
     everywhere(&[(A::TabPrevious, "previous-tab", &[plain('{')]), (A::TabNext, "next-tab", &[plain('}')])], "previous tab, next tab"),
     everywhere(&[
         (A::FocusNext, "next-pane", &[special(C::Tab)]),
@@ -110,16 +115,16 @@ pub static LINES: &[Line] = &[
     everywhere(&[(A::Cancel, "cancel", &[ctrl('c')])], "cancel the job; pressed twice: quit"),
     everywhere(&[(A::Suspend, "suspend", &[ctrl('z')]), (A::Redraw, "redraw", &[ctrl('l')])], "suspend (`fg` comes back), redraw the screen"),
 
-    within(FORMS, &[(A::FineLess, "fine-less", &[plain(',')]), (A::FineMore, "fine-more", &[plain('.')])], "a tenth of a step less, more"),
-    within(FORMS, &[(A::Reset, "reset", &[plain('d'), special(C::Delete)])], "reset this row"),
-    within(CHARTS, &[(A::ZoomIn, "zoom-in", &[plain('+'), plain('=')]), (A::ZoomOut, "zoom-out", &[plain('-')])], "zoom in, zoom out"),
-    within(CHARTS, &[(A::ZoomFit, "zoom-fit", &[plain('0')])], "show everything"),
-    within(CHARTS, &[(A::PanLeft, "pan-left", &[plain('[')]), (A::PanRight, "pan-right", &[plain(']')])], "pan left, pan right"),
-    within(CHARTS, &[(A::LogX, "log-x", &[plain('X')]), (A::LogY, "log-y", &[plain('Y')])], "logarithmic or linear axis: across, upward"),
-    within(&[Pane::Charts], &[(A::EventNext, "next-event", &[plain('n')]), (A::EventPrevious, "previous-event", &[plain('N')])], "cursor to the next event, the previous one"),
-    within(&[Pane::Charts], &[(A::Window, "window", &[plain('c')])], "contact only, or the whole response"),
-    within(&[Pane::Charts], &[(A::SecondAxis, "second-axis", &[plain('w')])], "another quantity on an axis at the right, at last none"),
-    within(&[Pane::Charts, Pane::Runs], &[(A::Difference, "difference", &[plain('D')])], "curves as differences to the first pinned run"),
-    within(&[Pane::Runs, Pane::Accuracy], &[(A::ShowHide, "show-hide", &[plain('V')])], "show or hide this curve"),
-    within(TABLES, &[(A::Sort, "sort", &[plain('S')])], "sort by the next column"),
+    with(Part::Form, &[(A::FineLess, "fine-less", &[plain(',')]), (A::FineMore, "fine-more", &[plain('.')])], "a tenth of a step less, more"),
+    with(Part::Form, &[(A::Reset, "reset", &[plain('d'), special(C::Delete)])], "reset this row"),
+    with(Part::Chart, &[(A::ZoomIn, "zoom-in", &[plain('+'), plain('=')]), (A::ZoomOut, "zoom-out", &[plain('-')])], "zoom in, zoom out"),
+    with(Part::Chart, &[(A::ZoomFit, "zoom-fit", &[plain('0')])], "show everything"),
+    with(Part::Chart, &[(A::PanLeft, "pan-left", &[plain('[')]), (A::PanRight, "pan-right", &[plain(']')])], "pan left, pan right"),
+    with(Part::Chart, &[(A::LogX, "log-x", &[plain('X')]), (A::LogY, "log-y", &[plain('Y')])], "logarithmic or linear axis: across, upward"),
+    listed(&[(A::EventNext, "next-event", &[plain('n')]), (A::EventPrevious, "previous-event", &[plain('N')])], "cursor to the next event, the previous one"),
+    listed(&[(A::Window, "window", &[plain('c')])], "contact only, or the whole response"),
+    listed(&[(A::SecondAxis, "second-axis", &[plain('w')])], "another quantity on an axis at the right, at last none"),
+    listed(&[(A::Difference, "difference", &[plain('D')])], "curves as differences to the first pinned run"),
+    listed(&[(A::ShowHide, "show-hide", &[plain('V')])], "show or hide this curve"),
+    with(Part::Table, &[(A::Sort, "sort", &[plain('S')])], "sort by the next column"),
 ];

@@ -12,27 +12,56 @@ pub mod state;
 
 use std::sync::Arc;
 
-use crossterm::event::KeyEvent;
 use ratatui::layout::Rect;
 
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::ask;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action as A;
+use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::{Content, Effect};
-use crate::tui::pages::explore::state::Picture;
-use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
+use crate::tui::pages::explore::state::{Picture, SetupRow};
+use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::input::TextField;
 use crate::worker::Report;
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct Tab;
+/// The curves or the map.
+pub const RESULTS: Pane = Pane::of(Tab::Explore, 0);
+/// What is swept.
+pub const SETUP: Pane = Pane::of(Tab::Explore, 1);
 
-impl Page for Tab {
-    fn panes(&self, _app: &App) -> &'static [Pane] {
-        &[Pane::ExploreSetup, Pane::Explore]
+#[rustfmt::skip]
+const PANES: &[PaneSpec] = &[
+    PaneSpec { pane: RESULTS, label: "Explore", has: &[Part::Chart], keys: &[
+        key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
+        key(A::Enter, "load", "load the design under the cursor into the scene (u undoes)"),
+        key(A::View, "quantity", "show the next quantity"),
+        key(A::Mark, "pin", "pin the design under the cursor"),
+        key(A::ZoomIn, "zoom", "zoom the variable along about the cursor"),
+        key(A::Down, "curve", "move to another curve, or down the map"),
+    ] },
+    PaneSpec { pane: SETUP, label: "Explore setup", has: &[Part::Form], keys: &[
+        key(A::Enter, "type", "type a variable, an end (0.5, 7.5MN/m), a count, a quantity or a held value"),
+        key(A::Right, "change", "change the value by a step, or take the next one"),
+        key(A::Down, "move", "move to another row"),
+        key(A::Find, "find", "find a row of the setup"),
+    ] },
+];
+
+#[rustfmt::skip]
+const COMMANDS: &[Command] = &[
+    Command::new(Call::Do(A::Tab(Tab::Explore)), "Explore tab", "sweep surface map family curves parameter study heat map"),
+    Command::new(Call::In(RESULTS, A::Contour), "Contour through the cursor", "level line"),
+    Command::new(Call::In(RESULTS, A::FitResiduals), "Toggle residuals of the quadratic fit", "response surface r2"),
+];
+
+/// What the workbench asks of this tab.
+pub(in crate::tui) struct ExploreTab;
+
+impl Page for ExploreTab {
+    fn about(&self) -> &'static About {
+        &About { name: "Explore", pages: &[], panes: PANES, commands: COMMANDS }
     }
 
     fn enter(&self, app: &mut App) -> Vec<Effect> {
@@ -45,7 +74,7 @@ impl Page for Tab {
 
     fn readout(&self, app: &App, room: usize) -> Option<(Severity, String)> {
         note(match app.pane() {
-            Pane::ExploreSetup => Some(app.setup_readout(app.picture())),
+            SETUP => Some(app.setup_readout(app.picture())),
             _ => app.sweep_readout(room),
         })
     }
@@ -54,8 +83,8 @@ impl Page for Tab {
         app.sweep_status(app.picture())
     }
 
-    fn running(&self, app: &App) -> Vec<Job> {
-        jobs("2:Explore", [app.sweeping.computing.as_ref().map(|job| job.id)])
+    fn running(&self, app: &App) -> Vec<u64> {
+        app.sweeping.computing.iter().map(|job| job.id).collect()
     }
 
     fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
@@ -75,18 +104,44 @@ impl Page for Tab {
         })
     }
 
-    fn field<'a>(&self, app: &'a App) -> Option<&'a TextField> {
-        let field = app.sweeping.field.as_ref().filter(|_| app.pane() == Pane::ExploreSetup);
-        field.map(|field| &field.text)
+    fn is_idle(&self, app: &App, action: Action) -> bool {
+        let alone = app.picture() == Picture::Line && !state::has_family(&app.scene);
+        app.pane() == RESULTS && action == Action::Down && alone
     }
 
-    fn field_mut<'a>(&self, app: &'a mut App) -> Option<&'a mut TextField> {
-        let has_keys = app.pane() == Pane::ExploreSetup;
-        app.sweeping.field.as_mut().filter(|_| has_keys).map(|field| &mut field.text)
+    fn rows(&self, app: &App) -> Option<Rows> {
+        let choices = app.setup_choices(app.picture());
+        let row = app.setup_row(app.picture());
+        let selected = choices.iter().position(|one| *one == row).unwrap_or(0);
+        let rows = Rows { count: choices.len(), selected, shown: app.list_rows() };
+        (app.pane() == SETUP).then_some(rows)
     }
 
-    fn press(&self, app: &mut App, key: KeyEvent) -> Vec<Effect> {
-        setup::keys::press(app, key)
+    fn select(&self, app: &mut App, row: usize) {
+        app.sweeping.row = app.setup_choices(app.picture())[row];
+    }
+
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        let row = *app.setup_choices(app.picture()).get(row)?;
+        (app.pane() == SETUP).then(|| app.setup_shown(app.picture(), row, 10).label)
+    }
+
+    fn takes_unit(&self, app: &App) -> bool {
+        let row = app.setup_row(app.picture());
+        matches!(row, SetupRow::From(_) | SetupRow::To(_) | SetupRow::Held(_))
+    }
+
+    fn text(&self, app: &App, row: usize) -> String {
+        let row = app.setup_choices(app.picture()).get(row).copied();
+        row.map_or_else(String::new, |row| app.setup_text(row))
+    }
+
+    fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<Vec<Effect>, String> {
+        setup::keys::take(app, text)
+    }
+
+    fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
+        app.sweeping.cursor[app.picture() as usize] = Some(cell);
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -13,18 +13,52 @@ use crate::report::{compare, limit};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::ask;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action as A;
+use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
-use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
+use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::widgets::Canvas;
 use crate::worker::{Report, Slot};
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct Tab;
+/// The residual velocity over the impact velocity.
+pub const RESIDUAL: Pane = Pane::of(Tab::Limit, 0);
+/// The comparison at equal areal mass.
+pub const COMPARISON: Pane = Pane::of(Tab::Limit, 1);
+/// The map of mass efficiency.
+pub const EFFICIENCY_MAP: Pane = Pane::of(Tab::Limit, 2);
 
-impl Page for Tab {
-    fn panes(&self, _app: &App) -> &'static [Pane] {
-        &[Pane::Residual, Pane::Comparison, Pane::EfficiencyMap]
+#[rustfmt::skip]
+const PANES: &[PaneSpec] = &[
+    PaneSpec { pane: RESIDUAL, label: "Residual velocity", has: &[Part::Chart], keys: &[
+        key(A::Right, "shot", "move the cursor to the next faster shot"),
+        key(A::View, "V50", "compute V50 and its spread with every input scattered by 2 %, or leave it out"),
+        key(A::Enter, "load", "load the impact velocity under the cursor into the scene (u undoes)"),
+        key(A::ZoomIn, "zoom", "zoom the impact velocity about the cursor"),
+    ] },
+    PaneSpec { pane: COMPARISON, label: "Comparison", has: &[], keys: &[
+        key(A::View, "absorber", "compare with the next absorber of the library, or the scene's own"),
+        key(A::Enter, "load", "load the scene with this absorber (u undoes)"),
+    ] },
+    PaneSpec { pane: EFFICIENCY_MAP, label: "Mass efficiency", has: &[], keys: &[
+        key(A::Right, "cursor", "move the cursor; the scene stays as it is"),
+        key(A::Enter, "load", "load the design under the cursor into the scene (u undoes)"),
+        key(A::Mark, "pin", "pin the design under the cursor"),
+    ] },
+];
+
+#[rustfmt::skip]
+const COMMANDS: &[Command] = &[
+    Command::new(Call::Do(A::Tab(Tab::Limit)), "Limit tab", "stopped perforated"),
+    Command::new(Call::Show(RESIDUAL, None), "Ballistic limit", "v50 residual velocity perforation recht-ipson lambert-jonas"),
+    Command::new(Call::Show(COMPARISON, None), "Comparison at equal areal mass", "does it pay mass efficiency compare worth absorber"),
+];
+
+/// What the workbench asks of this tab.
+pub(in crate::tui) struct LimitTab;
+
+impl Page for LimitTab {
+    fn about(&self) -> &'static About {
+        &About { name: "Limit", pages: &[], panes: PANES, commands: COMMANDS }
     }
 
     fn enter(&self, app: &mut App) -> Vec<Effect> {
@@ -37,8 +71,8 @@ impl Page for Tab {
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
-            Pane::Residual => app.limit_readout(),
-            Pane::Comparison => note(app.comparison_readout()),
+            RESIDUAL => app.limit_readout(),
+            COMPARISON => note(app.comparison_readout()),
             _ => note(app.efficiency_readout()),
         }
     }
@@ -47,9 +81,8 @@ impl Page for Tab {
         app.limit_status()
     }
 
-    fn running(&self, app: &App) -> Vec<Job> {
-        let running = [&app.limit.finding, &app.limit.comparing];
-        jobs("3:Limit", running.map(|job| job.as_ref().map(|job| job.id)))
+    fn running(&self, app: &App) -> Vec<u64> {
+        [&app.limit.finding, &app.limit.comparing].into_iter().flatten().map(|job| job.id).collect()
     }
 
     fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
@@ -64,13 +97,13 @@ impl Page for Tab {
     fn table(&self, app: &App) -> Option<Table> {
         let stem = ask::base_stem(app);
         let table = match app.pane() {
-            Pane::Residual => {
+            RESIDUAL => {
                 let report = app.limit.report.as_ref().filter(|report| !report.shots.is_empty())?;
                 let text = limit::shots(&app.name_of(&report.scene), report).csv();
                 let file = format!("{}-limit.csv", ask::stem(app, &report.scene));
                 Table::text("Export the shots to CSV", file, text)
             }
-            Pane::Comparison => {
+            COMPARISON => {
                 let (scene, found) = app.limit.comparison.as_ref()?;
                 let text = compare::table(&app.name_of(scene), &found.report).csv();
                 Table::text("Export the comparison to CSV", format!("{stem}-compare.csv"), text)
@@ -82,6 +115,35 @@ impl Page for Tab {
             }
         };
         Some(table)
+    }
+
+    fn rows(&self, app: &App) -> Option<Rows> {
+        match app.pane() {
+            RESIDUAL => {
+                let (count, selected) = (app.limit.shots().len(), app.limit.shot_at());
+                Some(Rows { count, selected, shown: 1 })
+            }
+            COMPARISON => {
+                let area = layout::panes(app, app.layout().body?).comparison?;
+                let shown = usize::from(area.height.saturating_sub(2));
+                let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2))).len();
+                let count = lines.saturating_sub(shown) + 1;
+                Some(Rows { count, selected: app.limit.scrolled.min(count - 1), shown })
+            }
+            _ => None,
+        }
+    }
+
+    fn select(&self, app: &mut App, row: usize) {
+        if app.pane() == RESIDUAL {
+            app.limit.cursor = Some(row);
+        } else {
+            app.limit.scrolled = row;
+        }
+    }
+
+    fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
+        app.limit.map_cursor = Some(cell);
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

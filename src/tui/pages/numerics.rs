@@ -6,73 +6,118 @@ pub mod stability;
 use ratatui::layout::Rect;
 
 use crate::report::stability as stability_table;
+use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::ask;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action as A;
+use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::{Content, Effect};
-use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
+use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::widgets::Canvas;
 use crate::worker::{Report, Slot};
 
-/// What the workbench asks of this tab.
-pub(in crate::tui) struct Tab;
+/// Error against run time.
+pub const ACCURACY: Pane = Pane::of(Tab::Numerics, 0);
+/// The map of stability.
+pub const STABILITY: Pane = Pane::of(Tab::Numerics, 1);
+/// The stiff and extreme scenes.
+pub const STIFF_SCENES: Pane = Pane::of(Tab::Numerics, 2);
 
-impl Page for Tab {
-    fn panes(&self, app: &App) -> &'static [Pane] {
-        if app.pane() == Pane::Accuracy {
-            &[Pane::Accuracy]
-        } else {
-            &[Pane::StabilityMap, Pane::Battery]
+#[rustfmt::skip]
+const PANES: &[PaneSpec] = &[
+    PaneSpec { pane: ACCURACY, label: "Accuracy", has: &[Part::Chart], keys: &[
+        key(A::Down, "method", "select another method"),
+        key(A::Enter, "use", "set the scene's tolerance to what reaches 1e-6 with this method (u undoes)"),
+        key(A::Right, "cursor", "move the cursor in run time"),
+        key(A::ShowHide, "show/hide", "draw this method or leave it out"),
+        key(A::View, "columns", "show the next columns of the table"),
+        key(A::ZoomIn, "zoom", "zoom the run time about the cursor"),
+    ] },
+    PaneSpec { pane: STABILITY, label: "Stability", has: &[], keys: &[
+        key(A::Right, "cursor", "move the cursor: a greater step, another value"),
+        key(A::View, "map", "show the map of another variable (k, n, b) or another method"),
+        key(A::Enter, "load", "load the value under the cursor into the scene (u undoes)"),
+    ] },
+    PaneSpec { pane: STIFF_SCENES, label: "Stiff scenes", has: &[Part::Table], keys: &[
+        key(A::Down, "scene", "select another scene"),
+        key(A::View, "columns", "show the next columns of the table"),
+        key(A::Sort, "sort", "sort the table by the next column"),
+    ] },
+];
+
+#[rustfmt::skip]
+const COMMANDS: &[Command] = &[
+    Command::new(Call::Do(A::Tab(Tab::Numerics)), "Numerics tab", "method solver integrator"),
+    Command::new(Call::Show(ACCURACY, None), "Accuracy", "error run time cost method tolerance convergence order"),
+    Command::new(Call::Show(STABILITY, None), "Stability", "largest stable step fixed step map"),
+    Command::new(Call::Show(STIFF_SCENES, None), "Stiff scenes", "battery extreme cases"),
+    Command::new(Call::In(ACCURACY, A::SlopeGuides), "Toggle reference slopes", "order guides"),
+    Command::new(Call::In(ACCURACY, A::SpreadBars), "Toggle bars of the timings", "spread"),
+];
+
+/// What the workbench asks of this tab.
+pub(in crate::tui) struct NumericsTab;
+
+impl Page for NumericsTab {
+    fn about(&self) -> &'static About {
+        &About {
+            name: "Numerics",
+            pages: &["Accuracy", "Stability"],
+            panes: PANES,
+            commands: COMMANDS,
         }
     }
 
-    fn names(&self) -> &'static [&'static str] {
-        &["Accuracy", "Stability"]
+    fn shown_panes(&self, app: &App) -> Vec<Pane> {
+        if self.shown(app) == 0 { vec![ACCURACY] } else { vec![STABILITY, STIFF_SCENES] }
     }
 
     fn shown(&self, app: &App) -> usize {
-        usize::from(app.pane() != Pane::Accuracy)
+        usize::from(app.pane() != ACCURACY)
     }
 
     fn turn_to(&self, app: &mut App, page: usize) -> Vec<Effect> {
-        app.focus_on(if page == 0 { Pane::Accuracy } else { Pane::StabilityMap });
+        app.focus_on(if page == 0 { ACCURACY } else { STABILITY });
         self.enter(app)
     }
 
     fn enter(&self, app: &mut App) -> Vec<Effect> {
         match app.pane() {
-            Pane::Accuracy => accuracy::keys::enter(app),
+            ACCURACY => accuracy::keys::enter(app),
             _ => stability::keys::enter(app),
         }
     }
 
+    fn focused(&self, app: &mut App) -> Vec<Effect> {
+        self.enter(app)
+    }
+
     fn act(&self, app: &mut App, action: Action) -> Option<Vec<Effect>> {
         match app.pane() {
-            Pane::Accuracy => accuracy::keys::act(app, action),
+            ACCURACY => accuracy::keys::act(app, action),
             _ => stability::keys::act(app, action),
         }
     }
 
     fn readout(&self, app: &App, _room: usize) -> Option<(Severity, String)> {
         match app.pane() {
-            Pane::Accuracy => note(app.accuracy_readout()),
-            Pane::StabilityMap => note(app.map_readout()),
+            ACCURACY => note(app.accuracy_readout()),
+            STABILITY => note(app.map_readout()),
             _ => app.battery_readout(),
         }
     }
 
     fn status(&self, app: &App) -> Vec<StatusPart> {
         match app.pane() {
-            Pane::Accuracy => app.accuracy_status(),
+            ACCURACY => app.accuracy_status(),
             _ => app.stability_status(),
         }
     }
 
-    fn running(&self, app: &App) -> Vec<Job> {
-        let stability = &app.stability;
-        let running = [&app.accuracy.measuring, &stability.mapping, &stability.running];
-        jobs("5:Numerics", running.map(|job| job.as_ref().map(|job| job.id)))
+    fn running(&self, app: &App) -> Vec<u64> {
+        let running = [&app.accuracy.measuring, &app.stability.mapping, &app.stability.running];
+        running.into_iter().flatten().map(|job| job.id).collect()
     }
 
     fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
@@ -86,7 +131,7 @@ impl Page for Tab {
 
     fn table(&self, app: &App) -> Option<Table> {
         Some(match app.pane() {
-            Pane::Accuracy => {
+            ACCURACY => {
                 let report = app.accuracy.report.as_ref()?;
                 let found = Box::new((app.name_of(&report.scene), (**report).clone()));
                 Table {
@@ -95,7 +140,7 @@ impl Page for Tab {
                     content: Content::Accuracy(found),
                 }
             }
-            Pane::Battery => {
+            STIFF_SCENES => {
                 let rows = app.stability.rows();
                 let text = (!rows.is_empty()).then(|| stability_table::table(rows).csv())?;
                 Table::text("Export the stiff scenes to CSV", "battery.csv".to_owned(), text)
@@ -109,10 +154,52 @@ impl Page for Tab {
         })
     }
 
+    fn rows(&self, app: &App) -> Option<Rows> {
+        match app.pane() {
+            ACCURACY => {
+                let (count, selected) = (Method::ALL.len(), app.accuracy.selected_row());
+                Some(Rows { count, selected, shown: 8 })
+            }
+            STIFF_SCENES => {
+                let (count, selected) = (app.stability.rows().len(), app.stability.selected);
+                Some(Rows { count, selected, shown: app.list_rows() })
+            }
+            _ => None,
+        }
+    }
+
+    fn select(&self, app: &mut App, row: usize) {
+        if app.pane() == ACCURACY {
+            app.accuracy.selected = Some(row);
+        } else {
+            app.stability.selected = row;
+        }
+    }
+
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        match app.pane() {
+            ACCURACY => Some(Method::ALL.get(row)?.name().to_owned()),
+            STIFF_SCENES => Some(app.stability.sorted().get(row)?.case.name.to_string()),
+            _ => None,
+        }
+    }
+
+    fn second_click(&self, app: &App) -> Action {
+        if app.pane() == ACCURACY { Action::ShowHide } else { Action::Enter }
+    }
+
+    fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
+        app.stability.cursor = Some(cell);
+    }
+
+    fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {
+        app.accuracy.place_cursor(value);
+    }
+
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {
         match app.pane() {
-            Pane::Accuracy => accuracy::draw::render(app, body, canvas),
-            Pane::StabilityMap => stability::draw::map(app, body, canvas),
+            ACCURACY => accuracy::draw::render(app, body, canvas),
+            STABILITY => stability::draw::map(app, body, canvas),
             _ => stability::draw::battery(app, body, canvas),
         }
     }

@@ -7,17 +7,17 @@ pub mod lines;
 pub mod setup;
 pub mod state;
 
-use crossterm::event::KeyEvent;
 use ratatui::layout::Rect;
 
 use crate::tui::app::App;
 use crate::tui::app::layout::{NARROW, setup_width, split_left};
 use crate::tui::app::notice::Severity;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action as A;
+use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
-use crate::tui::pages::{Job, Page, StatusPart, Table, jobs, note};
+use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::input::TextField;
+use crate::worker::Report;
 
 /// Columns of a search's setup there: its longest row, `stroke at most 1.000 m`, and a frame.
 const SEARCH_SETUP: u16 = 30;
@@ -25,26 +25,57 @@ const SEARCH_SETUP: u16 = 30;
 /// Where setup and findings stand; where there is no room for both, the one that has the keys has more of it, or all.
 pub(in crate::tui) fn panes(app: &App, body: Rect) -> (Rect, Rect) {
     let width = match (app.is_full(), app.pane()) {
-        (false, Pane::SearchSetup) if body.width < NARROW => SEARCH_SETUP,
+        (false, SETUP) if body.width < NARROW => SEARCH_SETUP,
         (false, _) if body.width < NARROW => 0,
         (false, _) => setup_width(body.width),
-        (true, Pane::SearchSetup) => body.width,
+        (true, SETUP) => body.width,
         (true, _) => 0,
     };
     split_left(body, width)
 }
-use crate::worker::Report;
+/// What is looked for.
+pub const SETUP: Pane = Pane::of(Tab::Search, 0);
+/// What was found.
+pub const RESULTS: Pane = Pane::of(Tab::Search, 1);
+
+#[rustfmt::skip]
+const PANES: &[PaneSpec] = &[
+    PaneSpec { pane: SETUP, label: "Search setup", has: &[Part::Form], keys: &[
+        key(A::Enter, "type", "type a variable, bounds (0.8..7, 1e3..1e6:log, off), a goal or a quantity"),
+        key(A::Right, "change", "take the next value, or switch on and off"),
+        key(A::Run, "search", "search with this setup"),
+        key(A::Down, "move", "move to another row"),
+        key(A::Find, "find", "find a row of the setup"),
+    ] },
+    PaneSpec { pane: RESULTS, label: "Search results", has: &[Part::Chart, Part::Table], keys: &[
+        key(A::Down, "move", "move to the next design or solution"),
+        key(A::Enter, "load", "load this design into the scene (u undoes)"),
+        key(A::Mark, "pin", "pin this design"),
+        key(A::Sort, "sort", "sort the table by the next column"),
+        key(A::View, "axes", "show the next pair of objectives in the chart"),
+    ] },
+];
+
+#[rustfmt::skip]
+const COMMANDS: &[Command] = &[
+    Command::new(Call::Do(A::Tab(Tab::Search)), "Search tab", "find a design"),
+    Command::new(Call::Show(RESULTS, Some(0)), "Goal seek", "seek target solve inverse root"),
+    Command::new(Call::Show(RESULTS, Some(1)), "Pareto front", "optimise optimize best designs knee trade-off"),
+    Command::new(Call::Show(RESULTS, Some(2)), "Sensitivity", "sobol morris importance ranking"),
+    Command::new(Call::Show(RESULTS, Some(3)), "Monte Carlo", "uncertainty scatter spread distribution histogram"),
+];
 
 /// What the workbench asks of this tab.
-pub(in crate::tui) struct Tab;
+pub(in crate::tui) struct SearchTab;
 
-impl Page for Tab {
-    fn panes(&self, _app: &App) -> &'static [Pane] {
-        &[Pane::SearchSetup, Pane::Search]
-    }
-
-    fn names(&self) -> &'static [&'static str] {
-        &["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"]
+impl Page for SearchTab {
+    fn about(&self) -> &'static About {
+        &About {
+            name: "Search",
+            pages: &["Goal seek", "Pareto front", "Sensitivity", "Monte Carlo"],
+            panes: PANES,
+            commands: COMMANDS,
+        }
     }
 
     fn shown(&self, app: &App) -> usize {
@@ -71,8 +102,8 @@ impl Page for Tab {
         app.search_status()
     }
 
-    fn running(&self, app: &App) -> Vec<Job> {
-        jobs("4:Search", [app.searching.running.as_ref().map(|job| job.id)])
+    fn running(&self, app: &App) -> Vec<u64> {
+        app.searching.running.iter().map(|job| job.id).collect()
     }
 
     fn report(&self, app: &mut App, report: Report) -> Vec<Effect> {
@@ -85,18 +116,55 @@ impl Page for Tab {
         Some(Table::text("Export the results to CSV", file, app.search_csv()?))
     }
 
-    fn field<'a>(&self, app: &'a App) -> Option<&'a TextField> {
-        let field = app.searching.field.as_ref().filter(|_| app.pane() == Pane::SearchSetup);
-        field.map(|field| &field.text)
+    fn is_idle(&self, app: &App, action: Action) -> bool {
+        let on_rows = matches!(action, Action::Down | Action::Enter | Action::Mark | Action::Sort);
+        let is_front = app.searching.page == state::Page::Front;
+        let idle =
+            (on_rows && app.searching.choices() == 0) || (action == Action::View && !is_front);
+        app.pane() == RESULTS && idle
     }
 
-    fn field_mut<'a>(&self, app: &'a mut App) -> Option<&'a mut TextField> {
-        let has_keys = app.pane() == Pane::SearchSetup;
-        app.searching.field.as_mut().filter(|_| has_keys).map(|field| &mut field.text)
+    fn rows(&self, app: &App) -> Option<Rows> {
+        let (tab, shown) = (&app.searching, app.list_rows());
+        let (count, selected) = match (app.pane(), tab.choices()) {
+            (SETUP, _) => {
+                let (rows, row) = (app.search_choices(), app.search_row());
+                (rows.len(), rows.iter().position(|one| *one == row).unwrap_or(0))
+            }
+            (_, 0) => (keys::hidden_lines(app) + 1, tab.scrolled()),
+            (_, choices) => (choices, tab.selected()),
+        };
+        Some(Rows { count, selected, shown })
     }
 
-    fn press(&self, app: &mut App, key: KeyEvent) -> Vec<Effect> {
-        keys::press(app, key)
+    fn select(&self, app: &mut App, row: usize) {
+        match app.pane() {
+            SETUP => app.searching.row = app.search_choices()[row],
+            _ => app.searching.select(row),
+        }
+    }
+
+    fn row_name(&self, app: &App, row: usize) -> Option<String> {
+        let row = *app.search_choices().get(row)?;
+        (app.pane() == SETUP).then(|| app.search_shown(row).0)
+    }
+
+    fn text(&self, app: &App, row: usize) -> String {
+        let row = app.search_choices().get(row).copied();
+        row.map_or_else(String::new, |row| app.search_text(row))
+    }
+
+    fn is_new(&self, app: &App, row: usize, text: &str) -> bool {
+        // The bounds of a held variable are a proposal: typed again they are taken.
+        text != self.text(app, row) || matches!(app.search_row(), state::Row::Bound(_))
+    }
+
+    fn after_enter(&self) -> Option<Action> {
+        None
+    }
+
+    fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<Vec<Effect>, String> {
+        keys::take(app, text)
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -1,12 +1,12 @@
 //! One action: the page that is shown comes first, then what the action means anywhere.
 
+use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::{App, Tab};
 use crate::tui::dialogs::{List, ask, export, options};
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::{Action, Pane, Part};
 use crate::tui::message::Effect;
-use crate::tui::pages;
 use crate::tui::pages::run::runs;
+use crate::tui::pages::{self, Tab};
 use crate::tui::update::{edit, find};
 
 /// Do it, in the pane that has the keys.
@@ -14,20 +14,35 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
     if !matches!(action, Action::Quit | Action::QuitWithSummary | Action::Cancel) {
         app.jobs.asked_to_quit = false;
     }
-    if !steps(app.pane(), action) {
+    if !steps(app, action) {
         app.history.commit();
         app.editor.stride = None;
     }
-    if let Some(effects) = pages::of(app.tab).act(app, action) {
+    let page = pages::of(app.tab);
+    if let Some(effects) = page.act(app, action) {
         return effects;
+    }
+    if let Some(rows) = page.rows(app)
+        && let Some(by) = rows_moved(action, rows.shown)
+    {
+        move_by(app, by);
+        return Vec::new();
     }
     anywhere(app, action)
 }
 
+/// Move the selection of the pane by rows, stopping at the ends.
+pub(in crate::tui) fn move_by(app: &mut App, by: isize) {
+    let page = pages::of(app.tab);
+    if let Some(rows) = page.rows(app)
+        && let Some(last) = rows.count.checked_sub(1)
+    {
+        page.select(app, rows.selected.min(last).saturating_add_signed(by).min(last));
+    }
+}
+
 /// Whether an action steps the value of a row: such steps join into one edit.
-fn steps(pane: Pane, action: Action) -> bool {
-    let form =
-        matches!(pane, Pane::Variables | Pane::ExploreSetup | Pane::SearchSetup | Pane::Screening);
+fn steps(app: &App, action: Action) -> bool {
     let step = matches!(
         action,
         Action::Left
@@ -37,7 +52,7 @@ fn steps(pane: Pane, action: Action) -> bool {
             | Action::FineLess
             | Action::FineMore
     );
-    form && step
+    step && pages::spec(app.pane()).has.contains(&Part::Form)
 }
 
 /// By how many rows an action moves in a list that shows so many at once; `None` for other actions.
@@ -74,13 +89,8 @@ pub(in crate::tui) fn cursor_moved(action: Action, far: isize) -> Option<(isize,
 /// What an action does where the page has no meaning of its own for it.
 fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
     use Action as A;
-    if let Some(tab) = tab_of(action) {
-        return go_to(app, tab);
-    }
-    if let Some(effects) = page_of(app, action) {
-        return effects;
-    }
     match action {
+        A::Tab(tab) => return go_to(app, tab),
         A::FocusNext => return focus(app, true),
         A::FocusPrevious => return focus(app, false),
         A::TabNext | A::TabPrevious => return beside(app, action == A::TabNext),
@@ -94,7 +104,7 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
         A::Options => app.dialog = Some(List::Options.at(0)),
         A::Presets => {
             app.dialog = Some(List::Presets.at(0));
-            return vec![Effect::ListPresets];
+            return vec![app.list_presets()];
         }
         A::Save => return ask::save(app),
         A::Export if of_runs(app.tab) => export::open(app),
@@ -102,9 +112,7 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
         A::Copy if of_runs(app.tab) => return runs::keys::copy(app),
         A::Copy => return ask::copy(app),
         A::Models => return runs::keys::models(app),
-        A::Interface | A::AutoRun | A::Glyphs | A::Theme | A::Mouse => {
-            return options::switch(app, action);
-        }
+        A::Switch(option) => return options::switch(app, option),
         A::Cancel | A::Back | A::Quit | A::QuitWithSummary => return leave(app, action),
         A::FullPane => {
             let at = app.tab.index();
@@ -120,23 +128,11 @@ fn anywhere(app: &mut App, action: Action) -> Vec<Effect> {
     Vec::new()
 }
 
-fn tab_of(action: Action) -> Option<Tab> {
-    Some(match action {
-        Action::TabRun => Tab::Run,
-        Action::TabExplore => Tab::Explore,
-        Action::TabLimit => Tab::Limit,
-        Action::TabSearch => Tab::Search,
-        Action::TabNumerics => Tab::Numerics,
-        Action::TabThesis => Tab::Thesis,
-        Action::TabLog => Tab::Log,
-        _ => return None,
-    })
-}
-
 /// Show a tab; one that is shown already shows its next page.
 pub(in crate::tui) fn go_to(app: &mut App, tab: Tab) -> Vec<Effect> {
     if app.tab != tab {
         app.tab = tab;
+        app.field = None;
         app.log_scroll = 0;
         return pages::of(tab).enter(app);
     }
@@ -146,7 +142,7 @@ pub(in crate::tui) fn go_to(app: &mut App, tab: Tab) -> Vec<Effect> {
 /// The next or previous page of the tab, in a circle; nothing where it has one.
 fn next_page(app: &mut App, forward: bool) -> Vec<Effect> {
     let page = pages::of(app.tab);
-    let count = page.names().len();
+    let count = page.about().pages.len();
     if count < 2 {
         return Vec::new();
     }
@@ -162,37 +158,22 @@ fn beside(app: &mut App, forward: bool) -> Vec<Effect> {
     go_to(app, Tab::ALL[(app.tab.index() + step) % count])
 }
 
-/// The page an action names, shown with the keys in its results.
-fn page_of(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    let (pane, page) = match action {
-        Action::PageGoalSeek => (Pane::Search, Some(0)),
-        Action::PageFront => (Pane::Search, Some(1)),
-        Action::PageSensitivity => (Pane::Search, Some(2)),
-        Action::PageMonteCarlo => (Pane::Search, Some(3)),
-        Action::PageComparison => (Pane::Comparison, None),
-        Action::PageResidual => (Pane::Residual, None),
-        Action::PageAccuracy => (Pane::Accuracy, None),
-        Action::PageStability => (Pane::StabilityMap, None),
-        Action::PageBattery => (Pane::Battery, None),
-        Action::PageClaims => (Pane::Claims, None),
-        Action::PagePrinciples => (Pane::Principles, None),
-        Action::PageScreening => (Pane::Screening, None),
-        _ => return None,
-    };
+/// Show a pane, with a page of its tab where one is named.
+pub(in crate::tui) fn show(app: &mut App, pane: Pane, page: Option<usize>) -> Vec<Effect> {
     app.focus_on(pane);
-    let page_of = pages::of(app.tab);
-    Some(match page {
-        Some(page) => page_of.turn_to(app, page),
-        None => page_of.enter(app),
-    })
+    let of_tab = pages::of(app.tab);
+    match page {
+        Some(page) => of_tab.turn_to(app, page),
+        None => of_tab.enter(app),
+    }
 }
 
 /// The next pane of the page; the next page where the page has one pane.
 fn focus(app: &mut App, forward: bool) -> Vec<Effect> {
     let page = pages::of(app.tab);
-    let panes = page.panes(app);
+    let panes = page.shown_panes(app);
     if panes.len() < 2 {
-        if page.names().len() < 2 {
+        if page.about().pages.len() < 2 {
             app.say(Severity::Note, "this tab has one pane; } and { change tabs");
         }
         return next_page(app, forward);
@@ -200,19 +181,18 @@ fn focus(app: &mut App, forward: bool) -> Vec<Effect> {
     let at = panes.iter().position(|pane| *pane == app.pane()).unwrap_or(0);
     let step = if forward { 1 } else { panes.len() - 1 };
     app.focus_on(panes[(at + step) % panes.len()]);
-    // Only the panes of stability have results of their own each.
-    if app.tab == Tab::Numerics { pages::of(app.tab).enter(app) } else { Vec::new() }
+    page.focused(app)
 }
 
 /// Whether anything under way has been so for so long that leaving it asks twice.
 fn is_long(app: &App) -> bool {
-    pages::all_jobs(app).any(|(_, job)| app.jobs.long.contains(&job.id))
+    pages::all_jobs(app).any(|(_, job)| app.jobs.long.contains(&job))
 }
 
 fn leave(app: &mut App, action: Action) -> Vec<Effect> {
     let is_quit = matches!(action, Action::Quit | Action::QuitWithSummary);
     let own = pages::of(app.tab).running(app);
-    let jobs: Vec<pages::Job> = match action {
+    let jobs: Vec<u64> = match action {
         Action::Cancel if own.is_empty() => {
             pages::all_jobs(app).take(1).map(|(_, job)| job).collect()
         }
@@ -220,7 +200,7 @@ fn leave(app: &mut App, action: Action) -> Vec<Effect> {
         _ => Vec::new(),
     };
     if !jobs.is_empty() {
-        return jobs.into_iter().map(|job| Effect::Cancel(job.id)).collect();
+        return jobs.into_iter().map(Effect::Cancel).collect();
     }
     if action == Action::Back {
         back(app);
@@ -253,11 +233,11 @@ fn back(app: &mut App) {
     if app.full_pane[at] {
         app.full_pane[at] = false;
     } else if !find::clear(app) {
-        let elsewhere = pages::all_jobs(app).map(|(_, job)| job).next();
+        let elsewhere = pages::all_jobs(app).map(|(tab, _)| tab).next();
         let kept = if app.session_lost { "is not kept" } else { "is kept" };
         let text = elsewhere.map_or_else(
             || format!("nothing to close: q quits (the session {kept})"),
-            |job| format!("nothing to stop here: Esc in {} stops its job", job.label),
+            |tab| format!("nothing to stop here: Esc in {} stops its job", tab.title()),
         );
         app.say(Severity::Note, text);
     }

@@ -20,6 +20,7 @@ pub(in crate::tui) fn done(app: &mut App, report: EffectReport) -> Vec<Effect> {
         EffectReport::Exported(outcome) => exported(app, outcome),
         EffectReport::Presets(list) => app.presets = list,
         EffectReport::Loaded(Ok((name, scene))) => {
+            app.note_recent(Path::new(&name));
             let base = Base { name, origin: Origin::Other, scene: Arc::new(*scene) };
             return edit::load(app, base);
         }
@@ -55,7 +56,7 @@ fn saved(app: &mut App, name: String, path: &Path) -> Vec<Effect> {
     }
     app.say(Severity::Note, format!("saved `{name}` as {}", path.display()));
     app.base = Base { name, origin: Origin::Mine, scene: Arc::clone(&app.scene) };
-    vec![Effect::ListPresets, Effect::SaveSession]
+    vec![app.list_presets(), Effect::SaveSession]
 }
 
 fn exported(app: &mut App, outcome: ExportOutcome) {

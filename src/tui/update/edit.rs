@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::model::run::envelope;
 use crate::model::scene::Scene;
+use crate::model::units::Bare;
 use crate::model::variables::{self, Kind, Number, VARIABLES, Value, Variable};
 use crate::tui::app::history::{Edit, Setting, Snapshot};
 use crate::tui::app::notice::Severity;
@@ -60,6 +61,19 @@ pub(in crate::tui) fn set(
         app.say(Severity::Warning, warning);
     }
     Ok(effects)
+}
+
+/// Set a variable to what was typed: a value with its unit, a fraction, or a change of the old value.
+///
+/// # Errors
+/// As [`set`], and where the text is no value.
+pub(in crate::tui) fn type_value(
+    app: &mut App,
+    index: usize,
+    text: &str,
+) -> Result<Vec<Effect>, String> {
+    let value = VARIABLES[index].parse(&app.scene, text, Bare::Stored);
+    set(app, index, value.map_err(|error| error.to_string())?, None)
 }
 
 /// Make another scene the current one, as one edit.

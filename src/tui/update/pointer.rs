@@ -3,9 +3,8 @@
 
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action;
 use crate::tui::message::{Effect, Target};
-use crate::tui::pages::explore;
 use crate::tui::update::act;
 use crate::tui::{dialogs, pages};
 
@@ -23,94 +22,26 @@ pub(in crate::tui) fn click(app: &mut App, target: Target) -> Vec<Effect> {
     match target {
         Target::Tab(tab) => return act::go_to(app, tab),
         Target::Page(page) => return pages::of(app.tab).turn_to(app, page),
-        Target::Variable(index) => {
-            if app.pane() == Pane::Variables && app.editor.selected == index {
-                return act::act(app, Action::Enter);
-            }
-            app.focus_on(Pane::Variables);
-            app.editor.selected = index;
-        }
-        Target::Time { chart, t_s } => {
-            app.focus_on(Pane::Charts);
-            app.charts.selected = chart;
-            app.charts.cursor_s = Some(t_s);
-        }
-        Target::Run(run) => return choose_run(app, run),
-        Target::Event(event) => {
-            app.focus_on(Pane::Charts);
-            app.place_at_event(event);
-        }
         Target::Pane(pane) => app.focus_on(pane),
-        Target::Setup(_) | Target::SearchSetup(_) => return in_form(app, target),
-        Target::Point(point) => {
-            app.focus_on(Pane::Explore);
-            explore::keys::jump(app, point);
-        }
-        Target::RunTime(run_time_s) => app.accuracy.place_cursor(run_time_s),
-        Target::Method(method) => {
-            if app.accuracy.selected == Some(method) {
-                return act::act(app, Action::ShowHide);
+        Target::Row(pane, row) => {
+            let had_keys = app.pane() == pane;
+            app.focus_on(pane);
+            let page = pages::of(app.tab);
+            if had_keys && page.rows(app).is_some_and(|rows| rows.selected == row) {
+                return act::act(app, page.second_click(app));
             }
-            app.accuracy.selected = Some(method);
+            page.select(app, row);
         }
-        Target::Cell(row, column) => app.stability.cursor = Some((row, column)),
-        Target::Row(row) => return pick(app, row),
-        Target::Shot(shot) => {
-            app.focus_on(Pane::Residual);
-            app.limit.cursor = Some(shot);
+        Target::Cell(pane, cell) => {
+            app.focus_on(pane);
+            pages::of(app.tab).go_to_cell(app, cell);
         }
-        Target::Efficiency(x, y) => {
-            app.focus_on(Pane::EfficiencyMap);
-            app.limit.map_cursor = Some((x, y));
-        }
-        Target::Design(design) => {
-            let again = app.pane() == Pane::Search && app.searching.selected() == design;
-            app.focus_on(Pane::Search);
-            if again {
-                return act::act(app, Action::Enter);
-            }
-            app.searching.select(design);
+        Target::Value { pane, chart, value } => {
+            app.focus_on(pane);
+            pages::of(app.tab).go_to_value(app, chart, value);
         }
         // Without a dialog there is nothing of the kind.
         Target::DialogRow(_) | Target::Beside => {}
-    }
-    Vec::new()
-}
-
-/// A row of a form: selected, and opened where it was selected already.
-fn in_form(app: &mut App, target: Target) -> Vec<Effect> {
-    let before = (app.pane(), app.sweeping.row, app.searching.row);
-    match target {
-        Target::Setup(row) => {
-            app.focus_on(Pane::ExploreSetup);
-            app.sweeping.row = row;
-        }
-        Target::SearchSetup(row) => {
-            app.focus_on(Pane::SearchSetup);
-            app.searching.row = row;
-        }
-        _ => {}
-    }
-    let again = before == (app.pane(), app.sweeping.row, app.searching.row);
-    if again { act::act(app, Action::Enter) } else { Vec::new() }
-}
-
-/// A row of the table of runs: selected, and loaded where it was selected already.
-fn choose_run(app: &mut App, run: usize) -> Vec<Effect> {
-    if app.pane() == Pane::Runs && app.selected_run == run {
-        return act::act(app, Action::Enter);
-    }
-    app.focus_on(Pane::Runs);
-    app.selected_run = run;
-    Vec::new()
-}
-
-/// A row of the list that the tab shows: selected, and opened where it was selected already.
-fn pick(app: &mut App, row: usize) -> Vec<Effect> {
-    if app.pane() == Pane::Battery {
-        app.stability.selected = row;
-    } else if app.pick_in_thesis(row) {
-        return act::act(app, Action::Enter);
     }
     Vec::new()
 }
@@ -121,35 +52,25 @@ pub(in crate::tui) fn wheel(app: &mut App, up: bool, target: Option<Target>) -> 
         return Vec::new();
     }
     match target {
-        Some(Target::Time { chart, t_s }) => {
-            app.focus_on(Pane::Charts);
-            app.charts.selected = chart;
-            app.charts.cursor_s = Some(t_s);
+        Some(Target::Value { pane, chart, value }) => {
+            app.focus_on(pane);
+            pages::of(app.tab).go_to_value(app, chart, value);
             return act::act(app, if up { Action::ZoomIn } else { Action::ZoomOut });
         }
-        Some(Target::Variable(_)) => app.focus_on(Pane::Variables),
-        Some(Target::Setup(_)) => app.focus_on(Pane::ExploreSetup),
-        Some(Target::SearchSetup(_)) => app.focus_on(Pane::SearchSetup),
-        Some(Target::Run(_)) => app.focus_on(Pane::Runs),
-        Some(Target::Pane(pane)) => app.focus_on(pane),
-        Some(Target::Design(_)) => app.focus_on(Pane::Search),
-        Some(Target::Point(_)) => app.focus_on(Pane::Explore),
-        Some(Target::RunTime(run_time_s)) => {
-            app.accuracy.place_cursor(run_time_s);
-            return act::act(app, if up { Action::ZoomIn } else { Action::ZoomOut });
+        Some(Target::Row(pane, _) | Target::Cell(pane, _) | Target::Pane(pane)) => {
+            app.focus_on(pane);
         }
         Some(_) | None => {}
     }
-    let action = match (app.pane(), up) {
-        (Pane::Residual, true) => Action::Left,
-        (Pane::Residual, false) => Action::Right,
-        (_, true) => Action::Up,
-        (_, false) => Action::Down,
-    };
-    act::act(app, action)
+    if pages::of(app.tab).rows(app).is_some() {
+        app.history.commit();
+        act::move_by(app, if up { -1 } else { 1 });
+        return Vec::new();
+    }
+    act::act(app, if up { Action::Up } else { Action::Down })
 }
 
 /// Whether a text is being typed: no click may take it away.
 fn is_typing(app: &App) -> bool {
-    app.is_typing() || app.find.field.is_some()
+    app.field.is_some() || app.find.field.is_some()
 }

@@ -5,9 +5,8 @@ use ratatui::text::{Line, Span};
 
 use crate::tui::app::App;
 use crate::tui::dialogs::{Dialog, List, Purpose};
-use crate::tui::keymap::{Action, PANE_KEYS, Pane};
-use crate::tui::pages::explore::state::{Picture, SetupRow, has_family};
-use crate::tui::pages::search::state::Page;
+use crate::tui::keymap::Action;
+use crate::tui::pages;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::input::TextField;
@@ -42,11 +41,11 @@ pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// The field of `/`, and what ends it.
 fn find(app: &App, field: &TextField, area: Rect, canvas: &mut Canvas<'_>) {
-    let lead = format!("/ find in {}: ", app.pane().label());
+    let lead = format!("/ find in {}: ", pages::spec(app.pane()).label);
     let start = put(canvas, area, (1, 0), &lead, app.theme.style(Role::Key));
     let hint = "Enter keep  Esc all";
     let room = area.width.saturating_sub(start + columns(hint) + 2);
-    field.draw(canvas, (area, 0), (start, room), app.theme);
+    field.draw(canvas, Rect { x: area.x + start, width: room, ..area }, app.theme);
     let hint_at = area.width.saturating_sub(columns(hint) + 1);
     put(canvas, area, (hint_at, 0), hint, app.theme.style(Role::Dim));
 }
@@ -63,18 +62,11 @@ const WORD: Keys = &[("Enter", "ok"), ("Esc", "old value"), ("Up/Down", "ok and 
 
 /// While something is open that takes characters, or a dialog.
 fn special(app: &App) -> Option<Keys> {
-    match &app.dialog {
-        Some(dialog) => Some(in_dialog(dialog)),
-        None if !app.is_typing() => None,
-        None if app.pane() == Pane::Variables => Some(QUANTITY),
-        None if app.pane() == Pane::ExploreSetup => {
-            let row = app.sweeping.field.as_ref().map(|field| field.row);
-            let has_unit =
-                matches!(row, Some(SetupRow::From(_) | SetupRow::To(_) | SetupRow::Held(_)));
-            Some(if has_unit { QUANTITY } else { WORD })
-        }
-        None => Some(WORD),
+    if let Some(dialog) = &app.dialog {
+        return Some(in_dialog(dialog));
     }
+    let takes_unit = pages::of(app.tab).takes_unit(app);
+    app.field.is_some().then_some(if takes_unit { QUANTITY } else { WORD })
 }
 
 fn in_dialog(dialog: &Dialog) -> Keys {
@@ -139,7 +131,9 @@ fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
     }
     let size = |entry: &(String, String)| columns(&entry.0) + columns(&entry.1) + 3;
     let room = width.saturating_sub(last.iter().map(size).sum::<u16>());
-    let own = PANE_KEYS.iter().filter(|row| row.pane == app.pane() && !is_idle(app, row.action));
+    let page = pages::of(app.tab);
+    let own = pages::spec(app.pane()).keys.iter();
+    let own = own.filter(|row| !row.short.is_empty() && !page.is_idle(app, row.action));
     let own = own.map(|row| (pair(app, row.action), row.short.to_owned()));
     let common = [
         (Action::FocusNext, "pane"),
@@ -160,18 +154,6 @@ fn from_table(app: &App, width: u16) -> Vec<(String, String)> {
     }
     shown.extend(last);
     shown
-}
-
-/// Whether it has nothing to act on as things are.
-fn is_idle(app: &App, action: Action) -> bool {
-    match (app.pane(), action) {
-        (Pane::Search, Action::Down | Action::Enter | Action::Mark | Action::Sort) => {
-            app.searching.choices() == 0
-        }
-        (Pane::Search, Action::View) => app.searching.page != Page::Front,
-        (Pane::Explore, Action::Down) => app.picture() == Picture::Line && !has_family(&app.scene),
-        (_, _) => false,
-    }
 }
 
 /// The key to show, with its opposite where there is one: `h/l`.

@@ -4,12 +4,13 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Widget};
 
+use crate::tui::app::App;
 use crate::tui::app::layout::SMALLEST;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
-use crate::tui::app::{App, Tab};
 use crate::tui::message::Target;
 use crate::tui::pages;
+use crate::tui::pages::Tab;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::text::{columns, put, put_line};
@@ -75,7 +76,7 @@ fn lead(width: u16) -> u16 {
 fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
     let title = |tab: Tab| {
         let title = tab.title();
-        if tab == app.tab { format!("[{title}]") } else { title.to_owned() }
+        if tab == app.tab { format!("[{title}]") } else { title }
     };
     (width >= ROOMY, Tab::ALL.into_iter().map(title).collect())
 }
@@ -84,7 +85,7 @@ fn tabs(app: &App, width: u16) -> (bool, Vec<String>) {
 pub(in crate::tui) fn pages(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let mut column = 1;
     let page = pages::of(app.tab);
-    for (at, name) in page.names().iter().enumerate() {
+    for (at, name) in page.about().pages.iter().enumerate() {
         let is_shown = at == page.shown(app);
         let text = if is_shown { format!("[{name}]") } else { (*name).to_owned() };
         let role = if is_shown { Role::Selection } else { Role::Text };

@@ -69,22 +69,16 @@ impl TextField {
         }
     }
 
-    /// Draw the text from a column of a row on, and the cursor in it.
-    pub(in crate::tui) fn draw(
-        &self,
-        canvas: &mut Canvas<'_>,
-        (area, row): (Rect, u16),
-        (start, room): (u16, u16),
-        theme: Theme,
-    ) {
-        let (shown, at) = window(&self.input, room);
+    /// Draw the text into a row, and the cursor in it.
+    pub(in crate::tui) fn draw(&self, canvas: &mut Canvas<'_>, area: Rect, theme: Theme) {
+        let (shown, at) = window(&self.input, area.width);
         let role = match (self.error.is_some(), self.all_selected) {
             (true, _) => Role::Error,
             (false, true) => Role::Selection,
             (false, false) => Role::Text,
         };
-        put(canvas, area, (start, row), &shown, theme.style(role));
-        canvas.cursor = Some((area.x + start + at, area.y + row));
+        put(canvas, area, (0, 0), &shown, theme.style(role));
+        canvas.cursor = Some((area.x + at, area.y));
     }
 }
 
@@ -112,71 +106,44 @@ fn request(key: KeyEvent) -> Option<InputRequest> {
     }
 }
 
-/// The field of a row of a form.
+/// The field of a row of a list or a form.
 #[derive(Clone, Debug)]
-pub struct Field<R> {
+pub struct Field {
     /// The row.
-    pub row: R,
+    pub row: usize,
     /// Its text.
     pub text: TextField,
 }
 
-/// What a key in the field of a row asks for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Typed {
-    /// Nothing more.
-    Nothing,
-    /// Leave the old value.
-    Close,
-    /// Take the text, then move the selection by so many rows.
-    Commit(isize),
-    /// Take the text, then go to the next pane or the previous one.
-    Leave(bool),
-}
-
-impl<R> Field<R> {
+impl Field {
     /// The field of a row, its old text selected.
-    pub fn new(row: R, text: impl Into<String>) -> Self {
+    pub fn new(row: usize, text: impl Into<String>) -> Self {
         Self { row, text: TextField::selected(text) }
     }
 
-    /// Put a key into the field; `enter`: by how many rows Enter moves the selection.
-    pub fn typed(&mut self, key: KeyEvent, enter: isize) -> Typed {
-        match key.code {
-            KeyCode::Esc => Typed::Close,
-            KeyCode::Enter => Typed::Commit(enter),
-            KeyCode::Down => Typed::Commit(1),
-            KeyCode::Up => Typed::Commit(-1),
-            KeyCode::Tab => Typed::Leave(true),
-            KeyCode::BackTab => Typed::Leave(false),
-            _ => {
-                self.press(key);
-                Typed::Nothing
-            }
-        }
-    }
-
-    /// Draw the field over its row as `[ 1.25_  ]`, from a column on.
+    /// Draw the field over its row as `[ 1.25_  ]`, from a column on, with room for so many characters.
     pub(in crate::tui) fn draw_boxed(
         &self,
         canvas: &mut Canvas<'_>,
-        (area, row): (Rect, u16),
-        (start, room): (u16, u16),
+        row: Rect,
+        start: u16,
+        room: u16,
         theme: Theme,
     ) {
         let bracket = theme.style(Role::Focus);
         let blank = " ".repeat(usize::from(room));
-        put(canvas, area, (start, row), &blank, theme.style(Role::Text));
-        put(canvas, area, (start - 1, row), "[", bracket);
-        self.draw(canvas, (area, row), (start, room), theme);
-        put(canvas, area, (start + room, row), "]", bracket);
+        put(canvas, row, (start, 0), &blank, theme.style(Role::Text));
+        put(canvas, row, (start - 1, 0), "[", bracket);
+        let area = Rect { x: row.x + start, width: room, ..row };
+        self.draw(canvas, area.intersection(row), theme);
+        put(canvas, row, (start + room, 0), "]", bracket);
         if self.error.is_some() {
-            put(canvas, area, (0, row), "x", theme.style(Role::Error));
+            put(canvas, row, (0, 0), "x", theme.style(Role::Error));
         }
     }
 }
 
-impl<R> Deref for Field<R> {
+impl Deref for Field {
     type Target = TextField;
 
     fn deref(&self) -> &TextField {
@@ -184,7 +151,7 @@ impl<R> Deref for Field<R> {
     }
 }
 
-impl<R> DerefMut for Field<R> {
+impl DerefMut for Field {
     fn deref_mut(&mut self) -> &mut TextField {
         &mut self.text
     }

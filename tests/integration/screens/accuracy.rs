@@ -9,9 +9,9 @@ use cmra::study::accuracy::method::{Knob, Ladder, Method};
 use cmra::study::accuracy::reference::{Basis, Reference};
 use cmra::study::accuracy::timing::Timing;
 use cmra::study::accuracy::{Measured, MethodReport, Point, Report};
-use cmra::tui::app::Tab;
 use cmra::tui::chart::ViewRange;
-use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::pages::Tab;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::{Finding, ReportBody};
 
@@ -172,9 +172,11 @@ fn the_table_is_written_and_never_over_a_file_unasked() {
     bench.keys("e<Enter>");
     let sent = |bench: &mut Bench| {
         bench.effects.drain(..).rev().find_map(|effect| match effect {
-            Effect::ExportTable { path, overwrite, content: Content::Accuracy(found) } => {
-                Some((path, overwrite, found))
-            }
+            Effect::Files(FileTask::ExportTable {
+                path,
+                overwrite,
+                content: Content::Accuracy(found),
+            }) => Some((path, overwrite, found)),
             _ => None,
         })
     };

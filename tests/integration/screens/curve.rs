@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cmra::model::scene::SpringKind;
 use cmra::model::variables::VARIABLES;
 use cmra::tui::dialogs::{Ask, Dialog, Purpose};
-use cmra::tui::message::{Effect, EffectReport, Message};
+use cmra::tui::message::{Effect, EffectReport, FileTask, Message};
 
 use super::bench::Bench;
 
@@ -40,13 +40,15 @@ fn choosing_the_kind_asks_for_the_file_and_takes_its_points_as_one_edit() {
     }
     bench.effects.clear();
     bench.keys("<Tab>");
-    assert!(matches!(&bench.effects[..], [Effect::Complete(text)] if text.is_empty()));
+    assert!(
+        matches!(&bench.effects[..], [Effect::Files(FileTask::Complete(text))] if text.is_empty())
+    );
     bench.send(Message::Done(EffectReport::Completions(vec!["measured/curve.csv".to_owned()])));
     bench.effects.clear();
     bench.keys("<Enter>");
     let wanted = bench.app.directory.join("measured/curve.csv");
     assert!(
-        matches!(&bench.effects[..], [Effect::ReadCurve(false, path)] if *path == wanted),
+        matches!(&bench.effects[..], [Effect::Files(FileTask::ReadCurve(false, path))] if *path == wanted),
         "{:?}",
         bench.effects
     );

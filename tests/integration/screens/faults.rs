@@ -4,9 +4,10 @@ use super::accuracy;
 use super::bench::Bench;
 use super::{limit, search, stability, sweep};
 use cmra::study::stability::map::{Axis, Cell, Method};
-use cmra::tui::app::Tab;
-use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Effect, Message, PresetEntry};
+use cmra::tui::pages::Tab;
+use cmra::tui::pages::explore;
+use cmra::tui::pages::run;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::plot_columns;
 use cmra::worker::{Finding, Work};
@@ -69,13 +70,13 @@ fn a_changed_goal_is_searched_for_before_enter_loads_anything() {
 fn the_focus_belongs_to_the_tab() {
     let mut bench = sweep::open("figure-9.2", 5, GlyphSet::Ascii, (80, 24));
     bench.keys("2<Tab>");
-    assert_eq!(bench.app.pane(), Pane::ExploreSetup);
+    assert_eq!(bench.app.pane(), explore::SETUP);
     let before = Arc::clone(&bench.app.scene);
     bench.keys("30ll");
-    assert_eq!(bench.app.pane(), Pane::Residual);
+    assert_eq!(bench.app.pane(), cmra::tui::pages::limit::RESIDUAL);
     assert_eq!(bench.app.scene, before);
     bench.keys("2");
-    assert_eq!(bench.app.pane(), Pane::ExploreSetup, "each tab keeps its own");
+    assert_eq!(bench.app.pane(), explore::SETUP, "each tab keeps its own");
 }
 
 #[test]
@@ -108,7 +109,7 @@ fn the_exact_symbol_comes_first() {
         bench.keys(&format!("/{typed}"));
         assert_eq!(bench.app.editor.variable().symbol, symbol, "{typed}");
         bench.keys("<Enter><Enter>");
-        assert!(bench.app.editor.field.is_some(), "{typed}");
+        assert!(bench.app.field.is_some(), "{typed}");
     }
 }
 
@@ -350,7 +351,7 @@ fn quantities_are_named_as_the_screen_names_them() {
     assert!(!bench.message().contains('_'), "{}", bench.message());
     let mut bench = Bench::ascii(120, 36);
     bench.press("4k<Enter>");
-    let typed = bench.app.searching.field.as_ref().expect("a field").value().to_owned();
+    let typed = bench.app.field.as_ref().expect("a field").value().to_owned();
     assert_eq!(typed, "percent of baseline");
     bench.press("penetration<Enter>");
     assert!(bench.message().contains("final penetration"), "{}", bench.message());
@@ -444,7 +445,7 @@ fn threads_are_chosen_in_the_options_and_used() {
 fn a_key_that_sorts_nothing_says_so() {
     let mut bench = Bench::ascii(80, 24);
     bench.keys(" <S-Tab>S");
-    assert_eq!(bench.app.pane(), Pane::Runs);
+    assert_eq!(bench.app.pane(), run::RUNS);
     assert!(bench.message().contains("`S` does nothing here"), "{}", bench.message());
 }
 
@@ -470,4 +471,47 @@ fn the_charts_of_the_limit_tab_can_be_read() {
     let rows = screen.lines().skip_while(|line| !line.contains("Residual velocity"));
     let rows = rows.take_while(|line| !line.starts_with("+--")).count();
     assert!(rows >= 10, "{screen}");
+}
+
+/// Each line of the options menu is found by its name.
+#[test]
+fn options_are_found_by_name() {
+    let mut bench = Bench::ascii(80, 24);
+    bench.keys(":threads<Enter>");
+    assert_eq!((bench.app.threads, bench.message()), (Some(1), "threads: 1".to_owned()));
+    bench.keys(":next contact<Enter>");
+    assert!(bench.message().starts_with("contact model: "), "{}", bench.message());
+    assert_ne!(bench.app.scene, bench.app.base.scene);
+}
+
+/// The design under the cursor of the map of mass efficiency is not loaded where the scene is it already.
+#[test]
+fn a_design_that_is_the_scene_already_is_not_loaded_again() {
+    let mut bench = Bench::ascii(120, 40);
+    bench.keys("3");
+    search::answer(&mut bench);
+    bench.keys("<Tab><Tab>l");
+    let scene = Arc::new(bench.app.efficiency_design().expect("a map").0);
+    bench.app.scene = Arc::clone(&scene);
+    bench.app.limit.comparison.as_mut().expect("a comparison").0 = scene;
+    let edits = bench.app.history.edits.len();
+    bench.keys("<Enter>");
+    assert!(bench.message().contains("is this design already"), "{}", bench.message());
+    assert_eq!(bench.app.history.edits.len(), edits);
+}
+
+/// The table of stiff scenes is drawn in the order that `S` sets.
+#[test]
+fn the_table_of_stiff_scenes_is_sorted_on_the_screen() {
+    let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
+    bench.keys("<Tab>");
+    stability::answer(&mut bench);
+    let mut names: Vec<String> =
+        bench.app.stability.rows().iter().map(|row| row.case.name.to_string()).collect();
+    bench.keys("SS");
+    names.sort();
+    let screen = bench.screen();
+    let places: Vec<Option<usize>> =
+        names.iter().map(|name| screen.find(&format!("|{name} "))).collect();
+    assert!(places.iter().all(Option::is_some) && places.is_sorted(), "{screen}");
 }

@@ -10,11 +10,12 @@ use cmra::files::export::Meta;
 use cmra::files::style::Style;
 use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
-use cmra::tui::app::Tab;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::dialogs::{Dialog, List};
-use cmra::tui::keymap::{LINES, PANE_KEYS, Pane};
-use cmra::tui::message::{Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::keymap::LINES;
+use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::pages::Tab;
+use cmra::tui::pages::all_panes;
 use cmra::tui::pages::run::charts::Window;
 use cmra::tui::pages::run::quantity::Quantity;
 use cmra::worker::{Progress, ReportBody};
@@ -37,17 +38,17 @@ fn select(bench: &mut Bench, symbol: &str) {
 /// Every key of the table in every pane: the screen is drawn, and where the footer or help offer the key it does something.
 #[test]
 fn every_key_works_in_its_pane_and_draws() {
-    for pane in Pane::ALL {
+    for pane in all_panes() {
         for (action, name, keys) in LINES.iter().flat_map(|line| line.keys) {
             let mut bench = bench();
             bench.keys(" ");
-            bench.app.focus_on(pane);
+            bench.app.focus_on(pane.pane);
             bench.send(Message::Key(KeyEvent::new(keys[0].0, keys[0].1)));
             bench.answer();
-            assert!(bench.screen().contains("1:Run"), "{name} in {pane:?}");
-            if PANE_KEYS.iter().any(|row| row.pane == pane && row.action == *action) {
+            assert!(bench.screen().contains("1:Run"), "{name} in {}", pane.label);
+            if pane.keys.iter().any(|row| row.action == *action) {
                 let unknown = bench.message().contains("does nothing here");
-                assert!(!unknown, "{name} in {pane:?}: {}", bench.message());
+                assert!(!unknown, "{name} in {}: {}", pane.label, bench.message());
             }
         }
     }
@@ -60,7 +61,7 @@ fn a_typed_value_replaces_the_old_one_and_moves_on() {
     bench.press("<Enter>120 m/s<Enter>");
     assert_eq!(bench.app.scene.projectile.velocity_m_s, 120.0);
     assert_eq!(bench.app.editor.variable().symbol, "theta");
-    assert!(bench.app.editor.field.is_none());
+    assert!(bench.app.field.is_none());
     let jobs = bench.jobs();
     assert_eq!(jobs.len(), 1);
     assert_eq!(jobs[0].scene, bench.app.scene);
@@ -80,7 +81,7 @@ fn units_fractions_and_relative_values_are_read() {
         let mut bench = bench();
         select(&mut bench, symbol);
         bench.keys(&format!("<Enter>{text}<Enter>"));
-        let shown = bench.app.editor.field.is_none();
+        let shown = bench.app.field.is_none();
         assert!(shown, "{symbol} = {text}: {}", bench.message());
         let variable = cmra::model::variables::find(symbol).unwrap();
         let cmra::model::variables::Value::Number(value) = variable.value(&bench.app.scene) else {
@@ -94,14 +95,14 @@ fn units_fractions_and_relative_values_are_read() {
 fn a_bad_text_stays_with_its_reason_and_the_last_good_value_stays_live() {
     let mut bench = bench();
     bench.press("<Enter>12 mm<Enter>");
-    let field = bench.app.editor.field.clone().unwrap();
+    let field = bench.app.field.clone().unwrap();
     assert_eq!(field.value(), "12 mm");
     assert!(bench.message().contains("`mm` is not a unit of this quantity (column 4)"));
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
     assert!(bench.jobs().is_empty());
     // Typing goes on where it was; the error goes with the next character.
     bench.press("<BS><BS>kg");
-    assert_eq!(bench.app.editor.field.clone().unwrap().error, None);
+    assert_eq!(bench.app.field.clone().unwrap().error, None);
     bench.press("<Enter>");
     assert_eq!(bench.app.scene.projectile.mass_kg, 12.0);
 }
@@ -113,7 +114,7 @@ fn an_impossible_value_is_refused_with_the_rule() {
     assert!(bench.message().contains("must be a number greater than 0 kg"));
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
     bench.press("<Esc>");
-    assert!(bench.app.editor.field.is_none());
+    assert!(bench.app.field.is_none());
     assert_eq!(bench.app.scene.projectile.mass_kg, 0.0295);
 }
 
@@ -425,7 +426,7 @@ fn the_picker_opens_files_by_their_path() {
     let mut bench = bench();
     bench.press("p/./mine.toml<Enter>");
     let path = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Load(path) => Some(path.clone()),
+        Effect::Files(FileTask::Load(path)) => Some(path.clone()),
         _ => None,
     });
     assert_eq!(path, Some("./mine.toml".into()));
@@ -438,7 +439,9 @@ fn saving_refuses_built_in_names_and_asks_before_overwriting() {
             .effects
             .iter()
             .filter_map(|effect| match effect {
-                Effect::SavePreset { name, overwrite, .. } => Some((name.clone(), *overwrite)),
+                Effect::Files(FileTask::SavePreset { name, overwrite, .. }) => {
+                    Some((name.clone(), *overwrite))
+                }
                 _ => None,
             })
             .collect()
@@ -468,7 +471,7 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     bench.press("<Down><Down><Down> <Down><Down> ");
     bench.press("<Enter>");
     let request = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Export(request) => Some(request.clone()),
+        Effect::Files(FileTask::Export(request)) => Some(request.clone()),
         _ => None,
     });
     let request = request.unwrap();
@@ -502,7 +505,7 @@ fn an_export_is_spelt_as_chosen_with_its_scene_where_chosen() {
     assert!(bench.screen().contains("time_s;mode;penetration_m"), "{}", bench.screen());
     bench.press("<Enter>");
     let request = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Export(request) => Some(request),
+        Effect::Files(FileTask::Export(request)) => Some(request),
         _ => None,
     });
     let request = request.unwrap();

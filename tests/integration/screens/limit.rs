@@ -8,7 +8,7 @@ use cmra::model::scene::Scene;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
 use cmra::study::limit::scatter::Scatter;
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
-use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::limit::state::SCATTERING;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
@@ -183,9 +183,11 @@ fn shots_are_exported_and_a_file_is_not_replaced_unasked() {
     bench.keys("<Enter>");
     let sent = |bench: &mut Bench| {
         bench.effects.drain(..).find_map(|effect| match effect {
-            Effect::ExportTable { path, overwrite, content: Content::Text(text) } => {
-                Some((path, overwrite, text))
-            }
+            Effect::Files(FileTask::ExportTable {
+                path,
+                overwrite,
+                content: Content::Text(text),
+            }) => Some((path, overwrite, text)),
             _ => None,
         })
     };

@@ -6,10 +6,10 @@ use super::pointer::{click, find};
 use super::{limit, search, stability, sweep};
 use cmra::model::run::{EndReason, Outcome, Warning};
 use cmra::study::screening::WEIGHTS_PERCENT;
-use cmra::tui::app::Tab;
-use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Effect, Message, Target};
+use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore::state::{Picture, Spread};
+use cmra::tui::pages::run;
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
@@ -89,9 +89,9 @@ fn points_curves_and_weights_are_undone_too() {
 fn ctrl_c_closes_the_field_of_a_search_and_does_not_leave() {
     let mut bench = in_search((80, 24));
     bench.keys("<Enter>50");
-    assert!(bench.app.searching.field.is_some());
+    assert!(bench.app.field.is_some());
     bench.keys("<C-c>");
-    assert!(bench.app.searching.field.is_none());
+    assert!(bench.app.field.is_none());
     assert!(!bench.effects.iter().any(|effect| matches!(effect, Effect::Quit { .. })));
 }
 
@@ -174,9 +174,9 @@ fn a_click_selects_a_run_or_goes_to_an_event_and_one_beside_them_takes_the_keys_
     let mut bench = Bench::ascii(160, 45);
     bench.press(" ll ");
     let at = find(&bench, "+B");
-    assert_eq!(target(&bench.app, at), Some(Target::Run(2)));
+    assert_eq!(target(&bench.app, at), Some(Target::Row(run::RUNS, 2)));
     click(&mut bench, at);
-    assert_eq!((bench.app.pane(), bench.app.selected_run), (Pane::Runs, 2));
+    assert_eq!((bench.app.pane(), bench.app.selected_run), (run::RUNS, 2));
     let first = find(&bench, "oA ");
     click(&mut bench, first);
     click(&mut bench, first);
@@ -190,7 +190,7 @@ fn a_click_selects_a_run_or_goes_to_an_event_and_one_beside_them_takes_the_keys_
     assert!((from..=to).contains(&last));
     let heading = find(&bench, "Projectile");
     click(&mut bench, heading);
-    assert_eq!(bench.app.pane(), Pane::Variables);
+    assert_eq!(bench.app.pane(), run::VARIABLES);
 }
 
 #[test]
@@ -236,7 +236,7 @@ fn very_small_and_large_values_keep_to_their_columns_in_the_table_of_runs() {
         run.final_penetration_m = Some(12_345.678);
         run.peak_contact_force_n = Some(1.234_5e-9);
         bench.app.shown = Some(shown);
-        bench.app.focus_on(Pane::Runs);
+        bench.app.focus_on(run::RUNS);
         let screen = bench.screen();
         let line = screen.lines().find(|line| line.contains("*now")).unwrap();
         let cells: Vec<&str> = line.split(['|', ' ']).collect();

@@ -6,10 +6,9 @@ use super::{accuracy, limit, search, stability};
 use cmra::model::variables::VARIABLES;
 use cmra::study::accuracy::method::Method;
 use cmra::study::principles::PRINCIPLES;
-use cmra::tui::app::Tab;
 use cmra::tui::dialogs::{Dialog, List};
-use cmra::tui::keymap::Pane;
 use cmra::tui::message::{Message, Target};
+use cmra::tui::pages::{Tab, explore, numerics, run};
 use cmra::tui::theme::GlyphSet;
 use cmra::tui::view::target;
 
@@ -47,14 +46,14 @@ fn a_click_selects_a_variable_and_a_second_one_opens_it() {
     let at = find(&bench, "S_y");
     click(&mut bench, at);
     assert_eq!(VARIABLES[bench.app.editor.selected].symbol, "S_y");
-    assert!(bench.app.editor.field.is_none());
+    assert!(bench.app.field.is_none());
     click(&mut bench, at);
-    assert!(bench.app.editor.field.is_some());
+    assert!(bench.app.field.is_some());
     // What is being typed is not taken away by a click.
     bench.press("1.6e8");
     let other = find(&bench, "v_i");
     click(&mut bench, other);
-    assert_eq!(bench.app.editor.field.as_ref().unwrap().value(), "1.6e8");
+    assert_eq!(bench.app.field.as_ref().unwrap().value(), "1.6e8");
     assert!(bench.message().contains("Enter takes it"), "{}", bench.message());
 }
 
@@ -68,7 +67,7 @@ fn a_click_in_a_chart_puts_the_crosshair_there_and_the_wheel_zooms_about_it() {
     let t_s = bench.app.charts.cursor_s.unwrap();
     // A cell of the plot is some 2 us wide.
     assert!((t_s - 60e-6).abs() < 4e-6, "{t_s}");
-    assert_eq!((bench.app.pane(), bench.app.charts.selected), (Pane::Charts, 1));
+    assert_eq!((bench.app.pane(), bench.app.charts.selected), (run::CHARTS, 1));
     bench.send(Message::Wheel(true, target(&bench.app, at)));
     let (from, to) = bench.app.time_range_s();
     assert!(from < t_s && t_s < to && to - from < 100e-6, "{from} {to}");
@@ -91,7 +90,7 @@ fn a_click_on_a_map_loads_the_design_that_is_drawn_there() {
     assert!((bench.app.scene.plate.mass_ratio - 0.8).abs() < 1e-12);
     assert_eq!(bench.app.scene.mechanism.spring.coefficient.to_bits(), 0.0_f64.to_bits());
     let hit = target(&bench.app, (axis + 1, 1 + 1)).unwrap();
-    assert_eq!(hit, Target::Point((0, 10)));
+    assert_eq!(hit, Target::Cell(explore::RESULTS, (0, 10)));
     bench.send(Message::Click(hit));
     bench.keys("<Enter>");
     assert!((bench.app.scene.mechanism.spring.coefficient - 7.5e6).abs() < 1.0);
@@ -104,10 +103,10 @@ fn a_click_on_the_setup_selects_its_row() {
     answer(&mut bench);
     let at = find(&bench, "  v_i ");
     click(&mut bench, (at.0 + 2, at.1));
-    assert_eq!(bench.app.pane(), Pane::ExploreSetup);
+    assert_eq!(bench.app.pane(), explore::SETUP);
     let at = find(&bench, "> v_i ");
     click(&mut bench, (at.0 + 2, at.1));
-    assert!(bench.app.sweeping.field.is_some());
+    assert!(bench.app.field.is_some());
     bench.send(Message::Paste(" 120\n".to_owned()));
     bench.keys("<Enter>");
     assert!((bench.app.scene.projectile.velocity_m_s - 120.0).abs() < 1e-12);
@@ -131,7 +130,7 @@ fn a_very_long_paste_is_refused_and_the_field_keeps_its_text() {
     let mut bench = Bench::ascii(80, 24);
     bench.press("<Enter>1");
     bench.send(Message::Paste("9".repeat(2_000_000)));
-    assert_eq!(bench.app.editor.field.as_ref().unwrap().value(), "1");
+    assert_eq!(bench.app.field.as_ref().unwrap().value(), "1");
     assert!(bench.message().contains("longer than"), "{}", bench.message());
 }
 
@@ -196,7 +195,7 @@ fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
     // The plot stands right of the values of its rows and above axis, steps and legend.
     let corners = [((10, 3), (rows - 1, 0)), ((117, 3), (rows - 1, steps - 1)), ((10, 51), (0, 0))];
     for (at, cell) in corners {
-        assert_eq!(target(&bench.app, at), Some(Target::Cell(cell.0, cell.1)), "{at:?}");
+        assert_eq!(target(&bench.app, at), Some(Target::Cell(numerics::STABILITY, cell)), "{at:?}");
         click(&mut bench, at);
         assert_eq!(bench.app.stability.cursor, Some(cell));
     }
@@ -337,7 +336,7 @@ fn a_click_on_a_design_of_a_front_selects_it_and_a_second_one_opens_it() {
     let mut rows = screen.lines().enumerate().skip(3);
     let (row, column) = rows.find_map(|(y, line)| Some((y, is_mark(line)?))).unwrap();
     let at = (u16::try_from(column).unwrap(), u16::try_from(row).unwrap());
-    assert_eq!(target(&bench.app, at), Some(Target::Design(0)));
+    assert_eq!(target(&bench.app, at), Some(Target::Row(cmra::tui::pages::search::RESULTS, 0)));
     click(&mut bench, at);
     assert_eq!((bench.app.searching.selected(), bench.app.tab), (0, Tab::Search));
     click(&mut bench, at);

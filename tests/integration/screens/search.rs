@@ -12,9 +12,9 @@ use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
 use cmra::study::search::{scatter, seek};
 use cmra::study::sensitivity;
 use cmra::study::sweep::Fate;
-use cmra::tui::app::Tab;
-use cmra::tui::keymap::Pane;
-use cmra::tui::message::{Content, Effect};
+use cmra::tui::message::{Content, Effect, FileTask};
+use cmra::tui::pages::Tab;
+use cmra::tui::pages::search;
 use cmra::tui::pages::search::state::Page;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
@@ -165,7 +165,7 @@ fn the_setup_is_stepped_and_typed_into_and_bad_texts_stay() {
     bench.keys("l");
     assert!(bench.app.searching.setup.seek.log);
     bench.keys("gj<Enter>3kg<Enter>");
-    assert!(bench.app.searching.field.is_some());
+    assert!(bench.app.field.is_some());
     bench.keys("<C-u>65 %<Enter>");
     answer(&mut bench);
     assert!(bench.screen().contains("> k = "), "{}", bench.screen());
@@ -213,7 +213,7 @@ fn what_was_found_is_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
     let text = bench.effects.iter().find_map(|effect| match effect {
-        Effect::ExportTable { content: Content::Text(text), path, .. } => {
+        Effect::Files(FileTask::ExportTable { content: Content::Text(text), path, .. }) => {
             Some((text.clone(), path.clone()))
         }
         _ => None,
@@ -231,10 +231,10 @@ fn on_a_small_screen_what_was_found_or_the_setup_has_the_room() {
         assert!(!bench.screen().contains(".. |"), "{}", bench.screen());
     }
     bench.keys("4<Tab>");
-    assert_eq!(bench.app.pane(), Pane::SearchSetup);
+    assert_eq!(bench.app.pane(), search::SETUP);
     assert!(bench.screen().contains("stroke at most 1.000 m"), "{}", bench.screen());
     bench.keys("<Tab>");
-    assert_eq!(bench.app.pane(), Pane::Search);
+    assert_eq!(bench.app.pane(), search::RESULTS);
 }
 
 /// The front offers its knee first: for depths falling in steps of 0.1 mm and strokes as 0.8/(1 + i) m over 40 designs, the

@@ -8,7 +8,7 @@ use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, Map, Method};
 use cmra::study::stability::others::Verdict;
 use cmra::study::stability::{Basis, Row, Shortfall, Stiffness};
-use cmra::tui::message::{Content, Effect};
+use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
 use cmra::worker::studies::StudyKind;
@@ -143,9 +143,11 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
 /// The table written last, and its path.
 fn exported(bench: &Bench) -> (String, String) {
     let last = bench.effects.iter().rev().find_map(|effect| match effect {
-        Effect::ExportTable { path, overwrite: false, content: Content::Text(text) } => {
-            Some((path.display().to_string(), text.clone()))
-        }
+        Effect::Files(FileTask::ExportTable {
+            path,
+            overwrite: false,
+            content: Content::Text(text),
+        }) => Some((path.display().to_string(), text.clone())),
         _ => None,
     });
     last.expect("an export")

@@ -10,9 +10,10 @@ use cmra::files::preset;
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::crew::Crew;
 use cmra::study::sweep::grid::Grid;
-use cmra::tui::app::{Base, Origin, Tab};
+use cmra::tui::app::{Base, Origin};
 use cmra::tui::dialogs::Dialog;
-use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, Message};
+use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore::state::{Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 use cmra::tui::view::view;
@@ -263,7 +264,7 @@ fn a_refused_text_stays_with_its_reason() {
         bench.app.sweeping.row = to;
         let before = Arc::clone(&bench.app.scene);
         keys(&mut bench, &format!("<Enter>{text}<Enter>"));
-        let field = bench.app.sweeping.field.clone().expect("the field is still open");
+        let field = bench.app.field.clone().expect("the field is still open");
         assert_eq!(field.value(), text);
         for fragment in fragments {
             assert!(bench.message().contains(fragment), "{}: {fragment}", bench.message());
@@ -334,9 +335,11 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
     assert_snapshot!("surface_export", bench.screen());
     bench.press("<Enter>");
     let export = bench.effects.iter().find_map(|effect| match effect {
-        Effect::ExportTable { path, overwrite, content: Content::Grid(name, grid) } => {
-            Some((path.clone(), *overwrite, name.clone(), Arc::clone(grid)))
-        }
+        Effect::Files(FileTask::ExportTable {
+            path,
+            overwrite,
+            content: Content::Grid(name, grid),
+        }) => Some((path.clone(), *overwrite, name.clone(), Arc::clone(grid))),
         _ => None,
     });
     let (path, overwrite, name, grid) = export.expect("an export");
@@ -350,10 +353,9 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
     bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x.csv".into()))));
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
     bench.press("y");
-    let forced = bench
-        .effects
-        .iter()
-        .any(|effect| matches!(effect, Effect::ExportTable { overwrite: true, .. }));
+    let forced = bench.effects.iter().any(|effect| {
+        matches!(effect, Effect::Files(FileTask::ExportTable { overwrite: true, .. }))
+    });
     assert!(forced);
 }
 

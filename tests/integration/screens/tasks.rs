@@ -5,9 +5,9 @@ use super::accuracy;
 use super::bench::Bench;
 use super::{limit, search, sweep};
 use cmra::study::accuracy::method::Method;
-use cmra::tui::app::Tab;
-use cmra::tui::keymap::Pane;
-use cmra::tui::message::{Effect, PresetEntry};
+use cmra::tui::message::{Effect, FileTask, PresetEntry};
+use cmra::tui::pages::Tab;
+use cmra::tui::pages::explore;
 use cmra::tui::pages::search::state::Page;
 
 /// A bench that counts.
@@ -43,7 +43,7 @@ fn comparing_two_designs_and_exporting_both_takes_13() {
     task.key(":").text("k").key("<Enter>").text("2e5").key("<Enter>");
     task.key("e").key("<Enter>");
     let request = task.bench.effects.iter().find_map(|effect| match effect {
-        Effect::Export(request) => Some(request.clone()),
+        Effect::Files(FileTask::Export(request)) => Some(request.clone()),
         _ => None,
     });
     let runs: Vec<String> = request.unwrap().runs.iter().map(|(name, _)| name.clone()).collect();
@@ -87,7 +87,7 @@ fn opening_figure_9_8_and_loading_a_design_takes_4_and_the_moves() {
         problem,
     });
     task.key(":").text("figure 9.8").key("<Enter>");
-    assert_eq!((task.bench.app.tab, task.bench.app.pane()), (Tab::Explore, Pane::Explore));
+    assert_eq!((task.bench.app.tab, task.bench.app.pane()), (Tab::Explore, explore::RESULTS));
     let before = task.bench.app.scene.plate.mass_ratio;
     let moves = 2;
     task.key("l").key("l").key("<Enter>");

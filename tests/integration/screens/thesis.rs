@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::bench::{Bench, ended};
 use cmra::study::sweep::Axis;
 use cmra::study::thesis::{Opens, Row, Verdict, check, claims};
-use cmra::tui::app::Tab;
-use cmra::tui::message::{Content, Effect, PresetEntry};
+use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
+use cmra::tui::pages::Tab;
 use cmra::worker::studies::StudyKind;
 use cmra::worker::{Finding, Work};
 use insta::assert_snapshot;
@@ -121,7 +121,7 @@ fn each_page_is_exported() {
     ] {
         bench.keys("e<Enter>");
         let written = bench.effects.iter().rev().find_map(|effect| match effect {
-            Effect::ExportTable { content: Content::Text(text), path, .. } => {
+            Effect::Files(FileTask::ExportTable { content: Content::Text(text), path, .. }) => {
                 Some((text.clone(), path.clone()))
             }
             _ => None,

@@ -7,11 +7,11 @@ use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::dialogs::popup::frame;
 use crate::tui::dialogs::{Export, ExportRow, What};
-use crate::tui::message::Target;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::input::TextField;
-use crate::tui::widgets::text::{first_row, put, window};
+use crate::tui::widgets::list::List;
+use crate::tui::widgets::text::{put, window};
 
 /// Column the values begin in.
 const VALUE: u16 = 9;
@@ -26,10 +26,11 @@ pub(in crate::tui) fn render(app: &App, state: &Export, screen: Rect, canvas: &m
     let foot = FOOT.min(inner.height.saturating_sub(4));
     let list = Rect { height: inner.height.saturating_sub(foot), ..inner };
     let selected = rows.iter().position(|row| *row == state.row).unwrap_or(0);
-    let first = first_row(selected, usize::from(list.height), rows.len());
-    for (at, row) in (0..list.height).zip(rows.iter().skip(first)) {
-        one(app, state, *row, (list, at), canvas);
-    }
+    let shown = List { count: rows.len(), selected, painted: false };
+    let first = shown.first(list.height);
+    shown.in_dialog(canvas, list, app.theme, |canvas, line, at| {
+        one(app, state, rows[at], line, canvas);
+    });
     let hidden = rows.len().saturating_sub(first + usize::from(list.height));
     if hidden > 0 {
         let more = format!("({hidden} more below)");
@@ -44,16 +45,9 @@ pub(in crate::tui) fn render(app: &App, state: &Export, screen: Rect, canvas: &m
     }
     let lower = Rect { y: list.bottom(), height: foot, ..inner };
     below(app, state, lower, canvas);
-    canvas.rows(list, (first, rows.len()), |row| Some(Target::DialogRow(row)));
 }
 
-fn one(
-    app: &App,
-    state: &Export,
-    row: ExportRow,
-    (list, at): (Rect, u16),
-    canvas: &mut Canvas<'_>,
-) {
+fn one(app: &App, state: &Export, row: ExportRow, line: Rect, canvas: &mut Canvas<'_>) {
     let here = state.row == row;
     let tick = |on: bool| if on { "[x]" } else { "[ ]" };
     let (lead, text) = match row {
@@ -73,9 +67,9 @@ fn one(
             (lead, format!("{} {name}", tick(*on)))
         }
     };
-    put(canvas, list, (0, at), lead, app.theme.style(Role::Title));
+    put(canvas, line, (0, 0), lead, app.theme.style(Role::Title));
     if here {
-        put(canvas, list, (0, at), ">", app.theme.style(Role::Title));
+        put(canvas, line, (0, 0), ">", app.theme.style(Role::Title));
     }
     let column = VALUE + 2;
     let style = app.theme.style(if here { Role::Selection } else { Role::Text });
@@ -89,15 +83,15 @@ fn one(
         | ExportRow::Column(_) => None,
     };
     let Some(field) = field else {
-        put(canvas, list, (column, at), &text, style);
+        put(canvas, line, (column, 0), &text, style);
         return;
     };
-    let room = list.width.saturating_sub(column + 1);
+    let room = line.width.saturating_sub(column + 1);
     if here {
-        field.draw(canvas, (list, at), (column, room), app.theme);
+        field.draw(canvas, Rect { x: line.x + column, width: room, ..line }, app.theme);
     } else {
         let (shown, _) = window(&field.input, room);
-        put(canvas, list, (column, at), &shown, app.theme.style(Role::Text));
+        put(canvas, line, (column, 0), &shown, app.theme.style(Role::Text));
     }
 }
 

@@ -11,8 +11,8 @@ use crate::tui::app::status::wrap;
 use crate::tui::chart::{
     self, Chart, Curve, Emphasis, Layout, Legend, MARKERS, Scale, Unit, ViewRange,
 };
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
+use crate::tui::pages::explore::RESULTS;
 use crate::tui::pages::explore::layout::SweepPanes;
 use crate::tui::pages::explore::state::{Found, Picture, no_value};
 use crate::tui::theme::{PaneFrame, Role};
@@ -21,7 +21,7 @@ use crate::tui::widgets::text::{columns, put};
 
 /// Draw the charts.
 pub(in crate::tui) fn render(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
-    panes.plots.iter().for_each(|area| canvas.pane(*area, Pane::Explore));
+    panes.plots.iter().for_each(|area| canvas.pane(*area, RESULTS));
     let picture = Picture::Line;
     let Some(found) = app.sweeping.found(picture) else {
         if let Some(area) = panes.plots.first() {
@@ -146,14 +146,14 @@ fn curves(
     let chart = Chart {
         legend: if named.is_some() { Legend::Shown } else { Legend::Hidden },
         crosshair: Some(grid.coordinate((x, selected), 0)),
-        focused: is_first && app.has_focus(Pane::Explore),
+        focused: is_first && app.has_focus(RESULTS),
         ..Chart::new(title, along_axis, y, curves.collect())
     };
     let layout = chart.render(area, canvas, app.theme);
     marks(app, grid, output, (layout.plot, layout.x), canvas);
     if grid.is_full() {
         canvas.plot(&layout, |x, _| {
-            Some(Target::Point((usize::try_from(axes[0].nearest(x)).ok()?, selected)))
+            Some(Target::Cell(RESULTS, (usize::try_from(axes[0].nearest(x)).ok()?, selected)))
         });
     } else {
         canvas.plot(&layout, |x, _| nearest_point(grid, &layout, x));
@@ -168,7 +168,7 @@ fn nearest_point(grid: &Grid, layout: &Layout, x: f64) -> Option<Target> {
         there.map_or(f64::INFINITY, |there| (there - here).abs())
     };
     let nearest = (0..grid.counts().0).min_by(|a, b| away(*a).total_cmp(&away(*b)))?;
-    Some(Target::Point((nearest, 0)))
+    Some(Target::Cell(RESULTS, (nearest, 0)))
 }
 
 /// A letter at the foot of the plot wherever the selected curve has a gap.

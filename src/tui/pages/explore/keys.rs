@@ -7,8 +7,9 @@ use crate::study::sweep::{Axis, Spacing};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::{Scale, ViewRange};
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action;
 use crate::tui::message::{Effect, Message};
+use crate::tui::pages::explore::SETUP;
 use crate::tui::pages::explore::setup;
 use crate::tui::pages::explore::state::{Computing, Contour, Found, Picture};
 use crate::tui::pages::run::runs;
@@ -24,19 +25,14 @@ const PAN: f64 = 0.25;
 /// A sweep that will take longer says so.
 const LONG_S: u64 = 60;
 
-/// The picture is computed, unless it is there.
-pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
-    app.sweeping.field = None;
-    refresh(app)
-}
-
 /// After an edit of the scene: a picture on the screen follows at once.
 pub(in crate::tui) fn after_edit(app: &mut App) -> Vec<Effect> {
-    let shown = app.tab == crate::tui::app::Tab::Explore;
-    if app.auto_run && shown { refresh(app) } else { Vec::new() }
+    let shown = app.tab == crate::tui::pages::Tab::Explore;
+    if app.auto_run && shown { enter(app) } else { Vec::new() }
 }
 
-fn refresh(app: &mut App) -> Vec<Effect> {
+/// The picture is computed, unless it is there.
+pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let picture = app.picture();
     let plan = app.sweep_plan(picture);
     let wanted = plan.as_ref().ok();
@@ -108,7 +104,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
             app.sweeping.residuals = !app.sweeping.residuals;
             return Some(Vec::new());
         }
-        _ if app.pane() == Pane::ExploreSetup => return setup::keys::act(app, action),
+        _ if app.pane() == SETUP => return setup::keys::act(app, action),
         Action::View => app.sweeping.output = next_output(app),
         Action::LogY => app.sweeping.log_values = !app.sweeping.log_values,
         Action::LogX => return Some(setup::keys::toggle_spacing(app)),
@@ -183,11 +179,6 @@ fn neighbour(grid: &Grid, here: usize, axis: usize, by: isize) -> usize {
     order.sort_by(|a, b| along(a).total_cmp(&along(b)));
     let at = order.iter().position(|x| *x == here).unwrap_or(0);
     order[at.saturating_add_signed(by).min(order.len() - 1)]
-}
-
-/// Put the cursor on a point.
-pub(in crate::tui) fn jump(app: &mut App, point: (usize, usize)) {
-    app.sweeping.cursor[app.picture() as usize] = Some(point);
 }
 
 /// A report of the sweep.

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use crate::tui::app::App;
 use crate::tui::app::layout::{ROOMY, setup_width, split_bottom, split_left};
 use crate::tui::keymap::Pane;
+use crate::tui::pages::explore::SETUP;
 use crate::tui::pages::explore::state::Picture;
 
 /// The panes of the Explore tab.
@@ -30,7 +31,7 @@ pub(crate) fn panes(app: &App, body: Rect) -> SweepPanes {
 
 /// The setup beside one chart, or two where there is room.
 fn lines(body: Rect, focus: Pane, full_pane: bool) -> SweepPanes {
-    if full_pane && focus == Pane::ExploreSetup {
+    if full_pane && focus == SETUP {
         return SweepPanes { setup: Some(body), ..SweepPanes::default() };
     }
     let (setup, rest) = if full_pane {
@@ -51,7 +52,7 @@ fn lines(body: Rect, focus: Pane, full_pane: bool) -> SweepPanes {
 /// The map; setup at its left, scale and slices at its right. On a narrow screen the pane at the left is the one that is of
 /// use: the setup while it has the keys, else scale and slices.
 fn surface(body: Rect, focus: Pane, full_pane: bool) -> SweepPanes {
-    let on_setup = focus == Pane::ExploreSetup;
+    let on_setup = focus == SETUP;
     if full_pane && on_setup {
         return SweepPanes { setup: Some(body), ..SweepPanes::default() };
     }

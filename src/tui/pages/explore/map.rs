@@ -14,8 +14,8 @@ use crate::tui::chart::heatmap::{dot, swatch};
 use crate::tui::chart::{
     self, Chart, Curve, HeatCell, Heatmap, Legend, Levels, Scale, Unit, ViewRange,
 };
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
+use crate::tui::pages::explore::RESULTS;
 use crate::tui::pages::explore::curves::{chart_axis, drawn, nothing, nothing_exists, value_scale};
 use crate::tui::pages::explore::layout::SweepPanes;
 use crate::tui::pages::explore::state::{Contour, Picture, place, quadratic};
@@ -27,7 +27,7 @@ use crate::tui::widgets::text::put;
 pub(in crate::tui) fn render(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
     let Some(area) = panes.plots.first().copied() else { return };
     let all = panes.plots.iter().chain(&panes.scale).chain(&panes.slices);
-    all.for_each(|area| canvas.pane(*area, Pane::Explore));
+    all.for_each(|area| canvas.pane(*area, RESULTS));
     let Some(found) = app.sweeping.found(Picture::Surface) else {
         nothing(app, "Map", area, canvas);
         for area in panes.scale.iter().chain(&panes.slices) {
@@ -129,12 +129,12 @@ impl<'a> ChartView<'a> {
             levels,
             contour: through.then_some(here),
             cursor: Some(self.index_of(x, y)),
-            focused: app.has_focus(Pane::Explore),
+            focused: app.has_focus(RESULTS),
         };
         let layout = map.render(area, canvas, app.theme);
         canvas.plot(&layout, |x, y| {
             let nearest = |axis: &Axis, value: f64| usize::try_from(axis.nearest(value)).ok();
-            Some(Target::Point((nearest(&axes[0], x)?, nearest(&axes[1], y)?)))
+            Some(Target::Cell(RESULTS, (nearest(&axes[0], x)?, nearest(&axes[1], y)?)))
         });
     }
 
@@ -164,7 +164,7 @@ impl<'a> ChartView<'a> {
         let axes = self.grid.plan().axes();
         let chart = Chart {
             legend: Legend::Hidden,
-            focused: app.has_focus(Pane::Explore),
+            focused: app.has_focus(RESULTS),
             ..Chart::new(title, chart_axis(&axes[0]), chart_axis(&axes[1]), Vec::new())
         };
         let layout = chart.render(area, canvas, app.theme);
@@ -192,7 +192,7 @@ impl<'a> ChartView<'a> {
         }
         let at = |x: usize, axis: usize| self.grid.coordinate((x, 0), axis);
         let places = (0..self.grid.counts().0).map(|x| Some((at(x, 0), at(x, 1))));
-        canvas.points(&layout, places, |x| Target::Point((x, 0)));
+        canvas.points(&layout, places, |x| Target::Cell(RESULTS, (x, 0)));
     }
 
     /// The bands from the greatest down, then what the letters mean.

@@ -102,14 +102,6 @@ impl App {
         if rows.contains(&self.sweeping.row) { self.sweeping.row } else { SetupRow::Name(0) }
     }
 
-    /// Move the selection, stopping at the ends.
-    pub fn move_in_setup(&mut self, picture: Picture, by: isize) {
-        let rows = self.setup_choices(picture);
-        let row = self.setup_row(picture);
-        let here = rows.iter().position(|one| *one == row).unwrap_or(0);
-        self.sweeping.row = rows[here.saturating_add_signed(by).min(rows.len() - 1)];
-    }
-
     /// What a row shows, its value in at most `width` characters.
     pub fn setup_shown(&self, picture: Picture, row: SetupRow, width: usize) -> Shown {
         let sweep = sweep_of(&self.scene);

@@ -16,7 +16,6 @@ use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, Fate, Plan, USUAL_OUTPUTS};
 use crate::tui::app::App;
 use crate::tui::chart::scale::ViewRange;
-use crate::tui::widgets::input::Field;
 
 pub use crate::tui::pages::explore::gaps::no_value;
 pub use crate::tui::pages::explore::setup::SetupRow;
@@ -151,8 +150,6 @@ pub struct Sweeping {
     pub cursor: [Option<(usize, usize)>; 2],
     /// The part of the variable along that is in view, by picture; `None`: all of it.
     pub zoom: [Option<ViewRange>; 2],
-    /// The open field.
-    pub field: Option<Field<SetupRow>>,
     /// The output shown, of those computed.
     pub output: usize,
     /// Values on a logarithmic scale.
@@ -175,7 +172,6 @@ impl Default for Sweeping {
             row: SetupRow::Name(0),
             cursor: [None; 2],
             zoom: [None; 2],
-            field: None,
             output: 0,
             log_values: false,
             contour: Contour::Cursor,

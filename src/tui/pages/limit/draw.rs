@@ -5,12 +5,11 @@ use ratatui::layout::Rect;
 use crate::model::run::Outcome;
 use crate::study::limit::{Limit, Report, Shot};
 use crate::tui::app::App;
-use crate::tui::app::status::clip;
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, EventLine, Legend, Mapping, Scale, Unit, ViewRange,
 };
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
+use crate::tui::pages::limit::RESIDUAL;
 use crate::tui::pages::limit::state::{BESIDE, FACTS, Fact, LABEL};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -23,11 +22,10 @@ const OWN_IN_VIEW: f64 = 4.0;
 
 /// Draw the pane of the residual velocity.
 pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, Pane::Residual);
+    canvas.pane(area, RESIDUAL);
     // Until something is found nothing stands above the pane.
-    let Some(head) = app.limit_headline() else { return chart(app, area, canvas) };
-    let head = if app.limit_is_old() { format!("{head}; another scene's: press r") } else { head };
-    let head = clip(&head, usize::from(area.width.saturating_sub(2)));
+    let room = usize::from(area.width.saturating_sub(2));
+    let Some(head) = app.limit_headline(room) else { return chart(app, area, canvas) };
     let role = if app.limit_is_old() { Role::Warning } else { Role::Title };
     put(canvas, area, (1, 0), &head, app.theme.style(role));
     let body = Rect { y: area.y + 1, height: area.height.saturating_sub(1), ..area };
@@ -69,7 +67,7 @@ fn write(app: &App, lines: &[Fact], hint: &'static str, area: Rect, canvas: &mut
 
 /// What stands in the chart's place where there is no curve.
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(Pane::Residual));
+    let frame = PaneFrame::new("Residual velocity").focused(app.has_focus(RESIDUAL));
     let inner = frame.render(area, canvas, app.theme);
     let text = match (&app.limit.finding, &app.limit.report) {
         (Some(_), _) => "finding the limit",
@@ -161,14 +159,14 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         legend: Legend::Shown,
         events: lines.map(|(x, tag)| EventLine { x, tag: tag.into() }).collect(),
         crosshair: tab.shot().map(|shot| shot.impact_m_s),
-        focused: app.has_focus(Pane::Residual),
+        focused: app.has_focus(RESIDUAL),
         ..Chart::new(title, x, y, curves)
     };
     let layout = chart.render(area, canvas, app.theme);
     marks(app, report, (layout.plot, layout.x, layout.y), canvas);
     let shots = report.shots.iter();
     let places = shots.map(|shot| Some((shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0))));
-    canvas.points(&layout, places, Target::Shot);
+    canvas.points(&layout, places, |shot| Target::Row(RESIDUAL, shot));
 }
 
 /// A letter for each shot, whatever the characters of curves: what became of it.

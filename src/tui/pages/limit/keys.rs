@@ -5,10 +5,11 @@ use std::sync::Arc;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::wrap;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
+use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 use crate::tui::pages::run::runs;
-use crate::tui::update::act::{cursor_moved, rows_moved};
+use crate::tui::update::act::cursor_moved;
 use crate::tui::update::jobs::Found;
 use crate::tui::update::{edit, jobs};
 use crate::worker::searches::{Answer, Request};
@@ -40,13 +41,13 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
 /// What an action does here; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
-        Action::Run if app.pane() == Pane::Residual => return Some(find(app)),
+        Action::Run if app.pane() == RESIDUAL => return Some(find(app)),
         Action::Run => return Some(compare(app)),
         _ => {}
     }
     match app.pane() {
-        Pane::Comparison => in_comparison(app, action),
-        Pane::EfficiencyMap => in_map(app, action),
+        COMPARISON => in_comparison(app, action),
+        EFFICIENCY_MAP => in_map(app, action),
         _ => in_curve(app, action),
     }
 }
@@ -89,7 +90,7 @@ fn load_shot(app: &mut App) -> Vec<Effect> {
     let mut scene = (*app.scene).clone();
     scene.projectile.velocity_m_s = velocity_m_s;
     let text = format!("v_i = {} m/s", crate::model::units::significant(velocity_m_s, 4));
-    edit::load_scene(app, scene, &text)
+    edit::load_design(app, Ok((scene, text)))
 }
 
 fn in_comparison(app: &mut App, action: Action) -> Option<Vec<Effect>> {
@@ -110,22 +111,13 @@ fn in_comparison(app: &mut App, action: Action) -> Option<Vec<Effect>> {
             }
             (Err(why), _) => app.refuse(why),
         }),
-        _ => {
-            let rows = rows_moved(action, 8)?;
-            app.limit.scrolled = app.limit.scrolled.saturating_add_signed(rows).min(100);
-            Some(Vec::new())
-        }
+        _ => None,
     }
 }
 
 fn in_map(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
-        Action::Enter => {
-            return Some(match app.efficiency_design() {
-                Ok((scene, label)) => edit::load_scene(app, scene, &label),
-                Err(why) => app.refuse(why),
-            });
-        }
+        Action::Enter => return Some(edit::load_design(app, app.efficiency_design())),
         Action::Mark => return Some(runs::keys::pin_design(app, app.efficiency_design())),
         _ => {}
     }

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use crate::tui::app::App;
 use crate::tui::app::layout::{NARROW, split_bottom, split_left};
 use crate::tui::keymap::Pane;
+use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP, RESIDUAL};
 
 /// The panes of the Limit tab: those that have room.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -29,14 +30,14 @@ fn limit(body: Rect, focus: Pane, full_pane: bool) -> LimitPanes {
     if alone {
         let of = |pane| (focus == pane).then_some(body);
         return LimitPanes {
-            comparison: of(Pane::Comparison),
-            residual: of(Pane::Residual),
-            map: of(Pane::EfficiencyMap),
+            comparison: of(COMPARISON),
+            residual: of(RESIDUAL),
+            map: of(EFFICIENCY_MAP),
         };
     }
     let (comparison, below) = split_bottom(body, body.height - rows);
     if body.width < NARROW {
-        let map = focus == Pane::EfficiencyMap;
+        let map = focus == EFFICIENCY_MAP;
         return LimitPanes {
             comparison: Some(comparison),
             residual: (!map).then_some(below),

@@ -12,7 +12,7 @@ use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::wrap;
+use crate::tui::app::status::{fitting, wrap};
 use crate::tui::chart::scale::{Scale, ViewRange};
 use crate::tui::pages::limit::layout::panes;
 use crate::worker::searches::Comparison;
@@ -80,13 +80,17 @@ impl Ballistic {
         self.shots().get(self.cursor?)
     }
 
+    /// The place of the shot the crosshair stands on; without one, of the first that goes through.
+    pub fn shot_at(&self) -> usize {
+        let first = || self.shots().iter().position(|shot| shot.residual_m_s.is_some());
+        self.cursor.or_else(first).unwrap_or(0)
+    }
+
     /// Move the crosshair by shots; its first move sets it on the first shot that goes through.
     pub fn move_cursor(&mut self, by: isize) {
         let Some(last) = self.shots().len().checked_sub(1) else { return };
-        let first = || self.shots().iter().position(|shot| shot.residual_m_s.is_some());
-        let at =
-            self.cursor.map_or_else(|| first().unwrap_or(0), |at| at.saturating_add_signed(by));
-        self.cursor = Some(at.min(last));
+        let by = if self.cursor.is_some() { by } else { 0 };
+        self.cursor = Some(self.shot_at().saturating_add_signed(by).min(last));
     }
 
     /// All impact velocities, and those in view.
@@ -268,11 +272,12 @@ impl App {
         self.limit.report.as_ref().is_some_and(|report| *report.scene != *self.scene)
     }
 
-    /// The limit and the margin of the scene it belongs to, in one line.
-    pub fn limit_headline(&self) -> Option<String> {
+    /// The limit and the margin of the scene it belongs to, in one line of so many columns.
+    pub fn limit_headline(&self, width: usize) -> Option<String> {
         let report = self.limit.report.as_ref()?;
+        let of = if self.limit_is_old() { " of another scene: press r" } else { "" };
         let Limit::Found { velocity_m_s, stopped_at_m_s, .. } = report.limit else {
-            return report.limit.absence();
+            return Some(fitting([report.limit.absence()? + of], width));
         };
         let margin = report.margin()?;
         let own = significant(report.scene.projectile.velocity_m_s, 4);
@@ -282,11 +287,9 @@ impl App {
             (true, None) => format!(": {own} m/s goes through"),
             (true, Some(_)) => format!(" at {own} m/s"),
         };
-        Some(format!(
-            "v_bl {} m/s, margin {:+.1} %{ends}",
-            fixed_significant(velocity_m_s, 6),
-            100.0 * margin
-        ))
+        let limit = format!("v_bl {} m/s{of}", fixed_significant(velocity_m_s, 6));
+        let short = format!("{limit}, margin {:+.1} %", 100.0 * margin);
+        Some(fitting([format!("{short}{ends}"), short, limit], width))
     }
 
     /// The shot at the crosshair in words, with what the laws say there.
@@ -313,7 +316,7 @@ impl App {
             // Where there is one row, the pane itself has the limit in full.
             if self.layout().message.height > 1 {
                 let at = usize::from(severity == Severity::Warning);
-                parts.insert(at.min(parts.len()), self.limit_headline()?);
+                parts.insert(at.min(parts.len()), self.limit_headline(usize::MAX)?);
             }
             return Some((severity, parts.join("; ")));
         };

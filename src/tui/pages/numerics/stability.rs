@@ -12,7 +12,7 @@ use crate::study::stability::map::{Axis, Map, Method};
 use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
-use crate::tui::keymap::Pane;
+use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::pages::numerics::accuracy::seconds;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
@@ -177,7 +177,7 @@ impl App {
         let same = |severity, text: String| (severity, text.clone(), text);
         let tab = &self.stability;
         let mut parts = Vec::new();
-        if self.pane() == Pane::Battery {
+        if self.pane() == STIFF_SCENES {
             let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
             let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };

@@ -252,15 +252,8 @@ impl App {
         Some(words)
     }
 
-    /// Move the crosshair to an event of the current run, by its place, and bring it into view.
-    pub fn place_at_event(&mut self, event: usize) {
-        let events = self.shown.as_ref().map(|shown| &shown.run.events);
-        if let Some(t_s) = events.and_then(|events| events.get(event)).map(|event| event.t_s) {
-            self.bring_into_view(t_s);
-        }
-    }
-
-    fn bring_into_view(&mut self, t_s: f64) {
+    /// Put the crosshair on a time, and that into view.
+    pub fn bring_into_view(&mut self, t_s: f64) {
         self.charts.cursor_s = Some(t_s);
         let (from, to) = self.time_range_s();
         if t_s < from || t_s > to {

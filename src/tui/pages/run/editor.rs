@@ -1,23 +1,19 @@
-//! The list of variables: which rows there are, which is selected, the open field, and how a value is shown.
+//! The list of variables: which rows there are, which is selected, and how a value is shown.
 
 pub(in crate::tui) mod draw;
-pub(in crate::tui) mod field;
 
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{Group, VARIABLES, Value, Variable, is_offered};
 use crate::tui::app::find::{rank, ranked};
-use crate::tui::widgets::input::Field;
 
-/// The list of variables and the open field.
+/// The list of variables.
 #[derive(Clone, Debug, Default)]
 pub struct Editor {
     /// Selected variable, by index into the table.
     pub selected: usize,
     /// The text that the rows shown match.
     pub filter: String,
-    /// The open field, and the variable whose value it is, by index into the table.
-    pub field: Option<Field<usize>>,
     /// The arrow step in use: the variable and its decade, kept while the arrows go on.
     pub stride: Option<(usize, i32)>,
 }
@@ -65,28 +61,9 @@ impl Editor {
             .collect()
     }
 
-    /// Move the selection by rows, stopping at the ends.
-    pub fn move_by(&mut self, scene: &Scene, rows: isize) {
-        let listed = self.listed(scene);
-        let Some(last) = listed.len().checked_sub(1) else {
-            return;
-        };
-        let here = listed.iter().position(|index| *index == self.selected).unwrap_or(0);
-        self.selected = listed[here.saturating_add_signed(rows).min(last)];
-    }
-
     /// The selected variable.
     pub fn variable(&self) -> &'static Variable {
         &VARIABLES[self.selected.min(VARIABLES.len() - 1)]
-    }
-
-    /// Set the filter; the selection moves to the best match.
-    pub fn set_filter(&mut self, scene: &Scene, text: &str) {
-        text.trim().clone_into(&mut self.filter);
-        let listed = self.listed(scene);
-        if let Some(first) = listed.first().filter(|_| !self.filter.is_empty()) {
-            self.selected = *first;
-        }
     }
 
     fn rank(&self, variable: &Variable) -> Option<usize> {
@@ -109,11 +86,9 @@ impl Editor {
 pub fn shown_value(variable: &Variable, scene: &Scene, width: usize) -> String {
     match variable.value(scene) {
         Value::Number(number) => shown_number(number, width),
-        Value::Absent | Value::Word(_) | Value::Switch(_) => match variable.value(scene) {
-            Value::Switch(true) => "on".to_owned(),
-            Value::Switch(false) => "off".to_owned(),
-            Value::Absent | Value::Word(_) | Value::Number(_) => variable.show(scene),
-        },
+        Value::Switch(true) => "on".to_owned(),
+        Value::Switch(false) => "off".to_owned(),
+        Value::Absent | Value::Word(_) => variable.show(scene),
     }
 }
 

@@ -1,13 +1,17 @@
 //! The Run tab: what keys do in the list of variables, in the charts and in the table of runs.
 
+use crate::model::variables::Kind;
 use crate::tui::app::App;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::dialogs::List;
+use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
-use crate::tui::pages::run::editor::field;
 use crate::tui::pages::run::steps::Size;
-use crate::tui::pages::run::{charts, layout, runs};
-use crate::tui::update::act::rows_moved;
-use crate::tui::update::{edit, jobs};
+use crate::tui::pages::run::{CHARTS, RUNS, charts, runs};
+use crate::tui::pages::{self, Tab};
+use crate::tui::update::{edit, field, jobs};
+
+/// Words from which on a list is clearer than going to the next one.
+const WORDS_LISTED: usize = 3;
 
 /// What an action does here; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
@@ -15,8 +19,8 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         return Some(jobs::run_now(app));
     }
     match app.pane() {
-        Pane::Charts => charts::keys::act(app, action),
-        Pane::Runs => in_runs(app, action),
+        CHARTS => charts::keys::act(app, action),
+        RUNS => in_runs(app, action),
         _ => in_variables(app, action),
     }
 }
@@ -38,24 +42,30 @@ fn in_variables(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     if let Some((up, size)) = step_of(action) {
         return Some(edit::step(app, up, size));
     }
-    if let Some(by) = rows_moved(action, layout::variable_rows(app)) {
-        app.editor.move_by(&app.scene, by);
-        return Some(Vec::new());
-    }
     match action {
-        Action::Enter => Some(field::open(app)),
+        Action::Enter => Some(open(app)),
         Action::Reset => Some(edit::reset(app)),
         Action::Mark => Some(runs::keys::pin_scene(app)),
         _ => None,
     }
 }
 
-fn in_runs(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    if let Some(by) = rows_moved(action, 8) {
-        let last = app.pins.len();
-        app.selected_run = app.selected_run.saturating_add_signed(by).min(last);
-        return Some(Vec::new());
+/// Open the selected variable's field, or the list of its words; of two words, the other one is taken.
+pub(in crate::tui) fn open(app: &mut App) -> Vec<Effect> {
+    match &app.editor.variable().kind {
+        Kind::Choice(choice) if choice.words.len() >= WORDS_LISTED => {
+            app.dialog = Some(List::Words.at((choice.get)(&app.scene)));
+            Vec::new()
+        }
+        Kind::Choice(_) | Kind::Switch { .. } => edit::step(app, true, Size::Plain),
+        Kind::Number(_) => {
+            let row = pages::of(Tab::Run).rows(app).map_or(0, |rows| rows.selected);
+            field::open(app, row)
+        }
     }
+}
+
+fn in_runs(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
         Action::Enter => Some(runs::keys::load(app)),
         Action::Mark if app.selected_run == 0 => Some(runs::keys::pin_scene(app)),

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use crate::tui::app::App;
 use crate::tui::app::layout::{ROOMY, WIDE, split_bottom, split_left};
 use crate::tui::keymap::Pane;
+use crate::tui::pages::run::{CHARTS, RUNS};
 
 /// From this width on: events and energy beside the charts.
 const WIDEST: u16 = 160;
@@ -48,8 +49,8 @@ pub(crate) fn variable_rows(app: &App) -> usize {
 
 fn full(body: Rect, focus: Pane) -> Panes {
     match focus {
-        Pane::Charts => Panes { charts: stacked(body), ..Panes::default() },
-        Pane::Runs => Panes { runs: Some(body), ..Panes::default() },
+        CHARTS => Panes { charts: stacked(body), ..Panes::default() },
+        RUNS => Panes { runs: Some(body), ..Panes::default() },
         _ => Panes { variables: Some(body), ..Panes::default() },
     }
 }
@@ -61,7 +62,7 @@ fn narrow(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
         let (top, bottom) = split_bottom(right, runs_height(pins));
         panes.runs = Some(bottom);
         panes.charts = if top.height >= 36 { stacked(top) } else { vec![top] };
-    } else if focus == Pane::Runs {
+    } else if focus == RUNS {
         panes.runs = Some(right);
     } else {
         panes.charts = vec![right];
@@ -72,7 +73,7 @@ fn narrow(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
 fn wide(body: Rect, height: u16, focus: Pane, pins: usize) -> Panes {
     let (left, mut right) = split_left(body, if body.width >= ROOMY { 52 } else { 48 });
     let mut panes = Panes::default();
-    if height >= TALL || focus == Pane::Runs {
+    if height >= TALL || focus == RUNS {
         let wanted = runs_height(pins).min(body.height / 2);
         let (top, bottom) = split_bottom(left, wanted);
         panes.variables = Some(top);

@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use crate::tui::app::App;
 use crate::tui::message::Target;
 use crate::tui::pages::log::state::{energy_lines, event_lines};
+use crate::tui::pages::run::CHARTS;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::text::{paint_row, put};
@@ -23,7 +24,11 @@ pub(in crate::tui) fn events(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             paint_row(canvas, inner, row, app.theme.style(Role::Selection));
         }
     }
-    canvas.rows(inner, (0, lines.len()), |event| Some(Target::Event(event)));
+    let chart = app.charts.selected;
+    canvas.rows(inner, (0, lines.len()), |event| {
+        let value = shown.run.events.get(event)?.t_s;
+        Some(Target::Value { pane: CHARTS, chart, value })
+    });
 }
 
 /// The energy ledger.

@@ -12,13 +12,14 @@ use crate::tui::app::status::clip;
 use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, EventLine, Legend, Level, Mapping, Scale, Unit, ViewRange,
 };
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::search::lines::LETTERS;
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Page, Row};
+use crate::tui::pages::search::{RESULTS, SETUP};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::form::Form;
 use crate::tui::widgets::text::{columns, first_row, paint_row, put, text_role};
 use crate::worker::searches::Answer;
 
@@ -30,7 +31,7 @@ const BINS: usize = 40;
 
 /// Draw setup and findings.
 pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mut Canvas<'_>) {
-    canvas.pane(right, Pane::Search);
+    canvas.pane(right, RESULTS);
     setup(app, left, canvas);
     let lines = app.search_lines(usize::from(right.width.saturating_sub(2)));
     let Some(found) = app.searching.shown() else {
@@ -43,7 +44,7 @@ pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mu
         return;
     }
     let top = Rect { height: right.height - below, ..right };
-    let focused = below == 0 && app.has_focus(Pane::Search);
+    let focused = below == 0 && app.has_focus(RESULTS);
     match &found.answer {
         Answer::Seek(report) => sought(app, report, top, focused, canvas),
         Answer::Front(_) => front(app, top, focused, canvas),
@@ -60,55 +61,37 @@ pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mu
 
 /// Where else to look, in the lower line of a chart that stands alone.
 fn turn(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let hint = if app.pane() == Pane::SearchSetup { " Tab " } else { " z: in words " };
+    let hint = if app.pane() == SETUP { " Tab " } else { " z: in words " };
     let column = area.width.saturating_sub(columns(hint) + 1);
     put(canvas, area, (column, area.height - 1), hint, app.theme.style(Role::Dim));
 }
 
 fn setup(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    let on = app.pane() == Pane::SearchSetup;
-    let hint = if on { "" } else { "Tab" };
-    let focused = app.has_focus(Pane::SearchSetup);
-    let inner =
-        PaneFrame::new("Setup").right(hint).focused(focused).render(area, canvas, app.theme);
-    let rows = app.search_rows();
     let selected = app.search_row();
-    let here = rows.iter().position(|row| *row == selected).unwrap_or(0);
-    let height = usize::from(inner.height);
-    let first = if on { first_row(here, height, rows.len()) } else { 0 };
-    canvas.pane(area, Pane::SearchSetup);
-    canvas.rows(inner, (first, rows.len()), |at| match rows[at] {
-        Row::Heading(_) => None,
-        row => Some(Target::SearchSetup(row)),
-    });
-    for (at, row) in (0..inner.height).zip(rows.iter().skip(first)) {
-        let (label, value) = app.search_shown(*row);
-        if matches!(row, Row::Heading(_)) {
-            put(canvas, inner, (0, at), &label, app.theme.style(Role::Title));
-            continue;
-        }
-        let role = if value == "held" || value == "no" { Role::Dim } else { Role::Text };
-        let room = usize::from(inner.width.saturating_sub(LABEL));
-        put(canvas, inner, (LABEL, at), &clip(&label, room), app.theme.style(role));
-        let start = VALUE.max(LABEL + columns(&label) + 1);
-        // A long value moves to the left, up to its name.
-        let start =
-            start.min(inner.width.saturating_sub(columns(&value))).max(LABEL + columns(&label) + 1);
-        let room = usize::from(inner.width.saturating_sub(start));
-        put(canvas, inner, (start, at), &clip(&value, room), app.theme.style(role));
-        if on && *row == selected {
-            put(canvas, inner, (0, at), ">", app.theme.style(Role::Title));
-            match app.searching.field.as_ref().filter(|field| field.row == *row) {
-                Some(field) => {
-                    let wide = matches!(field.row, Row::Result | Row::Output);
-                    let start = if wide { LABEL } else { VALUE };
-                    let room = inner.width.saturating_sub(start + 1);
-                    field.draw_boxed(canvas, (inner, at), (start, room), app.theme);
-                }
-                None => paint_row(canvas, inner, at, app.theme.style(Role::Selection)),
-            }
-        }
+    let form = Form {
+        pane: SETUP,
+        rows: &app.search_rows(),
+        choices: &app.search_choices(),
+        selected,
+        field: if matches!(selected, Row::Result | Row::Output) { LABEL } else { VALUE },
+    };
+    form.render(app, area, canvas, |canvas, line, row| setup_row(app, *row, line, canvas));
+}
+
+fn setup_row(app: &App, row: Row, line: Rect, canvas: &mut Canvas<'_>) {
+    let (label, value) = app.search_shown(row);
+    if matches!(row, Row::Heading(_)) {
+        put(canvas, line, (0, 0), &label, app.theme.style(Role::Title));
+        return;
     }
+    let role = if value == "held" || value == "no" { Role::Dim } else { Role::Text };
+    let room = usize::from(line.width.saturating_sub(LABEL));
+    put(canvas, line, (LABEL, 0), &clip(&label, room), app.theme.style(role));
+    // A long value moves to the left, up to its name.
+    let after = LABEL + columns(&label) + 1;
+    let start = VALUE.max(after).min(line.width.saturating_sub(columns(&value))).max(after);
+    let room = usize::from(line.width.saturating_sub(start));
+    put(canvas, line, (start, 0), &clip(&value, room), app.theme.style(role));
 }
 
 /// What stands where nothing has been found yet.
@@ -129,7 +112,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut Canvas<'_>) {
     let old = if app.search_is_old() { ", of another setup: press r" } else { "" };
     let title = format!("{}{old}", app.searching.page.title());
-    let focused = app.has_focus(Pane::Search);
+    let focused = app.has_focus(RESULTS);
     let height = usize::from(area.height.saturating_sub(2));
     let (has_choices, more) = (app.searching.choices() > 0, lines.len() > height);
     let hint = if more && !has_choices { "j/k: more" } else { "" };
@@ -278,7 +261,9 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let design: &Design = design;
         mark(app, place(&design.measures), ("X", Role::Crosshair), plot, canvas);
     }
-    canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), Target::Design);
+    canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), |at| {
+        Target::Row(RESULTS, at)
+    });
 }
 
 fn mark(

@@ -5,8 +5,6 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use crossterm::event::KeyEvent;
-
 use crate::model::results::RESULTS;
 use crate::study::quantities::{parse_value, quantity};
 use crate::study::search::seek::SCAN;
@@ -15,19 +13,19 @@ use crate::tui::app::find::quantity_called;
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::wrap;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::numeric;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::search;
+use crate::tui::pages::search::SETUP;
 use crate::tui::pages::search::bounds::{bound, read_bound, read_end};
 use crate::tui::pages::search::setup::Setup;
 use crate::tui::pages::search::state;
 use crate::tui::pages::search::state::{Page, Row};
-use crate::tui::update::act::rows_moved;
+use crate::tui::update::act::move_by;
 use crate::tui::update::jobs::Found;
-use crate::tui::update::{edit, jobs};
-use crate::tui::widgets::input::{Field, Typed};
+use crate::tui::update::{edit, field, jobs};
 use crate::worker::studies::StudyKind;
 use crate::worker::{Finding, ReportBody};
 
@@ -52,7 +50,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     match action {
         Action::Run => return Some(look(app)),
         Action::Export | Action::Copy => return None,
-        _ if app.pane() == Pane::SearchSetup => return in_setup(app, action),
+        _ if app.pane() == SETUP => return in_setup(app, action),
         Action::Enter => return Some(edit::load_design(app, app.search_design())),
         Action::Mark => return Some(runs::keys::pin_design(app, app.search_design())),
         Action::View => return Some(view(app)),
@@ -82,19 +80,15 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
                 Action::Right => 1,
                 Action::FarLeft => -FAR,
                 Action::FarRight => FAR,
-                _ => rows_moved(action, app.list_rows())?,
+                _ => return None,
             };
-            walk(app, by);
+            move_by(app, by);
         }
     }
     Some(Vec::new())
 }
 
 fn in_setup(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    if let Some(by) = rows_moved(action, app.list_rows()) {
-        app.move_in_search(by);
-        return Some(Vec::new());
-    }
     match action {
         Action::Right | Action::FarRight | Action::FineMore => Some(step(app, 1)),
         Action::Left | Action::FarLeft | Action::FineLess => Some(step(app, -1)),
@@ -107,7 +101,7 @@ fn in_setup(app: &mut App, action: Action) -> Option<Vec<Effect>> {
 pub(in crate::tui) fn turn_to(app: &mut App, page: usize) -> Vec<Effect> {
     app.searching.page = Page::ALL[page.min(Page::ALL.len() - 1)];
     app.searching.problem = None;
-    app.searching.field = None;
+    app.field = None;
     app.searching.row = app.search_row();
     if app.searching.shown().is_some() { Vec::new() } else { look(app) }
 }
@@ -131,19 +125,8 @@ fn view(app: &mut App) -> Vec<Effect> {
     Vec::new()
 }
 
-fn walk(app: &mut App, by: isize) {
-    let choices = app.searching.choices();
-    let (at, last) = if choices == 0 {
-        (app.searching.scrolled(), hidden_lines(app))
-    } else {
-        (app.searching.selected(), choices - 1)
-    };
-    let at = at.min(last).saturating_add_signed(by).min(last);
-    app.searching.select(at);
-}
-
 /// Lines of the words that have no room; none where the chart stands alone.
-fn hidden_lines(app: &App) -> usize {
+pub(in crate::tui) fn hidden_lines(app: &App) -> usize {
     let Some(body) = app.layout().body else { return 0 };
     let (_, area) = search::panes(app, body);
     let lines = app.search_lines(usize::from(area.width.saturating_sub(2))).len();
@@ -307,47 +290,22 @@ fn open_field(app: &mut App) -> Vec<Effect> {
         }
         Row::Heading(_) => {}
         _ => {
-            app.searching.field = Some(Field::new(row, app.search_text(row)));
+            let rows = app.search_choices();
+            return field::open(app, rows.iter().position(|one| *one == row).unwrap_or(0));
         }
     }
     Vec::new()
 }
 
-/// A key while a field of the setup is open.
-pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
-    let Some(field) = &mut app.searching.field else { return Vec::new() };
-    match field.typed(key, 0) {
-        Typed::Nothing => Vec::new(),
-        Typed::Close => {
-            app.searching.field = None;
-            Vec::new()
-        }
-        Typed::Commit(by) => commit(app, by),
-        Typed::Leave(_) => commit(app, 0),
-    }
-}
-
-/// Take the text and go on; a text that is refused stays, with the reason, and nothing else changes.
-fn commit(app: &mut App, then: isize) -> Vec<Effect> {
-    let Some(mut field) = app.searching.field.take() else { return Vec::new() };
-    let text = field.value().trim().to_owned();
-    // The bounds of a held variable are a proposal: typed again they are taken.
-    let same = text == app.search_text(field.row) && !matches!(field.row, Row::Bound(_));
-    let untouched = field.all_selected || same;
-    let before = app.searching.setup.clone();
-    let taken = if untouched { Ok(()) } else { take(app, field.row, &text) };
-    match taken {
-        Ok(()) => {
-            note(app, field.row, before, false);
-            app.move_in_search(then);
-            after_edit(app)
-        }
-        Err(error) => {
-            field.error = Some(error);
-            app.searching.field = Some(field);
-            Vec::new()
-        }
-    }
+/// Take what was typed into the field of the selected row.
+///
+/// # Errors
+/// Why it is refused.
+pub(in crate::tui) fn take(app: &mut App, text: &str) -> Result<Vec<Effect>, String> {
+    let (row, before) = (app.search_row(), app.searching.setup.clone());
+    read(app, row, text)?;
+    note(app, row, before, false);
+    Ok(after_edit(app))
 }
 
 /// A whole number in a range.
@@ -360,7 +318,7 @@ fn count<T: FromStr + PartialOrd + Display>(
     value.ok_or_else(|| format!("`{text}` must be a whole number, {least} to {most}"))
 }
 
-fn take(app: &mut App, row: Row, text: &str) -> Result<(), String> {
+fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
     let scene = Arc::clone(&app.scene);
     let bounds = app.search_bounds();
     let setup = &mut app.searching.setup;

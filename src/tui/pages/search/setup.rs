@@ -193,27 +193,21 @@ impl App {
         rows
     }
 
-    /// The selected row; the first one where the selection is not there any more.
+    /// The rows that can be selected.
+    pub fn search_choices(&self) -> Vec<Row> {
+        let mut rows = self.search_rows();
+        rows.retain(|row| !matches!(row, Row::Heading(_)));
+        rows
+    }
+
+    /// The selected row; where the selection is not there any more, what a person changes first: the goal, else the first row.
     pub fn search_row(&self) -> Row {
-        let rows = self.search_rows();
+        let rows = self.search_choices();
         if rows.contains(&self.searching.row) {
             return self.searching.row;
         }
-        // What a person changes first: the goal, else the first row.
-        if self.searching.page == Page::Seek {
-            return Row::Goal;
-        }
-        let first = rows.iter().find(|row| !matches!(row, Row::Heading(_)));
-        first.copied().unwrap_or_default()
-    }
-
-    /// Move the selection, stopping at the ends.
-    pub fn move_in_search(&mut self, by: isize) {
-        let mut rows = self.search_rows();
-        rows.retain(|row| !matches!(row, Row::Heading(_)));
-        let row = self.search_row();
-        let here = rows.iter().position(|one| *one == row).unwrap_or(0);
-        self.searching.row = rows[here.saturating_add_signed(by).min(rows.len() - 1)];
+        let goal = Some(Row::Goal).filter(|row| rows.contains(row));
+        goal.or_else(|| rows.first().copied()).unwrap_or_default()
     }
 
     /// What a row shows: its label and its value.

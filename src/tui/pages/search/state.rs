@@ -13,11 +13,9 @@ use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::{Scale, ViewRange};
-use crate::tui::keymap::Pane;
 use crate::tui::pages::explore::state::copy_value;
-use crate::tui::pages::search;
+use crate::tui::pages::search::SETUP;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::widgets::input::Field;
 use crate::worker::searches::{Answer, Request};
 
 pub use crate::tui::pages::search::bounds::Bound;
@@ -88,8 +86,6 @@ pub struct Searching {
     pub page: Page,
     /// The selected row of the setup.
     pub row: Row,
-    /// The open field.
-    pub field: Option<Field<Row>>,
     /// What is looked for.
     pub setup: Setup,
     /// What was found, page by page.
@@ -102,8 +98,6 @@ pub struct Searching {
     pub problem: Option<String>,
     /// The selected design or solution, page by page.
     pub cursor: [Option<usize>; 4],
-    /// Where chart and words have no room together, the words are shown.
-    pub in_words: bool,
     /// Logarithmic axes across and up.
     pub log: (bool, bool),
     /// The part of the axis across that is in view; `None`: all of it.
@@ -169,7 +163,7 @@ impl Searching {
     }
 
     /// Whether a right pane so high has no room for a chart and so many lines of words: then Tab turns from one to the other.
-    pub fn is_crowded(&self, height: u16, lines: usize) -> bool {
+    fn is_crowded(&self, height: u16, lines: usize) -> bool {
         // A chart is drawn where four lines are left below it, or all there are.
         self.draws() && height < CHART_ROWS + words_rows(lines).min(LEAST_WORDS)
     }
@@ -179,8 +173,8 @@ impl Searching {
     pub fn words_height(&self, height: u16, lines: usize) -> u16 {
         match (self.draws(), self.is_crowded(height, lines)) {
             (true, false) => words_rows(lines).min(height - CHART_ROWS).max(3),
-            (true, true) if !self.in_words => 0,
-            (true, true) | (false, _) => height,
+            (true, true) => 0,
+            (false, _) => height,
         }
     }
 
@@ -297,14 +291,6 @@ fn words_rows(lines: usize) -> u16 {
 }
 
 impl App {
-    /// Whether chart and words have no room together here; see [`Searching::is_crowded`].
-    pub fn search_is_crowded(&self) -> bool {
-        let Some(body) = self.layout().body else { return false };
-        let (_, area) = search::panes(self, body);
-        let lines = self.search_lines(usize::from(area.width.saturating_sub(2))).len();
-        self.searching.is_crowded(area.height, lines)
-    }
-
     /// Whether what is shown belongs to another scene or another setup. Values of the variables that were searched over do
     /// not count: a design of the results may be loaded, and the others stay results.
     pub fn search_is_old(&self) -> bool {
@@ -369,7 +355,7 @@ impl App {
     /// What is selected, in words.
     pub fn search_readout(&self) -> Option<String> {
         let tab = &self.searching;
-        if self.pane() == Pane::SearchSetup {
+        if self.pane() == SETUP {
             return Some(self.search_row_words());
         }
         if let Some(problem) = &tab.problem {

@@ -7,12 +7,13 @@ use crate::study::principles::PRINCIPLES;
 use crate::study::screening::{CONCEPTS, CRITERIA, rank, ranking};
 use crate::study::thesis::Verdict;
 use crate::tui::app::App;
-use crate::tui::app::status::clip;
-use crate::tui::keymap::Pane;
+use crate::tui::app::status::{clip, wrap};
 use crate::tui::message::Target;
+use crate::tui::pages::thesis::{self, CLAIMS, SCREENING};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, first_row, paint_row, put};
+use crate::tui::widgets::list::List;
+use crate::tui::widgets::text::{columns, put};
 
 /// From this width on the detail stands beside the list.
 const BESIDE: u16 = 110;
@@ -24,8 +25,8 @@ const LABEL: u16 = 12;
 /// Draw the page shown.
 pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     match app.pane() {
-        Pane::Claims => claims(app, area, canvas),
-        Pane::Screening => screening(app, area, canvas),
+        CLAIMS => claims(app, area, canvas),
+        SCREENING => screening(app, area, canvas),
         _ => principles(app, area, canvas),
     }
 }
@@ -71,20 +72,18 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         };
         put(canvas, inner, (1, 1), text, app.theme.style(Role::Dim));
     }
-    let first = first_row(tab.selected, usize::from(inner.height), shown.len());
-    canvas.rows(inner, (first, shown.len()), |row| Some(Target::Row(row)));
     let says = PLACE.min(inner.width / 3);
-    for (y, (index, row)) in (0..inner.height).zip(shown.iter().enumerate().skip(first)) {
+    let rows = List { count: shown.len(), selected: tab.selected, painted: app.dialog.is_none() };
+    let target = |row| Some(Target::Row(CLAIMS, row));
+    rows.render(canvas, inner, app.theme, target, |canvas, line, index| {
+        let row = shown[index];
         let style = app.theme.style(role(row.found.verdict));
-        put(canvas, inner, (0, y), &row.found.verdict.letter().to_string(), style);
+        put(canvas, line, (0, 0), &row.found.verdict.letter().to_string(), style);
         let place = clip(row.claim.place, usize::from(says.saturating_sub(3)));
-        put(canvas, inner, (2, y), &place, style);
-        let room = usize::from(inner.width.saturating_sub(says));
-        put(canvas, inner, (says, y), &clip(row.claim.says, room), style);
-        if index == tab.selected && app.dialog.is_none() {
-            paint_row(canvas, inner, y, app.theme.style(Role::Selection));
-        }
-    }
+        put(canvas, line, (2, 0), &place, style);
+        let room = usize::from(line.width.saturating_sub(says));
+        put(canvas, line, (says, 0), &clip(row.claim.says, room), style);
+    });
     let pane =
         PaneFrame::new(app.claim().map_or_else(String::new, |row| row.claim.place.to_owned()))
             .right("Tab: principles");
@@ -118,29 +117,11 @@ fn labelled(
     put(canvas, area, (0, from), label, app.theme.style(Role::Dim));
     let room = usize::from(area.width.saturating_sub(LABEL).max(8));
     let mut y = from;
-    for line in lines(text, room) {
+    for line in wrap(text, room) {
         put(canvas, area, (LABEL, y), &line, app.theme.style(Role::Text));
         y += 1;
     }
     y
-}
-
-/// A text in lines of at most `room` columns, broken between words.
-fn lines(text: &str, room: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let last = lines.len() - 1;
-        let line = &mut lines[last];
-        if line.is_empty() {
-            line.push_str(word);
-        } else if line.chars().count() + 1 + word.chars().count() <= room {
-            line.push(' ');
-            line.push_str(word);
-        } else {
-            lines.push(word.to_owned());
-        }
-    }
-    lines
 }
 
 /// A row of the list of principles.
@@ -173,23 +154,19 @@ fn principles(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let lines = listed();
     let here = |line: &Line| matches!(line, Line::Principle(index) if *index == tab.principle);
     let selected = lines.iter().position(here).unwrap_or(0);
-    let first = first_row(selected, usize::from(inner.height), lines.len());
-    canvas.rows(inner, (first, lines.len()), |row| match lines[row] {
+    let rows = List { count: lines.len(), selected, painted: app.dialog.is_none() };
+    let target = |row: usize| match lines[row] {
         Line::Family(_) => None,
-        Line::Principle(index) => Some(Target::Row(index)),
-    });
-    for (y, (at, line)) in (0..inner.height).zip(lines.iter().enumerate().skip(first)) {
-        match line {
-            Line::Family(name) => put(canvas, inner, (0, y), name, app.theme.style(Role::Title)),
+        Line::Principle(index) => Some(Target::Row(thesis::PRINCIPLES, index)),
+    };
+    rows.render(canvas, inner, app.theme, target, |canvas, row, at| {
+        match lines[at] {
+            Line::Family(name) => put(canvas, row, (0, 0), name, app.theme.style(Role::Title)),
             Line::Principle(index) => {
-                let name = PRINCIPLES[*index].name;
-                put(canvas, inner, (2, y), name, app.theme.style(Role::Text))
+                put(canvas, row, (2, 0), PRINCIPLES[index].name, app.theme.style(Role::Text))
             }
         };
-        if at == selected && app.dialog.is_none() {
-            paint_row(canvas, inner, y, app.theme.style(Role::Selection));
-        }
-    }
+    });
     let principle = &PRINCIPLES[tab.principle];
     let title = format!("{}, section {}", principle.name, principle.section);
     let inner = PaneFrame::new(title).right("Tab: screening").render(detail, canvas, app.theme);
@@ -230,18 +207,20 @@ fn screening(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let column = start + cell * u16::try_from(index).unwrap_or(0);
         put(canvas, inner, (column + 1, 0), &initials(concept.name), dim);
     }
-    for (y, (index, criterion)) in (1..inner.height).zip(CRITERIA.iter().enumerate()) {
-        put(canvas, inner, (1, y), &clip(criterion, usize::from(name) - 1), text);
+    let count = CRITERIA.len();
+    let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
+    let list = Rect { y: inner.y + 1, height, ..inner };
+    let rows = List { count, selected: tab.criterion, painted: app.dialog.is_none() };
+    let target = |row| Some(Target::Row(SCREENING, row));
+    rows.render(canvas, list, app.theme, target, |canvas, row, index| {
+        put(canvas, row, (1, 0), &clip(CRITERIA[index], usize::from(name) - 1), text);
         let weight = format!("{} %", significant(tab.weights[index], 3));
-        put(canvas, inner, (name + 6 - columns(&weight).min(6), y), &weight, text);
+        put(canvas, row, (name + 6 - columns(&weight).min(6), 0), &weight, text);
         for (at, concept) in CONCEPTS.iter().enumerate() {
             let column = start + cell * u16::try_from(at).unwrap_or(0);
-            put(canvas, inner, (column + 2, y), &significant(concept.ratings[index], 2), text);
+            put(canvas, row, (column + 2, 0), &significant(concept.ratings[index], 2), text);
         }
-        if index == tab.criterion && app.dialog.is_none() {
-            paint_row(canvas, inner, y, app.theme.style(Role::Selection));
-        }
-    }
+    });
     for (y, label) in [(8, "total"), (9, "rank (printed)")] {
         put(canvas, inner, (0, y), label, app.theme.style(Role::Title));
     }
@@ -270,10 +249,6 @@ fn screening(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         );
         put(canvas, inner, (1, y), &line, text);
     }
-    let count = CRITERIA.len();
-    let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
-    let list = Rect { y: inner.y + 1, height, ..inner };
-    canvas.rows(list, (0, count), |row| Some(Target::Row(row)));
 }
 
 /// Two letters of the first word and one of the second: `EmF` for `Emergent four-bar`.

@@ -9,13 +9,14 @@ use crate::study::thesis::Opens;
 use crate::tui::app::history::{Edit, Setting};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, Base, Origin};
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::explore;
 use crate::tui::pages::explore::state::{Picture, Spread};
+use crate::tui::pages::run;
 use crate::tui::pages::run::keys::step_of;
 use crate::tui::pages::run::steps::Size;
-use crate::tui::update::act::rows_moved;
+use crate::tui::pages::thesis::{self, CLAIMS, SCREENING};
 use crate::tui::update::jobs::Found;
 use crate::tui::update::{edit, jobs};
 use crate::worker::studies::StudyKind;
@@ -32,13 +33,13 @@ const WEIGHT_MAX: f64 = 100.0;
 pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let tab = &app.thesis;
     let there = tab.report.as_ref().is_some_and(|(_, all)| *all) || tab.running.is_some();
-    if there || app.pane() != Pane::Claims { Vec::new() } else { check(app) }
+    if there || app.pane() != CLAIMS { Vec::new() } else { check(app) }
 }
 
 /// What an action does here; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     let pane = app.pane();
-    if let (Pane::Screening, Some((up, size))) = (pane, step_of(action)) {
+    if let (SCREENING, Some((up, size))) = (pane, step_of(action)) {
         let step = match size {
             Size::Plain => STEP,
             Size::Coarse => 10.0 * STEP,
@@ -52,7 +53,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     match action {
         Action::Run => return Some(check(app)),
         Action::Enter => return Some(open(app)),
-        Action::View if pane == Pane::Claims => app.thesis.next_filter(),
+        Action::View if pane == CLAIMS => app.thesis.next_filter(),
         Action::Sort => app.thesis.by_verdict = !app.thesis.by_verdict,
         Action::Reset => {
             let (mut weights, at) = (app.thesis.weights, app.thesis.criterion);
@@ -60,11 +61,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
             weigh(app, weights, None);
             app.say(Severity::Note, "the weight is that of Table 7.1 again (u undoes)");
         }
-        Action::Export | Action::Copy => return None,
-        _ => {
-            let by = rows_moved(action, app.list_rows())?;
-            app.move_in_thesis(by);
-        }
+        _ => return None,
     }
     Some(Vec::new())
 }
@@ -106,8 +103,10 @@ fn open(app: &mut App) -> Vec<Effect> {
     let tab = &app.thesis;
     let row = app.claim();
     let opens = match app.pane() {
-        Pane::Principles => PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset),
-        Pane::Screening => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
+        thesis::PRINCIPLES => {
+            PRINCIPLES[tab.principle].preset.map_or(Opens::Nothing, Opens::Preset)
+        }
+        SCREENING => Opens::Preset(CONCEPTS[ranking(&tab.weights)[0].concept].preset),
         _ => row.map_or(Opens::Nothing, |row| row.claim.opens),
     };
     let id = row.map_or("claim", |row| row.claim.id);
@@ -139,10 +138,10 @@ pub(in crate::tui) fn show(app: &mut App, base: Base) -> Vec<Effect> {
     let axes = base.scene.sweep.as_ref().map_or(0, |sweep| sweep.axes.len());
     let mut effects = edit::load(app, base);
     if axes == 0 {
-        app.focus_on(Pane::Variables);
+        app.focus_on(run::VARIABLES);
         return effects;
     }
-    app.focus_on(Pane::Explore);
+    app.focus_on(explore::RESULTS);
     app.sweeping.output = 0;
     app.sweeping.cursor = [None; 2];
     app.sweeping.zoom = [None; 2];

@@ -10,7 +10,7 @@ use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
-use crate::tui::keymap::Pane;
+use crate::tui::pages::thesis::{self, CLAIMS};
 
 /// The state of the tab.
 #[derive(Clone, Debug)]
@@ -86,40 +86,11 @@ impl App {
         self.claims().get(self.thesis.selected).copied()
     }
 
-    /// Move the selection of the page shown.
-    pub fn move_in_thesis(&mut self, rows: isize) {
-        let count = match self.pane() {
-            Pane::Principles => PRINCIPLES.len(),
-            Pane::Screening => CRITERIA.len(),
-            _ => self.claims().len(),
-        };
-        let last = count.saturating_sub(1);
-        let selected = match self.pane() {
-            Pane::Principles => &mut self.thesis.principle,
-            Pane::Screening => &mut self.thesis.criterion,
-            _ => &mut self.thesis.selected,
-        };
-        *selected = selected.saturating_add_signed(rows).min(last);
-    }
-
-    /// Select a row of the page shown; whether it was selected already.
-    pub fn pick_in_thesis(&mut self, row: usize) -> bool {
-        let state = |app: &Self| {
-            let tab = &app.thesis;
-            (tab.selected, tab.principle, tab.criterion)
-        };
-        let before = state(self);
-        let far = isize::MAX / 2;
-        self.move_in_thesis(-far);
-        self.move_in_thesis(isize::try_from(row).unwrap_or(far));
-        before == state(self)
-    }
-
     /// What is selected, in words, for the message row.
     pub fn thesis_readout(&self) -> Option<String> {
         let tab = &self.thesis;
         match self.pane() {
-            Pane::Claims => {
+            CLAIMS => {
                 let row = self.claim()?;
                 let opens = match row.claim.opens {
                     Opens::Nothing => "no scene shows this".to_owned(),
@@ -129,7 +100,7 @@ impl App {
                 // The cause is in the detail: a line that changes its height here would move the list.
                 Some(format!("{}: {opens}", row.found.verdict.words()))
             }
-            Pane::Principles => {
+            thesis::PRINCIPLES => {
                 let principle = &PRINCIPLES[tab.principle];
                 let opens = principle.preset.map_or_else(
                     || "no preset shows it".to_owned(),

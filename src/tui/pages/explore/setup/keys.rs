@@ -5,8 +5,6 @@
 
 use std::ops::RangeInclusive;
 
-use crossterm::event::KeyEvent;
-
 use crate::model::results::RESULTS;
 use crate::model::scene::{Scene, Sweep};
 use crate::model::units::{self, Bare};
@@ -23,12 +21,11 @@ use crate::tui::message::Effect;
 use crate::tui::pages::explore::state::{
     Picture, SetupRow, Spread, Sweeping, has_family, numeric, sweep_of,
 };
+use crate::tui::pages::run;
 use crate::tui::pages::run::keys::step_of;
 use crate::tui::pages::run::steps;
 use crate::tui::pages::run::steps::Size;
-use crate::tui::update::act::rows_moved;
-use crate::tui::update::edit;
-use crate::tui::widgets::input::{Field, Typed};
+use crate::tui::update::{edit, field};
 
 /// The numbers of points the arrows go through.
 const COUNTS: [usize; 9] = [5, 11, 21, 41, 101, 201, 401, 701, 1001];
@@ -38,10 +35,6 @@ const CURVES: RangeInclusive<u64> = 2..=7;
 /// What an action does in the setup; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     let picture = app.picture();
-    if let Some(by) = rows_moved(action, app.list_rows()) {
-        app.move_in_setup(picture, by);
-        return Some(Vec::new());
-    }
     let row = app.setup_row(picture);
     app.sweeping.row = row;
     if let SetupRow::Held(index) = row {
@@ -72,11 +65,11 @@ fn open(app: &mut App, picture: Picture, row: SetupRow) -> Vec<Effect> {
         }
         // A list of the words, or the other of two.
         SetupRow::Held(index) if !matches!(VARIABLES[index].kind, Kind::Number(_)) => {
-            crate::tui::pages::run::editor::field::open(app)
+            run::keys::open(app)
         }
         row => {
-            app.sweeping.field = Some(Field::new(row, app.setup_text(row)));
-            Vec::new()
+            let choices = app.setup_choices(picture);
+            field::open(app, choices.iter().position(|one| *one == row).unwrap_or(0))
         }
     }
 }
@@ -86,44 +79,13 @@ pub(in crate::tui) fn toggle_spacing(app: &mut App) -> Vec<Effect> {
     step(app, app.picture(), SetupRow::Spacing(0), (true, Size::Plain))
 }
 
-/// A key while a field of the setup is open.
-pub(in crate::tui) fn press(app: &mut App, key: KeyEvent) -> Vec<Effect> {
-    let Some(field) = &mut app.sweeping.field else { return Vec::new() };
-    match field.typed(key, 1) {
-        Typed::Nothing => Vec::new(),
-        Typed::Close => {
-            app.sweeping.field = None;
-            Vec::new()
-        }
-        Typed::Commit(by) => commit(app, by),
-        Typed::Leave(_) => commit(app, 0),
-    }
-}
-
-/// Take the text and go on; a text that is refused stays, with the reason, and nothing else changes.
-fn commit(app: &mut App, then: isize) -> Vec<Effect> {
-    let Some(mut field) = app.sweeping.field.take() else { return Vec::new() };
+/// Take what was typed into the field of the selected row.
+///
+/// # Errors
+/// Why it is refused.
+pub(in crate::tui) fn take(app: &mut App, text: &str) -> Result<Vec<Effect>, String> {
     let picture = app.picture();
-    let text = field.value().trim().to_owned();
-    let result = if field.all_selected || text == app.setup_text(field.row) {
-        Ok(Vec::new())
-    } else {
-        take(app, picture, field.row, &text)
-    };
-    match result {
-        Ok(effects) => {
-            app.move_in_setup(picture, then);
-            effects
-        }
-        Err(error) => {
-            field.error = Some(error);
-            app.sweeping.field = Some(field);
-            Vec::new()
-        }
-    }
-}
-
-fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Vec<Effect>, String> {
+    let row = app.setup_row(picture);
     let mut sweep = sweep_of(&app.scene);
     let whole = |text: &str, counts: RangeInclusive<u64>| {
         text.parse::<usize>().map_err(|_not_a_number| {
@@ -162,10 +124,7 @@ fn take(app: &mut App, picture: Picture, row: SetupRow, text: &str) -> Result<Ve
             let at = app.sweeping.output.min(sweep.outputs.len() - 1);
             return Ok(choose_output(app, sweep, at, output.name));
         }
-        SetupRow::Held(index) => {
-            let value = VARIABLES[index].parse(&app.scene, text, Bare::Stored);
-            return edit::set(app, index, value.map_err(|error| error.to_string())?, None);
-        }
+        SetupRow::Held(index) => return edit::type_value(app, index, text),
         SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Design | SetupRow::Picture => {
             return Ok(Vec::new());
         }

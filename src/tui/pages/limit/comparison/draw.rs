@@ -7,17 +7,17 @@ use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
 use crate::tui::chart::{Heatmap, heatmap};
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::limit::efficiency_map::{levels, with_heatmap};
+use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::text::{columns, put, text_role};
 
 /// The verdict first, then the figures beside each other; scrolled by j and k.
 pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, Pane::Comparison);
-    let focused = app.has_focus(Pane::Comparison);
+    canvas.pane(area, COMPARISON);
+    let focused = app.has_focus(COMPARISON);
     let old = if app.comparison_is_old() { ", of another scene: press r" } else { "" };
     let with = app.absorber().map_or_else(String::new, |one| format!(" with {}", one.name));
     let title = format!("Does moving armour pay?{with}{old}");
@@ -49,8 +49,8 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// The map of mass efficiency with the line of 1, and below it what its colours mean.
 pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, Pane::EfficiencyMap);
-    let focused = app.has_focus(Pane::EfficiencyMap);
+    canvas.pane(area, EFFICIENCY_MAP);
+    let focused = app.has_focus(EFFICIENCY_MAP);
     let map = app.comparison().and_then(|found| found.map.as_ref());
     let Some((map, levels)) = map.and_then(|map| Some((map, levels(map)?))) else {
         let frame = PaneFrame::new("Mass efficiency").focused(focused);
@@ -79,6 +79,6 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
     canvas.plot(&layout, |x, y| {
         let nearest = |axis: &Axis, value: f64| usize::try_from(axis.nearest(value)).ok();
-        Some(Target::Efficiency(nearest(map.x(), x)?, nearest(map.y(), y)?))
+        Some(Target::Cell(EFFICIENCY_MAP, (nearest(map.x(), x)?, nearest(map.y(), y)?)))
     });
 }

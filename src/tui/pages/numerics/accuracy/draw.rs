@@ -9,11 +9,13 @@ use crate::tui::app::layout::{WIDE, split_bottom, split_left};
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend, Level, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
+use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::pages::numerics::accuracy::{TARGETS, order, percent, seconds};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::list::List;
 use crate::tui::widgets::table::{Column, Page};
-use crate::tui::widgets::text::{NEEDS_SINGLE, columns, first_row, paint_row, put, text_role};
+use crate::tui::widgets::text::{NEEDS_SINGLE, columns, put, text_role};
 
 /// Columns of a method's letter and name in the table.
 const NAME: u16 = 19;
@@ -140,7 +142,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     };
     let layout = chart.render(area, canvas, app.theme);
     canvas.plot_columns = Some(layout.plot.width);
-    canvas.plot(&layout, |time_s, _| Some(Target::RunTime(time_s)));
+    canvas.plot(&layout, |value, _| Some(Target::Value { pane: ACCURACY, chart: 0, value }));
 }
 
 fn colour(method: Method) -> usize {
@@ -182,27 +184,23 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let inner = PaneFrame::new("Methods").right(hint).render(area, canvas, app.theme);
     page.headings(canvas, inner, NAME, app.theme.style(Role::Dim));
     let count = Method::ALL.len();
-    let height = usize::from(inner.height.saturating_sub(1));
-    let first = first_row(tab.selected_row(), height, count);
-    for (row, (index, method)) in (1..inner.height).zip(Method::ALL.iter().enumerate().skip(first))
-    {
-        let hidden = tab.hidden.contains(method);
-        let role = if hidden { Role::Dim } else { Role::Curve(index) };
-        let letter = if hidden { ' ' } else { method.letter() };
-        put(canvas, inner, (0, row), &letter.to_string(), app.theme.style(role));
-        let style = app.theme.style(if hidden { Role::Dim } else { Role::Text });
-        put(canvas, inner, (2, row), method.name(), style);
-        if let Some(report) = tab.of(*method) {
-            page.values(canvas, inner, (NAME, row), (report, style));
-        }
-        if index == tab.selected_row() && app.dialog.is_none() {
-            paint_row(canvas, inner, row, app.theme.style(Role::Selection));
-        }
-    }
-    details(app, inner, canvas);
     let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
     let list = Rect { y: inner.y + 1, height, ..inner };
-    canvas.rows(list, (first, count), |method| Some(Target::Method(method)));
+    let rows = List { count, selected: tab.selected_row(), painted: app.dialog.is_none() };
+    let target = |method| Some(Target::Row(ACCURACY, method));
+    rows.render(canvas, list, app.theme, target, |canvas, row, index| {
+        let method = Method::ALL[index];
+        let hidden = tab.hidden.contains(&method);
+        let role = if hidden { Role::Dim } else { Role::Curve(index) };
+        let letter = if hidden { ' ' } else { method.letter() };
+        put(canvas, row, (0, 0), &letter.to_string(), app.theme.style(role));
+        let style = app.theme.style(if hidden { Role::Dim } else { Role::Text });
+        put(canvas, row, (2, 0), method.name(), style);
+        if let Some(report) = tab.of(method) {
+            page.values(canvas, row, (NAME, 0), (report, style));
+        }
+    });
+    details(app, inner, canvas);
 }
 
 /// What is to be said of the selected method, below all of them.

@@ -11,7 +11,6 @@ use crate::tui::chart::scale::Scale;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::numerics::accuracy::TARGETS;
-use crate::tui::update::act::rows_moved;
 use crate::tui::update::{edit, jobs};
 use crate::tui::view::plot_columns;
 use crate::worker::studies::StudyKind;
@@ -38,7 +37,6 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     match action {
         Action::Run => return Some(measure(app)),
         Action::Enter => return Some(use_method(app)),
-        Action::Export | Action::Copy => return None,
         Action::Left => app.accuracy.move_cursor(-1, columns),
         Action::Right => app.accuracy.move_cursor(1, columns),
         Action::FarLeft => app.accuracy.move_cursor(-10, columns),
@@ -51,12 +49,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         Action::View => app.accuracy.table_page += 1,
         Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
         Action::ShowHide | Action::Mark => show_or_hide(app),
-        _ => {
-            let by = rows_moved(action, 8)?;
-            let last = Method::ALL.len() - 1;
-            let here = app.accuracy.selected_row();
-            app.accuracy.selected = Some(here.saturating_add_signed(by).min(last));
-        }
+        _ => return None,
     }
     Some(Vec::new())
 }
@@ -64,12 +57,8 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 /// Set the scene to the selected method at the accuracy asked for first: its tolerance, or the thesis's listing.
 fn use_method(app: &mut App) -> Vec<Effect> {
     let method = app.accuracy.method();
-    let refuse = |app: &mut App, text: String| {
-        app.say(Severity::Error, text);
-        Vec::new()
-    };
     if app.accuracy_is_old() || app.accuracy.report.is_none() {
-        return refuse(app, "no results of this scene: press r to measure".to_owned());
+        return app.refuse("no results of this scene: press r to measure");
     }
     let mut scene = (*app.scene).clone();
     let what = match method {
@@ -84,7 +73,7 @@ fn use_method(app: &mut App) -> Vec<Effect> {
         | Method::ClosedForm => {
             let Some(tolerance) = app.accuracy.tolerance_for(method, TARGETS[0]) else {
                 let text = format!("{} does not reach an error of 1e-6 here", method.name());
-                return refuse(app, text);
+                return app.refuse(text);
             };
             scene.run.tolerance = tolerance;
             format!("{}: tolerance {tolerance:.0e} gives 1e-6", method.name())
@@ -94,7 +83,7 @@ fn use_method(app: &mut App) -> Vec<Effect> {
                 "{} is here for comparison: a scene is run by auto, which chooses the method",
                 method.name()
             );
-            return refuse(app, text);
+            return app.refuse(text);
         }
     };
     if scene == *app.scene {

@@ -10,13 +10,14 @@ use crate::study::stability::Row;
 use crate::study::stability::map::{Cell, Map};
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::accuracy::seconds;
+use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
+use crate::tui::widgets::list::List;
 use crate::tui::widgets::table::{Column, Page};
-use crate::tui::widgets::text::{NEEDS_SINGLE, columns, first_row, paint_row, put};
+use crate::tui::widgets::text::{NEEDS_SINGLE, columns, paint_row, put};
 
 /// Columns left of the map, for the values of its rows.
 const GUTTER: u16 = 9;
@@ -48,8 +49,7 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         }
         None => "Map".to_owned(),
     };
-    let pane =
-        PaneFrame::new(title).right("Tab: stiff scenes").focused(app.has_focus(Pane::StabilityMap));
+    let pane = PaneFrame::new(title).right("Tab: stiff scenes").focused(app.has_focus(STABILITY));
     let inner = pane.render(area, canvas, app.theme);
     let Some((_, map)) = &tab.map else {
         let text = match tab.mapping {
@@ -76,7 +76,7 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let (rows, steps) = (map.values.len(), map.dt_s.len());
     canvas.hit(plot, |at| {
         let row = rows.checked_sub(1 + spread(at.1 - plot.y, plot.height, rows))?;
-        Some(Target::Cell(row, spread(at.0 - plot.x, plot.width, steps)))
+        Some(Target::Cell(STABILITY, (row, spread(at.0 - plot.x, plot.width, steps))))
     });
 }
 
@@ -242,9 +242,10 @@ const NAME: u16 = 24;
 pub(in crate::tui) fn battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.stability;
     let page = Page::of(&BATTERY, area.width.saturating_sub(2 + NAME), tab.table_page);
-    let rows = tab.rows();
+    let rows = tab.sorted();
     let height = usize::from(area.height.saturating_sub(3));
-    let first = first_row(tab.selected, height, rows.len());
+    let list = List { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
+    let first = list.first(area.height.saturating_sub(3));
     let title = if area.width < 70 { "Battery" } else { "Battery of stiff and extreme scenes" };
     let title = if rows.len() > height {
         let last = (first + height).min(rows.len());
@@ -263,19 +264,16 @@ pub(in crate::tui) fn battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let text = if tab.running.is_some() { "running the first scenes" } else { "r runs it" };
         put(canvas, inner, (1, 2), text, dim);
     }
-    for (y, (index, row)) in (1..inner.height).zip(rows.iter().enumerate().skip(first)) {
-        let failed = row.shortfall.is_some();
-        let style = app.theme.style(if failed { Role::Error } else { Role::Text });
-        put(canvas, inner, (0, y), row.case.name, style);
-        page.values(canvas, inner, (NAME, y), (row, style));
-        if why + 20 < inner.width {
-            let room = usize::from(inner.width - why);
-            put(canvas, inner, (why, y), &clip(row.case.why, room), dim);
-        }
-        if index == tab.selected && app.dialog.is_none() {
-            paint_row(canvas, inner, y, app.theme.style(Role::Selection));
-        }
-    }
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
-    canvas.rows(area, (first, rows.len()), |row| Some(Target::Row(row)));
+    let target = |row| Some(Target::Row(STIFF_SCENES, row));
+    list.render(canvas, area, app.theme, target, |canvas, line, index| {
+        let row = rows[index];
+        let style = app.theme.style(if row.shortfall.is_some() { Role::Error } else { Role::Text });
+        put(canvas, line, (0, 0), row.case.name, style);
+        page.values(canvas, line, (NAME, 0), (row, style));
+        if why + 20 < line.width {
+            let room = usize::from(line.width - why);
+            put(canvas, line, (why, 0), &clip(row.case.why, room), dim);
+        }
+    });
 }

@@ -7,9 +7,10 @@ use crate::model::variables::{VARIABLES, Value};
 use crate::study::stability::map::{Axis, Method};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::keymap::{Action, Pane};
+use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
-use crate::tui::update::act::{cursor_moved, rows_moved};
+use crate::tui::pages::numerics::STIFF_SCENES;
+use crate::tui::update::act::cursor_moved;
 use crate::tui::update::jobs::Found;
 use crate::tui::update::{edit, jobs};
 use crate::worker::studies::StudyKind;
@@ -21,7 +22,7 @@ const FAR: isize = 10;
 /// What is shown is computed, unless it has been or is being.
 pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let tab = &app.stability;
-    if app.pane() == Pane::Battery {
+    if app.pane() == STIFF_SCENES {
         let there = tab.battery.as_ref().is_some_and(|(_, all)| *all) || tab.running.is_some();
         return if there { Vec::new() } else { battery(app) };
     }
@@ -35,7 +36,7 @@ pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
 
 /// What an action does here; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
-    if app.pane() == Pane::Battery { in_battery(app, action) } else { in_map(app, action) }
+    if app.pane() == STIFF_SCENES { in_battery(app, action) } else { in_map(app, action) }
 }
 
 fn in_battery(app: &mut App, action: Action) -> Option<Vec<Effect>> {
@@ -43,12 +44,7 @@ fn in_battery(app: &mut App, action: Action) -> Option<Vec<Effect>> {
         Action::Run => return Some(battery(app)),
         Action::View => app.stability.table_page += 1,
         Action::Sort => app.stability.sort_next(),
-        _ => {
-            let by = rows_moved(action, app.list_rows())?;
-            let last = app.stability.rows().len().saturating_sub(1);
-            let selected = app.stability.selected;
-            app.stability.selected = selected.saturating_add_signed(by).min(last);
-        }
+        _ => return None,
     }
     Some(Vec::new())
 }

@@ -11,9 +11,9 @@ use crate::tui::chart::{
     self, Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Side,
     Unit, ViewRange, align_gutters,
 };
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
 use crate::tui::pages::log::state::event_tag;
+use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::charts::{Curve as Data, Window};
 use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs::{RunView, engineering};
@@ -42,10 +42,10 @@ pub(in crate::tui) fn render(app: &App, areas: &[Rect], focused: bool, canvas: &
 
 /// Say what the areas of a chart are to the mouse.
 fn hits(app: &App, chart: usize, area: Rect, layout: &chart::Layout, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, Pane::Charts);
+    canvas.pane(area, CHARTS);
     canvas.plot_columns.get_or_insert(layout.plot.width);
     if app.charts.quantities[chart] != Quantity::MountForce {
-        canvas.plot(layout, |t_s, _| Some(Target::Time { chart, t_s }));
+        canvas.plot(layout, |value, _| Some(Target::Value { pane: CHARTS, chart, value }));
     }
 }
 

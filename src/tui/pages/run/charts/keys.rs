@@ -8,7 +8,6 @@ use crate::tui::message::Effect;
 use crate::tui::pages::run::charts::{Fit, Window};
 use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs;
-use crate::tui::update::act::rows_moved;
 use crate::tui::view::plot_columns;
 
 /// Columns of a plot that is not drawn.
@@ -23,10 +22,6 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
     use Action as A;
     let selected = app.charts.selected;
     let width = plot_columns(app).unwrap_or(FEW_COLUMNS);
-    if let Some(by) = rows_moved(action, 3) {
-        app.charts.selected = selected.saturating_add_signed(by).min(2);
-        return Some(Vec::new());
-    }
     match action {
         A::Mark => return Some(runs::keys::pin_scene(app)),
         A::Left => app.move_cursor(-1, width),

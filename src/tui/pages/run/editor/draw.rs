@@ -9,8 +9,8 @@ use crate::model::variables::{self, Kind, VARIABLES, Value, Variable};
 use crate::tui::app::App;
 use crate::tui::app::status::clip;
 use crate::tui::dialogs::curve::extent;
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
+use crate::tui::pages::run;
 use crate::tui::pages::run::editor::{Row, shown_value};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -58,10 +58,10 @@ pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut 
         return;
     }
     let list = Rect { height: inner.height - 1, ..inner };
-    canvas.pane(area, Pane::Variables);
-    canvas.rows(list, (first, rows.len()), |row| match rows[row] {
-        Row::Variable(index) => Some(Target::Variable(index)),
-        Row::Heading(_) => None,
+    canvas.pane(area, run::VARIABLES);
+    canvas.rows(list, (first, rows.len()), |row| {
+        let above = rows[..row].iter().filter(|row| matches!(row, Row::Variable(_)));
+        matches!(rows[row], Row::Variable(_)).then(|| Target::Row(run::VARIABLES, above.count()))
     });
     let breaches = envelope::of_scene(&app.scene);
     let outside: Vec<&str> = breaches.iter().map(|breach| breach.check.symbol()).collect();
@@ -121,7 +121,7 @@ fn variable(
     let warned = used && is_outside;
     let differs = variable.value(&app.scene) != variable.value(&app.base.scene);
     let style = app.theme.style(if used { Role::Text } else { Role::Dim });
-    let field = app.editor.field.as_ref().filter(|field| field.row == index);
+    let field = app.field.as_ref().filter(|_| selected && app.pane() == run::VARIABLES);
 
     if differs {
         put(canvas, list, (1, row), "*", app.theme.style(Role::Note));
@@ -164,14 +164,14 @@ fn variable(
 fn open_field(
     app: &App,
     variable: &Variable,
-    field: &Field<usize>,
+    field: &Field,
     (list, row): (Rect, u16),
     canvas: &mut Canvas<'_>,
 ) {
     let long = columns(field.value()) >= VALUE_WIDTH;
     let Columns { value, unit, .. } = Columns::of(list.width);
     let room = if long { list.width.saturating_sub(value + 1) } else { VALUE_WIDTH };
-    field.draw_boxed(canvas, (list, row), (value, room), app.theme);
+    field.draw_boxed(canvas, Rect { y: list.y + row, height: 1, ..list }, value, room, app.theme);
     if !long {
         put(
             canvas,

@@ -8,8 +8,8 @@ use crate::model::variables::VARIABLES;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::MARKERS;
-use crate::tui::keymap::Pane;
 use crate::tui::message::Target;
+use crate::tui::pages::run::RUNS;
 use crate::tui::pages::run::runs::{Pin, final_depth, millimetres};
 use crate::tui::pages::run::summary::results;
 use crate::tui::theme::{PaneFrame, Role};
@@ -53,7 +53,7 @@ const NAME_LEAST: u16 = 5;
 
 /// Draw the pane.
 pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    canvas.pane(area, Pane::Runs);
+    canvas.pane(area, RUNS);
     let right = match (app.pins.is_empty(), focused) {
         (true, _) => "Space pins",
         (false, true) => "Enter load  Space unpin",
@@ -83,7 +83,7 @@ pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut 
     below(app, inner, row, canvas);
     let count = app.pins.len() + 1;
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
-    canvas.rows(area, (0, count), |run| Some(Target::Run(run)));
+    canvas.rows(area, (0, count), |run| Some(Target::Row(RUNS, run)));
 }
 
 /// How many value columns fit beside a name of some width.
