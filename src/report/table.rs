@@ -60,14 +60,18 @@ impl<'c, R> Table<'c, R> {
     /// With a further column.
     #[must_use]
     pub fn with<T: Into<Value>>(
-        mut self,
+        self,
         key: &'static str,
         label: impl Into<String>,
         unit: &'static str,
         get: impl Fn(&R) -> T + 'c,
     ) -> Self {
-        let (label, get) = (label.into(), Box::new(move |row: &R| get(row).into()));
-        self.columns.push(Column { key, label, unit, get, shown: None });
+        let get = Box::new(move |row: &R| get(row).into());
+        self.with_column(Column { key, label: label.into(), unit, get, shown: None })
+    }
+
+    fn with_column(mut self, column: Column<'c, R>) -> Self {
+        self.columns.push(column);
         self
     }
 

@@ -4,12 +4,13 @@ use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::{Clock, trusted};
 use crate::model::contact_kernel::integration::{Plan, STEPS_MAX, StepEnd, minded_m};
+use crate::model::contact_kernel::lane_buffer::has_lanes;
 use crate::model::contact_kernel::law::{Law, Linear, Power, Whole};
 use crate::model::contact_kernel::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
 use crate::model::mechanism::PowerKind;
 
 impl Contact {
-    /// Go on by plain steps to the end; `None` where the full track is needed.
+    /// Go on by plain steps to the end; `None` where the simulation is needed.
     pub(super) fn plan(&self, plan: &Plan) -> Option<ContactEnd> {
         match plan.terms {
             TERMS_LOOSE => self.with_spring::<TERMS_LOOSE>(plan),
@@ -110,6 +111,10 @@ impl<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>> WithSimd
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) -> Option<ContactEnd> {
+        // Each number of terms is compiled in full: processors without vectors have one, which serves every tolerance.
+        if const { !has_lanes::<S>() && N != TERMS } {
+            return self.contact.with_spring::<TERMS>(self.plan);
+        }
         self.contact.steps::<N, GRADED, K, D>(self.laws, self.plan)
     }
 }

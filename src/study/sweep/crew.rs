@@ -3,10 +3,9 @@
 //! Whichever thread is free takes the next piece. So many pieces are out at the most, so memory stays constant. The result of a piece
 //! depends on nothing but the piece.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::ops::{ControlFlow, Range};
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, ScopedJoinHandle};
 use std::time::Duration;
 
@@ -68,70 +67,140 @@ impl Crew {
         Pieces { count: points.end.saturating_sub(points.start).div_ceil(size), size, points }
     }
 
+    /// What depends on the type of the results: each waits in a slot of its own until those before it are taken.
     fn share_out<T: Send, W: FnMut(Range<u64>) -> T>(
         self,
         pieces: &Pieces,
         hire: &(impl Fn() -> W + Sync),
-        hear: Hear<'_, T>,
+        hear: &mut dyn FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let threads = u64::try_from(self.threads.max(1)).unwrap_or(1).min(pieces.count);
-        let (order, orders) = channel();
-        let (send, results) = channel();
-        let orders = Mutex::new(orders);
-        let work = |send: Sender<(u64, T)>| {
-            let mut worker = hire();
-            let next = || orders.lock().unwrap_or_else(PoisonError::into_inner).recv();
-            while let Ok(number) = next() {
-                // Nobody takes any more: the work was broken off.
-                if send.send((number, worker(pieces.at(number)))).is_err() {
-                    return;
-                }
-            }
+        let slots: Vec<Mutex<Option<T>>> = (0..OUT * threads).map(|_| Mutex::new(None)).collect();
+        let slot = |number: u64| {
+            let place = usize::try_from(number).unwrap_or(0) % slots.len();
+            slots[place].lock().unwrap_or_else(PoisonError::into_inner)
         };
-        thread::scope(|scope| {
-            // What the system has threads for.
-            let started: Vec<_> = (0..threads)
-                .filter_map(|_| {
-                    let (work, send) = (&work, send.clone());
-                    thread::Builder::new().spawn_scoped(scope, move || work(send)).ok()
-                })
-                .collect();
-            // Both end with this scope: the threads stop, whatever is left to do.
-            let (order, results) = (order, results);
-            drop(send);
-            let (mut own, mut ordered) = (None, 0);
-            let mut early = BTreeMap::new();
-            for number in 0..pieces.count {
-                if started.is_empty() {
-                    early.insert(number, own.get_or_insert_with(hire)(pieces.at(number)));
-                }
-                while ordered < pieces.count.min(number + OUT * threads) {
-                    // The orders are there as long as this function.
-                    let _ = order.send(ordered);
-                    ordered += 1;
-                }
-                let has_panicked = || started.iter().any(ScopedJoinHandle::is_finished);
-                while !early.contains_key(&number) {
-                    match results.recv_timeout(ASKED_EVERY) {
-                        Ok((done, result)) => drop(early.insert(done, result)),
-                        // Who is asked in between stops the workers by a flag of their own: what they have done until then still
-                        // comes.
-                        Err(RecvTimeoutError::Timeout) if !has_panicked() => drop(hear(None)),
-                        // Leaving the scope passes a panic on.
-                        Err(_) => return ControlFlow::Break(()),
-                    }
-                }
-                if let Some(result) = early.remove(&number) {
-                    hear(Some((pieces.at(number), result)))?;
-                }
-            }
-            ControlFlow::Continue(())
+        let worker = || -> Box<dyn FnMut(u64) + '_> {
+            let mut work = hire();
+            Box::new(move |number| *slot(number) = Some(work(pieces.at(number))))
+        };
+        let queue = Queue {
+            count: pieces.count,
+            threads,
+            state: Mutex::default(),
+            changed: Condvar::new(),
+        };
+        queue.run(&worker, &mut |number| {
+            let result = number.and_then(|number| Some((pieces.at(number), slot(number).take()?)));
+            hear(result)
         })
     }
 }
 
-/// Whoever takes the results, and is asked in between.
-type Hear<'h, T> = &'h mut dyn FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>;
+/// The numbers of the pieces, on their way to the threads and back.
+struct Queue {
+    count: u64,
+    threads: u64,
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Default)]
+struct State {
+    /// The piece that is worked on next, and the first that must wait.
+    next: u64,
+    end: u64,
+    /// Pieces that are done and not taken yet.
+    done: BTreeSet<u64>,
+    is_closed: bool,
+}
+
+/// Ends the threads when it goes, also when a panic takes it.
+struct Closing<'q>(&'q Queue);
+
+impl Drop for Closing<'_> {
+    fn drop(&mut self) {
+        self.0.state().is_closed = true;
+        self.0.changed.notify_all();
+    }
+}
+
+impl Queue {
+    /// Call `take` with every number in order, once a worker has done it, and with `None` now and then in between.
+    fn run<'w>(
+        &self,
+        worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync),
+        take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        thread::scope(|scope| {
+            let _closing = Closing(self);
+            // As many threads as the system has.
+            let start = |_| thread::Builder::new().spawn_scoped(scope, || self.work(worker())).ok();
+            let started: Vec<_> = (0..self.threads).filter_map(start).collect();
+            let mut own = started.is_empty().then(worker);
+            for number in 0..self.count {
+                if let Some(own) = &mut own {
+                    own(number);
+                } else {
+                    let has_panicked = || started.iter().any(ScopedJoinHandle::is_finished);
+                    self.wait_for(number, &has_panicked, take)?;
+                }
+                take(Some(number))?;
+            }
+            ControlFlow::Continue(())
+        })
+    }
+
+    /// Take one piece after another until the queue is closed.
+    fn work(&self, mut worker: Box<dyn FnMut(u64) + '_>) {
+        loop {
+            let must_wait = |state: &mut State| state.next >= state.end && !state.is_closed;
+            let waiting = self.changed.wait_while(self.state(), must_wait);
+            let mut state = waiting.unwrap_or_else(PoisonError::into_inner);
+            if state.is_closed {
+                return;
+            }
+            let number = state.next;
+            state.next += 1;
+            drop(state);
+            worker(number);
+            self.state().done.insert(number);
+            self.changed.notify_all();
+        }
+    }
+
+    /// Wait until a piece is done. Leaving the scope passes a worker's panic on.
+    fn wait_for(
+        &self,
+        number: u64,
+        has_panicked: &dyn Fn() -> bool,
+        take: &mut dyn FnMut(Option<u64>) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let mut state = self.state();
+        state.end = self.count.min(number + OUT * self.threads);
+        self.changed.notify_all();
+        loop {
+            let is_missing = |state: &mut State| !state.done.contains(&number);
+            let waiting = self.changed.wait_timeout_while(state, ASKED_EVERY, is_missing);
+            let (mut now, waited) = waiting.unwrap_or_else(PoisonError::into_inner);
+            if !waited.timed_out() {
+                now.done.remove(&number);
+                return ControlFlow::Continue(());
+            }
+            drop(now);
+            if has_panicked() {
+                return ControlFlow::Break(());
+            }
+            // Who breaks off here stops the workers by a flag of their own: what they have done until then still comes.
+            let _ = take(None);
+            state = self.state();
+        }
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
 
 /// How points are cut into pieces.
 struct Pieces {
