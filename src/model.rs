@@ -32,7 +32,7 @@
 //! 7. [`stack::follow`] sends a projectile that has perforated into the next plate, if the scene is a stack.
 //!
 //! Sweeps and searches that need the first contact only call [`first_contact::first_contact`]: the [`contact_kernel`] where it takes
-//! the scene, else the simulation. [`results`] is the table of everything a run can be asked for; [`contact_phase`] and [`appendix`]
+//! the scene, else the simulation. [`contact_phase`] and [`appendix`]
 //! are references that share nothing with the simulation but the laws.
 
 pub mod appendix;
@@ -50,7 +50,6 @@ pub mod library;
 pub mod mechanism;
 pub mod motion;
 pub mod plan;
-pub mod results;
 pub mod run;
 pub mod scene;
 pub mod simulate;

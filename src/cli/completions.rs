@@ -12,8 +12,8 @@ use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset;
 use crate::model::library::Library;
-use crate::model::results::RESULTS;
 use crate::model::variables::VARIABLES;
+use crate::study::quantities::QUANTITIES;
 
 /// Print the script.
 pub(super) fn run(shell: Shell) -> Result<ExitCode, CliError> {
@@ -39,7 +39,7 @@ fn with_names(owner: &str, argument: Arg) -> Arg {
         VARIABLES.iter().map(|variable| format!("{}{end}", variable.symbol)).collect()
     };
     let quantities = |end: &str| -> Vec<String> {
-        RESULTS.iter().map(|quantity| format!("{}{end}", quantity.name)).collect()
+        QUANTITIES.iter().map(|quantity| format!("{}{end}", quantity.name)).collect()
     };
     let words = match argument.get_id().as_str() {
         "scene" | "scenes" => presets(),

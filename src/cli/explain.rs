@@ -6,10 +6,10 @@ use clap::Args;
 
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, variables};
-use crate::model::results::{self, RESULTS, ResultColumn};
 use crate::model::units::shortest;
 use crate::model::variables::{find, nearest, used_when};
 use crate::report::table::Table;
+use crate::study::quantities::{self, QUANTITIES, Quantity};
 
 /// The word for all quantities.
 const QUANTITIES: &str = "quantities";
@@ -28,18 +28,18 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     table.check()?;
     let name = arguments.name.trim();
     if name == QUANTITIES {
-        let all: Vec<&ResultColumn> = RESULTS.iter().collect();
+        let all: Vec<&Quantity> = QUANTITIES.iter().collect();
         return table.alone().deliver(&list(), &quantity_rows(&all));
     }
     let spelled = name.replace([' ', '-'], "_");
-    if let Some(quantity) = results::find(name).or_else(|| results::find(&spelled)) {
+    if let Some(quantity) = quantities::find(name).or_else(|| quantities::find(&spelled)) {
         return table.alone().deliver(&quantity_page(quantity), &quantity_rows(&[quantity]));
     }
     let Ok(variable) = find(name).or_else(|_| find(&spelled)) else {
         return Err(CliError::Option(format!(
             "`{name}` is neither a variable nor a quantity: variables: {}; quantities: {}",
             nearest(name),
-            results::nearest(name)
+            quantities::nearest(name)
         )));
     };
     let mut page = format!("{}: {}\n", variable.symbol, variable.meaning);
@@ -70,7 +70,7 @@ fn example(variable: &crate::model::variables::Variable) -> String {
     words.last().map_or(default, |word| (*word).to_owned())
 }
 
-fn quantity_page(quantity: &ResultColumn) -> String {
+fn quantity_page(quantity: &Quantity) -> String {
     let mut page = format!("{}: {}\n", quantity.name, quantity.meaning);
     let unit = quantity.unit();
     let _ = writeln!(page, "  {:<12} {}", "unit", if unit.is_empty() { "none" } else { unit });
@@ -85,14 +85,9 @@ fn quantity_page(quantity: &ResultColumn) -> String {
 
 fn list() -> String {
     let mut page = "quantities: name, what has to be computed, meaning\n\n".to_owned();
-    for quantity in RESULTS {
-        let needs = match quantity.needs() {
-            results::Needs::Scene => "scene",
-            results::Needs::Run => "run",
-            results::Needs::Course => "course",
-            results::Needs::Limit => "limit",
-        };
-        let _ = writeln!(page, "  {:<33} {needs:<7} {}", quantity.name, quantity.meaning);
+    for quantity in QUANTITIES {
+        let Quantity { name, meaning, .. } = quantity;
+        let _ = writeln!(page, "  {name:<33} {:<7} {meaning}", quantity.needs().word());
     }
     page.push_str(
         "\nscene: nothing but the scene; run: a run; course: a run and its course in time; limit: many shots, on request alone\n",
@@ -100,7 +95,7 @@ fn list() -> String {
     page
 }
 
-fn quantity_rows<'q>(quantities: &'q [&ResultColumn]) -> Table<'q, &'q ResultColumn> {
+fn quantity_rows<'q>(quantities: &'q [&Quantity]) -> Table<'q, &'q Quantity> {
     Table::of(quantities.iter().copied())
         .with("key", "key", "", |it| it.name)
         .with("label", "label", "", |it| it.title())

@@ -4,13 +4,12 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value, json};
 
 use crate::cli::run::Computed;
-use crate::model::results::{ResultColumn, of_run};
 use crate::model::run::StackRun;
 use crate::model::run::envelope::warnings;
 use crate::model::run::{EnergyLedger, EstimateBasis, Run};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VARIABLES, Variable};
-use crate::study::quantities;
+use crate::study::quantities::{Quantity, of_runs};
 
 /// The object's entries; a plain map would sort them.
 struct Entries(Vec<(&'static str, Value)>);
@@ -41,10 +40,10 @@ pub(super) fn text(computed: &Computed) -> String {
         ("end", Value::from(run.end.words())),
         ("complete", Value::from(run.end.is_complete())),
     ];
-    for column in of_run() {
+    for column in of_runs() {
         entries.push((column.name, result(run, column)));
     }
-    let bounds = of_run().filter(|column| column.lower_bound(run).is_some());
+    let bounds = of_runs().filter(|column| column.lower_bound(run).is_some());
     entries.push(("lower_bounds", bounds.map(|column| Value::from(column.name)).collect()));
     let optional = |value: Option<f64>| value.map_or(Value::Null, finite);
     entries.push(("penetration_at_most_m", optional(run.penetration_at_most_m)));
@@ -97,7 +96,7 @@ fn stack_of(first: &Run, stack: &StackRun) -> Value {
             let impact = run.scene.projectile.velocity_m_s;
             row.insert("impact_velocity_m_s".to_owned(), finite(impact));
             row.insert("outcome".to_owned(), Value::from(run.outcome.word()));
-            let own = of_run().filter(|column| !column.name.starts_with("stack_"));
+            let own = of_runs().filter(|column| !column.name.starts_with("stack_"));
             row.extend(own.map(|column| (column.name.to_owned(), result(run, column))));
             Value::Object(row)
         })
@@ -111,16 +110,14 @@ fn stack_of(first: &Run, stack: &StackRun) -> Value {
     })
 }
 
-/// A result by name; counts stay whole numbers.
-fn result(run: &Run, column: &ResultColumn) -> Value {
-    match column.name {
-        "steps" => Value::from(run.cost.steps),
-        "rejected" => Value::from(run.cost.rejected),
-        "rhs_evaluations" => Value::from(run.cost.rhs_evaluations),
-        _ => quantities::value(column, run)
-            .or_else(|| column.lower_bound(run))
-            .map_or(Value::Null, finite),
+/// A result, or what it is at least.
+fn result(run: &Run, quantity: &Quantity) -> Value {
+    let value = quantity.value(run).or_else(|| quantity.lower_bound(run));
+    if quantity.is_whole {
+        let whole = value.and_then(|count| format!("{count:.0}").parse().ok());
+        return whole.map_or(Value::Null, Value::Number);
     }
+    value.into()
 }
 
 /// A number; null for one that is not finite, which JSON cannot say.

@@ -13,7 +13,7 @@ use crate::cli::search::{bounds, say_if_long, threads};
 use crate::cli::table::TableArguments;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::report::front;
-use crate::study::quantities::{parse_value, quantity};
+use crate::study::quantities::named;
 use crate::study::search::field::Field;
 use crate::study::search::front::{Constraint, STEPS_MAX, Task, feasibility, objectives, optimise};
 use crate::study::search::nsga::Effort;
@@ -48,10 +48,10 @@ pub(super) struct OptimiseArguments {
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
     /// Quantities to minimise, separated by commas
-    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "minimize")]
+    #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "minimize")]
     minimise: Vec<String>,
     /// Quantities to maximise, separated by commas
-    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "maximize")]
+    #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "maximize")]
     maximise: Vec<String>,
     /// A bound to keep; may be repeated.
     #[arg(
@@ -130,8 +130,8 @@ fn constraint(text: &str) -> Result<Constraint, CliError> {
         .ok_or_else(|| {
             refuse("write RESULT<=VALUE or RESULT>=VALUE, for example 'stroke_m<=50mm'")
         })?;
-    let measure = quantity(name)?;
-    let bound = parse_value(measure, value).map_err(|why| refuse(&why))?;
+    let measure = named(name)?;
+    let bound = measure.parse(value).map_err(|why| refuse(&why))?;
     Ok(Constraint { measure, at_most, bound, is_feasibility: false })
 }
 

@@ -15,7 +15,6 @@ use crate::cli::table::exists;
 use crate::cli::{CliError, draw, output, summary};
 use crate::files::atomic::{self, Existing};
 use crate::files::{clean, write};
-use crate::model::results::of_run;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
@@ -26,7 +25,7 @@ use crate::report::figures::run::selected;
 use crate::report::figures::sweeps::{Row, picture};
 use crate::report::svg::Picture;
 use crate::study::limit::{self, Criterion, Effort, words};
-use crate::study::quantities;
+use crate::study::quantities::{Quantity, of_runs};
 use crate::study::sweep::{Evaluator, Plan};
 use crate::study::validity;
 
@@ -156,8 +155,8 @@ fn results(document: &mut Document, run: &Run) {
         let own = run.error_estimates.iter().find(|error| error.name == name);
         own.map_or_else(|| "-".to_owned(), |error| units::scientific(error.relative, 1))
     };
-    let row = |column: &crate::model::results::ResultColumn| {
-        let value = quantities::value(column, run)?;
+    let row = |column: &Quantity| {
+        let value = column.value(run)?;
         Some(vec![
             column.title(),
             column.show(value, DIGITS),
@@ -166,7 +165,7 @@ fn results(document: &mut Document, run: &Run) {
         ])
     };
     let head = ["result", "value", "relative error", "key"].map(str::to_owned).to_vec();
-    let mut blocks = vec![Block::Table { head, rows: of_run().filter_map(row).collect() }];
+    let mut blocks = vec![Block::Table { head, rows: of_runs().filter_map(row).collect() }];
     let events = run.events.iter().map(|event| {
         let time = units::Engineering { value: event.t_s, unit: "s", digits: DIGITS };
         format!("{time}: {}", event.kind.words())

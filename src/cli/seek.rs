@@ -13,7 +13,7 @@ use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::report::seek;
-use crate::study::quantities::{parse_value, quantity};
+use crate::study::quantities::named;
 use crate::study::search::field::Field;
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek as solve};
 use crate::study::validity;
@@ -52,8 +52,8 @@ impl SeekArguments {
         let (name, value) = self.goal.split_once('=').ok_or_else(|| {
             refuse("write RESULT=VALUE, for example percent_of_baseline=60 or stroke_m=45mm")
         })?;
-        let column = quantity(name)?;
-        let target = parse_value(column, value).map_err(|why| refuse(&why))?;
+        let column = named(name)?;
+        let target = column.parse(value).map_err(|why| refuse(&why))?;
         let axis = range(&self.over, Some(SCAN_USUAL), &SCAN)?;
         Ok(Goal { axis, measure: column.name.to_owned(), target })
     }

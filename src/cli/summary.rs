@@ -6,12 +6,12 @@ use crate::cli::run::Computed;
 use crate::cli::table::at_top;
 use crate::files::clean;
 use crate::model::mechanism::Mechanism;
-use crate::model::results;
 use crate::model::run::envelope::warnings;
 use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering};
 use crate::report::figures::run::event_letter;
+use crate::study::quantities;
 
 /// Width of the first column.
 const LABEL: usize = 24;
@@ -264,7 +264,7 @@ fn unknown_estimate(other: Outcome) -> String {
 fn estimates(page: &mut String, run: &Run) {
     let greatest = run.error_estimates.iter().max_by(|a, b| a.relative.total_cmp(&b.relative));
     if let Some(error) = greatest
-        && let Some(column) = results::find(error.name)
+        && let Some(column) = quantities::find(error.name)
     {
         let _ = writeln!(
             page,

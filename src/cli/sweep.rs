@@ -24,7 +24,7 @@ use crate::files::atomic::{self, Existing, Growing};
 use crate::files::export::{self, Meta};
 use crate::files::preset::Preset;
 use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
-use crate::model::results;
+use crate::study::quantities;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use crate::study::validity;
@@ -44,7 +44,7 @@ const PIECES_MIN: u64 = 16;
         Shards: part I of N is a contiguous block of rows, and only part 1 has the header line. `cmra join` checks the parts and \
         makes one file of them; `cmra help sweeps` shows it on many cores and in a cluster.\n\n\
         --outputs takes any of these:\n{}",
-        results::listing()
+        quantities::listing()
     )
 )]
 pub(super) struct SweepArguments {

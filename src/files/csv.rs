@@ -7,10 +7,9 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::files::error::FileError;
-use crate::model::results::of_run;
 use crate::model::run::{Event, Run, Sample};
 use crate::model::units;
-use crate::study::quantities;
+use crate::study::quantities::of_runs;
 
 /// Which rows a table has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,7 +54,7 @@ pub fn columns(rows: Rows, several: bool) -> Vec<&'static str> {
         }
         Rows::Results => {
             let mut names = vec!["scene", "outcome", "end", "method"];
-            names.extend(of_run().map(|column| column.name));
+            names.extend(of_runs().map(|column| column.name));
             names
         }
         Rows::Events => vec!["time_s", "event"],
@@ -178,7 +177,7 @@ fn result_row(run: &Run) -> Vec<String> {
         run.end.words().to_owned(),
         run.cost.method.to_owned(),
     ];
-    row.extend(of_run().map(|it| quantities::value(it, run).map(number).unwrap_or_default()));
+    row.extend(of_runs().map(|it| it.value(run).map(number).unwrap_or_default()));
     row
 }
 

@@ -15,12 +15,11 @@ use crate::files::csv::{self, NamedRun, Rows};
 use crate::files::error::FileError;
 use crate::files::style::Style;
 use crate::files::write;
-use crate::model::results::of_run;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{VARIABLES, Variable, is_used};
-use crate::study::quantities;
+use crate::study::quantities::of_runs;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
@@ -145,8 +144,8 @@ pub fn unit_behind(variable: &Variable) -> String {
 /// What came out of a run, as comment lines; the sign stands between a result's name and its value.
 fn outcome(run: &Run, sign: &str) -> String {
     let mut text = format!("# outcome: {} ({})\n", run.outcome.word(), run.end.words());
-    for column in of_run() {
-        if let Some(value) = quantities::value(column, run) {
+    for column in of_runs() {
+        if let Some(value) = column.value(run) {
             let _ = writeln!(text, "# {}{sign} {}", column.name, units::shortest(value));
         }
     }

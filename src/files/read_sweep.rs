@@ -5,10 +5,10 @@ use toml::de::{DeTable, DeValue};
 
 use crate::files::error::did_you_mean;
 use crate::files::read::{Reader, kind_of, number};
-use crate::model::results;
 use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units;
 use crate::model::variables::{self, Kind, Number};
+use crate::study::quantities;
 use crate::study::sweep::{Axis, COUNTS};
 
 const AXIS_EXAMPLE: &str = r#"{ name = "gamma", from = 0.8, to = 7.0, count = 101 }"#;
@@ -292,13 +292,13 @@ fn outputs(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Vec<String>
     let mut outputs = Vec::new();
     for row in rows {
         match row.get_ref() {
-            DeValue::String(name) if results::find(name).is_some() => {
+            DeValue::String(name) if quantities::find(name).is_some() => {
                 outputs.push(name.clone().into_owned());
             }
             other => {
                 let shown = reader.shown(row);
                 let bare = shown.trim_matches(['"', '\'']);
-                let hint = results::nearest(bare);
+                let hint = quantities::nearest(bare);
                 let kind = match other {
                     DeValue::String(_) => "is not a result of a run".to_owned(),
                     other => format!("is {}, not the name of a result", kind_of(other)),

@@ -7,12 +7,11 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use crate::files::error::FileError;
-use crate::model::results::of_every_run;
 use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables;
-use crate::study::quantities;
+use crate::study::quantities::of_every_run;
 use crate::study::sweep::grid::Grid;
 use crate::study::sweep::{Axis, Evaluator, Fate, Plan, Rows, Shard, Spacing};
 use crate::study::validity;
@@ -161,8 +160,7 @@ impl<'p> Sheet<'p> {
         let base = self.plan.base();
         let of = move |get: fn(&'a Run) -> Field<'a>| run.map_or(Field::None, get);
         let told = run.filter(|_| !matches!(fate, Fate::Failed(_)));
-        let results =
-            of_every_run().map(move |it| number(told.and_then(|run| quantities::value(it, run))));
+        let results = of_every_run().map(move |it| number(told.and_then(|run| it.value(run))));
         self.axes(index)
             .chain([
                 Field::Text(self.scene),

@@ -2,7 +2,6 @@
 
 use serde_json::{Value, json};
 
-use crate::model::results::ResultColumn;
 use crate::model::scene::InterfaceLaw;
 use crate::report::table::{Table, pretty};
 use crate::study::search::front::{Front, Standing, Task};
@@ -64,23 +63,6 @@ fn candidates<'f>(task: &Task, front: &'f Front) -> impl Iterator<Item = Row<'f>
     })
 }
 
-/// A measure in a word or two.
-fn heading(column: &ResultColumn) -> String {
-    let words = match column.name {
-        "final_penetration_m" => "depth",
-        "percent_of_baseline" => "of baseline",
-        "max_plate_displacement_m" => "plate",
-        "peak_mount_force_n" => "mount force",
-        "system_mass_kg" => "system",
-        "peak_contact_force_n" => "contact",
-        "interface_demand_ratio" => "demand",
-        "limit_velocity_m_s" => "limit",
-        "mass_efficiency" => "efficiency",
-        _ => return column.title(),
-    };
-    words.to_owned()
-}
-
 /// Every front: its designs, then its candidates.
 pub fn table<'c>(name: &'c str, task: &Task, fronts: &'c [Front]) -> Table<'c, Row<'c>> {
     let rows = fronts.iter().flat_map(|front| {
@@ -109,7 +91,7 @@ fn with_columns<'c>(rows: Table<'c, Row<'c>>, name: &'c str, task: &Task) -> Tab
     }
     for (at, measure) in task.measures().into_iter().enumerate() {
         table = table
-            .with(measure.name, heading(measure), "", move |row| row.measures[at])
+            .with(measure.name, measure.heading(), "", move |row| row.measures[at])
             .shown(|_, value| Some(measure.show(value.as_f64()?, 4)));
     }
     table.with("outcome", "outcome", "", |row| row.outcome)

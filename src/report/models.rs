@@ -1,10 +1,10 @@
 //! The interaction models, or the quirks of Appendix A, side by side.
 
-use crate::model::results;
 use crate::model::run::{Outcome, Run};
 use crate::model::units::Engineering;
 use crate::report::table::Table;
 use crate::study::models::{Comparison, Row};
+use crate::study::quantities;
 
 /// A model that was run, or one that does not apply and why.
 pub enum Line<'r> {
@@ -56,7 +56,7 @@ pub fn table<'c>(name: &'c str, found: &'c Comparison) -> Table<'c, Line<'c>> {
         .with("force_deviation", "against", "", |it| found.force_error(it.row()?))
         .shown(|_, value| Some(percent(value.as_f64()?)))
         .with("error_estimate", "error estimate", "", |it| {
-            results::find("error_estimate")?.value(it.run()?)
+            quantities::find("error_estimate")?.value(it.run()?)
         })
         .with("energy_residual", "energy residual", "", |it| Some(it.run()?.ledger.residual()))
         .with("run_time_s", "time", "", |it| it.row().map(|row| row.took_s))

@@ -30,8 +30,8 @@ use crate::model::run::{Outcome, Run};
 use crate::model::scene::{Mount, OwnMass, Scene};
 use crate::model::variables::{self, VariableError};
 use crate::model::{mechanism::Inertia, stack};
-use crate::study::context::{Context, to_its_end};
-use crate::study::limit::{self, Limit};
+use crate::study::context::Context;
+use crate::study::limit::Limit;
 
 mod closed_form;
 mod hardware;
@@ -241,12 +241,6 @@ impl Report {
     pub fn closed_form(&self) -> Option<ClosedForm> {
         ClosedForm::of(&self.scene, &self.hardware)
     }
-}
-
-/// The least impact velocity that perforates a scene's plate or stack, m/s; `None` where there is none.
-pub fn limit_velocity_m_s(scene: &Arc<Scene>) -> Option<f64> {
-    let limit = limit::alone(scene, &mut Context::new(1, &mut to_its_end));
-    limit.ok().and_then(Limit::velocity_m_s)
 }
 
 /// Compare.

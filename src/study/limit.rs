@@ -13,7 +13,7 @@ use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::model::units::fixed_significant;
 use crate::model::variables::{self, VariableError};
 use crate::study::compare::Load;
-use crate::study::context::Context;
+use crate::study::context::{Context, to_its_end};
 use fit::{LambertJonas, RechtIpson};
 use scatter::{Scatter, Scattering};
 use search::{BESIDE, Range};
@@ -284,6 +284,12 @@ pub fn alone(scene: &Arc<Scene>, context: &mut Context<'_>) -> Result<Limit, Var
     variables::validate(scene)?;
     context.expect(SCAN + 40 + 2 * BESIDE.len());
     Ok(Range { scene, criterion: Criterion::default(), context }.whole_limit())
+}
+
+/// The limit velocity of a scene, m/s; `None` where there is none.
+pub fn velocity_m_s(scene: &Scene) -> Option<f64> {
+    let limit = alone(&Arc::new(scene.clone()), &mut Context::new(1, &mut to_its_end));
+    limit.ok()?.velocity_m_s()
 }
 
 /// The limit velocity of a rigid or free plate under the hydrodynamic force, m/s; `None` where a mechanism acts or another

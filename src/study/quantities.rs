@@ -1,149 +1,418 @@
-//! The quantities of the table that a run does not tell by itself, and how the values of a request are found.
+//! THE table of quantities: the name, unit, meaning and source of every number that a scene comes down to.
 //!
-//! Masses follow from the greatest displacement, the force into the mount from the run's course, limits from shots of their own.
-//! Nothing is computed that is not requested.
+//! JSON keys, the rows of exports, the outputs of sweeps, and what searches, Monte Carlo and sensitivity analysis ask for are all
+//! taken from here, so that a name means the same everywhere: a new quantity is one row. What a quantity needs decides what it
+//! costs: nothing is computed for a quantity that is not requested. Nothing here knows files or screens; the time a run took is
+//! measured by whoever ran it.
 
-use std::sync::Arc;
+use crate::model::mechanism::load;
+use crate::model::run::{EventKind, Run, envelope};
+use crate::model::scene::{InterfaceLaw, Mount, Scene, StopKind};
+use crate::model::units::{self, Bare, Engineering};
+use crate::study::compare::load::impulse_n_s;
+use crate::study::compare::{Hardware, mass_efficiency};
+use crate::study::limit;
+use crate::study::sweep::kernel::Answer;
 
-use crate::model::mechanism::{Inertia, Mechanism};
-use crate::model::results::{self, ResultColumn, Source, Studied};
-use crate::model::run::Run;
-use crate::model::scene::{ContactModel, Mount, Scene};
-use crate::model::units::{self, Bare, Quantity};
-use crate::numerics::larger;
-use crate::study::compare::{self, Hardware, load, spring_energy_j};
-use crate::study::context::{Context, to_its_end};
-use crate::study::sweep::SweepError;
-use crate::study::{limit, sweep};
+mod mount;
+mod names;
 
-/// The quantity with this name.
-///
-/// # Errors
-/// [`SweepError::Output`] with the nearest names.
-pub fn quantity(name: &str) -> Result<&'static ResultColumn, SweepError> {
-    sweep::output(name)
+pub(in crate::study) use mount::turn_tells_force;
+pub use names::{find, listing, named, nearest};
+
+/// One quantity.
+#[derive(Clone, Copy, Debug)]
+pub struct Quantity {
+    /// Name in JSON, CSV and `[sweep] outputs`; it ends in its unit.
+    pub name: &'static str,
+    /// What it means, in a few words.
+    pub meaning: &'static str,
+    /// Where it comes from.
+    source: Source,
+    /// How it follows from the first contact.
+    pub(in crate::study) from_contact: FromContact,
+    /// What it is at least, where a run ended before it was final.
+    lower_bound: Option<fn(&Run) -> Option<f64>>,
+    /// A word or two for narrow columns; empty: its title.
+    short: &'static str,
+    /// Why a shot that is stopped may be without it.
+    pub(in crate::study) absence: &'static str,
+    /// A perforation has it: others that have been computed for one would mislead.
+    is_of_perforation: bool,
+    /// It tells of the computation, not of the design.
+    is_of_computation: bool,
+    /// A count of the computation, which JSON has as a whole number.
+    pub is_whole: bool,
 }
 
-/// Read a value of a quantity: SI, or with a unit (`45mm`, `20 kN`); percentages as they are shown (`60` or `60 %`).
-///
-/// # Errors
-/// What is wrong with the text, in words.
-pub fn parse_value(column: &ResultColumn, text: &str) -> Result<f64, String> {
-    let quantity = match column.unit() {
-        "m" => Quantity::Length,
-        "s" => Quantity::Time,
-        "N" => Quantity::Force,
-        "m/s" => Quantity::Velocity,
-        "kg" => Quantity::Mass,
-        _ => Quantity::Number,
-    };
-    let bare = if column.unit() == "%" { text.trim().trim_end_matches('%') } else { text };
-    units::parse(bare, quantity, Bare::Si).map_err(|problem| problem.to_string())
+/// Where a quantity comes from; `None` where it does not exist.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    /// From the scene alone.
+    Scene(fn(&Scene) -> Option<f64>),
+    /// From a run.
+    Run(fn(&Run) -> Option<f64>),
+    /// From a run with its course in time, where the scene needs that.
+    Course(fn(&Run) -> Option<f64>, fn(&Scene) -> bool),
+    /// From many shots at the scene.
+    Shots(fn(&Scene) -> Option<f64>),
 }
 
-/// The value of a quantity for a run; `None` where it does not exist.
-pub fn value(column: &ResultColumn, run: &Run) -> Option<f64> {
-    let Source::Study(studied) = column.source else { return column.value(run) };
-    let scene = &run.scene;
-    let found = match studied {
-        Studied::LeastSpringMass | Studied::SystemMass | Studied::ArealMass => {
-            mass(studied, scene, run.max_plate_displacement_m)
+/// How a quantity follows from the first contact of a shot that this decides.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::study) enum FromContact {
+    /// It does not: it takes a simulation.
+    No,
+    /// From its end.
+    End(fn(&Answer) -> Option<f64>),
+    /// From its end and the greatest displacement.
+    Displacement(fn(&Answer) -> Option<f64>),
+    /// The same, and from the scene.
+    WithScene(fn(&Answer, &Scene) -> Option<f64>),
+    /// From the scene alone.
+    Scene,
+}
+
+/// What has to be computed for a quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Needs {
+    /// Nothing.
+    Scene,
+    /// A run.
+    Run,
+    /// A run with its course in time.
+    Course,
+    /// Many shots.
+    Limit,
+}
+
+impl Needs {
+    /// In a word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Scene => "scene",
+            Self::Run => "run",
+            Self::Course => "course",
+            Self::Limit => "limit",
         }
-        Studied::MountForce => peak_mount_force_n(run),
-        Studied::MountImpulse => load::impulse_n_s(run).filter(|_| !run.series.is_empty()),
-        Studied::LimitVelocity => limit_velocity_m_s(scene),
-        Studied::MassEfficiency => mass_efficiency(scene),
-    };
-    found.filter(|value| value.is_finite())
+    }
+
+    /// In words, for people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Scene => "nothing but the scene",
+            Self::Run => "a run",
+            Self::Course => "a run and its course in time",
+            Self::Limit => "many shots (a limit search)",
+        }
+    }
 }
 
-/// A mass from the greatest displacement; `None` where that is needed and not known.
-pub(in crate::study) fn mass(
-    studied: Studied,
-    scene: &Scene,
-    farthest_m: Option<f64>,
-) -> Option<f64> {
-    let least = || {
-        spring_energy_j(scene, 0.0 - scene.plate.cocking_m, farthest_m)
-            .map(|energy_j| energy_j / scene.mechanism.specific_energy_j_kg())
-    };
-    if studied == Studied::LeastSpringMass {
-        return least();
+impl PartialEq for Quantity {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
     }
-    let spring_kg = Inertia::of(scene).spring_mass_kg.or_else(least)?;
-    let plate_kg = scene.plate_mass_kg();
-    if studied == Studied::SystemMass {
-        return Some(plate_kg + spring_kg);
-    }
-    let plate_kg_m2 = scene.target.density_kg_m3 * scene.target.thickness_m;
-    Some(plate_kg_m2 * (1.0 + spring_kg / plate_kg))
 }
 
-/// The greatest force into the mount, from the run's course where that is needed.
-fn peak_mount_force_n(run: &Run) -> Option<f64> {
+const fn quantity(name: &'static str, meaning: &'static str, source: Source) -> Quantity {
+    Quantity {
+        name,
+        meaning,
+        source,
+        from_contact: FromContact::No,
+        lower_bound: None,
+        short: "",
+        absence: "does not exist here",
+        is_of_perforation: false,
+        is_of_computation: false,
+        is_whole: false,
+    }
+}
+
+const fn of_run(
+    name: &'static str,
+    meaning: &'static str,
+    get: fn(&Run) -> Option<f64>,
+) -> Quantity {
+    quantity(name, meaning, Source::Run(get))
+}
+
+const fn of_scene(
+    name: &'static str,
+    meaning: &'static str,
+    get: fn(&Scene) -> Option<f64>,
+) -> Quantity {
+    quantity(name, meaning, Source::Scene(get)).by_contact(FromContact::Scene)
+}
+
+const fn of_course(
+    name: &'static str,
+    meaning: &'static str,
+    get: fn(&Run) -> Option<f64>,
+    is_needed: fn(&Scene) -> bool,
+) -> Quantity {
+    quantity(name, meaning, Source::Course(get, is_needed))
+}
+
+const fn of_shots(
+    name: &'static str,
+    meaning: &'static str,
+    get: fn(&Scene) -> Option<f64>,
+) -> Quantity {
+    quantity(name, meaning, Source::Shots(get))
+}
+
+/// What a row may have besides.
+impl Quantity {
+    const fn by_contact(self, from_contact: FromContact) -> Self {
+        Self { from_contact, ..self }
+    }
+
+    const fn at_least(self, bound: fn(&Run) -> Option<f64>) -> Self {
+        Self { lower_bound: Some(bound), ..self }
+    }
+
+    const fn short(self, short: &'static str) -> Self {
+        Self { short, ..self }
+    }
+
+    const fn absent(self, absence: &'static str) -> Self {
+        Self { absence, ..self }
+    }
+
+    const fn of_perforation(self) -> Self {
+        Self { is_of_perforation: true, ..self }
+    }
+
+    const fn of_computation(self) -> Self {
+        Self { is_of_computation: true, ..self }
+    }
+
+    const fn whole(self) -> Self {
+        Self { is_whole: true, ..self }
+    }
+}
+
+use FromContact::{Displacement, End, WithScene};
+
+/// Why there is no displacement, and no percentage.
+const UNSTOPPED: &str = "nothing stops the plate";
+const NO_BASELINE: &str = "no baseline (perforated)";
+
+/// Every quantity, in the order of files.
+#[rustfmt::skip]
+pub static QUANTITIES: &[Quantity] = &[
+    of_run("first_arrest_penetration_m", "depth when projectile and plate first reach common velocity", |run| Some(run.first_arrest?.penetration_m))
+        .by_contact(End(|it| Some(it.arrest()?.penetration_m))),
+    of_run("first_arrest_time_s", "time of the first arrest", |run| Some(run.first_arrest?.t_s))
+        .by_contact(End(|it| Some(it.arrest()?.t_s))),
+    of_run("first_arrest_plate_displacement_m", "plate displacement at the first arrest", |run| Some(run.first_arrest?.plate_displacement_m))
+        .by_contact(End(|it| Some(it.arrest()?.plate_displacement_m))),
+    of_run("first_arrest_plate_velocity_m_s", "common velocity at the first arrest", |run| Some(run.first_arrest?.plate_velocity_m_s))
+        .by_contact(End(|it| Some(it.arrest()?.plate_velocity_m_s))),
+    of_run("final_penetration_m", "depth of the hole at the end", |run| run.final_penetration_m)
+        .by_contact(End(|it| Some(it.end.penetration_m)))
+        .at_least(|run| run.at_least.penetration_m).short("depth"),
+    of_run("percent_of_baseline", "final depth over that of the same plate on a rigid mount, percent", Run::percent_of_baseline)
+        .by_contact(End(|it| Some(100.0 * (it.arrest()?.penetration_m / it.baseline_m?))))
+        .at_least(|run| Some(100.0 * (run.at_least.penetration_m? / run.baseline_penetration_m?)))
+        .short("of baseline").absent(NO_BASELINE),
+    of_run("baseline_penetration_m", "depth of the same shot into the same plate on a rigid mount", |run| run.baseline_penetration_m)
+        .by_contact(End(|it| it.baseline_m)).absent(NO_BASELINE),
+    of_run("peak_contact_force_n", "greatest contact force while penetrating", |run| run.peak_contact_force_n).short("contact"),
+    of_run("max_plate_displacement_m", "greatest plate displacement", |run| run.max_plate_displacement_m)
+        .by_contact(Displacement(|it| it.max_displacement_m))
+        .at_least(|run| run.at_least.plate_displacement_m).short("plate").absent(UNSTOPPED),
+    of_run("stroke_m", "greatest displacement plus cocking distance: the space the mechanism needs", Run::stroke_m)
+        .by_contact(Displacement(|it| Some(it.max_displacement_m? + it.start_m.abs())))
+        .at_least(|run| Some(run.at_least.plate_displacement_m? - run.start_m())).absent(UNSTOPPED),
+    of_run("residual_velocity_m_s", "projectile velocity after perforation", |run| run.residual_velocity_m_s).of_perforation(),
+    of_run("exit_time_s", "when the nose was clear of the rear face", |run| run.exit_time_s).of_perforation(),
+    of_run("separation_time_s", "when the projectile left through the entry face", |run| Some(run.separation?.0)),
+    of_run("separation_velocity_m_s", "projectile velocity when it left through the entry face", |run| Some(run.separation?.1)),
+    of_run("interface_demand_ratio", "greatest push the fused interface had to carry over its strength A S_y", |run| run.interface_demand_ratio).short("demand"),
+    of_run("energy_residual", "energy that does not add up, relative to that at the start", |run| Some(run.ledger.residual())).of_computation(),
+    of_run("error_estimate", "relative error estimate of the final depth", |run| Some(run.error_estimate?.relative)).of_computation(),
+    of_run("stored_energy_j", "greatest energy stored in the springs", |run| run.mechanism.stored_j),
+    of_run("yield_margin", "yield strength over the greatest bending stress of the mechanism's beams", |run| run.mechanism.yield_margin),
+    of_run("added_inertia_kg", "what the mechanism adds to the plate's mass: rotation, and the springs' own", |run| run.mechanism.added_kg),
+    of_run("spring_mass_kg", "the springs' own mass", |run| run.mechanism.spring_mass_kg),
+    of_run("rotational_energy_j", "greatest energy of the plate's rotation", |run| run.mechanism.rotation_j),
+    of_run("stack_penetration_m", "thickness perforated in a stack, and the depth in what stopped the shot", |run| run.stack.as_ref()?.penetration_m),
+    of_run("stack_plates_perforated", "plates of a stack that were perforated, the base plate included", |run| Some(run.stack.as_ref()?.passed() as f64)),
+    of_run("stack_residual_velocity_m_s", "projectile velocity behind a perforated base plate", |run| run.stack.as_ref()?.residual_velocity_m_s),
+    of_course("peak_mount_force_n", "greatest force into the mount: spring, damper and elastic stop", mount::peak_force_n, mount::needs_course)
+        .by_contact(WithScene(|it, scene| mount::force_n(scene, it.max_displacement_m))).short("mount force"),
+    of_course("mount_impulse_n_s", "impulse into the mount along the plate's normal, up to the greatest displacement", |run| impulse_n_s(run).filter(|_| !run.series.is_empty()), |_| true),
+    of_run("travel_margin", "how far a spring may go before its law ends or it yields, over how far it goes", travel_margin),
+    of_run("fused_stop_hits", "hits on a rigid stop under a fused interface, which cannot carry them", fused_stop_hits),
+    of_scene("plate_mass_kg", "mass of the plate: gamma times that of the projectile", |scene| Some(scene.plate_mass_kg())),
+    of_run("least_spring_mass_kg", "least mass of a helical steel spring for the greatest energy stored", |run| mount::least_spring_kg(&run.scene, run.max_plate_displacement_m))
+        .by_contact(WithScene(|it, scene| mount::least_spring_kg(scene, it.max_displacement_m))),
+    of_run("system_mass_kg", "plate and springs: their own mass where it is known, else the least of a steel spring", |run| mount::system_kg(&run.scene, run.max_plate_displacement_m))
+        .by_contact(WithScene(|it, scene| mount::system_kg(scene, it.max_displacement_m))).short("system"),
+    of_run("areal_mass_kg_m2", "plate and springs over the plate's face", |run| mount::areal_kg_m2(&run.scene, run.max_plate_displacement_m))
+        .by_contact(WithScene(|it, scene| mount::areal_kg_m2(scene, it.max_displacement_m))),
+    of_scene("plate_face_m", "side of the plate's square face: the plate is a block of its material", |scene| sprung(scene).then(|| scene.plate_face_m())),
+    of_scene("face_over_diameter", "side of the plate's face over the projectile's diameter: 3 or more for the model to hold", envelope::face_ratio),
+    of_scene("thickness_over_diameter", "plate thickness over projectile diameter, h/D", |scene| Some(envelope::thickness_ratio(scene))),
+    of_scene("nose_pressure_ratio", "pressure on the nose at impact, S + c v^2, over 2 GPa of hardened steel: below 0.5 it stays rigid", |scene| Some(envelope::nose_pressure_ratio(scene))),
+    of_shots("limit_velocity_m_s", "ballistic limit: the least impact velocity that perforates", limit::velocity_m_s).short("limit"),
+    of_shots("mass_efficiency", "areal mass of the solid plate that does the same, over the scene's own", |scene| mass_efficiency(scene, &Hardware::default())).short("efficiency"),
+    of_run("steps", "accepted steps", |run| Some(run.cost.steps as f64)).of_computation().whole(),
+    of_run("rejected", "rejected steps", |run| Some(run.cost.rejected as f64)).of_computation().whole(),
+    of_run("rhs_evaluations", "evaluations of the equations of motion", |run| Some(run.cost.rhs_evaluations as f64)).of_computation().whole(),
+];
+
+/// How names end, and the units that means; a longer ending stands before its own end.
+const ENDINGS: [(&str, &str); 8] = [
+    ("_kg_m2", "kg/m2"),
+    ("_m_s", "m/s"),
+    ("_n_s", "N s"),
+    ("_m", "m"),
+    ("_s", "s"),
+    ("_n", "N"),
+    ("_j", "J"),
+    ("_kg", "kg"),
+];
+
+impl Quantity {
+    /// The unit its name ends in; `%` for a percentage, empty for a pure number.
+    pub fn unit(&self) -> &'static str {
+        if self.name.starts_with("percent") {
+            return "%";
+        }
+        self.ending().map_or("", |(_, unit)| unit)
+    }
+
+    /// Its name in words, without the unit: `max plate displacement`.
+    pub fn title(&self) -> String {
+        let ending = self.ending().map_or("", |(end, _)| end);
+        self.name.strip_suffix(ending).unwrap_or(self.name).replace('_', " ")
+    }
+
+    /// Its name in a word or two.
+    pub fn heading(&self) -> String {
+        if self.short.is_empty() { self.title() } else { self.short.to_owned() }
+    }
+
+    fn ending(&self) -> Option<(&'static str, &'static str)> {
+        ENDINGS.into_iter().find(|(end, _)| self.name.ends_with(end))
+    }
+
+    /// What has to be computed for it.
+    pub fn needs(&self) -> Needs {
+        match self.source {
+            Source::Scene(_) => Needs::Scene,
+            Source::Run(_) => Needs::Run,
+            Source::Course(..) => Needs::Course,
+            Source::Shots(_) => Needs::Limit,
+        }
+    }
+
+    /// A value with its unit, in so many digits: `64.27 %`, `37.98 mm`, `61.2 g`.
+    pub fn show(&self, value: f64, digits: usize) -> String {
+        match self.unit() {
+            "" => units::significant(value, digits),
+            "%" => format!("{} %", units::significant(value, digits)),
+            // A prefix stands before grams, not before kilograms.
+            "kg" if value.abs() < 1e3 => {
+                Engineering { value: 1e3 * value, unit: "g", digits }.to_string()
+            }
+            unit @ ("kg" | "kg/m2") => format!("{} {unit}", units::significant(value, digits)),
+            unit => Engineering { value, unit, digits }.to_string(),
+        }
+    }
+
+    /// The same; a dash for a value that does not exist.
+    pub fn show_any(&self, value: Option<f64>, digits: usize) -> String {
+        value.map_or_else(|| units::NO_NUMBER.to_owned(), |value| self.show(value, digits))
+    }
+
+    /// Read a value: SI, or with a unit (`45mm`, `20 kN`); percentages as they are shown (`60` or `60 %`).
+    ///
+    /// # Errors
+    /// What is wrong with the text, in words.
+    pub fn parse(&self, text: &str) -> Result<f64, String> {
+        let kind = match self.unit() {
+            "m" => units::Quantity::Length,
+            "s" => units::Quantity::Time,
+            "N" => units::Quantity::Force,
+            "m/s" => units::Quantity::Velocity,
+            "kg" => units::Quantity::Mass,
+            _ => units::Quantity::Number,
+        };
+        let bare = if self.unit() == "%" { text.trim().trim_end_matches('%') } else { text };
+        units::parse(bare, kind, Bare::Si).map_err(|problem| problem.to_string())
+    }
+
+    /// What it is at least, where a run ended before it was final; `None` where it is final, or nothing is known.
+    pub fn lower_bound(&self, run: &Run) -> Option<f64> {
+        self.lower_bound?(run).filter(|bound| bound.is_finite())
+    }
+
+    /// Its value for a run; `None` where it does not exist, never a number that is not finite.
+    pub fn value(&self, run: &Run) -> Option<f64> {
+        let value = match self.source {
+            Source::Scene(get) | Source::Shots(get) => get(&run.scene),
+            Source::Run(get) | Source::Course(get, _) => get(run),
+        };
+        value.filter(|value| value.is_finite())
+    }
+
+    /// Its value for a shot that the first contact decides.
+    pub(in crate::study) fn of_contact(&self, answer: &Answer, scene: &Scene) -> Option<f64> {
+        match (self.from_contact, self.source) {
+            (FromContact::End(get) | FromContact::Displacement(get), _) => get(answer),
+            (FromContact::WithScene(get), _) => get(answer, scene),
+            (FromContact::Scene, Source::Scene(get)) => get(scene),
+            (FromContact::Scene | FromContact::No, _) => None,
+        }
+    }
+
+    /// Whether a run of a scene has to keep its course in time for it.
+    pub(in crate::study) fn needs_course(&self, scene: &Scene) -> bool {
+        matches!(self.source, Source::Course(_, is_needed) if is_needed(scene))
+    }
+
+    /// Whether a number means something for a perforation: the depth of one does not.
+    pub(in crate::study) fn tells_of_perforation(&self) -> bool {
+        // What does not depend on what became of the shot does.
+        self.is_of_perforation || matches!(self.source, Source::Scene(_) | Source::Shots(_))
+    }
+}
+
+fn sprung(scene: &Scene) -> bool {
+    scene.plate.mount == Mount::Sprung
+}
+
+/// The least of limit over displacement, of every spring and limit; `None` where no spring has a limit that a run comes near.
+fn travel_margin(run: &Run) -> Option<f64> {
+    let farthest = run.max_plate_displacement_m.filter(|_| sprung(&run.scene))?;
+    load::travel_margin(&run.scene, run.start_m(), farthest)
+}
+
+fn fused_stop_hits(run: &Run) -> Option<f64> {
     let scene = &run.scene;
-    let quickly = mount_force_n(scene, run.max_plate_displacement_m);
-    let course_missing = needs_course(scene) && run.series.is_empty();
-    if course_missing { None } else { quickly.or_else(|| load::peak_n(run)) }
+    let stopped = sprung(scene)
+        && scene.interface.law == InterfaceLaw::Fused
+        && scene.mechanism.stop.position_m.is_some()
+        && scene.mechanism.stop.kind == StopKind::Rigid;
+    let hits = || run.events.iter().filter(|event| event.kind == EventKind::StopHit).count();
+    stopped.then(|| hits() as f64)
 }
 
-/// Whether the force into the mount has to be looked for in the rows of a run: other models than the simulation do not locate it.
-pub(in crate::study) fn needs_course(scene: &Scene) -> bool {
-    let is_simulated = scene.contact.model == ContactModel::Hydrodynamic;
-    scene.plate.mount == Mount::Sprung && !is_simulated && !turn_tells_force(scene)
+/// Every quantity that a run without its course in time comes down to: what a sweep gives where nothing is named.
+pub fn of_every_run() -> impl Iterator<Item = &'static Quantity> {
+    QUANTITIES.iter().filter(|it| it.needs() <= Needs::Run)
 }
 
-/// Whether the greatest force into the mount follows from where the plate starts and turns: without stop and damper.
-pub(in crate::study) fn turn_tells_force(scene: &Scene) -> bool {
-    let mechanism = Mechanism::of(scene);
-    mechanism.stop.is_none() && mechanism.damper.coefficient == 0.0
-}
-
-/// The force into the mount of a spring alone, from where the plate starts and turns; `None` where that is not all.
-pub(in crate::study) fn mount_force_n(scene: &Scene, farthest_m: Option<f64>) -> Option<f64> {
-    let mechanism = Mechanism::of(scene);
-    let is_rigid = scene.plate.mount == Mount::Rigid;
-    if is_rigid || mechanism.is_absent() || !turn_tells_force(scene) {
-        return None;
-    }
-    if load::holds_still(scene, farthest_m) {
-        return None;
-    }
-    let (start_m, farthest_m) = (0.0 - scene.plate.cocking_m, farthest_m?);
-    // A curve's greatest force may lie on the way.
-    let (least, most) = mechanism.spring.curve().map_or_else(
-        || (mechanism.spring.force(start_m), mechanism.spring.force(farthest_m)),
-        |curve| curve.forces_between(start_m, farthest_m),
-    );
-    Some(larger(least.abs(), most.abs()))
-}
-
-/// The ballistic limit of a scene; `None` where there is none.
-pub fn limit_velocity_m_s(scene: &Scene) -> Option<f64> {
-    let mut own = scene.clone();
-    own.sweep = None;
-    let found = limit::alone(&Arc::new(own), &mut Context::new(1, &mut to_its_end));
-    found.ok()?.velocity_m_s()
-}
-
-fn mass_efficiency(scene: &Scene) -> Option<f64> {
-    let mut own = scene.clone();
-    own.sweep = None;
-    compare::mass_efficiency(&own, &Hardware::default())
+/// Every quantity a run with its course comes down to: limit searches are made on request alone.
+pub fn of_runs() -> impl Iterator<Item = &'static Quantity> {
+    QUANTITIES.iter().filter(|it| it.needs() < Needs::Limit)
 }
 
 /// The quantities that tell of a design, in the order of tables: what tells of the computation is left out, and limits.
-pub fn usual() -> impl Iterator<Item = &'static ResultColumn> {
-    const COMPUTING: [&str; 5] =
-        ["energy_residual", "error_estimate", "steps", "rejected", "rhs_evaluations"];
-    results::of_run().filter(|column| !COMPUTING.contains(&column.name))
-}
-
-/// Whether a run of a scene has to keep its course in time for these quantities.
-pub(in crate::study) fn need_course(columns: &[&'static ResultColumn], scene: &Scene) -> bool {
-    columns.iter().any(|column| match column.source {
-        Source::Study(Studied::MountForce) => needs_course(scene),
-        Source::Study(Studied::MountImpulse) => true,
-        Source::Study(_) | Source::Scene(_) | Source::Run(_) => false,
-    })
+pub fn usual() -> impl Iterator<Item = &'static Quantity> {
+    of_runs().filter(|it| !it.is_of_computation)
 }

@@ -4,10 +4,10 @@
 //! Inputs are uniform, or uniform in their logarithm, between their bounds, and independent. A point without a value (perforated,
 //! say, where a depth is asked for) is left out and counted. Must not know files, screens or a clock.
 
-use crate::model::results::ResultColumn;
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::{self, Kind, VARIABLES};
 use crate::study::context::Context;
+use crate::study::quantities::Quantity;
 use crate::study::search::field::{Field, Found};
 use crate::study::sweep::{Axis, Spacing, SweepError};
 use effects::{Effect, morris};
@@ -59,7 +59,7 @@ pub struct Report {
     /// The variables and their bounds.
     pub axes: Vec<Axis>,
     /// The result.
-    pub output: &'static ResultColumn,
+    pub output: &'static Quantity,
     /// What was asked for.
     pub effort: Effort,
     /// The result of the scene itself.

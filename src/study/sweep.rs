@@ -19,10 +19,10 @@ pub mod summary;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::model::results::{self, ResultColumn};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables;
+use crate::study::quantities::{Quantity, named};
 pub use axis::{Axis, COUNTS, Spacing};
 pub use design::Design;
 pub(in crate::study) use design::sequence;
@@ -97,7 +97,7 @@ pub struct Plan {
     axes: Vec<Axis>,
     design: Design,
     points: u64,
-    outputs: Vec<&'static ResultColumn>,
+    outputs: Vec<&'static Quantity>,
     /// Points in the place of the design's: for each a value on every axis.
     list: Option<Arc<[f64]>>,
 }
@@ -154,7 +154,7 @@ impl Plan {
                 return Err(SweepError::Twice { axis: axis.symbol() });
             }
         }
-        let outputs = outputs.iter().map(|name| output(name.as_ref())).collect::<Result<_, _>>()?;
+        let outputs = outputs.iter().map(|name| named(name.as_ref())).collect::<Result<_, _>>()?;
         let points = points(&axes, design)?;
         let mut base = scene.clone();
         (base.title, base.notes, base.sweep) = (String::new(), String::new(), None);
@@ -206,7 +206,7 @@ impl Plan {
     }
 
     /// The results asked for.
-    pub fn outputs(&self) -> &[&'static ResultColumn] {
+    pub fn outputs(&self) -> &[&'static Quantity] {
         &self.outputs
     }
 
@@ -263,24 +263,6 @@ impl Plan {
         }
         Ok(())
     }
-}
-
-/// The result with this name.
-///
-/// # Errors
-/// [`SweepError::Output`] with the nearest names.
-pub fn output(name: &str) -> Result<&'static ResultColumn, SweepError> {
-    let written = name.trim();
-    let spelled = written.to_lowercase().replace([' ', '-'], "_");
-    // A name without its unit will do where it means one quantity only: `stroke`, `limit velocity`.
-    let bare = || {
-        let mut same = results::RESULTS.iter().filter(|it| it.title().replace(' ', "_") == spelled);
-        same.next().filter(|_| same.next().is_none())
-    };
-    results::find(written)
-        .or_else(|| results::find(&spelled))
-        .or_else(bare)
-        .ok_or_else(|| SweepError::Output { name: name.to_owned(), hint: results::nearest(name) })
 }
 
 fn points(axes: &[Axis], design: Design) -> Result<u64, SweepError> {

@@ -10,10 +10,10 @@ use std::sync::Arc;
 
 use cmra::model::contact_phase::{Ending, Phase, Scheme, exact, fine};
 use cmra::model::estimate::QuantityError;
-use cmra::model::results;
 use cmra::model::run::{EstimateBasis, Outcome, Run};
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
+use cmra::study::quantities;
 
 use crate::random::{Random, scene, typed};
 
@@ -170,7 +170,7 @@ fn each_result_has_an_estimate_of_its_own_that_covers_its_error() {
         judged += 1;
         perforated += usize::from(ending == Ending::Perforation);
         for (name, exact) in rows {
-            let own = results::find(name).unwrap().value(&run).unwrap();
+            let own = quantities::find(name).unwrap().value(&run).unwrap();
             let estimate = run.error_estimates.iter().find(|error| error.name == name).unwrap();
             let error = (own / exact - 1.0).abs();
             // What is zero but for rounding has no error relative to itself.
@@ -210,7 +210,7 @@ fn each_estimate_covers_the_difference_to_a_tight_run() {
         judged += 1;
         perforated += usize::from(run.outcome == Outcome::Perforated);
         for error in run.error_estimates.iter().filter(|error| error.relative < KNOWN_DIGITS) {
-            let column = results::find(error.name).unwrap();
+            let column = quantities::find(error.name).unwrap();
             let Some((own, exact)) = column.value(&run).zip(column.value(&tight)) else { continue };
             let off = (own / exact - 1.0).abs();
             if off > BELOW * error.relative + NOTHING_ASKED * LOOSE {
@@ -256,6 +256,6 @@ fn an_estimate_from_two_outcomes_is_unknown() {
     cmra::model::estimate::set(&mut run, &second, EstimateBasis::SecondComputation, 0.0);
     let estimate = run.error_estimate.unwrap();
     assert_eq!(estimate.basis, EstimateBasis::OutcomeDiffers(Outcome::Perforated));
-    assert_eq!(results::find("error_estimate").unwrap().value(&run), None);
+    assert_eq!(quantities::find("error_estimate").unwrap().value(&run), None);
     assert!(run.error_estimates.is_empty());
 }

@@ -335,7 +335,7 @@ fn a_result_that_does_not_exist_is_told_the_nearest_in_a_line_that_can_be_read()
         assert!(said.lines().count() == 1 && said.len() < 320, "{}: {said}", said.len());
     }
     let help = says("sweep", &["--help"], 0).0;
-    for column in cmra::model::results::RESULTS {
+    for column in cmra::study::quantities::QUANTITIES {
         assert!(help.contains(column.name), "{} is not in the help", column.name);
     }
 }

@@ -8,10 +8,10 @@ use std::sync::Arc;
 use cmra::files::bundled::{BASELINE, BUNDLED};
 use cmra::files::preset::{self, Preset};
 use cmra::files::{read, write};
-use cmra::model::results;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
 use cmra::model::variables::{VARIABLES, validate};
+use cmra::study::quantities;
 
 use serde::Deserialize;
 
@@ -132,7 +132,7 @@ fn valid_every_preset_gives_what_its_case_expects() {
         assert_eq!(run.outcome.word(), case.outcome, "{name}");
         assert!(run.ledger.residual().abs() < 1e-9, "{name}: energy");
         let value = |key: &str| {
-            let column = results::find(key).unwrap_or_else(|| panic!("{name}: {key}"));
+            let column = quantities::find(key).unwrap_or_else(|| panic!("{name}: {key}"));
             column.value(&run)
         };
         for key in &case.absent {

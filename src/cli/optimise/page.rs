@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use crate::cli::text::width;
-use crate::model::results::ResultColumn;
 use crate::model::units::significant;
 use crate::report::front::{designs, law};
 use crate::report::table::{Cells, grid};
+use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Constraint, Front, STEPS_MAX, Standing, Task};
 use crate::study::sweep::{Axis, Spacing};
 
@@ -89,7 +89,7 @@ fn one(page: &mut String, task: &Task, front: &Front) {
     }
 }
 
-fn shown(column: &ResultColumn, value: Option<f64>) -> String {
+fn shown(column: &Quantity, value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| column.show(value, 4))
 }
 
@@ -119,8 +119,8 @@ fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
 }
 
 /// The first measure a candidate has not.
-fn missing(task: &Task, candidate: &Candidate) -> Option<&'static ResultColumn> {
-    let is_missing = |column: &&&ResultColumn| {
+fn missing(task: &Task, candidate: &Candidate) -> Option<&'static Quantity> {
+    let is_missing = |column: &&&Quantity| {
         let measures = task.measures();
         let at = measures.iter().position(|other| other.name == column.name);
         at.is_some_and(|at| candidate.measures[at].is_none())

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::model::results::ResultColumn;
 use crate::model::units::significant;
+use crate::study::quantities::Quantity;
 use crate::study::search::seek::{Place, Report};
 use crate::study::sweep::{Axis, Fate, Spacing};
 
@@ -88,6 +88,6 @@ fn value(axis: &Axis, value: f64) -> String {
 }
 
 /// A measure with its unit.
-fn shown(column: &ResultColumn, value: f64) -> String {
+fn shown(column: &Quantity, value: f64) -> String {
     column.show(value, 6)
 }

@@ -54,7 +54,7 @@ pub(super) fn plan(scene: &Scene, name: &str, asked: &Asked<'_>) -> Result<(Plan
     let (outputs, all) = match outputs(scene, asked.outputs) {
         Outputs::Named(names) => (names, false),
         Outputs::All => {
-            let all = crate::model::results::of_every_run();
+            let all = crate::study::quantities::of_every_run();
             (all.map(|column| column.name.to_owned()).collect(), true)
         }
     };

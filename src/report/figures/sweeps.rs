@@ -1,10 +1,10 @@
 //! The pictures of a sweep: a curve of each output over one axis, a map over two.
 
-use crate::model::results::ResultColumn;
 use crate::report::chart::{Axis, Chart, Curve, Scale};
 use crate::report::figures::{axis_of, places};
 use crate::report::map::{Cell, Map};
 use crate::report::svg::Picture;
+use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::tells;
 use crate::study::sweep::{self, Fate, Plan};
 
@@ -19,7 +19,7 @@ pub struct Row {
 
 impl Row {
     /// The number to draw, if one tells anything.
-    pub fn shown(&self, output: usize, column: &ResultColumn) -> Option<f64> {
+    pub fn shown(&self, output: usize, column: &Quantity) -> Option<f64> {
         self.values[output].filter(|_| tells(column, self.fate))
     }
 }

@@ -7,11 +7,10 @@ use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::model::results::ResultColumn;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
 use crate::study::context::Context;
-use crate::study::quantities::need_course;
+use crate::study::quantities::Quantity;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::grid::tells;
 use crate::study::sweep::{Axis, Evaluator, Failure, Fate, Plan, SweepError};
@@ -68,7 +67,7 @@ impl Field {
     }
 
     /// The measures, in order.
-    pub fn measures(&self) -> &[&'static ResultColumn] {
+    pub fn measures(&self) -> &[&'static Quantity] {
         self.plan.outputs()
     }
 
@@ -150,7 +149,7 @@ impl Field {
         let rows = evaluator.rows(points);
         let found = |row: usize| {
             let fate = rows.fate(row);
-            let value = |(place, column): (usize, &&'static ResultColumn)| {
+            let value = |(place, column): (usize, &&'static Quantity)| {
                 rows.value(row, place).filter(|_| tells(column, fate))
             };
             Found { fate, values: self.measures().iter().enumerate().map(value).collect() }
@@ -166,7 +165,7 @@ impl Field {
         for axis in self.axes() {
             (axis.number().set)(&mut far, Some(larger(axis.ends().0, axis.ends().1)));
         }
-        let forced = need_course(self.measures(), &far);
+        let forced = self.measures().iter().any(|it| it.needs_course(&far));
         scene.interface.law == InterfaceLaw::Plastic || forced || !Evaluator::has_kernel(&self.plan)
     }
 }
@@ -181,7 +180,7 @@ mod tests {
     use crate::model::run::EndReason;
     use crate::model::simulate::{Settings, simulate};
     use crate::study::context::{to_its_end, until};
-    use crate::study::quantities::{quantity, value};
+    use crate::study::quantities::named;
     use crate::study::sweep::Spacing;
 
     fn axes(list: &[(&str, f64, f64)]) -> Vec<Axis> {
@@ -233,7 +232,7 @@ mod tests {
             let located = found.values[3].unwrap();
             assert!(located >= sampled * (1.0 - 1e-9), "{design:?}: {located} {sampled}");
             assert!(located <= 1.01 * sampled, "{design:?}: {located} {sampled}");
-            close(found.values[3], value(quantity("peak_mount_force_n").unwrap(), &run));
+            close(found.values[3], named("peak_mount_force_n").unwrap().value(&run));
         }
     }
 

@@ -8,11 +8,10 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use std::ops::ControlFlow;
 
-use crate::model::results::ResultColumn;
 use crate::model::run::EndReason;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::study::context::Context;
-use crate::study::quantities::quantity;
+use crate::study::quantities::{Quantity, named};
 use crate::study::search::field::{Field, Found};
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
@@ -37,7 +36,7 @@ pub const STEPS_MAX: usize = 30_000;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Objective {
     /// The measure.
-    pub measure: &'static ResultColumn,
+    pub measure: &'static Quantity,
     /// Great is good.
     pub maximise: bool,
 }
@@ -59,9 +58,9 @@ pub struct Task {
 
 impl Task {
     /// Every measure that is needed, the objectives first, each once.
-    pub fn measures(&self) -> Vec<&'static ResultColumn> {
+    pub fn measures(&self) -> Vec<&'static Quantity> {
         let all = self.objectives.iter().map(|it| it.measure);
-        let mut list: Vec<&'static ResultColumn> = Vec::new();
+        let mut list: Vec<&'static Quantity> = Vec::new();
         for column in all.chain(self.constraints.iter().map(|it| it.measure)) {
             if !list.iter().any(|known| known.name == column.name) {
                 list.push(column);
@@ -73,7 +72,7 @@ impl Task {
     /// The measures to show, by their places: those of objectives and constraints that were named, and what the interface is asked
     /// for.
     pub fn shown(&self) -> Vec<usize> {
-        let named = |column: &&'static ResultColumn| {
+        let named = |column: &&'static Quantity| {
             self.objectives.iter().any(|it| it.measure.name == column.name)
                 || self
                     .constraints
@@ -91,7 +90,7 @@ impl Task {
     }
 
     /// The place of a measure among those of a design.
-    fn place(&self, column: &ResultColumn) -> usize {
+    fn place(&self, column: &Quantity) -> usize {
         self.measures().iter().position(|other| other.name == column.name).unwrap_or(0)
     }
 }
@@ -351,7 +350,7 @@ impl Search<'_> {
 
     /// What measures come to.
     fn judge(&self, measures: &[Option<f64>]) -> Judged {
-        let value = |column: &ResultColumn| measures[self.task.place(column)];
+        let value = |column: &Quantity| measures[self.task.place(column)];
         let objectives = self.task.objectives.iter().map(|objective| {
             let value = value(objective.measure)?;
             Some(if objective.maximise { -value } else { value })
@@ -477,7 +476,7 @@ pub fn objectives(
     minimise: &[impl AsRef<str>],
     maximise: &[impl AsRef<str>],
 ) -> Result<Vec<Objective>, SweepError> {
-    let of = |name: &str, maximise| Ok(Objective { measure: quantity(name)?, maximise });
+    let of = |name: &str, maximise| Ok(Objective { measure: named(name)?, maximise });
     let small = minimise.iter().map(|name| of(name.as_ref(), false));
     let great = maximise.iter().map(|name| of(name.as_ref(), true));
     let named: Vec<Objective> = small.chain(great).collect::<Result<_, SweepError>>()?;

@@ -5,12 +5,12 @@
 //! of a result are kept for its quantiles, eight bytes each: [`SAMPLES_MAX`] is the limit. Must not know files, screens or a
 //! clock.
 
-use crate::model::results::ResultColumn;
 use crate::model::scene::{PlateSize, Scene, SpringKind};
 use crate::model::variables::{self, Kind, Number, VARIABLES, Variable, VariableError};
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
+use crate::study::quantities::Quantity;
 use crate::study::search::field::Field;
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Axis, Fate, Spacing, SweepError};
@@ -57,7 +57,7 @@ pub struct Quantile {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
     /// The measure.
-    pub measure: &'static ResultColumn,
+    pub measure: &'static Quantity,
     /// Its value for the scene itself.
     pub nominal: Option<f64>,
     /// Mean and its 95 % interval; `None` without two values.
@@ -317,7 +317,7 @@ fn perforated(counts: OutcomeCounts) -> Option<(f64, (f64, f64))> {
 }
 
 impl Summary {
-    fn of(measure: &'static ResultColumn, nominal: Option<f64>, mut values: Vec<f64>) -> Self {
+    fn of(measure: &'static Quantity, nominal: Option<f64>, mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         let mut summary = Self {
             measure,

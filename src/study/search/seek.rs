@@ -6,9 +6,9 @@
 
 use std::ops::RangeInclusive;
 
-use crate::model::results::ResultColumn;
 use crate::model::scene::Scene;
 use crate::study::context::Context;
+use crate::study::quantities::Quantity;
 use crate::study::search::field::Field;
 use crate::study::sweep::{Axis, Fate, SweepError};
 use roots::{Hunt, Kind};
@@ -81,7 +81,7 @@ pub struct Report {
     /// The variable and its bounds.
     pub axis: Axis,
     /// The measure.
-    pub measure: &'static ResultColumn,
+    pub measure: &'static Quantity,
     /// Its wanted value.
     pub target: f64,
     /// In order of the variable.

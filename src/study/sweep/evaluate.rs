@@ -8,11 +8,10 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::model::results::ResultColumn;
 use crate::model::run::{EndReason, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::model::simulate::{self, Settings};
-use crate::study::quantities::{self, need_course};
+use crate::study::quantities::Quantity;
 use crate::study::sweep::Plan;
 use crate::study::sweep::kernel::Kernel;
 
@@ -76,13 +75,9 @@ impl Fate {
     }
 
     /// What that letter means for an output.
-    pub fn without_value(self, output: &ResultColumn) -> &'static str {
+    pub fn without_value(self, output: &Quantity) -> &'static str {
         match self {
-            Self::Arrested | Self::Separated => match output.name {
-                "max_plate_displacement_m" | "stroke_m" => "nothing stops the plate",
-                "percent_of_baseline" | "baseline_penetration_m" => "no baseline (perforated)",
-                _ => "does not exist here",
-            },
+            Self::Arrested | Self::Separated => output.absence,
             Self::Perforated => "perforated",
             Self::Moving => "still moving",
             Self::Failed(_) => "failed",
@@ -207,7 +202,10 @@ impl<'p> Evaluator<'p> {
                     plan.place(Arc::make_mut(&mut self.scene), *index);
                 }
                 let scene = &self.scene;
-                rows.push(*fate, plan.outputs().iter().map(|output| answer.value(output, scene)));
+                rows.push(
+                    *fate,
+                    plan.outputs().iter().map(|output| output.of_contact(answer, scene)),
+                );
                 continue;
             }
             if self.one(*index, &mut rows).is_none() {
@@ -234,7 +232,7 @@ impl<'p> Evaluator<'p> {
             Err(failure) => Fate::Failed(*failure),
         };
         let told = run.as_ref().ok().filter(|_| !matches!(fate, Fate::Failed(_)));
-        let value = |output: &&ResultColumn| told.and_then(|run| quantities::value(output, run));
+        let value = |output: &&Quantity| told.and_then(|run| output.value(run));
         rows.push(fate, self.plan.outputs().iter().map(value));
         Some((fate, run))
     }
@@ -252,7 +250,7 @@ impl<'p> Evaluator<'p> {
                 ControlFlow::Continue(())
             }
         };
-        let series = need_course(self.plan.outputs(), &self.scene);
+        let series = self.plan.outputs().iter().any(|it| it.needs_course(&self.scene));
         let (scene, settings) = (&self.scene, &Settings { series, ..self.settings });
         // Each point begins anew, so a panic at one leaves nothing behind for the next.
         let work = AssertUnwindSafe(|| simulate::simulate(scene, settings, &mut observer));

@@ -8,7 +8,7 @@ use std::ops::{ControlFlow, Range, RangeInclusive};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use crate::model::results::{Needs, ResultColumn};
+use crate::study::quantities::{Needs, Quantity};
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows, SweepError};
@@ -225,14 +225,11 @@ impl Grid {
 }
 
 /// Whether a number means something where a point ended like this: the depth of a perforation does not.
-pub fn tells(output: &ResultColumn, fate: Fate) -> bool {
-    // What does not depend on what became of the shot.
-    if matches!(output.needs(), Needs::Scene | Needs::Limit) {
-        return !matches!(fate, Fate::Failed(_));
-    }
+pub fn tells(output: &Quantity, fate: Fate) -> bool {
     match fate {
         Fate::Arrested | Fate::Separated => true,
-        Fate::Perforated => matches!(output.name, "residual_velocity_m_s" | "exit_time_s"),
-        Fate::Moving | Fate::Failed(_) => false,
+        Fate::Perforated => output.tells_of_perforation(),
+        Fate::Moving => matches!(output.needs(), Needs::Scene | Needs::Limit),
+        Fate::Failed(_) => false,
     }
 }

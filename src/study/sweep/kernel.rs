@@ -10,66 +10,34 @@ use crate::model::closed_form::{Ending, Passage};
 use crate::model::contact::Geometry;
 use crate::model::contact_kernel::{Contact, ContactEnd, run_batch};
 use crate::model::mechanism::{Mechanism, moving_plate_kg};
-use crate::model::results::{ResultColumn, Source, Studied};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::model::variables::Group;
 use crate::numerics::larger;
 use crate::study::compare::load::holds_still;
-use crate::study::quantities::{mass, mount_force_n, turn_tells_force};
+use crate::study::quantities::{FromContact, turn_tells_force};
 use crate::study::sweep::Plan;
 use crate::study::sweep::evaluate::Fate;
-
-/// The outputs that follow from the first contact.
-const KNOWN: [&str; 8] = [
-    "first_arrest_penetration_m",
-    "first_arrest_time_s",
-    "first_arrest_plate_displacement_m",
-    "first_arrest_plate_velocity_m_s",
-    "final_penetration_m",
-    "percent_of_baseline",
-    "baseline_penetration_m",
-    "max_plate_displacement_m",
-];
-const STROKE: &str = "stroke_m";
 
 /// Fraction of the scene's tolerance that the contact may use up.
 pub(in crate::study) const TOLERANCE_FRACTION: f64 = 0.3;
 
 /// What was found at a point.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Answer {
-    end: Option<ContactEnd>,
-    baseline_m: Option<f64>,
-    max_displacement_m: Option<f64>,
-    start_m: f64,
+#[derive(Clone, Copy, Debug)]
+pub(in crate::study) struct Answer {
+    /// How the contact ends.
+    pub(in crate::study) end: ContactEnd,
+    /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
+    pub(in crate::study) baseline_m: Option<f64>,
+    /// The greatest displacement, m, where an output needs it; `None` where nothing stops the plate.
+    pub(in crate::study) max_displacement_m: Option<f64>,
+    /// Where the plate starts, m.
+    pub(in crate::study) start_m: f64,
 }
 
 impl Answer {
-    /// A quantity of the point with this scene; `None` where it does not exist.
-    pub(super) fn value(&self, output: &ResultColumn, scene: &Scene) -> Option<f64> {
-        match output.source {
-            Source::Scene(get) => get(scene),
-            Source::Run(_) => self.of_contact(output.name),
-            Source::Study(Studied::MountForce) => mount_force_n(scene, self.max_displacement_m),
-            Source::Study(studied) => mass(studied, scene, self.max_displacement_m),
-        }
-    }
-
-    fn of_contact(&self, name: &str) -> Option<f64> {
-        let end = self.end?;
-        let arrest = end.arrested.then_some(end);
-        match name {
-            "first_arrest_penetration_m" => Some(arrest?.penetration_m),
-            "first_arrest_time_s" => Some(arrest?.t_s),
-            "first_arrest_plate_displacement_m" => Some(arrest?.plate_displacement_m),
-            "first_arrest_plate_velocity_m_s" => Some(arrest?.plate_velocity_m_s),
-            "final_penetration_m" => Some(end.penetration_m),
-            "percent_of_baseline" => Some(100.0 * (arrest?.penetration_m / self.baseline_m?)),
-            "baseline_penetration_m" => self.baseline_m,
-            "max_plate_displacement_m" => self.max_displacement_m,
-            STROKE => Some(self.max_displacement_m? + self.start_m.abs()),
-            _ => None,
-        }
+    /// The end of a contact that ends in an arrest.
+    pub(in crate::study) fn arrest(&self) -> Option<ContactEnd> {
+        self.end.arrested.then_some(self.end)
     }
 }
 
@@ -101,22 +69,20 @@ pub(super) struct Kernel<'p> {
 impl<'p> Kernel<'p> {
     /// The kernel for a plan whose outputs all follow from the first contact.
     pub(super) fn of(plan: &'p Plan) -> Option<Self> {
-        if !plan.outputs().iter().all(|output| follows_from_contact(output)) {
+        let ways = || plan.outputs().iter().map(|output| output.from_contact);
+        if ways().any(|way| matches!(way, FromContact::No)) {
             return None;
         }
-        let displaces = |output: &&ResultColumn| {
-            matches!(output.source, Source::Study(_))
-                || output.name == "max_plate_displacement_m"
-                || output.name == STROKE
-        };
-        let outputs = || plan.outputs().iter();
+        let displaces =
+            |way| matches!(way, FromContact::Displacement(_) | FromContact::WithScene(_));
         let changes = |group: Group| plan.axes().iter().any(|axis| axis.variable().group == group);
         let fixed = !(changes(Group::Projectile) || changes(Group::Target));
         Some(Self {
             plan,
-            displacement: outputs().any(displaces),
-            force: outputs().any(|output| output.name == "peak_mount_force_n"),
-            needs_scene: outputs().any(|output| !matches!(output.source, Source::Run(_))),
+            displacement: ways().any(displaces),
+            force: plan.outputs().iter().any(|output| output.name == "peak_mount_force_n"),
+            needs_scene: ways()
+                .any(|way| matches!(way, FromContact::WithScene(_) | FromContact::Scene)),
             baseline: if fixed {
                 Baseline::Fixed(baseline_m(plan.base(), &Geometry::of(plan.base())))
             } else {
@@ -180,7 +146,7 @@ impl<'p> Kernel<'p> {
         let max_displacement_m =
             if self.displacement { max_displacement_m(scene, &end) } else { None };
         let fate = if end.arrested { Fate::Arrested } else { Fate::Perforated };
-        (fate, Answer { end: Some(end), baseline_m, max_displacement_m, start_m })
+        (fate, Answer { end, baseline_m, max_displacement_m, start_m })
     }
 }
 
@@ -194,21 +160,6 @@ pub(in crate::study) fn decides(scene: &Scene, displacement: bool) -> bool {
         && !(sprung && mechanism.stop.position_m.is_some())
         && !(damped && displacement)
         && scene.run.horizon_s.is_none()
-}
-
-/// Whether an output follows from the first contact.
-fn follows_from_contact(output: &ResultColumn) -> bool {
-    match output.source {
-        Source::Scene(_) => true,
-        Source::Run(_) => KNOWN.contains(&output.name) || output.name == STROKE,
-        Source::Study(studied) => match studied {
-            Studied::LeastSpringMass
-            | Studied::SystemMass
-            | Studied::ArealMass
-            | Studied::MountForce => true,
-            Studied::MountImpulse | Studied::LimitVelocity | Studied::MassEfficiency => false,
-        },
-    }
 }
 
 /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.

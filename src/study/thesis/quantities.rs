@@ -5,14 +5,13 @@ use std::sync::Arc;
 use crate::model::appendix::Scheme;
 use crate::model::mechanism::load::yields_at_m;
 use crate::model::mechanism::{Mechanism, Spring};
-use crate::model::results::{self, ResultColumn};
 use crate::model::run::{EventKind, Outcome, Run};
 use crate::model::scene::Scene;
 use crate::numerics::{larger, root};
 use crate::study::compare::{self, Candidate, Hardware};
 use crate::study::context::{Context, to_its_end};
 use crate::study::limit;
-use crate::study::quantities::{need_course, value};
+use crate::study::quantities;
 use crate::study::thesis::runs::{Method, Runs, changed};
 use crate::study::thesis::series;
 use crate::study::thesis::value::Value;
@@ -21,7 +20,7 @@ use crate::study::thesis::value::Value;
 #[derive(Clone, Copy)]
 pub(super) enum Quantity {
     /// One of the program's outputs.
-    Output(&'static ResultColumn),
+    Output(&'static quantities::Quantity),
     /// One of this study.
     Own(&'static Own),
 }
@@ -161,7 +160,7 @@ impl Quantity {
     /// The quantity of this name.
     pub(super) fn find(name: &str) -> Option<Self> {
         let own = OWN.iter().find(|it| it.name == name).map(Self::Own);
-        own.or_else(|| results::find(name).map(Self::Output))
+        own.or_else(|| quantities::find(name).map(Self::Output))
     }
 
     /// The unit on a curve's ends.
@@ -175,11 +174,11 @@ impl Quantity {
     /// Its value for a scene by a method, at a displacement where it depends on one.
     pub(super) fn of(self, runs: &Runs<'_>, method: Method, scene: &Scene, x_m: f64) -> Value {
         let own = match self {
-            Self::Output(column) if need_course(&[column], scene) => {
-                return Value::optional(value(column, &runs.run_with_series(method, scene)));
+            Self::Output(column) if column.needs_course(scene) => {
+                return Value::optional(column.value(&runs.run_with_series(method, scene)));
             }
             Self::Output(column) => {
-                return Value::optional(value(column, &runs.run(method, scene)));
+                return Value::optional(column.value(&runs.run(method, scene)));
             }
             Self::Own(own) => own,
         };

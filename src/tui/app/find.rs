@@ -1,7 +1,6 @@
 //! Finding by text: how well a text matches, and the field of `/`.
 
-use crate::model::results::{RESULTS, ResultColumn};
-use crate::study::sweep;
+use crate::study::quantities::{QUANTITIES, Quantity, named};
 use crate::tui::widgets::input::TextField;
 
 /// The field of `/` while it is open, and the texts that lists are filtered by.
@@ -48,13 +47,14 @@ pub fn ranked<T>(items: impl Iterator<Item = T>, rank: impl Fn(&T) -> Option<usi
 ///
 /// # Errors
 /// That there is none, with the titles of the nearest.
-pub fn quantity_called(text: &str) -> Result<&'static ResultColumn, String> {
+pub fn quantity_called(text: &str) -> Result<&'static Quantity, String> {
     let text = text.trim();
-    let titled = RESULTS.iter().find(|column| column.title().eq_ignore_ascii_case(text));
-    if let Some(found) = titled.or_else(|| sweep::output(text).ok()) {
+    let titled = QUANTITIES.iter().find(|column| column.title().eq_ignore_ascii_case(text));
+    if let Some(found) = titled.or_else(|| named(text).ok()) {
         return Ok(found);
     }
-    let matching = ranked(RESULTS.iter(), |column| rank(text, &[&column.title()], column.meaning));
+    let matching =
+        ranked(QUANTITIES.iter(), |column| rank(text, &[&column.title()], column.meaning));
     let near: Vec<String> = matching.iter().take(NEAR).map(|column| column.title()).collect();
     let hint = if near.is_empty() {
         "l steps through all of them".to_owned()

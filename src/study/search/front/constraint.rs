@@ -1,13 +1,13 @@
 //! What the designs of a search have to keep: bounds that were requested, and feasibility.
 
-use crate::model::results::{self, ResultColumn};
 use crate::model::run::envelope;
+use crate::study::quantities::{self, Quantity};
 
 /// A measure with a bound.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constraint {
     /// The measure.
-    pub measure: &'static ResultColumn,
+    pub measure: &'static Quantity,
     /// It must be this at most; otherwise at least.
     pub at_most: bool,
     /// The bound, SI; percent for percentages.
@@ -29,7 +29,7 @@ const FEASIBILITY: [(&str, bool, f64); 5] = [
 /// stop is hit under a fused interface, and the plate's face is large enough. The own mass of the mechanism is in the masses.
 pub fn feasibility() -> impl Iterator<Item = Constraint> {
     FEASIBILITY.iter().filter_map(|(name, at_most, bound)| {
-        let measure = results::find(name)?;
+        let measure = quantities::find(name)?;
         Some(Constraint { measure, at_most: *at_most, bound: *bound, is_feasibility: true })
     })
 }

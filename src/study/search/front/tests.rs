@@ -24,7 +24,7 @@ fn task(list: &[(&str, f64, f64)], minimise: &[&str]) -> Task {
 }
 
 fn at_most(name: &str, bound: f64) -> Constraint {
-    Constraint { measure: quantity(name).unwrap(), at_most: true, bound, is_feasibility: false }
+    Constraint { measure: named(name).unwrap(), at_most: true, bound, is_feasibility: false }
 }
 
 fn solve(scene: &Scene, task: &Task) -> Vec<Front> {

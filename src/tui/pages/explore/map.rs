@@ -2,8 +2,8 @@
 
 use ratatui::layout::Rect;
 
-use crate::model::results::ResultColumn;
 use crate::model::units::significant;
+use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::Fate;
 use crate::study::sweep::grid::{Cell, Grid};
@@ -49,7 +49,7 @@ pub(in crate::tui) fn render(app: &App, panes: &SweepPanes, canvas: &mut Canvas<
 struct ChartView<'a> {
     grid: &'a Grid,
     output: usize,
-    column: &'static ResultColumn,
+    column: &'static Quantity,
     /// What is taken off the values.
     fit: Option<Quadratic>,
     levels: Option<Levels>,

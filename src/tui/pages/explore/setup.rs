@@ -3,10 +3,10 @@
 pub(in crate::tui) mod draw;
 pub(in crate::tui) mod keys;
 
-use crate::model::results::ResultColumn;
 use crate::model::scene::SweepAxis;
 use crate::model::units;
 use crate::model::variables::{self, VARIABLES};
+use crate::study::quantities::Quantity;
 use crate::tui::app::App;
 use crate::tui::pages::explore::state::{Picture, Spread, has_family, sweep_of};
 
@@ -171,7 +171,7 @@ impl App {
             SetupRow::Curves => self.sweeping.visits.curves.to_string(),
             SetupRow::Output => {
                 let name = &sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)];
-                crate::model::results::find(name).map_or_else(|| name.clone(), ResultColumn::title)
+                crate::study::quantities::find(name).map_or_else(|| name.clone(), Quantity::title)
             }
             SetupRow::Held(index) => VARIABLES[index].show(&self.scene),
             SetupRow::Heading(_) | SetupRow::Spacing(_) | SetupRow::Picture | SetupRow::Design => {
@@ -212,7 +212,7 @@ impl App {
             SetupRow::Curves => "how many curves, their values spread over the range".to_owned(),
             SetupRow::Output => {
                 let name = &sweep.outputs[self.sweeping.output.min(sweep.outputs.len() - 1)];
-                crate::model::results::find(name).map_or_else(String::new, |output| {
+                crate::study::quantities::find(name).map_or_else(String::new, |output| {
                     format!("{}: {}", output.title(), output.meaning)
                 })
             }

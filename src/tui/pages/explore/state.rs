@@ -7,10 +7,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::results::ResultColumn;
 use crate::model::scene::{Scene, Sweep, SweepAxis};
 use crate::model::units::{self, Engineering};
 use crate::model::variables::{self, Kind as VariableKind};
+use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, Fate, Plan, USUAL_OUTPUTS};
@@ -285,7 +285,7 @@ impl App {
     }
 
     /// The output shown of a grid, and its place.
-    pub fn shown_output(&self, grid: &Grid) -> (usize, &'static ResultColumn) {
+    pub fn shown_output(&self, grid: &Grid) -> (usize, &'static Quantity) {
         let outputs = grid.plan().outputs();
         let at = self.sweeping.output.min(outputs.len().saturating_sub(1));
         (at, outputs[at])
@@ -418,7 +418,7 @@ enum Detail {
 
 impl Detail {
     /// The name of an output.
-    fn of(self, output: &ResultColumn) -> String {
+    fn of(self, output: &Quantity) -> String {
         match (self, output.name) {
             (Self::Short | Self::Least, "max_plate_displacement_m") => "plate".to_owned(),
             (Self::Short | Self::Least, "final_penetration_m" | "first_arrest_penetration_m") => {
@@ -442,7 +442,7 @@ pub fn axis_value(axis: &Axis, value: f64) -> String {
 }
 
 /// An output with its unit: `64.27 %`, `37.98 mm`.
-pub fn output_value(output: &ResultColumn, value: f64) -> String {
+pub fn output_value(output: &Quantity, value: f64) -> String {
     match output.unit() {
         "" => units::significant(value, 5),
         "%" => format!("{} %", units::fixed_significant(value, 4)),

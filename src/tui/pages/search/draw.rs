@@ -2,7 +2,7 @@
 
 use ratatui::layout::Rect;
 
-use crate::model::results::ResultColumn;
+use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Design};
 use crate::study::search::seek;
 use crate::study::sweep::Fate;
@@ -154,7 +154,7 @@ fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut
 
 /// An axis of a measure over values.
 fn measure_axis(
-    column: &ResultColumn,
+    column: &Quantity,
     values: impl Iterator<Item = f64> + Clone,
     log: bool,
     label: String,

@@ -5,8 +5,7 @@ use std::ops::RangeInclusive;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use crate::model::results::RESULTS;
-use crate::study::quantities::{parse_value, quantity};
+use crate::study::quantities::{QUANTITIES, named};
 use crate::study::search::seek::SCAN;
 use crate::tui::app::App;
 use crate::tui::app::find::quantity_called;
@@ -226,7 +225,7 @@ fn change(app: &mut App, row: Row, by: isize) {
         let moved = if by > 0 { value + each } else { value.saturating_sub(each) };
         moved.clamp(least, most)
     };
-    let measures = || RESULTS.iter().map(|column| column.name);
+    let measures = || QUANTITIES.iter().map(|column| column.name);
     let next = |name: &str| {
         let all: Vec<&'static str> = measures().collect();
         let at = all.iter().position(|other| *other == name).unwrap_or(0);
@@ -329,8 +328,8 @@ fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
         Row::Points => setup.points = count(text, &SCAN)?,
         Row::Result => setup.goal.0 = name(text)?,
         Row::Goal => {
-            let column = quantity(setup.goal.0).map_err(|error| error.to_string())?;
-            setup.goal.1 = parse_value(column, text)?;
+            let column = named(setup.goal.0).map_err(|error| error.to_string())?;
+            setup.goal.1 = column.parse(text)?;
         }
         Row::Bound(at) => {
             let old = bounds.get(at).ok_or("this variable is not there any more")?;
@@ -340,8 +339,8 @@ fn read(app: &mut App, row: Row, text: &str) -> Result<(), String> {
         }
         Row::Stroke if text == "none" => setup.stroke_m = None,
         Row::Stroke => {
-            let column = quantity("stroke_m").map_err(|error| error.to_string())?;
-            let value = parse_value(column, text)?;
+            let column = named("stroke_m").map_err(|error| error.to_string())?;
+            let value = column.parse(text)?;
             if value <= 0.0 {
                 return Err(format!("`{text}` must be greater than 0, or none"));
             }

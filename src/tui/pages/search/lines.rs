@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use crate::model::results::ResultColumn;
 use crate::model::units::significant;
+use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::search::{scatter, seek};
 use crate::study::sensitivity::{self, indices::Index};
@@ -174,7 +174,7 @@ fn standing(candidate: &Candidate, task: &Task) -> Line {
     }
 }
 
-fn shown(column: &ResultColumn, value: Option<f64>) -> String {
+fn shown(column: &Quantity, value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| column.show(value, 3))
 }
 

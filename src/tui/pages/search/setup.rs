@@ -1,10 +1,9 @@
 //! What is looked for, as a list of rows that can be stepped and typed into. No drawing.
 
-use crate::model::results::ResultColumn;
 use crate::model::scene::Scene;
 use crate::model::units::{self, significant};
 use crate::model::variables::{self, Group, Kind};
-use crate::study::quantities::{self, quantity};
+use crate::study::quantities::{self, Quantity, named};
 use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
 use crate::study::search::nsga;
 use crate::study::search::scatter::{self, usual_tolerances};
@@ -112,14 +111,14 @@ pub enum Row {
 pub const OBJECTIVES: [&str; 4] = ["depth", "stroke", "system mass", "mount force"];
 
 /// A measure in a word or two.
-pub fn brief(column: &ResultColumn) -> String {
+pub fn brief(column: &Quantity) -> String {
     let at = USUAL.iter().position(|name| *name == column.name);
     at.map_or_else(|| column.title(), |at| OBJECTIVES[at].to_owned())
 }
 
 /// What a quantity is called on the screen.
 fn title(name: &str) -> String {
-    quantity(name).map_or_else(|_| name.to_owned(), ResultColumn::title)
+    named(name).map_or_else(|_| name.to_owned(), Quantity::title)
 }
 
 /// The variables that fronts and sensitivity can vary: those of Table 9.2 that matter are on, the shot's and the target's off.
@@ -269,7 +268,7 @@ impl App {
             Row::To => units::shortest(setup.seek.ends.1),
             Row::Points => setup.points.to_string(),
             Row::Result => title(setup.goal.0),
-            Row::Goal => quantity(setup.goal.0)
+            Row::Goal => named(setup.goal.0)
                 .map_or_else(|_| String::new(), |column| column.show(setup.goal.1, 6)),
             Row::Bound(at) => self.search_bounds().get(at).map_or_else(String::new, range),
             Row::Stroke => match setup.stroke_m {
@@ -301,7 +300,7 @@ impl App {
             )
         };
         let result = |name: &str| {
-            quantity(name).map_or_else(
+            named(name).map_or_else(
                 |_| String::new(),
                 |column| format!("{}: {}", column.title(), column.meaning),
             )
@@ -377,7 +376,7 @@ impl App {
         let objectives: Vec<Objective> =
             front::objectives(&chosen, &[] as &[&str]).map_err(|error| error.to_string())?;
         let bound = setup.stroke_m.map(|bound| {
-            quantity("stroke_m").map(|measure| Constraint {
+            named("stroke_m").map(|measure| Constraint {
                 measure,
                 at_most: true,
                 bound,

@@ -39,8 +39,8 @@ fn draw(app: &App, picture: Picture, row: SetupRow, area: Rect, canvas: &mut Can
         return;
     }
     if row == SetupRow::Output {
-        let title = crate::model::results::find(&shown.label)
-            .map_or_else(|| shown.label.clone(), crate::model::results::ResultColumn::title);
+        let title = crate::study::quantities::find(&shown.label)
+            .map_or_else(|| shown.label.clone(), crate::study::quantities::Quantity::title);
         let text = clip(&title, usize::from(area.width.saturating_sub(LABEL)));
         put(canvas, area, (LABEL, 0), &text, style(Role::Text));
         return;

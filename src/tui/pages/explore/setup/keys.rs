@@ -5,10 +5,10 @@
 
 use std::ops::RangeInclusive;
 
-use crate::model::results::RESULTS;
 use crate::model::scene::{Scene, Sweep};
 use crate::model::units::{self, Bare};
 use crate::model::variables::{self, Kind, Number, VARIABLES, Variable};
+use crate::study::quantities::QUANTITIES;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::GRID_COUNTS;
 use crate::tui::app::App;
@@ -185,9 +185,9 @@ fn step(app: &mut App, picture: Picture, row: SetupRow, (up, size): (bool, Size)
         }
         SetupRow::Output => {
             let at = app.sweeping.output.min(sweep.outputs.len() - 1);
-            let here = RESULTS.iter().position(|column| column.name == sweep.outputs[at]);
-            let next = wrap(here.unwrap_or(0), by, RESULTS.len());
-            Ok(choose_output(app, sweep, at, RESULTS[next].name))
+            let here = QUANTITIES.iter().position(|column| column.name == sweep.outputs[at]);
+            let next = wrap(here.unwrap_or(0), by, QUANTITIES.len());
+            Ok(choose_output(app, sweep, at, QUANTITIES[next].name))
         }
         SetupRow::Heading(_) | SetupRow::Held(_) => Ok(Vec::new()),
     };

@@ -1,0 +1,142 @@
+//! Quantities by their names: the one that is meant, hints for a name that none has, and the list of all.
+
+use crate::study::quantities::{QUANTITIES, Quantity};
+use crate::study::sweep::SweepError;
+
+/// The quantity with this name, if there is one.
+pub fn find(name: &str) -> Option<&'static Quantity> {
+    QUANTITIES.iter().find(|quantity| quantity.name == name)
+}
+
+/// The quantity that is meant by this name: written with blanks or dashes, or without its unit where that means one quantity only
+/// (`stroke`, `limit velocity`).
+///
+/// # Errors
+/// [`SweepError::Output`] with the nearest names.
+pub fn named(name: &str) -> Result<&'static Quantity, SweepError> {
+    let written = name.trim();
+    let spelled = written.to_lowercase().replace([' ', '-'], "_");
+    let bare = || {
+        let mut same = QUANTITIES.iter().filter(|it| it.title().replace(' ', "_") == spelled);
+        same.next().filter(|_| same.next().is_none())
+    };
+    find(written)
+        .or_else(|| find(&spelled))
+        .or_else(bare)
+        .ok_or_else(|| SweepError::Output { name: name.to_owned(), hint: nearest(name) })
+}
+
+/// The quantities asked for most.
+const USUAL: [&str; 6] = [
+    "final_penetration_m",
+    "percent_of_baseline",
+    "max_plate_displacement_m",
+    "stroke_m",
+    "system_mass_kg",
+    "limit_velocity_m_s",
+];
+/// The most names in a hint.
+const NEAREST_MAX: usize = 4;
+/// Columns of a line of the listing.
+const WIDTH: usize = 78;
+
+/// A hint for a name that no quantity has: the quantities spelled most like it, else those asked for most.
+pub fn nearest(name: &str) -> String {
+    let lower = name.trim().to_lowercase();
+    let limit = (lower.chars().count() / 3).max(1);
+    let mut ranked: Vec<(usize, &str)> = QUANTITIES
+        .iter()
+        .map(|quantity| (distance(&lower, quantity.name), quantity.name))
+        .filter(|(distance, _)| *distance <= limit)
+        .collect();
+    // Of those as near as each other the ones asked for most come first.
+    ranked.sort_by_key(|(distance, name)| (*distance, !USUAL.contains(name)));
+    let close: Vec<String> =
+        ranked.iter().take(NEAREST_MAX).map(|(_, name)| format!("`{name}`")).collect();
+    if !close.is_empty() && !lower.is_empty() {
+        return format!("did you mean {}?", close.join(" or "));
+    }
+    let usual = USUAL.join(", ");
+    format!("the usual ones are {usual}; `cmra explain quantities` lists all")
+}
+
+/// How far a name is from a quantity's, or from some words of it that stand together.
+fn distance(name: &str, quantity: &str) -> usize {
+    let words: Vec<&str> = quantity.split('_').collect();
+    let parts = (0..words.len()).flat_map(|from| {
+        let words = &words;
+        (from + 1..=words.len()).map(move |to| words[from..to].join("_"))
+    });
+    // A single letter is a unit's, and near to everything.
+    let parts = parts.filter(|part| part.len() > 2);
+    // Whoever types three letters or more of the beginning of a word means that word.
+    let begun = |part: &str| name.len() > 2 && part.starts_with(name);
+    let off = |part: &str| if begun(part) { 0 } else { strsim::osa_distance(name, part) };
+    let nearest = parts.map(|part| off(&part) + usize::from(part != quantity)).min();
+    nearest.unwrap_or(usize::MAX)
+}
+
+/// The names of all quantities in lines that fit a screen, for people.
+pub fn listing() -> String {
+    let mut text = String::new();
+    let mut line = String::new();
+    for quantity in QUANTITIES {
+        if line.len() + 2 + quantity.name.len() > WIDTH {
+            text = text + &line + "\n";
+            line.clear();
+        }
+        line = line + "  " + quantity.name;
+    }
+    text + &line + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::{QUANTITIES, USUAL, WIDTH, find, listing, nearest};
+
+    #[test]
+    fn names_are_unique_and_found() {
+        let mut seen = HashSet::new();
+        for quantity in QUANTITIES {
+            assert!(seen.insert(quantity.name), "{} twice", quantity.name);
+            assert!(!quantity.meaning.is_empty());
+            assert_eq!(find(quantity.name).map(|found| found.name), Some(quantity.name));
+        }
+        assert!(find("depth").is_none());
+    }
+
+    #[test]
+    fn units_and_words_come_from_the_name() {
+        let of = |name| find(name).map(|quantity| (quantity.title(), quantity.unit()));
+        let expect = |title: &str, unit| Some((title.to_owned(), unit));
+        assert_eq!(of("percent_of_baseline"), expect("percent of baseline", "%"));
+        assert_eq!(of("stroke_m"), expect("stroke", "m"));
+        assert_eq!(of("residual_velocity_m_s"), expect("residual velocity", "m/s"));
+        assert_eq!(of("steps"), expect("steps", ""));
+    }
+
+    #[test]
+    fn a_name_that_no_result_has_is_told_the_nearest_ones_in_a_line_that_can_be_read() {
+        assert!(USUAL.iter().all(|name| find(name).is_some()));
+        assert_eq!(nearest("stroke"), "did you mean `stroke_m`?");
+        assert_eq!(nearest("percnt"), "did you mean `percent_of_baseline`?");
+        assert_eq!(nearest("percent_of_basline"), "did you mean `percent_of_baseline`?");
+        assert!(nearest("penetration").starts_with("did you mean `final_penetration_m` or "));
+        assert_eq!(nearest("sistem_mass"), "did you mean `system_mass_kg`?");
+        for strange in ["foo", "", "quux_quux"] {
+            let hint = nearest(strange);
+            assert!(hint.contains(&USUAL.join(", ")) && hint.len() < 200, "{strange}: {hint}");
+        }
+    }
+
+    #[test]
+    fn the_listing_has_every_result_once_in_lines_that_fit() {
+        let listing = listing();
+        assert!(listing.lines().all(|line| line.chars().count() <= WIDTH), "{listing}");
+        let listed: Vec<&str> = listing.split_whitespace().collect();
+        let all: Vec<&str> = QUANTITIES.iter().map(|quantity| quantity.name).collect();
+        assert_eq!(listed, all);
+    }
+}
