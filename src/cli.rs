@@ -23,7 +23,6 @@ mod fit;
 mod help;
 mod install;
 mod join;
-mod json;
 mod libraries;
 mod limit;
 mod man;

@@ -8,7 +8,6 @@ pub mod atomic;
 pub mod bundled;
 pub mod clean;
 pub mod config;
-pub mod csv;
 pub mod error;
 pub mod export;
 pub mod join;
@@ -20,7 +19,6 @@ pub mod session;
 pub mod shard;
 pub mod shots;
 pub mod style;
-pub mod sweep;
 pub mod validation;
 
 pub mod write;

@@ -11,7 +11,7 @@ use crate::cli::{CliError, output};
 use crate::files::paths::Paths;
 use crate::files::{clean, library};
 use crate::model::library::{Entry, Library};
-use crate::model::variables;
+use crate::report::run::of_variable;
 
 #[derive(Debug, Args)]
 pub(super) struct LibrariesArguments {
@@ -74,19 +74,8 @@ fn page<'a>(library: Library, entries: impl Iterator<Item = &'a Entry>) -> Strin
 }
 
 fn as_json(entry: &Entry) -> Value {
-    let values: Map<String, Value> = entry
-        .values
-        .iter()
-        .map(|(key, value)| {
-            let value = match value {
-                variables::Value::Number(number) => json!(number),
-                variables::Value::Word(word) => json!(word),
-                variables::Value::Switch(on) => json!(on),
-                variables::Value::Absent => Value::Null,
-            };
-            ((*key).to_owned(), value)
-        })
-        .collect();
+    let value = |(key, value): &(&str, _)| ((*key).to_owned(), of_variable(*value));
+    let values: Map<String, Value> = entry.values.iter().map(value).collect();
     json!({
         "name": entry.name,
         "title": entry.title,

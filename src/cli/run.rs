@@ -14,9 +14,8 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, Target, exists};
-use crate::cli::{CliError, Glyphs, json, output, plain, summary};
+use crate::cli::{CliError, Glyphs, output, plain, summary};
 use crate::files::atomic::Existing;
-use crate::files::csv::{NamedRun, Rows};
 use crate::files::export::{self, ExportRequest};
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
@@ -26,6 +25,7 @@ use crate::model::units::{self, Bare, Engineering, Quantity};
 use crate::model::variables::{self, VariableError};
 use crate::report::figures::run::selected;
 use crate::report::models as tables;
+use crate::report::run::{self as report, NamedRun, Rows};
 use crate::report::svg::Picture;
 
 #[derive(Debug, Args)]
@@ -192,7 +192,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         return Ok(exit_code(&computed.run));
     }
     if arguments.table.json {
-        output::print(&json::text(&computed))?;
+        let (name, took) = (&computed.preset.name, computed.took);
+        output::print(&report::json(name, &computed.run, took.as_secs_f64()))?;
     } else {
         output::print(&arguments.scene.changed())?;
         let charts = if arguments.plain { Charts::With(arguments.glyphs) } else { Charts::Without };

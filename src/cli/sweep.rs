@@ -23,7 +23,7 @@ use crate::cli::{self, CliError, outlook, output};
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::export::{self, Meta};
 use crate::files::preset::Preset;
-use crate::files::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
+use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
 use crate::study::quantities;
 use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
@@ -199,9 +199,10 @@ impl Job<'_> {
     fn page(&self, kept: &mut page::Kept) -> Result<Page, CliError> {
         self.say_if_long();
         let name = &self.preset.name;
-        let sheet = Sheet::new(self.plan, name, Columns::Chosen, Texts::default());
+        let (columns, texts) = (Columns::Chosen, Texts::default());
+        let sheet = Sheet { plan: self.plan, scene: name, columns, texts };
         let start = Instant::now();
-        let summary = self.stream(&sheet, |_, piece| {
+        let summary = self.stream(&sheet, |piece| {
             kept.keep(&piece.rows);
             Ok(())
         })?;
@@ -240,7 +241,7 @@ impl Job<'_> {
         self.say_if_long();
         let json = arguments.table.json && !matches!(target, Target::Stdout);
         let texts = Texts { csv: !matches!(target, Target::None), json };
-        let sheet = Sheet::new(self.plan, &self.preset.name, columns, texts);
+        let sheet = Sheet { plan: self.plan, scene: &self.preset.name, columns, texts };
         let style = arguments.table.csv_style;
         if self.shard.is_first() && texts.csv {
             let comments = if beside { String::new() } else { sidecar::inline(self.preset, &made) };
@@ -250,25 +251,26 @@ impl Job<'_> {
                 None => output::print_bytes(head.as_bytes())?,
             }
         }
-        let mut write = |csv: &[u8], json: &str| -> Result<(), CliError> {
-            let csv = style.rows(csv)?;
+        let mut write = |csv: &str, json: &str| -> Result<(), CliError> {
+            let csv = style.rows(csv.as_bytes())?;
             match &mut file {
                 Some(file) => file.add(&csv)?,
                 None => output::print_bytes(&csv)?,
             }
             output::print_bytes(json.as_bytes())
         };
-        let header = if self.shard.is_first() && texts.csv { sheet.header()? } else { Vec::new() };
+        let header =
+            if self.shard.is_first() && texts.csv { sheet.header() } else { String::new() };
         write(&header, &if json { sheet.json_head(self.shard) } else { String::new() })?;
         let mut is_first = true;
-        let summary = self.stream(&sheet, |_, piece| {
+        let summary = self.stream(&sheet, |piece| {
             kept.keep(&piece.rows);
             if !piece.json.is_empty() && !std::mem::take(&mut is_first) {
-                write(&[], ",\n")?;
+                write("", ",\n")?;
             }
             write(&piece.csv, &piece.json)
         })?;
-        write(&[], if json { JSON_TAIL } else { "" })?;
+        write("", if json { JSON_TAIL } else { "" })?;
         output::print("")?;
         if let (Some(file), Target::File(path)) = (file, target) {
             let (done, all) = (summary.points(), self.points().end - self.points().start);
@@ -308,7 +310,7 @@ impl Job<'_> {
     fn stream(
         &self,
         sheet: &Sheet<'_>,
-        mut take: impl FnMut(Range<u64>, &Piece) -> Result<(), CliError>,
+        mut take: impl FnMut(&Piece) -> Result<(), CliError>,
     ) -> Result<Summary, CliError> {
         let mut summary = Summary::new(self.plan.outputs().len());
         let mut problem = None;
@@ -319,17 +321,14 @@ impl Job<'_> {
             move |points: Range<u64>| sheet.piece(&mut evaluator, points)
         };
         let _ = self.crew.work(self.points(), hire, |points, piece| {
-            let taken = piece.map_err(CliError::File).and_then(|piece| {
-                summary.add(points.start, &piece.rows);
-                let whole = piece.rows.len() as u64 == points.end - points.start;
-                take(points, &piece)?;
-                Ok(whole)
-            });
+            summary.add(points.start, &piece.rows);
+            let whole = piece.rows.len() as u64 == points.end - points.start;
+            let taken = take(&piece);
             // A piece by the contact kernel is done before it looks whether it should stop.
             let goes_on = pace.watch(|gone_s| so_far(summary.points(), all, gone_s));
             match taken {
-                Ok(true) => goes_on,
-                Ok(false) => ControlFlow::Break(()),
+                Ok(()) if whole => goes_on,
+                Ok(()) => ControlFlow::Break(()),
                 Err(error) => {
                     problem = Some(error);
                     ControlFlow::Break(())

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 use crate::files::clean;
+use crate::report::table::NoColumn;
 
 /// Why a file could not be read, written or found.
 #[derive(Debug, Error)]
@@ -105,13 +106,8 @@ pub enum FileError {
         problem: String,
     },
     /// There is no such column.
-    #[error("`{}` is not a column: the columns are {columns}", clean::line(.name))]
-    Column {
-        /// What was asked for.
-        name: String,
-        /// What there is.
-        columns: String,
-    },
+    #[error(transparent)]
+    Column(#[from] NoColumn),
     /// A table cannot be put into CSV.
     #[error("cannot write CSV: {0}")]
     Csv(#[from] csv::Error),

@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 
 use crate::files::atomic::{self, Existing};
 use crate::files::clean;
-use crate::files::csv::{self, NamedRun, Rows};
 use crate::files::error::FileError;
 use crate::files::style::Style;
 use crate::files::write;
@@ -19,6 +18,7 @@ use crate::model::run::{Run, envelope};
 use crate::model::scene::Scene;
 use crate::model::units;
 use crate::model::variables::{VARIABLES, Variable, is_used};
+use crate::report::run::{self, NamedRun, Rows};
 use crate::study::quantities::of_runs;
 
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
@@ -99,9 +99,9 @@ pub fn write(request: &ExportRequest) -> Result<Vec<PathBuf>, FileError> {
 /// The table as it goes into the file.
 ///
 /// # Errors
-/// As [`csv::text`].
+/// [`FileError::Column`] when a wanted column does not exist.
 pub fn text(request: &ExportRequest) -> Result<String, FileError> {
-    let table = csv::text(request.rows, &request.runs, &request.columns)?;
+    let table = run::csv(request.rows, &request.runs, &request.columns, usize::MAX)?;
     let comments = match request.meta {
         Meta::Beside => String::new(),
         Meta::Inline => request.runs.iter().map(|(name, run)| inline(name, run)).collect(),

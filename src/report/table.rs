@@ -3,8 +3,11 @@
 //! CSV and JSON have SI units and the shortest digits that read back to the same number; a value that does not exist is an empty
 //! field or null. A page has a few digits and a prefix for each unit.
 
+use std::borrow::Cow;
+
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value};
+use thiserror::Error;
 
 use crate::model::units::{NO_NUMBER, fixed_significant, prefix_of, shortest, significant};
 
@@ -38,17 +41,25 @@ pub struct Table<'c, R> {
     pub rows: Vec<R>,
 }
 
-/// A row with its keys, in their order; a map would sort them.
-struct Entries<'t, 'c, R>(&'t [Column<'c, R>], &'t R);
+/// An object whose keys keep their order; a map would sort them.
+pub struct Object(pub Vec<(&'static str, Value)>);
 
-impl<R> Serialize for Entries<'_, '_, R> {
+impl Serialize for Object {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for column in self.0 {
-            map.serialize_entry(column.key, &(column.get)(self.1))?;
+        for (key, value) in &self.0 {
+            map.serialize_entry(key, value)?;
         }
         map.end()
     }
+}
+
+/// A column that a table does not have.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("`{name}` is not a column: the columns are {columns}")]
+pub struct NoColumn {
+    name: String,
+    columns: String,
 }
 
 impl<'c, R> Table<'c, R> {
@@ -84,17 +95,76 @@ impl<'c, R> Table<'c, R> {
         self
     }
 
-    /// As CSV, RFC 4180.
+    /// The keys of its columns.
+    pub fn keys(&self) -> Vec<&'static str> {
+        self.columns.iter().map(|column| column.key).collect()
+    }
+
+    /// With these columns alone, in this order; all where none is named.
+    ///
+    /// # Errors
+    /// [`NoColumn`] for one that it does not have.
+    pub fn chosen(mut self, wanted: &[String]) -> Result<Self, NoColumn> {
+        if wanted.is_empty() {
+            return Ok(self);
+        }
+        let keys = self.keys();
+        let mut rest: Vec<Option<_>> =
+            std::mem::take(&mut self.columns).into_iter().map(Some).collect();
+        for name in wanted {
+            let at = keys.iter().position(|key| key == name);
+            let column = at.and_then(|at| rest[at].take());
+            let none = || NoColumn { name: name.clone(), columns: keys.join(", ") };
+            self.columns.push(column.ok_or_else(none)?);
+        }
+        Ok(self)
+    }
+
+    /// As CSV, RFC 4180: a line of the keys, and a line a row.
     pub fn csv(&self) -> String {
-        let header = self.columns.iter().map(|column| column.key.to_owned());
-        let row = |row| self.columns.iter().map(move |column| field(&(column.get)(row)));
-        csv(std::iter::once(header.collect()).chain(self.rows.iter().map(|it| row(it).collect())))
+        self.lines_of_csv(true)
+    }
+
+    /// The same without the line of the keys: a piece of a long table.
+    pub fn csv_rows(&self) -> String {
+        self.lines_of_csv(false)
+    }
+
+    fn lines_of_csv(&self, has_header: bool) -> String {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        // Records of one length go into memory: nothing can fail.
+        if has_header {
+            drop(writer.write_record(self.keys()));
+        }
+        for row in &self.rows {
+            for column in &self.columns {
+                drop(writer.write_field(&*field(&(column.get)(row))));
+            }
+            drop(writer.write_record(None::<&[u8]>));
+        }
+        String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
     }
 
     /// As a JSON list of objects, whose keys keep the order of the columns.
     pub fn json(&self) -> String {
-        let entries = |row| Entries(&self.columns, row);
-        pretty(&self.rows.iter().map(entries).collect::<Vec<_>>())
+        let value = |column: &Column<'c, R>, row| (column.key, (column.get)(row));
+        let object = |row| Object(self.columns.iter().map(|column| value(column, row)).collect());
+        pretty(&self.rows.iter().map(object).collect::<Vec<_>>())
+    }
+
+    /// Its rows as JSON objects of a line each, separated by commas: a piece of a long list.
+    pub fn json_rows(&self) -> String {
+        let entry = |column: &Column<'c, R>, row| {
+            let value = (column.get)(row);
+            // Shortest digits are JSON as they are.
+            let text = if value.is_f64() { field(&value).into_owned() } else { value.to_string() };
+            format!("\"{}\": {text}", column.key)
+        };
+        let object = |row| {
+            let entries: Vec<String> = self.columns.iter().map(|it| entry(it, row)).collect();
+            format!("    {{ {} }}", entries.join(", "))
+        };
+        self.rows.iter().map(object).collect::<Vec<_>>().join(",\n")
     }
 
     /// The values of a row by their keys, of some columns.
@@ -169,7 +239,7 @@ impl<'c, R> Table<'c, R> {
                     rounded(number.as_f64().unwrap_or(f64::NAN) / factor)
                 }
                 Value::Bool(is_so) => if *is_so { "yes" } else { "no" }.to_owned(),
-                value => field(value),
+                value => field(value).into_owned(),
             })
         };
         let gap = if column.unit.is_empty() { "" } else { ", " };
@@ -238,14 +308,6 @@ fn rounded(value: f64) -> String {
     if is_long { significant(value, digits) } else { fixed_significant(value, digits) }
 }
 
-/// Records as CSV; all are of one length.
-pub fn csv(records: impl Iterator<Item = Vec<String>>) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    // Records of one length go into memory: nothing can fail.
-    records.for_each(|record| drop(writer.write_record(record)));
-    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
-}
-
 /// A text of JSON, with a line end.
 pub fn pretty(value: &impl Serialize) -> String {
     // Keys are strings and every number is finite, so nothing can be refused.
@@ -253,15 +315,15 @@ pub fn pretty(value: &impl Serialize) -> String {
 }
 
 /// A value as a field of CSV.
-fn field(value: &Value) -> String {
+fn field(value: &Value) -> Cow<'_, str> {
     match value {
-        Value::Null => String::new(),
-        Value::Number(number) => match number.as_f64() {
+        Value::Null => Cow::Borrowed(""),
+        Value::String(text) => Cow::Borrowed(text),
+        Value::Number(number) => Cow::Owned(match number.as_f64() {
             Some(float) if number.is_f64() => shortest(float),
             _ => number.to_string(),
-        },
-        Value::String(text) => text.clone(),
-        Value::Bool(_) | Value::Array(_) | Value::Object(_) => value.to_string(),
+        }),
+        Value::Bool(_) | Value::Array(_) | Value::Object(_) => Cow::Owned(value.to_string()),
     }
 }
 

@@ -23,9 +23,8 @@ use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::read_table;
 use crate::files::session::{self, Known, Session};
-use crate::files::sweep;
 use crate::model::scene::Scene;
-use crate::report::accuracy;
+use crate::report::{accuracy, sweep};
 use crate::tui::complete;
 use crate::tui::message::{
     Content, EffectReport, ExportOutcome, FileTask as Task, Message, PresetEntry,
@@ -302,7 +301,7 @@ fn write_table(path: PathBuf, overwrite: bool, content: &Content) -> ExportOutco
     let table = || {
         Ok(match content {
             Content::Text(text) => text.clone().into_bytes(),
-            Content::Grid(name, grid) => sweep::grid_csv(name, grid)?,
+            Content::Grid(name, grid) => sweep::grid_csv(name, grid).into_bytes(),
             Content::Accuracy(found) => {
                 accuracy::table(std::slice::from_ref(&**found)).csv().into_bytes()
             }

@@ -8,7 +8,6 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use cmra::files::atomic::{Existing, Growing};
-use cmra::files::csv::Rows;
 use cmra::files::export::{self, ExportRequest, Meta};
 use cmra::files::paths::Paths;
 use cmra::files::session::{self, Known, Session};
@@ -16,6 +15,7 @@ use cmra::files::style::Style;
 use cmra::files::{preset, read};
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
+use cmra::report::run::Rows;
 
 use crate::random::Random;
 use crate::support::{run, scene};

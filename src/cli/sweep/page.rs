@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use crate::cli::draw;
-use crate::files::sweep::Columns;
 use crate::model::units::{self, Engineering};
 use crate::report::figures::sweeps::{Row, picture};
 use crate::report::svg::Picture;
+use crate::report::sweep::Columns;
 use crate::study::sweep::{Axis, Design, Plan, Rows, Spacing, Summary, USUAL_OUTPUTS};
 
 /// Most rows of the table of one axis.

@@ -8,8 +8,8 @@ use crate::files::export;
 use crate::files::preset::Preset;
 use crate::files::shard::Part;
 use crate::files::style::Style;
-use crate::files::sweep::Columns;
 use crate::model::scene::Sweep;
+use crate::report::sweep::Columns;
 use crate::study::sweep::{Axis, Design, Plan, Shard};
 
 /// What was made.

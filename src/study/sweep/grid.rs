@@ -120,6 +120,18 @@ impl Grid {
         self.values.get(index).copied().filter(|value| !value.is_nan())
     }
 
+    /// The points that are there, in the order of the sweep, and what came out.
+    pub fn rows(&self) -> (Vec<u64>, Rows) {
+        let outputs = self.plan.outputs().len();
+        let mut rows = Rows::new(outputs);
+        let there = self.fates.iter().enumerate().filter_map(|(at, fate)| {
+            let values = &self.values[at * outputs..(at + 1) * outputs];
+            rows.push((*fate)?, values.iter().copied().map(Some));
+            Some(at as u64)
+        });
+        (there.collect(), rows)
+    }
+
     /// What to draw for an output at a point, or at the nearest coarser one while the grid is being filled.
     pub fn cell(&self, x: usize, y: usize, output: usize) -> Cell {
         let mut stride = 1;

@@ -5,9 +5,8 @@ use std::path::PathBuf;
 use crossterm::event::{KeyCode, KeyEvent};
 use ratatui::layout::Rect;
 
-use crate::files::sweep;
 use crate::model::scene::Scene;
-use crate::report::accuracy;
+use crate::report::{accuracy, sweep};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
 use crate::tui::app::{App, Origin};
@@ -44,9 +43,7 @@ pub(in crate::tui) fn export(app: &mut App) {
 pub(in crate::tui) fn copy(app: &mut App) -> Vec<Effect> {
     let text = match pages::of(app.tab).table(app).map(|table| table.content) {
         Some(Content::Text(text)) => Ok(text),
-        Some(Content::Grid(name, grid)) => sweep::grid_csv(&name, &grid)
-            .map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
-            .map_err(|error| error.to_string()),
+        Some(Content::Grid(name, grid)) => Ok(sweep::grid_csv(&name, &grid)),
         Some(Content::Accuracy(found)) => Ok(accuracy::table(std::slice::from_ref(&*found)).csv()),
         None => Err("nothing to copy yet: press r to compute it".to_owned()),
     };

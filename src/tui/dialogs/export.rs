@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use crate::files::csv::{self, NamedRun, Rows};
 use crate::files::export::{ExportRequest, Meta};
 use crate::files::style::Style;
+use crate::report::run::{self, NamedRun, Rows};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::{Dialog, Export, ExportRow, What, ask};
@@ -31,7 +31,7 @@ pub(in crate::tui) fn open(app: &mut App) {
         what: What::Series,
         grid: TextField::new(GRID_ROWS.0.to_string()),
         runs: runs.into_iter().map(|(name, _)| (name, true)).collect(),
-        columns: csv::columns(Rows::Series, false).into_iter().map(|name| (name, true)).collect(),
+        columns: run::columns(Rows::Series, false).into_iter().map(|name| (name, true)).collect(),
         path,
         style: Style::default(),
         meta: Meta::default(),

@@ -5,11 +5,11 @@
 use std::collections::HashSet;
 
 use super::bench::{Bench, done, made};
-use cmra::files::csv::Rows;
 use cmra::files::export::Meta;
 use cmra::files::style::Style;
 use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
+use cmra::report::run::Rows;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::dialogs::{Dialog, List};
 use cmra::tui::keymap::LINES;

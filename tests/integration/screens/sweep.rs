@@ -344,8 +344,7 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
     });
     let (path, overwrite, name, grid) = export.expect("an export");
     assert!(path.ends_with("figure-9.7-gamma-k.csv") && !overwrite);
-    let text = cmra::files::sweep::grid_csv(&name, &grid).unwrap();
-    let text = String::from_utf8(text).unwrap();
+    let text = cmra::report::sweep::grid_csv(&name, &grid);
     assert!(
         text.starts_with("gamma,k,outcome,percent_of_baseline,max_plate_displacement_m,error\n")
     );

@@ -134,7 +134,7 @@ fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// The first three lines as they would be written.
 fn preview(app: &App, state: &Export) -> Vec<String> {
-    use crate::files::csv::{self, Rows};
+    use crate::report::run::{self, Rows};
     let rows = match state.what {
         What::Series => Rows::Series,
         What::Grid => Rows::Grid(3),
@@ -150,7 +150,7 @@ fn preview(app: &App, state: &Export) -> Vec<String> {
         What::Results | What::Events => Vec::new(),
     };
     let named = [("now".to_owned(), std::sync::Arc::clone(&shown.run))];
-    let text = csv::head(rows, &named, &wanted, 2).and_then(|text| state.style.file("", &text));
-    let text = text.unwrap_or_default();
+    let text = run::csv(rows, &named, &wanted, 2).unwrap_or_default();
+    let text = state.style.file("", &text).unwrap_or_default();
     text.trim_start_matches(state.style.head()).lines().take(3).map(str::to_owned).collect()
 }

@@ -1,0 +1,400 @@
+//! Runs: their course in time, their results and their events as tables, and one run as a JSON object. SI, null where a quantity
+//! does not exist.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use serde_json::{Map, Value, json};
+
+use crate::model::run::envelope::warnings;
+use crate::model::run::{EnergyLedger, EstimateBasis, Event, Run, Sample, StackRun};
+use crate::model::scene::Scene;
+use crate::model::variables::{self, VARIABLES, Variable};
+use crate::report::table::{NoColumn, Object, Table, pretty};
+use crate::study::quantities::{Quantity, of_runs};
+
+/// Which rows a table has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rows {
+    /// The solver's steps and enough between them to draw from.
+    Series,
+    /// A uniform grid of this many rows (at least 2) from the first to the last moment, linear between the rows of the series.
+    Grid(usize),
+    /// One row per run: its results.
+    Results,
+    /// The events.
+    Events,
+}
+
+/// A run and the name it goes by (`now`, `A`, ...).
+pub type NamedRun = (String, Arc<Run>);
+
+/// A number of the series.
+type Column = (&'static str, fn(&Sample) -> f64);
+
+const NUMBERS: [Column; 10] = [
+    ("time_s", |row| row.t_s),
+    ("penetration_m", |row| row.penetration_m),
+    ("projectile_displacement_m", |row| row.projectile_displacement_m),
+    ("projectile_velocity_m_s", |row| row.projectile_velocity_m_s),
+    ("plate_displacement_m", |row| row.plate_displacement_m),
+    ("plate_velocity_m_s", |row| row.plate_velocity_m_s),
+    ("contact_force_n", |row| row.contact_force_n),
+    ("spring_force_n", |row| row.spring_force_n),
+    ("damper_force_n", |row| row.damper_force_n),
+    ("stop_force_n", |row| row.stop_force_n),
+];
+
+/// The names of all columns a table of these rows has.
+pub fn columns(rows: Rows, several: bool) -> Vec<&'static str> {
+    match rows {
+        Rows::Series | Rows::Grid(_) => course(&[], several).keys(),
+        Rows::Results => results(&[]).keys(),
+        Rows::Events => events(&[], several).keys(),
+    }
+}
+
+/// The CSV text of some runs, of each no more than so many rows; `wanted` names the columns in order, empty means all.
+///
+/// # Errors
+/// [`NoColumn`] when a wanted column does not exist.
+pub fn csv(
+    rows: Rows,
+    runs: &[NamedRun],
+    wanted: &[String],
+    most: usize,
+) -> Result<String, NoColumn> {
+    let several = runs.len() > 1;
+    Ok(match rows {
+        Rows::Series | Rows::Grid(_) => {
+            let courses: Vec<Course<'_>> = runs.iter().map(|run| Course::of(rows, run)).collect();
+            let mut table = course(&courses, several);
+            table.rows.retain(|(_, row)| *row < most);
+            table.chosen(wanted)?.csv()
+        }
+        Rows::Results => results(runs).chosen(wanted)?.csv(),
+        Rows::Events => {
+            let mut table = events(runs, several);
+            let mut left = runs.iter().flat_map(|(_, run)| 0..run.events.len());
+            table.rows.retain(|_| left.next().is_some_and(|row| row < most));
+            table.chosen(wanted)?.csv()
+        }
+    })
+}
+
+/// A run in time.
+struct Course<'r> {
+    name: &'r str,
+    samples: Cow<'r, [Sample]>,
+    /// The events of some rows, in their order.
+    events: Vec<(usize, String)>,
+}
+
+impl<'r> Course<'r> {
+    fn of(rows: Rows, (name, run): &'r NamedRun) -> Self {
+        let samples = match rows {
+            Rows::Grid(count) => Cow::Owned(grid(&run.series, count)),
+            Rows::Series | Rows::Results | Rows::Events => Cow::Borrowed(&run.series[..]),
+        };
+        let events = placed(&samples, &run.events);
+        Self { name, samples, events }
+    }
+
+    fn event(&self, row: usize) -> &str {
+        let found = self.events.binary_search_by_key(&row, |event| event.0);
+        found.map_or("", |at| &self.events[at].1)
+    }
+}
+
+/// Each event in the first row at or after its time, else in the last.
+fn placed(samples: &[Sample], events: &[Event]) -> Vec<(usize, String)> {
+    let mut rows: Vec<(usize, String)> = Vec::new();
+    for event in events.iter().filter(|_| !samples.is_empty()) {
+        let at = samples.partition_point(|sample| sample.t_s < event.t_s).min(samples.len() - 1);
+        match rows.last_mut() {
+            Some((row, words)) if *row >= at => *words = format!("{words}; {}", event.kind.words()),
+            _ => rows.push((at, event.kind.words().to_owned())),
+        }
+    }
+    rows
+}
+
+/// With the name of the run in the first column, where there are several.
+fn named<'c, R>(
+    rows: impl IntoIterator<Item = R>,
+    several: bool,
+    name: impl Fn(&R) -> &'c str + 'c,
+) -> Table<'c, R> {
+    let table = Table::of(rows);
+    if several { table.with("run", "run", "", name) } else { table }
+}
+
+/// The moments of some runs: a run, and a row of it.
+fn course<'c>(courses: &'c [Course<'c>], several: bool) -> Table<'c, (usize, usize)> {
+    let rows = courses.iter().enumerate();
+    let rows = rows.flat_map(|(run, own)| (0..own.samples.len()).map(move |row| (run, row)));
+    let sample = |at: &(usize, usize)| &courses[at.0].samples[at.1];
+    let mut table = named(rows, several, |at| courses[at.0].name);
+    for (place, (key, get)) in NUMBERS.into_iter().enumerate() {
+        table = table.with(key, key, "", move |at| get(sample(at)));
+        if place == 0 {
+            table = table.with("mode", "mode", "", move |at| sample(at).mode.word());
+        }
+    }
+    table.with("event", "event", "", |at| courses[at.0].event(at.1))
+}
+
+fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
+    let table = named(runs, true, |it: &&NamedRun| it.0.as_str())
+        .with("scene", "scene", "", |it| it.1.scene.title.as_str())
+        .with("outcome", "outcome", "", |it| it.1.outcome.word())
+        .with("end", "end", "", |it| it.1.end.words())
+        .with("method", "method", "", |it| it.1.cost.method);
+    of_runs().fold(table, |table, quantity| {
+        table.with(quantity.name, quantity.heading(), "", |it| quantity.value(&it.1))
+    })
+}
+
+fn events(runs: &[NamedRun], several: bool) -> Table<'_, (&str, Event)> {
+    let rows = runs.iter().flat_map(|(name, run)| run.events.iter().map(|it| (name.as_str(), *it)));
+    named(rows, several, |it| it.0).with("time_s", "time", "s", |it| it.1.t_s).with(
+        "event",
+        "event",
+        "",
+        |it| it.1.kind.words(),
+    )
+}
+
+/// The series at `count` equal distances in time.
+fn grid(series: &[Sample], count: usize) -> Vec<Sample> {
+    let (Some(first), Some(last)) = (series.first(), series.last()) else {
+        return Vec::new();
+    };
+    let count = count.max(2);
+    let mut after = 0;
+    (0..count)
+        .map(|index| {
+            let share = index as f64 / (count - 1) as f64;
+            let t_s = if index + 1 == count {
+                last.t_s
+            } else {
+                first.t_s + share * (last.t_s - first.t_s)
+            };
+            // Where two rows share a moment, the later one holds from there on.
+            while after < series.len() && series[after].t_s <= t_s {
+                after += 1;
+            }
+            let low = &series[after.saturating_sub(1)];
+            series.get(after).map_or(*low, |high| between(low, high, t_s))
+        })
+        .collect()
+}
+
+fn between(low: &Sample, high: &Sample, t_s: f64) -> Sample {
+    let share = (t_s - low.t_s) / (high.t_s - low.t_s);
+    let mix = |get: fn(&Sample) -> f64| get(low) + share * (get(high) - get(low));
+    Sample {
+        t_s,
+        mode: low.mode,
+        penetration_m: mix(|row| row.penetration_m),
+        projectile_displacement_m: mix(|row| row.projectile_displacement_m),
+        projectile_velocity_m_s: mix(|row| row.projectile_velocity_m_s),
+        plate_displacement_m: mix(|row| row.plate_displacement_m),
+        plate_velocity_m_s: mix(|row| row.plate_velocity_m_s),
+        contact_force_n: mix(|row| row.contact_force_n),
+        spring_force_n: mix(|row| row.spring_force_n),
+        damper_force_n: mix(|row| row.damper_force_n),
+        stop_force_n: mix(|row| row.stop_force_n),
+        is_step: share == 0.0,
+    }
+}
+
+/// A run of a scene of this name, computed in so many seconds, as one object with its keys in the order a reader expects.
+pub fn json(name: &str, run: &Run, took_s: f64) -> String {
+    let scene = &run.scene;
+    let word = |name: &str| {
+        variables::find(name).map_or(Value::Null, |variable| Value::from(variable.show(scene)))
+    };
+    let mut entries = vec![
+        ("scene", Value::from(name)),
+        ("title", Value::from(scene.title.as_str())),
+        ("model", word("contact.model")),
+        ("interface", word("interface.law")),
+        ("outcome", Value::from(run.outcome.word())),
+        ("end", Value::from(run.end.words())),
+        ("complete", Value::from(run.end.is_complete())),
+    ];
+    for column in of_runs() {
+        entries.push((column.name, result(run, column)));
+    }
+    let bounds = of_runs().filter(|column| column.lower_bound(run).is_some());
+    entries.push(("lower_bounds", bounds.map(|column| Value::from(column.name)).collect()));
+    entries.push(("penetration_at_most_m", run.penetration_at_most_m.into()));
+    entries.push(("nose_protrusion_m", run.protrusion_m().into()));
+    entries.extend([
+        (
+            "error_estimate_basis",
+            run.error_estimate.map_or(Value::Null, |estimate| {
+                Value::from(match estimate.basis {
+                    EstimateBasis::ClosedForm => "closed form",
+                    EstimateBasis::SecondComputation => "second computation",
+                    EstimateBasis::HalfStep => "half the step",
+                    EstimateBasis::OutcomeDiffers(_) => "unknown: outcome differs",
+                })
+            }),
+        ),
+        ("error_estimates", estimates(run)),
+        ("method", Value::from(run.cost.method)),
+        ("method_reason", Value::from(run.cost.reason)),
+        ("run_time_s", Value::from(took_s)),
+        ("omitted", run.omitted.iter().map(|omitted| omitted.words()).collect()),
+        ("warnings", Value::from(warnings(run))),
+        ("energy_j", energy(&run.ledger)),
+        (
+            "events",
+            run.events
+                .iter()
+                .map(|event| json!({ "time_s": event.t_s, "event": event.kind.words() }))
+                .collect(),
+        ),
+        ("variables", all_variables(scene)),
+        ("version", Value::from(env!("CARGO_PKG_VERSION"))),
+    ]);
+    if let Some(stack) = &run.stack {
+        entries.push(("stack", stack_of(run, stack)));
+    }
+    pretty(&Object(entries))
+}
+
+/// The whole stack, and the results of every plate that was struck.
+fn stack_of(first: &Run, stack: &StackRun) -> Value {
+    let plates = std::iter::once(first).chain(stack.behind.iter().map(|run| &**run));
+    let rows: Vec<Value> = plates
+        .enumerate()
+        .map(|(plate, run)| {
+            let mut row = Map::new();
+            row.insert("plate".to_owned(), Value::from(stack.name(plate)));
+            let impact = run.scene.projectile.velocity_m_s;
+            row.insert("impact_velocity_m_s".to_owned(), impact.into());
+            row.insert("outcome".to_owned(), Value::from(run.outcome.word()));
+            let own = of_runs().filter(|column| !column.name.starts_with("stack_"));
+            row.extend(own.map(|column| (column.name.to_owned(), result(run, column))));
+            Value::Object(row)
+        })
+        .collect();
+    json!({
+        "elements": stack.elements,
+        "outcome": stack.outcome.word(),
+        "penetration_m": stack.penetration_m,
+        "residual_velocity_m_s": stack.residual_velocity_m_s,
+        "plates": rows,
+    })
+}
+
+/// A result, or what it is at least.
+fn result(run: &Run, quantity: &Quantity) -> Value {
+    let value = quantity.value(run).or_else(|| quantity.lower_bound(run));
+    if quantity.is_whole {
+        let whole = value.and_then(|count| format!("{count:.0}").parse().ok());
+        return whole.map_or(Value::Null, Value::Number);
+    }
+    value.into()
+}
+
+/// The relative error estimate of each result.
+fn estimates(run: &Run) -> Value {
+    let rows = run.error_estimates.iter();
+    Value::Object(rows.map(|error| (error.name.to_owned(), error.relative.into())).collect())
+}
+
+fn energy(ledger: &EnergyLedger) -> Value {
+    json!({
+        "initial_kinetic": ledger.initial_kinetic_j,
+        "initial_spring": ledger.initial_spring_j,
+        "projectile": ledger.projectile_j,
+        "plate": ledger.plate_j,
+        "mechanism_inertia": ledger.inertia_j,
+        "spring": ledger.spring_j,
+        "crush": ledger.crush_j,
+        "damper": ledger.damper_j,
+        "penetration": ledger.penetration_j,
+        "stop": ledger.stop_j,
+    })
+}
+
+/// What was put in, by full key.
+fn all_variables(scene: &Scene) -> Value {
+    let mut map = Map::new();
+    let listed = |variable: &&Variable| {
+        !variable.key.starts_with("mechanism.") || variables::is_listed(variable, scene)
+    };
+    for variable in VARIABLES.iter().filter(listed) {
+        map.insert(variable.key.to_owned(), of_variable(variable.value(scene)));
+    }
+    Value::Object(map)
+}
+
+/// A variable's value.
+pub fn of_variable(value: variables::Value) -> Value {
+    match value {
+        variables::Value::Number(number) => number.into(),
+        variables::Value::Absent => Value::Null,
+        variables::Value::Word(word) => word.into(),
+        variables::Value::Switch(on) => on.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::run::{EventKind, Mode};
+
+    fn sample(t_s: f64, penetration_m: f64, mode: Mode) -> Sample {
+        Sample {
+            t_s,
+            mode,
+            penetration_m,
+            projectile_displacement_m: 0.0,
+            projectile_velocity_m_s: 0.0,
+            plate_displacement_m: 0.0,
+            plate_velocity_m_s: 0.0,
+            contact_force_n: 0.0,
+            spring_force_n: 0.0,
+            damper_force_n: 0.0,
+            stop_force_n: 0.0,
+            is_step: true,
+        }
+    }
+
+    fn jump() -> Vec<Sample> {
+        vec![
+            sample(0.0, 0.0, Mode::Penetrating),
+            sample(1.0, 2.0, Mode::Penetrating),
+            sample(1.0, 5.0, Mode::Fused),
+            sample(2.0, 5.0, Mode::Fused),
+        ]
+    }
+
+    #[test]
+    fn a_grid_is_linear_between_rows_and_keeps_jumps() {
+        let grid = grid(&jump(), 5);
+        let depths: Vec<f64> = grid.iter().map(|row| row.penetration_m).collect();
+        assert_eq!(depths, [0.0, 1.0, 5.0, 5.0, 5.0]);
+        assert_eq!(grid[1].mode, Mode::Penetrating);
+        assert_eq!(grid[2].mode, Mode::Fused);
+        assert!(super::grid(&[], 5).is_empty());
+        assert_eq!(super::grid(&jump()[..1], 5).len(), 5);
+    }
+
+    #[test]
+    fn each_event_stands_once_and_none_is_lost() {
+        let events = [
+            (1.0, EventKind::FirstArrest),
+            (1.0, EventKind::NoseBuried),
+            (3.0, EventKind::GreatestDisplacement),
+        ]
+        .map(|(t_s, kind)| Event { t_s, kind });
+        let (first, last) = ("first arrest; nose buried", "greatest displacement");
+        assert_eq!(placed(&jump(), &events), [(1, first.to_owned()), (3, last.to_owned())]);
+    }
+}

@@ -1,0 +1,187 @@
+//! A sweep as rows for machines: CSV and JSON, one row a point, made piece by piece so that 10^8 rows need no memory.
+//!
+//! Axis values first, then what was asked for; an empty field (JSON: null) where a quantity does not exist; `error` last, which
+//! says why a point failed. The time a point took is left out: it would make no two files equal.
+
+use std::fmt::Write as _;
+use std::ops::Range;
+
+use serde_json::Value;
+
+use crate::model::run::{Run, envelope};
+use crate::model::scene::Scene;
+use crate::model::{units, variables};
+use crate::report::table::Table;
+use crate::study::sweep::grid::Grid;
+use crate::study::sweep::{Axis, Evaluator, Fate, Plan, Rows, Shard, Spacing};
+use crate::study::validity;
+
+/// Which columns stand after the axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Columns {
+    /// The outcome and the plan's outputs.
+    Chosen,
+    /// Everything `cmra run --json` tells of a run in one field; the plan's outputs must then be all results.
+    All,
+}
+
+/// Which texts are made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Texts {
+    /// Lines of CSV.
+    pub csv: bool,
+    /// Objects of JSON, separated by commas.
+    pub json: bool,
+}
+
+/// A piece of a sweep as text.
+#[derive(Debug, Default)]
+pub struct Piece {
+    /// What came out.
+    pub rows: Rows,
+    /// Lines of CSV, if asked for.
+    pub csv: String,
+    /// Objects of JSON, if asked for.
+    pub json: String,
+}
+
+/// Makes the rows of a sweep.
+#[derive(Clone, Debug)]
+pub struct Sheet<'p> {
+    /// The sweep.
+    pub plan: &'p Plan,
+    /// The name of its scene.
+    pub scene: &'p str,
+    /// Which columns there are.
+    pub columns: Columns,
+    /// Which texts are made.
+    pub texts: Texts,
+}
+
+impl Sheet<'_> {
+    /// The header line of the CSV.
+    pub fn header(&self) -> String {
+        self.table(&[], &Rows::default(), &[]).csv()
+    }
+
+    /// Compute a piece and make its texts; fewer rows than points when the evaluator was stopped.
+    pub fn piece(&self, evaluator: &mut Evaluator<'_>, points: Range<u64>) -> Piece {
+        let points: Vec<u64> = points.collect();
+        let (rows, runs) = match self.columns {
+            Columns::Chosen => (evaluator.rows_of(&points), Vec::new()),
+            Columns::All => {
+                let mut rows = Rows::new(self.plan.outputs().len());
+                let run = |index: &u64| Some(evaluator.one(*index, &mut rows)?.1.ok());
+                let runs = points.iter().map_while(run).collect();
+                (rows, runs)
+            }
+        };
+        let table = self.table(&points, &rows, &runs);
+        let csv = if self.texts.csv { table.csv_rows() } else { String::new() };
+        let json = if self.texts.json { table.json_rows() } else { String::new() };
+        drop(table);
+        Piece { rows, csv, json }
+    }
+
+    /// The rows of some points; with all columns the run of each, where there is one.
+    fn table<'t>(
+        &'t self,
+        points: &'t [u64],
+        rows: &'t Rows,
+        runs: &'t [Option<Run>],
+    ) -> Table<'t, usize> {
+        let is_all = self.columns == Columns::All;
+        let run = |row: &usize| runs[*row].as_ref();
+        let mut table = Table::of(0..rows.len());
+        for (at, axis) in self.plan.axes().iter().enumerate() {
+            let value = move |row: &usize| self.plan.coordinate(points[*row], at);
+            table = table.with(axis.symbol(), axis.symbol(), "", value);
+        }
+        if is_all {
+            let word = |key| word(self.plan.base(), key);
+            table = table
+                .with("scene", "scene", "", |_| self.scene)
+                .with("model", "model", "", move |_| word("contact.model"))
+                .with("interface", "interface", "", move |_| word("interface.law"));
+        }
+        table = table.with("outcome", "outcome", "", |row| rows.fate(*row).word());
+        if is_all {
+            table = table.with("end", "end", "", move |row| Some(run(row)?.end.words()));
+        }
+        for (at, output) in self.plan.outputs().iter().enumerate() {
+            let value = move |row: &usize| rows.value(*row, at);
+            table = table.with(output.name, output.heading(), output.unit(), value);
+        }
+        if is_all {
+            let omitted = |run: &Run| run.omitted.iter().map(|it| it.words()).collect::<Vec<_>>();
+            table = table
+                .with("method", "method", "", move |row| Some(run(row)?.cost.method))
+                .with("omitted", "omitted", "", move |row| Some(omitted(run(row)?).join("; ")))
+                .with("warnings", "warnings", "", move |row| {
+                    Some(envelope::warnings(run(row)?).join("; "))
+                });
+        }
+        table.with("error", "error", "", |row| match rows.fate(*row) {
+            Fate::Failed(failure) => Some(failure.words()),
+            Fate::Arrested | Fate::Perforated | Fate::Separated | Fate::Moving => None,
+        })
+    }
+
+    /// The head of the JSON: the sweep itself, up to the rows.
+    pub fn json_head(&self, shard: Shard) -> String {
+        let mut text = String::from("{\n");
+        let _ = writeln!(text, "  \"scene\": {},", quoted(self.scene));
+        let _ = writeln!(text, "  \"design\": {},", quoted(self.plan.design().word()));
+        let seed = self.plan.design().seed().map_or_else(|| "null".to_owned(), |it| it.to_string());
+        let _ = writeln!(text, "  \"seed\": {seed},");
+        let _ = writeln!(text, "  \"points\": {},", self.plan.points());
+        let part = shard.of(self.plan.points());
+        let _ = writeln!(text, "  \"from_point\": {}, \"to_point\": {},", part.start, part.end);
+        let axes: Vec<String> = self.plan.axes().iter().map(axis_json).collect();
+        let _ = writeln!(text, "  \"axes\": [{}],", axes.join(", "));
+        let outputs: Vec<String> =
+            self.plan.outputs().iter().map(|output| quoted(output.name)).collect();
+        let _ = writeln!(text, "  \"outputs\": [{}],", outputs.join(", "));
+        let _ = writeln!(text, "  \"version\": {},", quoted(env!("CARGO_PKG_VERSION")));
+        let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
+        let warnings: Vec<String> = warnings.iter().map(|text| quoted(text)).collect();
+        let _ = writeln!(text, "  \"warnings\": [{}],", warnings.join(", "));
+        text + "  \"rows\": [\n"
+    }
+}
+
+/// The points of a grid that are there as a whole CSV, in the order of the sweep.
+pub fn grid_csv(scene: &str, grid: &Grid) -> String {
+    let (points, rows) = grid.rows();
+    let (columns, texts) = (Columns::Chosen, Texts::default());
+    Sheet { plan: grid.plan(), scene, columns, texts }.table(&points, &rows, &[]).csv()
+}
+
+/// The end of the JSON, after the rows.
+pub const JSON_TAIL: &str = "\n  ]\n}\n";
+
+fn axis_json(axis: &Axis) -> String {
+    let (from, to) = axis.ends();
+    if axis.spacing() == Spacing::Listed {
+        let values: Vec<String> = axis.list().iter().map(|value| units::shortest(*value)).collect();
+        let values = values.join(", ");
+        return format!("{{ \"name\": {}, \"values\": [{values}] }}", quoted(axis.symbol()));
+    }
+    format!(
+        "{{ \"name\": {}, \"from\": {}, \"to\": {}, \"count\": {}, \"log\": {} }}",
+        quoted(axis.symbol()),
+        units::shortest(from),
+        units::shortest(to),
+        axis.count(),
+        axis.spacing() == Spacing::Log
+    )
+}
+
+/// What a variable of words is in a scene.
+fn word(scene: &Scene, key: &str) -> Option<String> {
+    variables::find(key).ok().map(|variable| variable.show(scene))
+}
+
+fn quoted(text: &str) -> String {
+    Value::from(text).to_string()
+}
