@@ -51,7 +51,7 @@ pub struct Comparison {
     pub what: What,
     /// The rows.
     pub rows: Vec<Row>,
-    /// Who cannot run this scene, and why: a model that knows power laws only, on another spring.
+    /// Models that cannot run this scene, and why.
     pub refused: Vec<(&'static str, String)>,
 }
 

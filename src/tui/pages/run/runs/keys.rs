@@ -96,7 +96,7 @@ pub(in crate::tui) fn models(app: &mut App) -> Vec<Effect> {
         effects.extend(pin(app, name.to_owned(), scene));
     }
     let rest =
-        if refused.is_some() { "; those that know power laws only are not drawn" } else { "" };
+        if refused.is_some() { "; models that cannot run this scene are not drawn" } else { "" };
     app.say(
         Severity::Note,
         format!(
