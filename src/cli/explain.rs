@@ -12,7 +12,7 @@ use crate::report::table::Table;
 use crate::study::quantities::{self, QUANTITIES, Quantity};
 
 /// The word for all quantities.
-const QUANTITIES: &str = "quantities";
+const ALL: &str = "quantities";
 
 #[derive(Debug, Args)]
 pub(super) struct ExplainArguments {
@@ -27,7 +27,7 @@ pub(super) fn run(arguments: &ExplainArguments) -> Result<(), CliError> {
     let table = &arguments.table;
     table.check()?;
     let name = arguments.name.trim();
-    if name == QUANTITIES {
+    if name == ALL {
         let all: Vec<&Quantity> = QUANTITIES.iter().collect();
         return table.alone().deliver(&list(), &quantity_rows(&all));
     }

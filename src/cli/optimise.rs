@@ -48,10 +48,10 @@ pub(super) struct OptimiseArguments {
     #[arg(long, value_name = "NAME=LO..HI[:log]", allow_hyphen_values = true)]
     over: Vec<String>,
     /// Quantities to minimise, separated by commas
-    #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "minimize")]
+    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "minimize")]
     minimise: Vec<String>,
     /// Quantities to maximise, separated by commas
-    #[arg(long, value_name = "QUANTITIES", value_delimiter = ',', visible_alias = "maximize")]
+    #[arg(long, value_name = "RESULTS", value_delimiter = ',', visible_alias = "maximize")]
     maximise: Vec<String>,
     /// A bound to keep; may be repeated.
     #[arg(

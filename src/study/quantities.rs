@@ -363,8 +363,8 @@ impl Quantity {
     /// Its value for a shot that the first contact decides.
     pub(in crate::study) fn of_contact(&self, answer: &Answer, scene: &Scene) -> Option<f64> {
         match (self.from_contact, self.source) {
-            (FromContact::End(get) | FromContact::Displacement(get), _) => get(answer),
-            (FromContact::WithScene(get), _) => get(answer, scene),
+            (End(get) | Displacement(get), _) => get(answer),
+            (WithScene(get), _) => get(answer, scene),
             (FromContact::Scene, Source::Scene(get)) => get(scene),
             (FromContact::Scene | FromContact::No, _) => None,
         }

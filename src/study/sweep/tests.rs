@@ -127,7 +127,7 @@ fn single(scene: &Scene, name: &str) -> (Fate, Option<f64>) {
     let settings = Settings { series: false, estimate: false };
     let go_on = &mut |_: f64| ControlFlow::Continue(());
     let run = simulate(&Arc::new(scene), &settings, go_on).unwrap();
-    (Fate::of(&run), output(name).unwrap().value(&run))
+    (Fate::of(&run), named(name).unwrap().value(&run))
 }
 
 /// Surfaces that between them take every way through the evaluator.
