@@ -16,9 +16,10 @@ use cmra::files::preset;
 use cmra::model::first_contact::first_contact;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
+use cmra::study::quantities::named;
 use cmra::study::sweep::crew::Crew;
 use cmra::study::sweep::evaluate::{Evaluator, Rows};
-use cmra::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS, output};
+use cmra::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
 
 use crate::equations::Equations;
 use crate::explicit;
@@ -136,7 +137,7 @@ fn rows(plan: &Plan, crew: Crew) -> Vec<Rows> {
 
 /// (point, outputs) by the full simulation.
 fn simulated(plan: &Plan) -> Vec<(usize, [Option<f64>; 2])> {
-    let columns = USUAL_OUTPUTS.map(|name| output(name).expect("a result"));
+    let columns = USUAL_OUTPUTS.map(|name| named(name).expect("a result"));
     let settings = Settings { series: false, estimate: false };
     let mut known = Vec::new();
     for index in (0..plan.points()).step_by(CHECKED) {
