@@ -2,9 +2,10 @@
 
 use serde_json::{Value, json};
 
+use crate::model::units::Engineering;
 use crate::report::table::{Table, pretty};
 use crate::study::accuracy::method::Knob;
-use crate::study::accuracy::{Measured, MethodReport, Point, Report};
+use crate::study::accuracy::{Cheapest, Measured, MethodReport, Point, Report};
 
 /// A scene's name and its comparison.
 pub type Named = (String, Report);
@@ -63,6 +64,54 @@ pub fn table(reports: &[Named]) -> Table<'_, Row<'_>> {
         .with("reference_uncertainty", "its uncertainty", "", |row| {
             row.method.reference?.uncertainty
         })
+}
+
+/// The accuracies of the table of methods.
+pub const TARGETS: [f64; 2] = [1e-6, 1e-9];
+
+/// The methods, a row each.
+pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
+    let time = |target: f64| move |it: &&MethodReport| Some(it.cheapest(target)?.min_s);
+    let in_seconds = |_: &&MethodReport, value: &Value| Some(seconds(value.as_f64()?));
+    let brief = |_: &&MethodReport, value: &Value| Some(format!("{:.0e}", value.as_f64()?));
+    Table::of(methods)
+        .with("method", "method", "", |it| it.method.name())
+        .with("observed_order", "order", "", |it| it.observed_order())
+        .shown(|it, _| Some(order(it)))
+        .with("run_time_s_to_1e-6", "t(1e-6)", "", time(TARGETS[0]))
+        .shown(in_seconds)
+        .with("run_time_s_to_1e-9", "t(1e-9)", "", time(TARGETS[1]))
+        .shown(in_seconds)
+        .with("least_error", "least", "", |it| it.least_error())
+        .shown(brief)
+        .with("run_time_spread", "spread", "", |it| it.spread())
+        .shown(|_, value| Some(percent(value.as_f64()?)))
+        .with("reference_uncertainty", "floor", "", |it| it.reference?.uncertainty)
+        .shown(brief)
+}
+
+/// By what a result was got: the method and its knob.
+pub fn by(found: &Cheapest) -> String {
+    let knob = found.knob.to_string();
+    let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };
+    format!("by {}{with}", found.method.name())
+}
+
+/// A method's observed order.
+pub fn order(report: &MethodReport) -> String {
+    // Adding zero takes the sign off a negative zero.
+    let shown = |order: f64| format!("{:.1}", (10.0 * order).round() / 10.0 + 0.0);
+    report.observed_order().map_or_else(|| "-".to_owned(), shown)
+}
+
+/// A part in whole percent.
+pub fn percent(part: f64) -> String {
+    format!("{:.0} %", 100.0 * part)
+}
+
+/// A run time, in a few characters.
+pub fn seconds(value: f64) -> String {
+    Engineering { value, unit: "s", digits: 2 }.to_string()
 }
 
 /// A list with one object a scene.

@@ -87,11 +87,15 @@ fn with_columns<'c>(rows: Table<'c, Row<'c>>, name: &'c str, task: &Task) -> Tab
         .with("interface", "interface", "", |row| law(row.law))
         .with("design", "design", "", |row| row.kind);
     for (at, axis) in task.axes.iter().enumerate() {
-        table = table.with(axis.symbol(), axis.symbol(), "", move |row| row.values[at]);
+        table = table.with(axis.symbol(), axis.symbol(), "", move |row| {
+            row.values.get(at).copied().flatten()
+        });
     }
     for (at, measure) in task.measures().into_iter().enumerate() {
         table = table
-            .with(measure.name, measure.heading(), "", move |row| row.measures[at])
+            .with(measure.name, measure.heading(), "", move |row| {
+                row.measures.get(at).copied().flatten()
+            })
             .shown(|_, value| Some(measure.show(value.as_f64()?, 4)));
     }
     table.with("outcome", "outcome", "", |row| row.outcome)

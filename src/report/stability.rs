@@ -20,7 +20,7 @@ fn keys(other: Other) -> (&'static str, &'static str, &'static str) {
 }
 
 /// A size in five characters: `2e-13`.
-pub fn brief(value: f64) -> String {
+fn brief(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.0e}") }
 }
 
@@ -48,7 +48,7 @@ fn mark(basis: Basis) -> &'static str {
 }
 
 /// The battery, a row a scene.
-pub fn table(rows: &[Row]) -> Table<'_, &Row> {
+pub fn table<'c>(rows: impl IntoIterator<Item = &'c Row>) -> Table<'c, &'c Row> {
     let mut table = Table::of(rows)
         .with("scene", "scene", "", |row| row.case.name)
         .with("changes", "changes", "", |row| row.case.changes)
@@ -59,7 +59,7 @@ pub fn table(rows: &[Row]) -> Table<'_, &Row> {
         .shown(|_, value| Some(brief(value.as_f64()?.abs())))
         .with("error", "error", "", |row| row.error)
         .shown(|row, value| Some(brief(value.as_f64()?) + mark(row.basis)))
-        .with("reference", "reference", "", |row| row.basis.words())
+        .with("reference", "error against", "", |row| row.basis.words())
         .with("method", "method", "", |row| row.run.cost.method)
         .with("steps", "steps", "", |row| row.run.cost.steps)
         .with("rejected", "rejected", "", |row| row.run.cost.rejected)
@@ -76,12 +76,10 @@ pub fn table(rows: &[Row]) -> Table<'_, &Row> {
             .shown(move |row, _| Some(row.others[at].brief()))
             .with(error, error, "", move |row| row.others[at].error());
     }
-    table.with("shortfall", "fails", "", |row| row.shortfall.map(Shortfall::words)).with(
-        "why_hard",
-        "what makes it hard",
-        "",
-        |row| row.case.why,
-    )
+    table
+        .with("shortfall", "pass", "", |row| row.shortfall.map(Shortfall::words))
+        .shown(|row, _| Some(if row.shortfall.is_some() { "FAIL" } else { "ok" }.to_owned()))
+        .with("why_hard", "what makes it hard", "", |row| row.case.why)
 }
 
 /// The whole battery.

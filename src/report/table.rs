@@ -262,13 +262,14 @@ pub struct Cells {
 }
 
 impl Cells {
-    fn width(&self) -> usize {
+    /// Its width.
+    pub fn width(&self) -> usize {
         let all = self.cells.iter().chain([&self.head]);
         all.map(|cell| cell.chars().count()).max().unwrap_or(0)
     }
 
     /// The heading, or the cell of a row, as wide as the column.
-    fn padded(&self, row: Option<usize>) -> String {
+    pub fn padded(&self, row: Option<usize>) -> String {
         let text = row.map_or(&self.head, |row| &self.cells[row]);
         let width = self.width();
         if self.is_text { format!("{text:<width$}") } else { format!("{text:>width$}") }

@@ -4,20 +4,14 @@ use std::fmt::Write as _;
 
 use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
-use crate::report::accuracy::Named;
+use crate::report::accuracy::{Named, TARGETS, by, order, percent, seconds};
 use crate::study::accuracy::Report;
 use crate::study::accuracy::method::Method;
 use crate::tui::chart::{Axis, Chart, Curve, Legend, Level, Scale, Unit, ViewRange};
-use crate::tui::pages::numerics::accuracy::by;
-use crate::tui::pages::numerics::accuracy::order;
-use crate::tui::pages::numerics::accuracy::percent;
-use crate::tui::pages::numerics::accuracy::seconds;
 use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;
 const HEIGHT: u16 = 20;
-/// The accuracies that the table has.
-const TARGETS: [f64; 2] = [1e-6, 1e-9];
 /// The accuracies answered below it.
 const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 

@@ -1,90 +1,107 @@
-//! Tables with more columns than may have room: they come in pages, the next one at a key.
+//! Tables on the screen: the first column always, beside it as many of the others as have room, the next ones at a key; sorted by
+//! a column.
 
-use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
-use ratatui::style::Style;
+use std::cmp::Ordering;
+use std::ops::Range;
 
-use crate::tui::widgets::text::{columns, put};
+use serde_json::Value;
 
-/// A column: heading, width, value.
-pub(in crate::tui) type Column<T> = (&'static str, u16, fn(&T) -> String);
+use crate::report::table::{Cells, Table};
 
-/// The columns that are shown.
-pub(in crate::tui) struct Page<'a, T> {
-    columns: &'a [Column<T>],
-    number: usize,
-    count: usize,
+/// From this width on two blanks stand between columns, one below it.
+const WIDE: u16 = 60;
+
+/// The columns of a table that are shown.
+pub(in crate::tui) struct Grid {
+    cells: Vec<Cells>,
+    shown: Range<usize>,
+    /// What stands between two columns.
+    gap: &'static str,
+    /// The page of the columns, and how many pages there are.
+    page: (usize, usize),
 }
 
-impl<'a, T> Page<'a, T> {
-    /// The page after so many turns of a table that has `room` columns of the screen.
-    pub(in crate::tui) fn of(table: &'a [Column<T>], room: u16, table_page: usize) -> Self {
+impl Grid {
+    /// The page after so many turns of a table that has so many columns of the screen.
+    pub(in crate::tui) fn of(cells: Vec<Cells>, width: u16, turns: usize) -> Self {
+        let gap = if width < WIDE { " " } else { "  " };
+        let lead = cells.first().map_or(0, Cells::width);
+        let room = usize::from(width).saturating_sub(lead);
         let end_of = |from: usize| {
             let mut used = 0;
-            let fits = table[from..].iter().take_while(|column| {
-                used += column.1;
+            let fits = cells[from..].iter().take_while(|column| {
+                used += gap.len() + column.width();
                 used <= room
             });
             // One at the least: a page must go on.
             from + fits.count().max(1)
         };
         let mut ends = Vec::new();
-        while ends.last().is_none_or(|end| *end < table.len()) && !table.is_empty() {
-            ends.push(end_of(ends.last().copied().unwrap_or(0)));
+        while cells.len() > 1 && ends.last().is_none_or(|end| *end < cells.len()) {
+            ends.push(end_of(ends.last().copied().unwrap_or(1)));
         }
-        let number = table_page % ends.len().max(1);
-        let end = ends.get(number).copied().unwrap_or(0);
+        let number = turns % ends.len().max(1);
+        let end = ends.get(number).copied().unwrap_or(1);
         // As much as there is room for, so that the last page is not a column alone.
-        let from = (0..end).find(|from| end_of(*from) >= end).unwrap_or(0);
-        Self { columns: &table[from..end], number, count: ends.len() }
+        let from = (1..end).find(|from| end_of(*from) >= end).unwrap_or(1);
+        Self { cells, shown: from..end, gap, page: (number, ends.len()) }
     }
 
     /// Which page of how many, and the key that turns it; nothing where all columns are shown.
     pub(in crate::tui) fn hint(&self) -> Option<String> {
-        (self.count > 1).then(|| format!("v columns {}/{}", self.number + 1, self.count))
+        let (number, count) = self.page;
+        (count > 1).then(|| format!("v columns {}/{count}", number + 1))
     }
 
-    /// The columns of the screen that its columns take.
-    pub(in crate::tui) fn width(&self) -> u16 {
-        self.columns.iter().map(|column| column.1).sum()
+    /// The headings, or the cells of a row.
+    pub(in crate::tui) fn line(&self, row: Option<usize>) -> String {
+        let shown = self.cells.first().into_iter().chain(&self.cells[self.shown.clone()]);
+        shown.map(|column| column.padded(row)).collect::<Vec<_>>().join(self.gap)
+    }
+}
+
+/// How a table is sorted: by which of its columns; `None`: as it is listed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sorting(pub Option<&'static str>);
+
+impl Sorting {
+    /// By the next of some columns, after the last one as listed.
+    #[must_use]
+    pub fn next(self, keys: &[&'static str]) -> Self {
+        let after =
+            self.0.and_then(|key| keys.iter().position(|one| *one == key)).map_or(0, |at| at + 1);
+        Self(keys.get(after).copied())
     }
 
-    /// Write the headings into the first row of an area, from a column on.
-    pub(in crate::tui) fn headings(
-        &self,
-        buffer: &mut Buffer,
-        area: Rect,
-        from: u16,
-        style: Style,
-    ) {
-        self.write(buffer, area, (from, 0), style, |(heading, _, _)| (*heading).to_owned());
-    }
-
-    /// Write the values of an item into a row of an area, from a column on.
-    pub(in crate::tui) fn values(
-        &self,
-        buffer: &mut Buffer,
-        area: Rect,
-        at: (u16, u16),
-        (item, style): (&T, Style),
-    ) {
-        self.write(buffer, area, at, style, |(_, _, value)| value(item));
-    }
-
-    fn write(
-        &self,
-        buffer: &mut Buffer,
-        area: Rect,
-        (from, row): (u16, u16),
-        style: Style,
-        text: impl Fn(&Column<T>) -> String,
-    ) {
-        let mut end = from;
-        for column in self.columns {
-            end += column.1;
-            let text = text(column);
-            put(buffer, area, (end.saturating_sub(columns(&text)), row), &text, style);
+    /// The places of the rows of a table in this order; what has no value stands last.
+    pub(in crate::tui) fn order<R>(self, table: &Table<'_, R>) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..table.rows.len()).collect();
+        let column = self.0.and_then(|key| table.columns.iter().find(|column| column.key == key));
+        if let Some(column) = column {
+            let values: Vec<Value> = table.rows.iter().map(|row| (column.get)(row)).collect();
+            order.sort_by(|a, b| compared(&values[*a], &values[*b]));
         }
+        order
+    }
+
+    /// Mark the heading of the column that a table is sorted by.
+    pub(in crate::tui) fn mark(self, keys: &[&str], cells: &mut [Cells]) {
+        for (_, cells) in keys.iter().zip(cells).filter(|(key, _)| self.0 == Some(key)) {
+            cells.head.insert(0, '*');
+        }
+    }
+}
+
+fn compared(a: &Value, b: &Value) -> Ordering {
+    match (a, b) {
+        (Value::Null, Value::Null) => Ordering::Equal,
+        (Value::Null, _) => Ordering::Greater,
+        (_, Value::Null) => Ordering::Less,
+        (Value::Number(a), Value::Number(b)) => {
+            let number = |it: &serde_json::Number| it.as_f64().unwrap_or(f64::NAN);
+            number(a).total_cmp(&number(b))
+        }
+        _ => a.as_str().cmp(&b.as_str()),
     }
 }
 
@@ -92,27 +109,39 @@ impl<'a, T> Page<'a, T> {
 mod tests {
     use super::*;
 
-    const TABLE: [Column<u8>; 5] = [
-        ("a", 4, |value| value.to_string()),
-        ("b", 4, |_| String::new()),
-        ("c", 4, |_| String::new()),
-        ("d", 4, |_| String::new()),
-        ("e", 4, |_| String::new()),
-    ];
-
-    fn shown(room: u16, table_page: usize) -> (String, Option<String>) {
-        let page = Page::of(&TABLE, room, table_page);
-        (page.columns.iter().map(|column| column.0).collect(), page.hint())
+    fn shown(width: u16, turns: usize) -> (String, Option<String>) {
+        let column = |head: &str| Cells {
+            head: head.to_owned(),
+            is_text: false,
+            cells: vec![head.repeat(2)],
+        };
+        let grid = Grid::of(["a", "b", "c", "d", "e"].map(column).into(), width, turns);
+        (grid.line(None).replace(' ', ""), grid.hint())
     }
 
     #[test]
-    fn every_column_is_on_some_page_and_none_is_left_alone() {
-        assert_eq!(shown(20, 0), ("abcde".to_owned(), None));
+    fn every_column_is_on_some_page_beside_the_first_and_none_is_left_alone() {
+        assert_eq!(shown(14, 0), ("abcde".to_owned(), None));
         let hint = |number: usize| Some(format!("v columns {number}/2"));
-        assert_eq!(shown(17, 0), ("abcd".to_owned(), hint(1)));
-        assert_eq!(shown(17, 1), ("bcde".to_owned(), hint(2)));
-        assert_eq!(shown(17, 2), ("abcd".to_owned(), hint(1)));
-        let pages: String = (0..5).map(|table_page| shown(2, table_page).0).collect();
-        assert_eq!(pages, "abcde");
+        assert_eq!(shown(13, 0), ("abcd".to_owned(), hint(1)));
+        assert_eq!(shown(13, 1), ("acde".to_owned(), hint(2)));
+        assert_eq!(shown(13, 2), ("abcd".to_owned(), hint(1)));
+        let pages: Vec<String> = (0..4).map(|turns| shown(2, turns).0).collect();
+        assert_eq!(pages, ["ab", "ac", "ad", "ae"]);
+    }
+
+    #[test]
+    fn a_table_is_sorted_by_each_of_its_columns_in_turn() {
+        let table = Table::of([("b", Some(2.0)), ("a", None), ("c", Some(-1.0))])
+            .with("name", "name", "", |row| row.0)
+            .with("value", "value", "", |row| row.1);
+        let keys = ["name", "value"];
+        let mut sorting = Sorting::default();
+        let mut orders = Vec::new();
+        for _ in 0..4 {
+            orders.push(sorting.order(&table));
+            sorting = sorting.next(&keys);
+        }
+        assert_eq!(orders, [[0, 1, 2], [1, 0, 2], [2, 0, 1], [0, 1, 2]]);
     }
 }

@@ -508,7 +508,7 @@ fn the_table_of_stiff_scenes_is_sorted_on_the_screen() {
     stability::answer(&mut bench);
     let mut names: Vec<String> =
         bench.app.stability.rows().iter().map(|row| row.case.name.to_string()).collect();
-    bench.keys("SS");
+    bench.keys("S");
     names.sort();
     let screen = bench.screen();
     let places: Vec<Option<usize>> =

@@ -10,7 +10,8 @@ use crate::report;
 use crate::study::compare::{self, summary::sentences};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::pages::search::lines::{Line, wrapped};
+use crate::tui::app::status::wrap;
+use crate::tui::pages::search::lines::Line;
 use crate::worker::searches::Comparison;
 
 fn note(text: String) -> Line {
@@ -138,7 +139,15 @@ pub(in crate::tui) fn compared(report: &compare::Report, width: usize) -> Vec<Li
         let is_caution = text.starts_with("caution");
         (if is_caution { Severity::Warning } else { Severity::Note }, text)
     });
-    let mut lines = wrapped(sentences.collect(), width);
+    let mut lines: Vec<Line> = Vec::new();
+    for (severity, text) in sentences {
+        let parts = wrap(&text, width.saturating_sub(GOES_ON.len()));
+        lines.extend(
+            parts.into_iter().enumerate().map(|(at, part)| {
+                (severity, if at == 0 { part } else { format!("{GOES_ON}{part}") })
+            }),
+        );
+    }
     for entries in report.entries.chunks(beside) {
         lines.push(note(String::new()));
         lines.extend(figures(entries, cell));
@@ -146,6 +155,8 @@ pub(in crate::tui) fn compared(report: &compare::Report, width: usize) -> Vec<Li
     lines
 }
 
+/// What stands before the further lines of a sentence.
+pub(in crate::tui) const GOES_ON: &str = "  ";
 /// Columns of a label and of a value, narrow and wide.
 const LABEL: usize = 13;
 const CELL: usize = 9;

@@ -134,10 +134,12 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         .unwrap_or_default();
     let through = dots(&report.shots, |shot| shot.residual_m_s);
     let stopped = dots(&report.shots, |shot| shot.residual_m_s.is_none().then_some(0.0));
+    // The words beside the chart name the laws in full.
+    let narrow = area.width < 56;
     let mut curves = Vec::new();
     for (index, (marker, name, points)) in [
-        ('+', "Recht-Ipson", &recht_ipson),
-        ('x', "Lambert-Jonas", &lambert_jonas),
+        ('+', if narrow { "R-I" } else { "Recht-Ipson" }, &recht_ipson),
+        ('x', if narrow { "L-J" } else { "Lambert-Jonas" }, &lambert_jonas),
         ('o', "through", &through),
         ('s', "stopped", &stopped),
     ]

@@ -8,15 +8,13 @@ use std::sync::Arc;
 use crate::model::contact_phase::Ending;
 use crate::model::scene::Scene;
 use crate::model::units::Engineering;
+use crate::report::accuracy::{TARGETS, by, percent, seconds};
 use crate::study::accuracy::method::{Knob, Method};
-use crate::study::accuracy::{Cheapest, Measured, MethodReport, Report};
+use crate::study::accuracy::{Measured, MethodReport, Report};
 use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
-
-/// The accuracies asked for in the table and in the answers.
-pub const TARGETS: [f64; 2] = [1e-6, 1e-9];
 
 /// What a judge cannot tell from zero is shown where it is at least this part of the least error drawn.
 const FLOOR_NEAR: f64 = 1e-4;
@@ -373,30 +371,6 @@ impl App {
         }
         lines
     }
-}
-
-/// By what a result was got: the method and its knob.
-pub fn by(found: &Cheapest) -> String {
-    let knob = found.knob.to_string();
-    let with = if knob.is_empty() { String::new() } else { format!(" at {knob}") };
-    format!("by {}{with}", found.method.name())
-}
-
-/// A method's observed order.
-pub fn order(report: &MethodReport) -> String {
-    // Adding zero takes the sign off a negative zero.
-    let shown = |order: f64| format!("{:.1}", (10.0 * order).round() / 10.0 + 0.0);
-    report.observed_order().map_or_else(|| "-".to_owned(), shown)
-}
-
-/// A share in whole percent.
-pub fn percent(share: f64) -> String {
-    format!("{:.0} %", 100.0 * share)
-}
-
-/// A run time, in a few characters.
-pub fn seconds(value: f64) -> String {
-    engineering(value, "s", 2)
 }
 
 fn engineering(value: f64, unit: &'static str, digits: usize) -> String {

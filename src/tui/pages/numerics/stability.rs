@@ -7,30 +7,37 @@ use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::model::units::significant;
+use crate::report::accuracy::seconds;
+use crate::report::stability::table;
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, Map, Method};
 use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::pages::numerics::STIFF_SCENES;
-use crate::tui::pages::numerics::accuracy::seconds;
+use crate::tui::widgets::table::Sorting;
 
 /// What the battery's columns of other methods are, in full and where there is less room.
 const COLUMNS: &str =
-    "expl: DOP853, impl: Radau IIA, th-6 and th-7: the thesis's scheme at dt 1e-6 and 1e-7 s";
-const COLUMNS_BRIEF: &str = "expl: DOP853, impl: Radau IIA";
+    "expl, D: DOP853, impl, R: Radau IIA, th-6 and th-7: the thesis's scheme at dt 1e-6 and 1e-7 s";
+const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
 
-/// How the table of stiff scenes is sorted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Order {
-    /// As the scenes are listed.
-    #[default]
-    Listed,
-    /// Failures first.
-    Failures,
-    /// By name.
-    Name,
-}
+/// The columns of the table of stiff scenes.
+pub const KEYS: [&str; 13] = [
+    "scene",
+    "shortfall",
+    "outcome",
+    "energy_residual",
+    "error",
+    "steps",
+    "run_time_s",
+    "stiffness",
+    "explicit",
+    "implicit",
+    "thesis_1e-6",
+    "thesis_1e-7",
+    "reference",
+];
 
 /// The state of the tab.
 #[derive(Clone, Debug)]
@@ -45,8 +52,8 @@ pub struct Stability {
     pub mapping: Option<Running>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
-    /// The order of the stiff scenes: as they are, failures first, by name.
-    pub order: Order,
+    /// How the table of stiff scenes is sorted.
+    pub sorting: Sorting,
     /// The rows of the battery, and whether these are all.
     pub battery: Option<(Arc<Vec<Row>>, bool)>,
     /// The battery that is being run.
@@ -65,7 +72,7 @@ impl Default for Stability {
             map: None,
             mapping: None,
             cursor: None,
-            order: Order::default(),
+            sorting: Sorting::default(),
             battery: None,
             running: None,
             selected: 0,
@@ -106,25 +113,16 @@ impl Stability {
         self.map = Some((scene, map));
     }
 
-    /// Sort the table in the next order.
+    /// Sort the table by its next column.
     pub fn sort_next(&mut self) {
-        self.order = match self.order {
-            Order::Listed => Order::Failures,
-            Order::Failures => Order::Name,
-            Order::Name => Order::Listed,
-        };
+        self.sorting = self.sorting.next(&KEYS);
         self.selected = 0;
     }
 
     /// The rows in the order they are shown in.
     pub fn sorted(&self) -> Vec<&Row> {
-        let mut rows: Vec<&Row> = self.rows().iter().collect();
-        match self.order {
-            Order::Listed => {}
-            Order::Failures => rows.sort_by_key(|row| row.shortfall.is_none()),
-            Order::Name => rows.sort_by_key(|row| row.case.name.to_string()),
-        }
-        rows
+        let rows = self.rows();
+        self.sorting.order(&table(rows)).into_iter().map(|at| &rows[at]).collect()
     }
 
     /// The rows of the battery there are.

@@ -1,18 +1,19 @@
 //! What was found, as lines of text. No drawing.
 
-use std::fmt::Write as _;
-
 use crate::model::units::significant;
+use crate::report::front::designs;
+use crate::report::table::Cells;
 use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::search::{scatter, seek};
 use crate::study::sensitivity::{self, indices::Index};
-use crate::study::sweep::Fate;
+use crate::study::sweep::{Axis, Fate};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::{clip, fitted, wrap};
+use crate::tui::app::status::{fitted, wrap};
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Found, Page};
+use crate::tui::widgets::table::Grid;
 use crate::worker::searches::{Answer, Request};
 
 /// A line, and how it is meant.
@@ -32,7 +33,7 @@ impl App {
         match (&found.answer, &*found.request) {
             (Answer::Seek(report), _) => wrapped(sought(report, self.searching.selected()), width),
             (Answer::Front(front), Request::Front(task)) => {
-                let mut lines = self.designs_table(task, width);
+                let mut lines = self.designs_table(front, task, width);
                 lines.extend(wrapped(candidates(front, task, width), width));
                 lines
             }
@@ -60,35 +61,32 @@ impl App {
 
 impl App {
     /// The designs of the front as a table: a heading, then a row a design; `*` marks the column it is sorted by.
-    fn designs_table(&self, task: &Task, width: usize) -> Vec<Line> {
+    fn designs_table(&self, front: &Front, task: &Task, width: usize) -> Vec<Line> {
         let tab = &self.searching;
-        let measures = task.measures();
-        let sorted = tab.sorted_by.unwrap_or_else(|| tab.across(task).0);
-        let cell = 11;
-        let shown_measures = measures.len().min(width.saturating_sub(8) / cell);
-        let room = width.saturating_sub(8 + shown_measures * cell);
-        let shown_axes = task.axes.len().min(room / cell);
-        let mut head = format!("{:7}", "  no.");
-        for (at, measure) in measures.iter().enumerate().take(shown_measures) {
-            let mark = if at == sorted { "*" } else { "" };
-            let _ = write!(head, "{:>cell$}", format!("{mark}{}", clip(&brief(measure), cell - 2)));
-        }
-        for axis in task.axes.iter().take(shown_axes) {
-            let _ = write!(head, "{:>cell$}", axis.symbol());
-        }
-        let mut lines = vec![note(head)];
+        let measures: Vec<&'static str> = task.measures().iter().map(|it| it.name).collect();
+        let (objectives, others) = measures.split_at(task.objectives.len().min(measures.len()));
+        let axes = task.axes.iter().map(Axis::symbol);
+        let keys: Vec<&str> =
+            objectives.iter().copied().chain(axes).chain(others.iter().copied()).collect();
+        let order = tab.order();
         let knee = tab.knee();
-        for (at, design) in tab.designs().into_iter().enumerate() {
+        let name =
+            |at: usize| if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };
+        let names = (0..order.len()).map(name).collect();
+        let mut columns = designs(task, front, order.into_iter()).cells(&keys);
+        if let Some(sorted) =
+            keys.iter().position(|key| Some(key) == measures.get(tab.sorted(task)))
+        {
+            columns[sorted].head.insert(0, '*');
+        }
+        columns.insert(0, Cells { head: "no.".to_owned(), is_text: true, cells: names });
+        let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+        let rows = columns[0].cells.len();
+        let grid = Grid::of(columns, room, 0);
+        let mut lines = vec![note(format!("  {}", grid.line(None)))];
+        for at in 0..rows {
             let mark = if at == tab.selected() { ">" } else { " " };
-            let name = if knee == Some(at) { "knee".to_owned() } else { (at + 1).to_string() };
-            let mut row = format!("{mark} {name:<5}");
-            for (measure, value) in measures.iter().zip(&design.measures).take(shown_measures) {
-                let _ = write!(row, "{:>cell$}", shown(measure, *value));
-            }
-            for value in design.values.iter().take(shown_axes) {
-                let _ = write!(row, "{:>cell$}", significant(*value, 4));
-            }
-            lines.push(note(row));
+            lines.push(note(format!("{mark} {}", grid.line(Some(at)))));
         }
         lines.push(note("X cursor, o design; and for comparison:".to_owned()));
         lines

@@ -121,15 +121,27 @@ impl Searching {
         }
     }
 
-    /// The designs of the front, by the measure across.
-    pub fn designs(&self) -> Vec<&Design> {
+    /// The measure that the table of the front is sorted by, by its place.
+    pub fn sorted(&self, task: &Task) -> usize {
+        self.sorted_by.unwrap_or_else(|| self.across(task).0)
+    }
+
+    /// The places of the designs of the front in the order of the table.
+    pub fn order(&self) -> Vec<usize> {
         let Some((front, task)) = self.front() else { return Vec::new() };
-        let across = self.sorted_by.unwrap_or_else(|| self.across(task).0);
-        let mut designs: Vec<&Design> = front.designs.iter().collect();
-        let value =
-            |design: &Design| design.measures.get(across).copied().flatten().unwrap_or(f64::NAN);
-        designs.sort_by(|a, b| value(a).total_cmp(&value(b)));
-        designs
+        let sorted = self.sorted(task);
+        let value = |at: &usize| {
+            front.designs[*at].measures.get(sorted).copied().flatten().unwrap_or(f64::NAN)
+        };
+        let mut order: Vec<usize> = (0..front.designs.len()).collect();
+        order.sort_by(|a, b| value(a).total_cmp(&value(b)));
+        order
+    }
+
+    /// The designs of the front in that order.
+    pub fn designs(&self) -> Vec<&Design> {
+        let Some((front, _)) = self.front() else { return Vec::new() };
+        self.order().into_iter().map(|at| &front.designs[at]).collect()
     }
 
     /// The places of the measures drawn across and up.
@@ -222,8 +234,7 @@ impl Searching {
     /// Sort the table of the front by its next objective; the selection stays on its design.
     pub fn sort_next(&mut self) {
         let Some((_, task)) = self.front() else { return };
-        let (count, now) =
-            (task.measures().len(), self.sorted_by.unwrap_or_else(|| self.across(task).0));
+        let (count, now) = (task.measures().len(), self.sorted(task));
         let kept = self.designs().get(self.selected()).map(|design| design.values.clone());
         self.sorted_by = Some((now + 1) % count.max(1));
         let at = self.designs().iter().position(|design| Some(&design.values) == kept.as_ref());

@@ -13,7 +13,7 @@ use crate::tui::pages::thesis::{self, CLAIMS, SCREENING};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
-use crate::tui::widgets::text::{columns, put};
+use crate::tui::widgets::text::{columns, paint_row, put};
 
 /// From this width on the detail stands beside the list.
 const BESIDE: u16 = 110;
@@ -73,16 +73,32 @@ fn claims(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         put(canvas, inner, (1, 1), text, app.theme.style(Role::Dim));
     }
     let says = PLACE.min(inner.width / 3);
-    let rows = List { count: shown.len(), selected: tab.selected, painted: app.dialog.is_none() };
-    let target = |row| Some(Target::Row(CLAIMS, row));
-    rows.render(canvas, inner, app.theme, target, |canvas, line, index| {
-        let row = shown[index];
+    // A claim has as many lines as it needs.
+    let room = usize::from(inner.width.saturating_sub(says));
+    let lines: Vec<(usize, bool, String)> = shown
+        .iter()
+        .enumerate()
+        .flat_map(|(index, row)| {
+            let parts = wrap(row.claim.says, room).into_iter().enumerate();
+            parts.map(move |(at, part)| (index, at == 0, part))
+        })
+        .collect();
+    let selected = lines.iter().position(|line| line.0 == tab.selected).unwrap_or(0);
+    let rows = List { count: lines.len(), selected, painted: false };
+    let target = |line: usize| Some(Target::Row(CLAIMS, lines[line].0));
+    rows.render(canvas, inner, app.theme, target, |canvas, line, at| {
+        let (index, is_first, part) = &lines[at];
+        let row = shown[*index];
         let style = app.theme.style(role(row.found.verdict));
-        put(canvas, line, (0, 0), &row.found.verdict.letter().to_string(), style);
-        let place = clip(row.claim.place, usize::from(says.saturating_sub(3)));
-        put(canvas, line, (2, 0), &place, style);
-        let room = usize::from(line.width.saturating_sub(says));
-        put(canvas, line, (says, 0), &clip(row.claim.says, room), style);
+        if *is_first {
+            put(canvas, line, (0, 0), &row.found.verdict.letter().to_string(), style);
+            let place = clip(row.claim.place, usize::from(says.saturating_sub(3)));
+            put(canvas, line, (2, 0), &place, style);
+        }
+        put(canvas, line, (says, 0), part, style);
+        if *index == tab.selected && app.dialog.is_none() {
+            paint_row(canvas, line, 0, app.theme.style(Role::Selection));
+        }
     });
     let pane =
         PaneFrame::new(app.claim().map_or_else(String::new, |row| row.claim.place.to_owned()))

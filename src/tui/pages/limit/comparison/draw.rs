@@ -5,11 +5,12 @@ use ratatui::layout::Rect;
 use crate::model::units::significant;
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
-use crate::tui::app::status::clip;
 use crate::tui::chart::{Heatmap, heatmap};
 use crate::tui::message::Target;
+use crate::tui::pages::limit::comparison::GOES_ON;
 use crate::tui::pages::limit::efficiency_map::{levels, with_heatmap};
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
+use crate::tui::pages::search::lines::Line;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::text::{columns, put, text_role};
@@ -24,18 +25,28 @@ pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let lines = app.comparison_lines(usize::from(area.width.saturating_sub(2)));
     let height = usize::from(area.height.saturating_sub(2));
     let more = lines.len() > height;
-    let right = if focused && more { "j/k scrolls" } else { "" };
+    let right = match (more, focused) {
+        (true, true) => "j/k: more",
+        (true, false) => "Tab, j/k: more",
+        (false, _) => "",
+    };
     let frame = PaneFrame::new(title).right(right).focused(focused);
     let inner = frame.render(area, canvas, app.theme);
     if lines.is_empty() {
         nothing(app, inner, canvas);
     }
     let first = app.limit.scrolled.min(lines.len().saturating_sub(height));
-    for (row, (severity, text)) in (0..inner.height).zip(lines.iter().skip(first)) {
-        let role = text_role(*severity);
-        let text = clip(text, usize::from(inner.width));
-        put(canvas, inner, (0, row), &text, app.theme.style(role));
+    let shown = whole(&lines[first..], height);
+    for (line, (severity, text)) in inner.rows().zip(shown) {
+        put(canvas, line, (0, 0), text, app.theme.style(text_role(*severity)));
     }
+}
+
+/// So many lines at most, without the beginning of a sentence whose end has no room.
+fn whole(lines: &[Line], height: usize) -> &[Line] {
+    let ends = |at: &usize| lines.get(*at).is_none_or(|next| !next.1.starts_with(GOES_ON));
+    let end = (1..=height.min(lines.len())).rev().find(ends);
+    &lines[..end.unwrap_or(height.min(lines.len()))]
 }
 
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -73,8 +84,12 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         put(canvas, area, (1, above.height), "O line of 1 ", app.theme.style(Role::Text));
     for band in 0..levels.bands() {
         let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
-        column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
         let from = format!(" {}", significant(levels.band(band).0, 3));
+        // Half a number would be another one.
+        if column + 2 + columns(&from) > area.width {
+            break;
+        }
+        column = put(canvas, area, (column + 1, above.height), &symbol.to_string(), style);
         column = put(canvas, area, (column, above.height), &from, app.theme.style(Role::Text));
     }
     canvas.plot(&layout, |x, y| {

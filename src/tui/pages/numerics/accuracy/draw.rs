@@ -2,6 +2,7 @@
 
 use ratatui::layout::Rect;
 
+use crate::report::accuracy::{self, TARGETS};
 use crate::study::accuracy::MethodReport;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
@@ -10,38 +11,29 @@ use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend, Level, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::ACCURACY;
-use crate::tui::pages::numerics::accuracy::{TARGETS, order, percent, seconds};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
-use crate::tui::widgets::table::{Column, Page};
+use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::{NEEDS_SINGLE, columns, put, text_role};
 
-/// Columns of a method's letter and name in the table.
-const NAME: u16 = 19;
+/// Columns of a method's letter before the table.
+const LETTER: u16 = 2;
+/// The columns of the table of methods.
+const KEYS: [&str; 7] = [
+    "method",
+    "observed_order",
+    "run_time_s_to_1e-6",
+    "run_time_s_to_1e-9",
+    "least_error",
+    "run_time_spread",
+    "reference_uncertainty",
+];
 
 /// The colour of slope guides: that of no method.
 const GUIDE_COLOUR: usize = 9;
 /// Points of a slope guide.
 const GUIDE_POINTS: usize = 90;
-
-const TABLE: [Column<MethodReport>; 6] = [
-    ("order", 6, order),
-    ("t(1e-6)", 8, |report| time(report, TARGETS[0])),
-    ("t(1e-9)", 8, |report| time(report, TARGETS[1])),
-    ("least", 6, |report| {
-        report.least_error().map_or_else(|| "-".to_owned(), |error| format!("{error:.0e}"))
-    }),
-    ("spread", 7, |report| report.spread().map_or_else(|| "-".to_owned(), percent)),
-    ("floor", 6, |report| {
-        let floor = report.reference.and_then(|reference| reference.uncertainty);
-        floor.map_or_else(|| "-".to_owned(), |floor| format!("{floor:.0e}"))
-    }),
-];
-
-fn time(report: &MethodReport, target: f64) -> String {
-    report.cheapest(target).map_or_else(|| "-".to_owned(), |found| seconds(found.min_s))
-}
 
 /// The panes of the page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -178,11 +170,12 @@ fn guides(app: &App, times: ViewRange, errors: ViewRange) -> Vec<(char, Line)> {
 /// The table, and below it what is to be said of the selected method.
 fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.accuracy;
-    let room = area.width.saturating_sub(2 + NAME);
-    let page = Page::of(&TABLE, room, tab.table_page);
-    let hint = page.hint().unwrap_or_else(|| "V hides".to_owned());
+    let methods: &[MethodReport] = tab.report.as_ref().map_or(&[], |report| &report.methods);
+    let cells = accuracy::methods(methods).cells(&KEYS);
+    let grid = Grid::of(cells, area.width.saturating_sub(2 + LETTER), tab.table_page);
+    let hint = grid.hint().unwrap_or_else(|| "V hides".to_owned());
     let inner = PaneFrame::new("Methods").right(hint).render(area, canvas, app.theme);
-    page.headings(canvas, inner, NAME, app.theme.style(Role::Dim));
+    put(canvas, inner, (LETTER, 0), &grid.line(None), app.theme.style(Role::Dim));
     let count = Method::ALL.len();
     let height = u16::try_from(count).unwrap_or(u16::MAX).min(inner.height.saturating_sub(1));
     let list = Rect { y: inner.y + 1, height, ..inner };
@@ -195,10 +188,9 @@ fn methods(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let letter = if hidden { ' ' } else { method.letter() };
         put(canvas, row, (0, 0), &letter.to_string(), app.theme.style(role));
         let style = app.theme.style(if hidden { Role::Dim } else { Role::Text });
-        put(canvas, row, (2, 0), method.name(), style);
-        if let Some(report) = tab.of(method) {
-            page.values(canvas, row, (NAME, 0), (report, style));
-        }
+        let at = methods.iter().position(|report| report.method == method);
+        let text = at.map_or_else(|| method.name().to_owned(), |at| grid.line(Some(at)));
+        put(canvas, row, (LETTER, 0), &text, style);
     });
     details(app, inner, canvas);
 }

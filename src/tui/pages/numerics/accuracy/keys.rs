@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::model::scene::ContactModel;
+use crate::report::accuracy::TARGETS;
 use crate::study::accuracy::Effort;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
@@ -10,7 +11,6 @@ use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::Scale;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
-use crate::tui::pages::numerics::accuracy::TARGETS;
 use crate::tui::update::{edit, jobs};
 use crate::tui::view::plot_columns;
 use crate::worker::studies::StudyKind;

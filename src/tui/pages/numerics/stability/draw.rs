@@ -2,21 +2,18 @@
 
 use ratatui::layout::Rect;
 
-use crate::model::run::Outcome;
 use crate::model::units::significant;
 use crate::model::variables::find;
-use crate::report::stability::brief;
-use crate::study::stability::Row;
+use crate::report::stability::table;
 use crate::study::stability::map::{Cell, Map};
 use crate::tui::app::App;
-use crate::tui::app::status::clip;
 use crate::tui::message::Target;
-use crate::tui::pages::numerics::accuracy::seconds;
+use crate::tui::pages::numerics::stability::KEYS;
 use crate::tui::pages::numerics::{STABILITY, STIFF_SCENES};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
-use crate::tui::widgets::table::{Column, Page};
+use crate::tui::widgets::table::Grid;
 use crate::tui::widgets::text::{NEEDS_SINGLE, columns, paint_row, put};
 
 /// Columns left of the map, for the values of its rows.
@@ -209,40 +206,14 @@ fn values(app: &App, map: &Map, inner: Rect, plot: Rect, canvas: &mut Canvas<'_>
     put(canvas, inner, (1, below), map.axis.symbol(), style);
 }
 
-const BATTERY: [Column<Row>; 12] = [
-    ("pass", 5, |row| if row.shortfall.is_some() { "FAIL" } else { "ok" }.to_owned()),
-    ("ends", 7, ends),
-    ("energy", 7, |row| brief(row.run.ledger.residual().abs())),
-    ("error", 7, |row| row.error.map_or_else(|| "-".to_owned(), brief)),
-    ("steps", 7, |row| row.run.cost.steps.to_string()),
-    ("time", 8, |row| seconds(row.took_s)),
-    ("stiff", 6, |row| brief(row.stiffness.largest())),
-    ("expl", 5, |row| row.others[0].brief()),
-    ("impl", 5, |row| row.others[1].brief()),
-    ("th-6", 6, |row| row.others[2].brief()),
-    ("th-7", 6, |row| row.others[3].brief()),
-    ("error against", 15, |row| row.basis.words().to_owned()),
-];
-
-/// How a scene of the battery ends, in six characters.
-fn ends(row: &Row) -> String {
-    match row.run.outcome {
-        Outcome::Arrested => "arrest",
-        Outcome::Perforated => "perf",
-        Outcome::Separated => "sep",
-        Outcome::Moving => "moving",
-    }
-    .to_owned()
-}
-
-/// Columns of the name.
-const NAME: u16 = 24;
-
 /// Draw the battery.
 pub(in crate::tui) fn battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let tab = &app.stability;
-    let page = Page::of(&BATTERY, area.width.saturating_sub(2 + NAME), tab.table_page);
     let rows = tab.sorted();
+    let table = table(rows.iter().copied());
+    let mut cells = table.cells(&KEYS);
+    tab.sorting.mark(&KEYS, &mut cells);
+    let grid = Grid::of(cells, area.width.saturating_sub(2), tab.table_page);
     let height = usize::from(area.height.saturating_sub(3));
     let list = List { count: rows.len(), selected: tab.selected, painted: app.dialog.is_none() };
     let first = list.first(area.height.saturating_sub(3));
@@ -253,13 +224,11 @@ pub(in crate::tui) fn battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     } else {
         title.to_owned()
     };
-    let hint = page.hint().map_or_else(String::new, |hint| hint + "  ");
+    let hint = grid.hint().map_or_else(String::new, |hint| hint + "  ");
     let pane = PaneFrame::new(title).right(hint + "Tab: map").focused(app.dialog.is_none());
     let inner = pane.render(area, canvas, app.theme);
     let dim = app.theme.style(Role::Dim);
-    put(canvas, inner, (0, 0), "scene", dim);
-    page.headings(canvas, inner, NAME, dim);
-    let why = NAME + page.width() + 2;
+    put(canvas, inner, (0, 0), &grid.line(None), dim);
     if rows.is_empty() {
         let text = if tab.running.is_some() { "running the first scenes" } else { "r runs it" };
         put(canvas, inner, (1, 2), text, dim);
@@ -267,13 +236,8 @@ pub(in crate::tui) fn battery(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let area = Rect { y: inner.y + 1, height: inner.height.saturating_sub(1), ..inner };
     let target = |row| Some(Target::Row(STIFF_SCENES, row));
     list.render(canvas, area, app.theme, target, |canvas, line, index| {
-        let row = rows[index];
-        let style = app.theme.style(if row.shortfall.is_some() { Role::Error } else { Role::Text });
-        put(canvas, line, (0, 0), row.case.name, style);
-        page.values(canvas, line, (NAME, 0), (row, style));
-        if why + 20 < line.width {
-            let room = usize::from(line.width - why);
-            put(canvas, line, (why, 0), &clip(row.case.why, room), dim);
-        }
+        let style =
+            app.theme.style(if rows[index].shortfall.is_some() { Role::Error } else { Role::Text });
+        put(canvas, line, (0, 0), &grid.line(Some(index)), style);
     });
 }
