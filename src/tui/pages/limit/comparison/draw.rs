@@ -45,8 +45,8 @@ pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 /// So many lines at most, without the beginning of a sentence whose end has no room.
 fn whole(lines: &[Line], height: usize) -> &[Line] {
     let ends = |at: &usize| lines.get(*at).is_none_or(|next| !next.1.starts_with(GOES_ON));
-    let end = (1..=height.min(lines.len())).rev().find(ends);
-    &lines[..end.unwrap_or(height.min(lines.len()))]
+    let room = height.min(lines.len());
+    &lines[..(1..=room).rev().find(ends).unwrap_or(room)]
 }
 
 fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
