@@ -23,6 +23,26 @@ pub use simd_batch::run_batch;
 use similarity_start::Start;
 use slow_manifold_series::MANIFOLD_BELOW;
 
+/// An expression compiled for each number of terms.
+macro_rules! by_terms {
+    ($terms:expr, $n:ident => $expression:expr) => {
+        match $terms {
+            crate::model::contact_kernel::TERMS_LOOSE => {
+                const $n: usize = crate::model::contact_kernel::TERMS_LOOSE;
+                $expression
+            }
+            crate::model::contact_kernel::TERMS => {
+                const $n: usize = crate::model::contact_kernel::TERMS;
+                $expression
+            }
+            _ => {
+                const $n: usize = crate::model::contact_kernel::TERMS_TIGHT;
+                $expression
+            }
+        }
+    };
+}
+
 mod damper_manifold;
 mod expansion;
 mod free;
@@ -194,11 +214,7 @@ impl Contact {
             TERMS_TIGHT
         };
         if let Some(manifold) = self.damper_manifold(tolerance) {
-            let end = match terms {
-                TERMS_LOOSE => self.run_on_damper_manifold::<TERMS_LOOSE>(manifold, tolerance),
-                TERMS => self.run_on_damper_manifold::<TERMS>(manifold, tolerance),
-                _ => self.run_on_damper_manifold::<TERMS_TIGHT>(manifold, tolerance),
-            };
+            let end = by_terms!(terms, N => self.run_on_damper_manifold::<N>(manifold, tolerance));
             return end.map_or(InitialPhase::Left, InitialPhase::Ended);
         }
         if let Some(manifold) = self.spring_manifold()
@@ -281,7 +297,8 @@ impl Contact {
         let expand = |track: &Track, piece| {
             manifold.expand::<N>(&constants, track.state, track.clock.rates()[0], piece)
         };
-        self.go_on(expand, self.begin(0.0, state, clock), ((true, true), tolerance))
+        let track = self.begin(0.0, state, clock);
+        self.go_on(expand, (true, true), &Plan { track, tolerance, reach_m: None, terms: N })
     }
 
     /// The damper and spring of a plate that follows the forces at once, if they are such.

@@ -118,18 +118,21 @@ impl Contact {
         Track { t_s, state, clock, piece: 0, farthest_m: self.start_m, steps: 0 }
     }
 
-    /// Go on by steps from `track` to the end; `None` where the full track must take over.
+    /// Go on by steps to the end; `None` where the full track must take over.
+    #[inline(always)]
     pub(super) fn go_on<const N: usize>(
         &self,
         expand: impl Fn(&Track, (f64, [f64; 3])) -> Series<N>,
-        mut track: Track,
-        (sides, tolerance): ((bool, bool), f64),
+        sides: (bool, bool),
+        plan: &Plan,
     ) -> Option<ContactEnd> {
+        let Plan { mut track, tolerance, reach_m, .. } = *plan;
         while track.steps < STEPS_MAX {
-            let piece = self.area_law(track.piece)?;
+            let area = self.area_law(track.piece)?;
             track.steps += 1;
-            let series = expand(&track, piece);
-            let last_terms = self.constants.last_terms(&series, minded_m(series.plate[0], None));
+            let series = expand(&track, area);
+            let minded_m = minded_m(track.state[2], reach_m);
+            let last_terms = self.constants.last_terms(&series, minded_m);
             let end_of_step = StepEnd::of(&series, trusted::<N>(last_terms, tolerance));
             if let Some(next) = self.advance(&mut track, sides, &end_of_step, || &series) {
                 return next.ended();

@@ -10,9 +10,7 @@ use crate::model::contact_kernel::expansion::{Clock, Constants, Series, trusted}
 use crate::model::contact_kernel::integration::{InitialPhase, Plan, StepEnd, Track, minded_m};
 use crate::model::contact_kernel::law::{Damping, Linear, RootFromRest};
 use crate::model::contact_kernel::similarity_start;
-use crate::model::contact_kernel::{
-    Contact, GRADED_UNIT, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_linear,
-};
+use crate::model::contact_kernel::{Contact, GRADED_UNIT, is_linear};
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::smaller;
 
@@ -71,11 +69,7 @@ impl LeftOut {
 impl Contact {
     /// The contact after such a step; `None` where another start is the better one.
     pub(super) fn early(&self, tolerance: f64, terms: usize) -> Option<InitialPhase> {
-        match terms {
-            TERMS_LOOSE => self.early_by::<TERMS_LOOSE>(tolerance),
-            TERMS => self.early_by::<TERMS>(tolerance),
-            _ => self.early_by::<TERMS_TIGHT>(tolerance),
-        }
+        by_terms!(terms, N => self.early_by::<N>(tolerance))
     }
 
     fn early_by<const N: usize>(&self, tolerance: f64) -> Option<InitialPhase> {
@@ -192,6 +186,7 @@ impl Contact {
 mod tests {
     use super::*;
     use crate::model::contact_kernel::tests::scene;
+    use crate::model::contact_kernel::{TERMS, TERMS_TIGHT};
 
     fn contact(pairs: &str) -> Contact {
         Contact::of(&scene(pairs))

@@ -2,21 +2,17 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::model::contact_kernel::expansion::{Clock, trusted};
-use crate::model::contact_kernel::integration::{Plan, STEPS_MAX, StepEnd, minded_m};
+use crate::model::contact_kernel::expansion::Clock;
+use crate::model::contact_kernel::integration::{Plan, Track};
 use crate::model::contact_kernel::lane_buffer::has_lanes;
 use crate::model::contact_kernel::law::{Law, Linear, Power, Whole};
-use crate::model::contact_kernel::{Contact, ContactEnd, TERMS, TERMS_LOOSE, TERMS_TIGHT};
+use crate::model::contact_kernel::{Contact, ContactEnd, TERMS};
 use crate::model::mechanism::PowerKind;
 
 impl Contact {
     /// Go on by plain steps to the end; `None` where the simulation is needed.
     pub(super) fn plan(&self, plan: &Plan) -> Option<ContactEnd> {
-        match plan.terms {
-            TERMS_LOOSE => self.with_spring::<TERMS_LOOSE>(plan),
-            TERMS => self.with_spring::<TERMS>(plan),
-            _ => self.with_spring::<TERMS_TIGHT>(plan),
-        }
+        by_terms!(plan.terms, N => self.with_spring::<N>(plan))
     }
 
     fn with_spring<const N: usize>(&self, plan: &Plan) -> Option<ContactEnd> {
@@ -72,29 +68,6 @@ impl Contact {
         debug_assert!(GRADED || matches!(plan.track.clock, Clock::Even { .. }));
         Arch::new().dispatch(Single::<N, GRADED, _, _> { contact: self, laws, plan })
     }
-
-    #[inline(always)]
-    fn steps<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>>(
-        &self,
-        laws: (K, D),
-        plan: &Plan,
-    ) -> Option<ContactEnd> {
-        let Plan { mut track, tolerance, reach_m, .. } = *plan;
-        while track.steps < STEPS_MAX {
-            let area = self.area_law(track.piece)?;
-            track.steps += 1;
-            let rates = track.clock.rates();
-            let series = self.constants.expand::<N, GRADED>(laws, track.state, rates, area);
-            let minded_m = minded_m(track.state[2], reach_m);
-            let last_terms = self.constants.last_terms(&series, minded_m);
-            let end_of_step = StepEnd::of(&series, trusted::<N>(last_terms, tolerance));
-            let sides = (K::TWO_SIDED, D::TWO_SIDED);
-            if let Some(next) = self.advance(&mut track, sides, &end_of_step, || &series) {
-                return next.ended();
-            }
-        }
-        None
-    }
 }
 
 /// A contact by itself, compiled for the instructions of the machine.
@@ -115,6 +88,10 @@ impl<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>> WithSimd
         if const { !has_lanes::<S>() && N != TERMS } {
             return self.contact.with_spring::<TERMS>(self.plan);
         }
-        self.contact.steps::<N, GRADED, K, D>(self.laws, self.plan)
+        let expand = |track: &Track, area| {
+            let rates = track.clock.rates();
+            self.contact.constants.expand::<N, GRADED>(self.laws, track.state, rates, area)
+        };
+        self.contact.go_on(expand, (K::TWO_SIDED, D::TWO_SIDED), self.plan)
     }
 }

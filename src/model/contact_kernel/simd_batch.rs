@@ -5,6 +5,8 @@
 //! whatever runs beside it. What is rare (an arrest, the end of a piece, a turn of the plate) is done for its lane alone, and so is
 //! a contact whose spring or damper is of a kind that has no lanes here.
 
+use std::collections::BTreeMap;
+
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::{Clock, trusted};
@@ -14,9 +16,7 @@ use crate::model::contact_kernel::integration::{
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::law::{Law, Linear, Power};
 use crate::model::contact_kernel::slow_manifold::{ManifoldJob, run_manifold_batch};
-use crate::model::contact_kernel::{
-    Contact, ContactEnd, SPRING_POWERS, TERMS, TERMS_LOOSE, TERMS_TIGHT, is_linear, is_singular,
-};
+use crate::model::contact_kernel::{Contact, ContactEnd, SPRING_POWERS, is_linear, is_singular};
 use crate::model::mechanism::PowerKind;
 use crate::numerics::wide::Wide;
 
@@ -40,7 +40,7 @@ pub fn run_batch(
     minding_plate: bool,
 ) -> Vec<Option<ContactEnd>> {
     let mut ends = vec![None; contacts.len()];
-    let mut queues: [Vec<Job<'_>>; CLASSES] = Default::default();
+    let mut queues: BTreeMap<Class, Vec<Job<'_>>> = BTreeMap::new();
     let mut jobs = Vec::new();
     let mut go_on = |place: usize, initial_phase| {
         let contact = &contacts[place];
@@ -49,7 +49,7 @@ pub fn run_batch(
             // Nothing returns to the manifold.
             InitialPhase::OnManifold(_) | InitialPhase::Left => {}
             InitialPhase::Steps(plan) => match contact.class(&plan) {
-                Some(class) => queues[class].push(Job { contact, plan, place }),
+                Some(class) => queues.entry(class).or_default().push(Job { contact, plan, place }),
                 None => ends[place] = contact.plan(&plan),
             },
         }
@@ -64,26 +64,42 @@ pub fn run_batch(
         }
     }
     run_manifold_batch(&jobs, &mut go_on);
-    let arch = Arch::new();
-    for (class, jobs) in queues.iter().enumerate().filter(|(_, jobs)| !jobs.is_empty()) {
-        let ends = &mut ends[..];
-        match class {
-            0 => arch.dispatch(Batch::<TERMS_LOOSE, false, false> { jobs, ends }),
-            1 => arch.dispatch(Batch::<TERMS_LOOSE, true, false> { jobs, ends }),
-            2 => arch.dispatch(Batch::<TERMS_LOOSE, true, true> { jobs, ends }),
-            3 => arch.dispatch(Batch::<TERMS, false, false> { jobs, ends }),
-            4 => arch.dispatch(Batch::<TERMS, true, false> { jobs, ends }),
-            5 => arch.dispatch(Batch::<TERMS, true, true> { jobs, ends }),
-            6 => arch.dispatch(Batch::<TERMS_TIGHT, false, false> { jobs, ends }),
-            7 => arch.dispatch(Batch::<TERMS_TIGHT, true, false> { jobs, ends }),
-            _ => arch.dispatch(Batch::<TERMS_TIGHT, true, true> { jobs, ends }),
-        }
+    for (Class { terms, spring }, jobs) in &queues {
+        by_terms!(*terms, N => run_class::<N>(*spring, jobs, &mut ends));
     }
     ends
 }
 
-/// Kinds of steps that have lanes: terms of the expansion, then spring and clock.
-const CLASSES: usize = 9;
+/// A kind of steps that has lanes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Class {
+    /// Of the expansion.
+    terms: usize,
+    spring: SpringClass,
+}
+
+/// The spring of a class, and the clock of its steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum SpringClass {
+    Linear,
+    Power,
+    /// From a singular start on.
+    GradedPower,
+}
+
+/// All contacts of a class.
+fn run_class<const N: usize>(
+    spring: SpringClass,
+    jobs: &[Job<'_>],
+    ends: &mut [Option<ContactEnd>],
+) {
+    let arch = Arch::new();
+    match spring {
+        SpringClass::Linear => arch.dispatch(Batch::<N, false, false> { jobs, ends }),
+        SpringClass::Power => arch.dispatch(Batch::<N, true, false> { jobs, ends }),
+        SpringClass::GradedPower => arch.dispatch(Batch::<N, true, true> { jobs, ends }),
+    }
+}
 
 /// A contact with its plan.
 #[derive(Clone, Copy)]
@@ -95,23 +111,17 @@ struct Job<'c> {
 
 impl Contact {
     /// Among which its plain steps are; `None` where they have no lanes.
-    fn class(&self, plan: &Plan) -> Option<usize> {
+    fn class(&self, plan: &Plan) -> Option<Class> {
         if !is_linear(self.damper) {
             return None;
         }
-        let spring = if is_singular(self.spring, SPRING_POWERS) {
-            1 + usize::from(matches!(plan.track.clock, Clock::Graded { .. }))
-        } else if matches!(self.spring.kind(), PowerKind::Whole(_)) {
-            return None;
-        } else {
-            0
+        let spring = match (is_singular(self.spring, SPRING_POWERS), plan.track.clock) {
+            (true, Clock::Graded { .. }) => SpringClass::GradedPower,
+            (true, Clock::Even { .. }) => SpringClass::Power,
+            (false, _) if matches!(self.spring.kind(), PowerKind::Whole(_)) => return None,
+            (false, _) => SpringClass::Linear,
         };
-        let terms = match plan.terms {
-            TERMS_LOOSE => 0,
-            TERMS => 1,
-            _ => 2,
-        };
-        Some(3 * terms + spring)
+        Some(Class { terms: plan.terms, spring })
     }
 }
 

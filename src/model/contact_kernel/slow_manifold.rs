@@ -5,6 +5,7 @@
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
+use crate::model::contact_kernel::Contact;
 use crate::model::contact_kernel::expansion::{Constants, Series, trusted};
 use crate::model::contact_kernel::integration::{
     InitialPhase, Next, STEPS_MAX, StepEnd, Track, minded_m,
@@ -13,7 +14,6 @@ use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer
 use crate::model::contact_kernel::slow_manifold_series::{
     Balance, Lag, Spring, SpringManifold, eased,
 };
-use crate::model::contact_kernel::{Contact, TERMS, TERMS_LOOSE, TERMS_TIGHT};
 use crate::numerics::larger;
 use crate::numerics::wide::Wide;
 
@@ -241,11 +241,8 @@ fn dispatch(
     single_lane: bool,
 ) {
     let arch = Arch::new();
-    match jobs.first().map(|job| job.manifold_run.terms) {
-        Some(TERMS_LOOSE) => arch.dispatch(Batch::<TERMS_LOOSE> { jobs, report, single_lane }),
-        Some(TERMS) => arch.dispatch(Batch::<TERMS> { jobs, report, single_lane }),
-        Some(_) => arch.dispatch(Batch::<TERMS_TIGHT> { jobs, report, single_lane }),
-        None => {}
+    if let Some(terms) = jobs.first().map(|job| job.manifold_run.terms) {
+        by_terms!(terms, N => arch.dispatch(Batch::<N> { jobs, report, single_lane }));
     }
 }
 
