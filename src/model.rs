@@ -56,3 +56,4 @@ pub mod simulate;
 pub mod stack;
 pub mod units;
 pub mod variables;
+mod worded;

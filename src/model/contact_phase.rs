@@ -15,6 +15,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::{self, Mechanism, curve::Curve, moving_plate_kg};
 use crate::model::scene::{Mount, Scene};
+use crate::model::worded::worded;
 use crate::numerics::explicit::rk4::Crossing;
 use crate::numerics::explicit::{Count, Limits, Start, dop853, rk4};
 use section::Faces;
@@ -31,22 +32,14 @@ const STRETCHES_MAX: usize = 2_000;
 /// Time, in R/v, after which it is given up.
 const UNTIL: f64 = 1e9;
 
-/// How the first contact ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
-    /// Common velocity.
-    Arrest,
-    /// The nose is clear of the rear face.
-    Perforation,
-}
-
-impl Ending {
-    /// The word for tables.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Arrest => "arrest",
-            Self::Perforation => "perforation",
-        }
+worded! {
+    /// How the first contact ends.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Ending: word {
+        /// Common velocity.
+        Arrest = "arrest",
+        /// The nose is clear of the rear face.
+        Perforation = "perforation",
     }
 }
 
@@ -67,64 +60,42 @@ pub struct Answer {
     pub evaluations: usize,
 }
 
-/// Why a method gives no answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Refusal {
-    /// A mechanism acts: there is no closed form.
-    NoClosedForm,
-    /// The method knows the power law `k |x|^n` of the thesis only.
-    NoPowerLaw,
-    /// The plate meets its stop within the contact, which these equations do not contain.
-    StopWithinContact,
-    /// The plate may leave the stop it rests on before the contact ends, which is not followed.
-    LeavesStop,
-    /// The kernel of sweeps leaves such a scene to the full run.
-    NotLean,
-    /// The step budget was used up.
-    StepBudget,
-    /// Steps became too small to move time forward.
-    StepUnderflow,
-    /// A value stopped being finite.
-    NonFinite,
-    /// The projectile left the way it came before common velocity.
-    Separated,
-    /// It neither stopped nor left in any sensible time.
-    NoEnd,
-    /// Taylor steps alone cannot pass a stiff stretch.
-    TooStiff,
-    /// It ends in another way than the reference says.
-    OtherEnding,
-    /// The scene's run ended early.
-    EndedEarly,
-    /// The plate has swung through a singular zero too often.
-    Rattles,
-    /// Nothing that shares no code with the method could be computed to judge it by.
-    NoReference,
-    /// It has taken so long that coarser points are all this report waits for.
-    TooSlow,
-}
-
-impl Refusal {
-    /// The reason in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::NoClosedForm => "no closed form: a mechanism acts",
-            Self::NoPowerLaw => "refused: it knows massless k |x|^n only",
-            Self::StopWithinContact => "refused: it knows no stop, and one acts",
-            Self::LeavesStop => "gave up: the plate may leave its stop again",
-            Self::NotLean => "left to the full run, as in a sweep",
-            Self::StepBudget => "gave up: step budget used up",
-            Self::StepUnderflow => "gave up: steps too small to move time",
-            Self::NonFinite => "blew up: a value is not finite",
-            Self::Separated => "wrong: projectile leaves the way it came",
-            Self::NoEnd => "gave up: neither arrest nor perforation",
-            Self::TooStiff => "gave up: too stiff for Taylor steps",
-            Self::OtherEnding => "wrong: another ending than the reference",
-            Self::EndedEarly => "the run ended early",
-            Self::Rattles => "gave up: the velocity changes sign too often",
-            Self::NoReference => "not run: nothing independent judges it",
-            Self::TooSlow => "not run: would take too long",
-        }
+worded! {
+    /// Why a method gives no answer.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Refusal: words {
+        /// A mechanism acts: there is no closed form.
+        NoClosedForm = "no closed form: a mechanism acts",
+        /// The method knows the power law `k |x|^n` of the thesis only.
+        NoPowerLaw = "refused: it knows massless k |x|^n only",
+        /// The plate meets its stop within the contact, which these equations do not contain.
+        StopWithinContact = "refused: it knows no stop, and one acts",
+        /// The plate may leave the stop it rests on before the contact ends, which is not followed.
+        LeavesStop = "gave up: the plate may leave its stop again",
+        /// The kernel of sweeps leaves such a scene to the full run.
+        NotLean = "left to the full run, as in a sweep",
+        /// The step budget was used up.
+        StepBudget = "gave up: step budget used up",
+        /// Steps became too small to move time forward.
+        StepUnderflow = "gave up: steps too small to move time",
+        /// A value stopped being finite.
+        NonFinite = "blew up: a value is not finite",
+        /// The projectile left the way it came before common velocity.
+        Separated = "wrong: projectile leaves the way it came",
+        /// It neither stopped nor left in any sensible time.
+        NoEnd = "gave up: neither arrest nor perforation",
+        /// Taylor steps alone cannot pass a stiff stretch.
+        TooStiff = "gave up: too stiff for Taylor steps",
+        /// It ends in another way than the reference says.
+        OtherEnding = "wrong: another ending than the reference",
+        /// The scene's run ended early.
+        EndedEarly = "the run ended early",
+        /// The plate has swung through a singular zero too often.
+        Rattles = "gave up: the velocity changes sign too often",
+        /// Nothing that shares no code with the method could be computed to judge it by.
+        NoReference = "not run: nothing independent judges it",
+        /// It has taken so long that coarser points are all this report waits for.
+        TooSlow = "not run: would take too long",
     }
 }
 

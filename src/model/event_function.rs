@@ -55,30 +55,18 @@ pub(super) enum EventId {
 impl EventId {
     /// Whether the event changes what the bodies do, rather than only the form of a law.
     pub(super) fn changes_course(self) -> bool {
-        match self {
+        !matches!(
+            self,
             Self::PieceEnd
-            | Self::PieceStart
-            | Self::DentLeft
-            | Self::PlateZero
-            | Self::PlateSpeedZero
-            | Self::PlateClear
-            | Self::PlateSpeedClear
-            | Self::KnotAhead
-            | Self::KnotBehind => false,
-            Self::HoleBottom
-            | Self::SlipZero
-            | Self::SlipHeld
-            | Self::Recontact
-            | Self::ContactLost
-            | Self::ContactAgain
-            | Self::HistoryEnd
-            | Self::StopReached
-            | Self::StopCleared
-            | Self::StopPressed
-            | Self::StopRelease
-            | Self::PushLimit
-            | Self::PullLimit => true,
-        }
+                | Self::PieceStart
+                | Self::DentLeft
+                | Self::PlateZero
+                | Self::PlateSpeedZero
+                | Self::PlateClear
+                | Self::PlateSpeedClear
+                | Self::KnotAhead
+                | Self::KnotBehind
+        )
     }
 }
 

@@ -4,34 +4,25 @@ use std::path::PathBuf;
 
 use crate::model::scene::{Closure, Scene, Target};
 use crate::model::variables::{self, Value, VariableError};
+use crate::model::worded::worded;
 
 /// Thickness of the plate over the projectile's diameter from which cavity expansion without dishing suits better than 2 Y with it.
 const CAVITY_FROM: f64 = 1.0;
 
-/// Which library.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Library {
-    /// Projectiles and their velocities.
-    Threats,
-    /// Densities, strengths and moduli of plates.
-    Materials,
-    /// Springs and crushable absorbers, with their energy per mass.
-    Absorbers,
+worded! {
+    /// Which library.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Library: word {
+        /// Projectiles and their velocities.
+        Threats = "threat",
+        /// Densities, strengths and moduli of plates.
+        Materials = "material",
+        /// Springs and crushable absorbers, with their energy per mass.
+        Absorbers = "absorber",
+    }
 }
 
 impl Library {
-    /// All libraries, in the order of lists.
-    pub const ALL: [Self; 3] = [Self::Threats, Self::Materials, Self::Absorbers];
-
-    /// One entry of it, as in the option `--threat`.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Threats => "threat",
-            Self::Materials => "material",
-            Self::Absorbers => "absorber",
-        }
-    }
-
     /// The name of its file, without the ending.
     pub fn file(self) -> &'static str {
         match self {
@@ -51,28 +42,16 @@ impl Library {
     }
 }
 
-/// How well the values of an entry are known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Status {
-    /// Measured, and published with the measurement.
-    Measured,
-    /// Set by a standard.
-    Standard,
-    /// Typical of its kind, or computed from a published formula.
-    Typical,
-}
-
-impl Status {
-    /// Every status.
-    pub const ALL: [Self; 3] = [Self::Measured, Self::Standard, Self::Typical];
-
-    /// The word in files and lists.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Measured => "measured",
-            Self::Standard => "standard",
-            Self::Typical => "typical",
-        }
+worded! {
+    /// How well the values of an entry are known.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Status: word {
+        /// Measured, and published with the measurement.
+        Measured = "measured",
+        /// Set by a standard.
+        Standard = "standard",
+        /// Typical of its kind, or computed from a published formula.
+        Typical = "typical",
     }
 }
 

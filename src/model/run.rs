@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use crate::model::estimate::QuantityError;
 use crate::model::scene::Scene;
+use crate::model::worded::worded;
 
 mod at_least;
 pub mod envelope;
@@ -75,28 +76,18 @@ pub struct Run {
     pub warnings: Vec<Warning>,
 }
 
-/// What became of the shot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// The projectile stays in the plate.
-    Arrested,
-    /// The nose passed the rear face.
-    Perforated,
-    /// The projectile left through the entry face and will not come back.
-    Separated,
-    /// Not decided when the run ended.
-    Moving,
-}
-
-impl Outcome {
-    /// The word used in files and on screens.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Arrested => "arrested",
-            Self::Perforated => "perforated",
-            Self::Separated => "separated",
-            Self::Moving => "moving",
-        }
+worded! {
+    /// What became of the shot.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Outcome: word {
+        /// The projectile stays in the plate.
+        Arrested = "arrested",
+        /// The nose passed the rear face.
+        Perforated = "perforated",
+        /// The projectile left through the entry face and will not come back.
+        Separated = "separated",
+        /// Not decided when the run ended.
+        Moving = "moving",
     }
 }
 
@@ -106,50 +97,35 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// Why the computation ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EndReason {
-    /// The outcome and the greatest displacement are known.
-    Decided,
-    /// The horizon was reached.
-    Horizon,
-    /// No horizon was given, and nothing was decided within five hundred swings.
-    Swings,
-    /// The step budget was used up.
-    StepBudget,
-    /// Steps became too small to move time forward.
-    StepUnderflow,
-    /// A value stopped being finite.
-    NonFinite,
-    /// Too many events in a row (a plate rattling on its stop, for instance).
-    EventBudget,
-    /// The printed listing breaks off where its depth turns negative.
-    BreaksOff,
-    /// The observer asked to stop.
-    Cancelled,
+worded! {
+    /// Why the computation ended.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum EndReason: words {
+        /// The outcome and the greatest displacement are known.
+        Decided = "outcome decided",
+        /// The horizon was reached.
+        Horizon = "horizon reached",
+        /// No horizon was given, and nothing was decided within five hundred swings.
+        Swings = "undecided after 500 oscillations: set run.horizon_s to follow the plate further",
+        /// The step budget was used up.
+        StepBudget = "ended early: the step budget was used up",
+        /// Steps became too small to move time forward.
+        StepUnderflow = "ended early: steps became too small to move time forward",
+        /// A value stopped being finite.
+        NonFinite = "ended early: a value stopped being finite",
+        /// Too many events in a row (a plate rattling on its stop, for instance).
+        EventBudget = "ended early: too many events",
+        /// The printed listing breaks off where its depth turns negative.
+        BreaksOff = "ended early: the printed listing breaks off at a negative depth",
+        /// The observer asked to stop.
+        Cancelled = "cancelled: what was finished is kept",
+    }
 }
 
 impl EndReason {
     /// Whether the run is complete: decided, or run as far as it was to go.
     pub fn is_complete(self) -> bool {
         matches!(self, Self::Decided | Self::Horizon | Self::Swings)
-    }
-
-    /// The reason in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Decided => "outcome decided",
-            Self::Horizon => "horizon reached",
-            Self::Swings => {
-                "undecided after 500 oscillations: set run.horizon_s to follow the plate further"
-            }
-            Self::StepBudget => "ended early: the step budget was used up",
-            Self::StepUnderflow => "ended early: steps became too small to move time forward",
-            Self::NonFinite => "ended early: a value stopped being finite",
-            Self::EventBudget => "ended early: too many events",
-            Self::BreaksOff => "ended early: the printed listing breaks off at a negative depth",
-            Self::Cancelled => "cancelled: what was finished is kept",
-        }
     }
 }
 
@@ -166,34 +142,22 @@ pub struct Arrest {
     pub plate_velocity_m_s: f64,
 }
 
-/// What the bodies are doing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
-    /// The hole deepens.
-    Penetrating,
-    /// Together at common velocity.
-    Fused,
-    /// The projectile is being pulled out of its hole.
-    Withdrawing,
-    /// Apart, or in the hole without force.
-    FreeFlight,
-    /// In the hole again, moving towards its bottom.
-    Closing,
-    /// The nose has passed the rear face; the plate goes on alone.
-    Perforated,
-}
-
-impl Mode {
-    /// The word used in files and on screens.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Penetrating => "penetrating",
-            Self::Fused => "fused",
-            Self::Withdrawing => "withdrawing",
-            Self::FreeFlight => "free-flight",
-            Self::Closing => "closing",
-            Self::Perforated => "perforated",
-        }
+worded! {
+    /// What the bodies are doing.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Mode: word {
+        /// The hole deepens.
+        Penetrating = "penetrating",
+        /// Together at common velocity.
+        Fused = "fused",
+        /// The projectile is being pulled out of its hole.
+        Withdrawing = "withdrawing",
+        /// Apart, or in the hole without force.
+        FreeFlight = "free-flight",
+        /// In the hole again, moving towards its bottom.
+        Closing = "closing",
+        /// The nose has passed the rear face; the plate goes on alone.
+        Perforated = "perforated",
     }
 }
 
@@ -235,58 +199,38 @@ pub struct Event {
     pub kind: EventKind,
 }
 
-/// The kinds of events a person wants marked on a chart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EventKind {
-    /// Common velocity for the first time.
-    FirstArrest,
-    /// Common velocity again.
-    Arrest,
-    /// The nose is buried to its full radius.
-    NoseBuried,
-    /// The nose reaches the rear face.
-    RearFace,
-    /// The nose is clear of the rear face.
-    Perforation,
-    /// The interface gives way and penetration goes on.
-    Resumption,
-    /// The projectile starts to be pulled out.
-    PullOut,
-    /// The projectile has left through the entry face.
-    Separation,
-    /// The projectile touches the plate again.
-    Recontact,
-    /// The plate is at its greatest displacement.
-    GreatestDisplacement,
-    /// The plate hits the stop.
-    StopHit,
-    /// The plate comes to rest on the stop.
-    StopHold,
-    /// The plate leaves the stop.
-    StopRelease,
-    /// The fused interface is first asked for more than it can carry.
-    InterfaceExceeded,
-}
-
-impl EventKind {
-    /// A short text for lists and readouts.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::FirstArrest => "first arrest",
-            Self::Arrest => "arrest",
-            Self::NoseBuried => "nose buried",
-            Self::RearFace => "rear face reached",
-            Self::Perforation => "perforation",
-            Self::Resumption => "penetration resumes",
-            Self::PullOut => "pull-out begins",
-            Self::Separation => "separation",
-            Self::Recontact => "contact again",
-            Self::GreatestDisplacement => "greatest displacement",
-            Self::StopHit => "stop hit",
-            Self::StopHold => "held by the stop",
-            Self::StopRelease => "leaves the stop",
-            Self::InterfaceExceeded => "interface limit exceeded",
-        }
+worded! {
+    /// The kinds of events a person wants marked on a chart.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum EventKind: words {
+        /// Common velocity for the first time.
+        FirstArrest = "first arrest",
+        /// Common velocity again.
+        Arrest = "arrest",
+        /// The nose is buried to its full radius.
+        NoseBuried = "nose buried",
+        /// The nose reaches the rear face.
+        RearFace = "rear face reached",
+        /// The nose is clear of the rear face.
+        Perforation = "perforation",
+        /// The interface gives way and penetration goes on.
+        Resumption = "penetration resumes",
+        /// The projectile starts to be pulled out.
+        PullOut = "pull-out begins",
+        /// The projectile has left through the entry face.
+        Separation = "separation",
+        /// The projectile touches the plate again.
+        Recontact = "contact again",
+        /// The plate is at its greatest displacement.
+        GreatestDisplacement = "greatest displacement",
+        /// The plate hits the stop.
+        StopHit = "stop hit",
+        /// The plate comes to rest on the stop.
+        StopHold = "held by the stop",
+        /// The plate leaves the stop.
+        StopRelease = "leaves the stop",
+        /// The fused interface is first asked for more than it can carry.
+        InterfaceExceeded = "interface limit exceeded",
     }
 }
 
@@ -398,60 +342,38 @@ pub struct Cost {
     pub reason: &'static str,
 }
 
-/// Something a scene did not need, and so was left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Omission {
-    /// No spring.
-    Spring,
-    /// No damper.
-    Damper,
-    /// No stop.
-    Stop,
-    /// The mount is rigid: the plate does not move.
-    PlateMotion,
-    /// The spring's exponent is a whole number: no power function.
-    SpringPower,
-    /// The damper's exponent is a whole number: no power function.
-    DamperPower,
-    /// Normal impact: no trigonometry, no oblique section.
-    Obliquity,
-    /// The exit face is out of reach.
-    ExitFace,
-    /// Closed form instead of integration.
-    Integration,
-    /// The interface is fused: no law to watch.
-    InterfaceLaw,
-    /// No drag: the contact force does not depend on velocity.
-    Drag,
-    /// The mechanism cannot move the plate noticeably within the contact: it is as good as rigid.
-    MechanismWithinContact,
-    /// The greatest displacement follows from an energy balance or a closed form: the way there is not integrated.
-    WayOnward,
-    /// Nobody asked for the series.
-    Series,
-}
-
-impl Omission {
-    /// A short text.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Spring => "spring",
-            Self::Damper => "damper",
-            Self::Stop => "stop",
-            Self::PlateMotion => "plate motion",
-            Self::SpringPower => "spring power function",
-            Self::DamperPower => "damper power function",
-            Self::Obliquity => "obliquity",
-            Self::ExitFace => "exit face",
-            Self::Integration => "integration (closed form)",
-            Self::InterfaceLaw => "interface law",
-            Self::Drag => "drag",
-            Self::MechanismWithinContact => {
-                "plate motion within the contact (bounded below rounding)"
-            }
-            Self::WayOnward => "way to the greatest displacement (energy balance)",
-            Self::Series => "series",
-        }
+worded! {
+    /// Something a scene did not need, and so was left out.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Omission: words {
+        /// No spring.
+        Spring = "spring",
+        /// No damper.
+        Damper = "damper",
+        /// No stop.
+        Stop = "stop",
+        /// The mount is rigid: the plate does not move.
+        PlateMotion = "plate motion",
+        /// The spring's exponent is a whole number: no power function.
+        SpringPower = "spring power function",
+        /// The damper's exponent is a whole number: no power function.
+        DamperPower = "damper power function",
+        /// Normal impact: no trigonometry, no oblique section.
+        Obliquity = "obliquity",
+        /// The exit face is out of reach.
+        ExitFace = "exit face",
+        /// Closed form instead of integration.
+        Integration = "integration (closed form)",
+        /// The interface is fused: no law to watch.
+        InterfaceLaw = "interface law",
+        /// No drag: the contact force does not depend on velocity.
+        Drag = "drag",
+        /// The mechanism cannot move the plate noticeably within the contact: it is as good as rigid.
+        MechanismWithinContact = "plate motion within the contact (bounded below rounding)",
+        /// The greatest displacement follows from an energy balance or a closed form: the way there is not integrated.
+        WayOnward = "way to the greatest displacement (energy balance)",
+        /// Nobody asked for the series.
+        Series = "series",
     }
 }
 

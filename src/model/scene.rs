@@ -5,6 +5,8 @@
 //! that a value typed in degrees is stored exactly. This file knows no files and no screen; the table that
 //! names each variable for people is in [`crate::model::variables`].
 
+use crate::model::worded::worded;
+
 mod contact;
 mod spring;
 mod stack;
@@ -62,16 +64,18 @@ pub struct Projectile {
     pub nose: Nose,
 }
 
-/// The shape of a projectile's nose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Nose {
-    /// A hemisphere, as the law has it.
-    #[default]
-    Hemispherical,
-    /// An ogive or a cone.
-    Pointed,
-    /// Flat, or nearly so: it shears out a plug.
-    Blunt,
+worded! {
+    /// The shape of a projectile's nose.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Nose: word {
+        /// A hemisphere, as the law has it.
+        #[default]
+        Hemispherical = "hemispherical",
+        /// An ogive or a cone.
+        Pointed = "pointed",
+        /// Flat, or nearly so: it shears out a plug.
+        Blunt = "blunt",
+    }
 }
 
 /// The plate as a target.
@@ -95,17 +99,19 @@ pub struct Target {
     pub dishing: bool,
 }
 
-/// Where the flow strength comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Closure {
-    /// It is given: `S_y`.
-    #[default]
-    Given,
-    /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
-    DoubleYield,
-    /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made without
-    /// dishing.
-    Cavity,
+worded! {
+    /// Where the flow strength comes from.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Closure: word {
+        /// It is given: `S_y`.
+        #[default]
+        Given = "given",
+        /// 2 Y, as the thesis has it: a yield strength and a constraint factor. Made for dishing.
+        DoubleYield = "double-yield",
+        /// The pressure that opens a spherical cavity in an elastic, perfectly plastic body, 2/3 Y (1 + ln(2 E/3 Y)). Made without
+        /// dishing.
+        Cavity = "cavity",
+    }
 }
 
 /// The plate as a body.
@@ -133,14 +139,16 @@ pub enum PlateSize {
     Face(f64),
 }
 
-/// How the plate is carried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Mount {
-    /// On its spring and damper (either may be absent).
-    #[default]
-    Sprung,
-    /// It cannot move.
-    Rigid,
+worded! {
+    /// How the plate is carried.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Mount: word {
+        /// On its spring and damper (either may be absent).
+        #[default]
+        Sprung = "sprung",
+        /// It cannot move.
+        Rigid = "rigid",
+    }
 }
 
 /// Spring, damper and stop.
@@ -184,14 +192,16 @@ pub struct Stop {
     pub damping_n_s_m: f64,
 }
 
-/// The kind of stop.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum StopKind {
-    /// An impact with a coefficient of restitution.
-    #[default]
-    Rigid,
-    /// A one-sided spring and damper.
-    Elastic,
+worded! {
+    /// The kind of stop.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum StopKind: word {
+        /// An impact with a coefficient of restitution.
+        #[default]
+        Rigid = "rigid",
+        /// A one-sided spring and damper.
+        Elastic = "elastic",
+    }
 }
 
 /// The interface between projectile and plate after the first arrest.
@@ -203,14 +213,16 @@ pub struct Interface {
     pub grip: f64,
 }
 
-/// What holds projectile and plate together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum InterfaceLaw {
-    /// The thesis: once together, together for good.
-    #[default]
-    Fused,
-    /// Rigid-plastic: pushes up to `A S_y`, pulls up to `g A S_y`.
-    Plastic,
+worded! {
+    /// What holds projectile and plate together.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum InterfaceLaw: word {
+        /// The thesis: once together, together for good.
+        #[default]
+        Fused = "fused",
+        /// Rigid-plastic: pushes up to `A S_y`, pulls up to `g A S_y`.
+        Plastic = "plastic",
+    }
 }
 
 /// How a run is computed.

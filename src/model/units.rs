@@ -50,44 +50,36 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// The unit in which values of this kind are stored and shown beside a bare number, the units they may be written in, and a text
+    /// that would do.
+    fn row(self) -> (&'static str, &'static [Unit], &'static str) {
+        match self {
+            Self::Number => ("-", table::NUMBER_UNITS, "1.5"),
+            Self::Mass => ("kg", table::MASS_UNITS, "29.5g"),
+            Self::Length => ("m", table::LENGTH_UNITS, "25.4mm"),
+            Self::Velocity => ("m/s", table::VELOCITY_UNITS, "100 m/s"),
+            Self::Angle => ("deg", table::ANGLE_UNITS, "30deg"),
+            Self::Density => ("kg/m3", table::DENSITY_UNITS, "2710 kg/m3"),
+            Self::Pressure => ("Pa", table::PRESSURE_UNITS, "151.6 MPa"),
+            Self::Time => ("s", table::TIME_UNITS, "150 us"),
+            Self::Force => ("N", table::FORCE_UNITS, "19kN"),
+            Self::Energy => ("J", table::ENERGY_UNITS, "150J"),
+            Self::SpecificEnergy => ("J/kg", table::SPECIFIC_ENERGY_UNITS, "20kJ/kg"),
+            Self::Stiffness => ("N/m", table::STIFFNESS_UNITS, "7.5MN/m"),
+            Self::Damping => ("N s/m", table::DAMPING_UNITS, "2 kN s/m"),
+            Self::SpringCoefficient => ("N/m^n", table::STIFFNESS_UNITS, "7.5MN/m"),
+            Self::DamperCoefficient => ("N(s/m)^m", table::DAMPING_UNITS, "2 kN s/m"),
+        }
+    }
+
     /// The units this kind may be written in, the stored one first.
     fn units(self) -> &'static [Unit] {
-        match self {
-            Self::Number => table::NUMBER_UNITS,
-            Self::Mass => table::MASS_UNITS,
-            Self::Length => table::LENGTH_UNITS,
-            Self::Velocity => table::VELOCITY_UNITS,
-            Self::Angle => table::ANGLE_UNITS,
-            Self::Density => table::DENSITY_UNITS,
-            Self::Pressure => table::PRESSURE_UNITS,
-            Self::Time => table::TIME_UNITS,
-            Self::Force => table::FORCE_UNITS,
-            Self::Energy => table::ENERGY_UNITS,
-            Self::SpecificEnergy => table::SPECIFIC_ENERGY_UNITS,
-            Self::Stiffness | Self::SpringCoefficient => table::STIFFNESS_UNITS,
-            Self::Damping | Self::DamperCoefficient => table::DAMPING_UNITS,
-        }
+        self.row().1
     }
 
     /// The unit in which values of this kind are stored and shown beside a bare number.
     pub fn unit(self) -> &'static str {
-        match self {
-            Self::Number => "-",
-            Self::SpringCoefficient => "N/m^n",
-            Self::DamperCoefficient => "N(s/m)^m",
-            Self::Mass
-            | Self::Length
-            | Self::Velocity
-            | Self::Angle
-            | Self::Density
-            | Self::Pressure
-            | Self::Time
-            | Self::Force
-            | Self::Energy
-            | Self::SpecificEnergy
-            | Self::Stiffness
-            | Self::Damping => self.units()[0].name,
-        }
+        self.row().0
     }
 
     fn accepted(self) -> String {
@@ -349,22 +341,7 @@ fn number_prefix(text: &str) -> usize {
 }
 
 fn example_of(quantity: Quantity) -> String {
-    match quantity {
-        Quantity::Number => "1.5",
-        Quantity::Mass => "29.5g",
-        Quantity::Length => "25.4mm",
-        Quantity::Velocity => "100 m/s",
-        Quantity::Angle => "30deg",
-        Quantity::Density => "2710 kg/m3",
-        Quantity::Pressure => "151.6 MPa",
-        Quantity::Time => "150 us",
-        Quantity::Force => "19kN",
-        Quantity::Energy => "150J",
-        Quantity::SpecificEnergy => "20kJ/kg",
-        Quantity::Stiffness | Quantity::SpringCoefficient => "7.5MN/m",
-        Quantity::Damping | Quantity::DamperCoefficient => "2 kN s/m",
-    }
-    .to_owned()
+    quantity.row().2.to_owned()
 }
 
 /// What is shown where there is no number: nothing shown is NaN or infinite.

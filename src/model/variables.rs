@@ -6,6 +6,7 @@
 
 use crate::model::scene::Scene;
 use crate::model::units::{self, Bare, Quantity};
+use crate::model::worded::worded;
 
 mod describe;
 mod error;
@@ -48,52 +49,26 @@ pub struct Variable {
     pub kind: Kind,
 }
 
-/// The groups of the editor, in order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Group {
-    /// The projectile.
-    Projectile,
-    /// The plate's material.
-    Target,
-    /// The plate as a body.
-    Plate,
-    /// Spring and damper.
-    Mechanism,
-    /// The mechanical stop.
-    Stop,
-    /// What stands behind the plate.
-    Stack,
-    /// What holds projectile and plate together.
-    Interface,
-    /// How the run is computed.
-    Run,
-}
-
-impl Group {
-    /// All groups, in the order of the editor.
-    pub const ALL: [Self; 8] = [
-        Self::Projectile,
-        Self::Target,
-        Self::Plate,
-        Self::Mechanism,
-        Self::Stop,
-        Self::Stack,
-        Self::Interface,
-        Self::Run,
-    ];
-
-    /// The group's heading.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Projectile => "Projectile",
-            Self::Target => "Target",
-            Self::Plate => "Plate",
-            Self::Mechanism => "Mechanism",
-            Self::Stop => "Stop",
-            Self::Stack => "Stack",
-            Self::Interface => "Interface",
-            Self::Run => "Analysis",
-        }
+worded! {
+    /// The groups of the editor, in order.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Group: title {
+        /// The projectile.
+        Projectile = "Projectile",
+        /// The plate's material.
+        Target = "Target",
+        /// The plate as a body.
+        Plate = "Plate",
+        /// Spring and damper.
+        Mechanism = "Mechanism",
+        /// The mechanical stop.
+        Stop = "Stop",
+        /// What stands behind the plate.
+        Stack = "Stack",
+        /// What holds projectile and plate together.
+        Interface = "Interface",
+        /// How the run is computed.
+        Run = "Analysis",
     }
 }
 

@@ -147,7 +147,7 @@ fn simulate(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError
 
 /// The same scene by every model.
 pub fn by_every_model(scene: &Scene) -> Vec<(&'static str, Scene)> {
-    ContactModel::ALL
+    ContactModel::TABLE_8_1
         .into_iter()
         .map(|model| {
             let mut own = scene.clone();
@@ -158,7 +158,7 @@ pub fn by_every_model(scene: &Scene) -> Vec<(&'static str, Scene)> {
 }
 
 fn models(scene: &Scene) -> Vec<Plan> {
-    ContactModel::ALL
+    ContactModel::TABLE_8_1
         .into_iter()
         .map(|model| {
             let mut own = scene.clone();

@@ -58,7 +58,7 @@ impl ContactModel for FlowStrength {
             Mode::Penetrating => (self.strength_pa, self.drag_kg_m3),
             Mode::Closing => (rubs_pa, 0.0),
             Mode::Withdrawing => (-rubs_pa, 0.0),
-            Mode::Fused | Mode::FreeFlight | Mode::Perforated => (0.0, 0.0),
+            _ => (0.0, 0.0),
         };
         if strength_pa == 0.0 && drag_kg_m3 == 0.0 {
             return ContactForce::None;
@@ -90,7 +90,7 @@ impl ContactModel for FlowStrength {
             Mode::FreeFlight => {
                 events.watch(EventId::Recontact, EventFunction::travel_up_to(0.0));
             }
-            Mode::Fused | Mode::Perforated => {}
+            _ => {}
         }
     }
 
@@ -110,12 +110,7 @@ impl ContactModel for FlowStrength {
             Mode::Withdrawing if u > 0.0 => Some(EventId::SlipZero),
             Mode::Withdrawing if q <= 0.0 => Some(EventId::PieceStart),
             Mode::FreeFlight if q > 0.0 && u > 0.0 => Some(EventId::Recontact),
-            Mode::Penetrating
-            | Mode::Closing
-            | Mode::Withdrawing
-            | Mode::FreeFlight
-            | Mode::Fused
-            | Mode::Perforated => None,
+            _ => None,
         }
     }
 

@@ -37,7 +37,7 @@ impl ContactModel for HalfSine {
     fn force(&self, mode: Mode, _hole: &Hole<'_>) -> ContactForce {
         match mode {
             Mode::Penetrating | Mode::Withdrawing => ContactForce::HalfSine(self.pulse),
-            Mode::Closing | Mode::Fused | Mode::FreeFlight | Mode::Perforated => ContactForce::None,
+            _ => ContactForce::None,
         }
     }
 
@@ -45,7 +45,7 @@ impl ContactModel for HalfSine {
         let forwards = match mode {
             Mode::Penetrating => 1.0,
             Mode::Withdrawing => -1.0,
-            Mode::Closing | Mode::Fused | Mode::FreeFlight | Mode::Perforated => return,
+            _ => return,
         };
         let end =
             EventFunction { offset: self.pulse.duration_s, time: -1.0, ..EventFunction::default() };
@@ -69,12 +69,7 @@ impl ContactModel for HalfSine {
             }
             Mode::Penetrating if u < 0.0 && !hole.still => Some(EventId::SlipZero),
             Mode::Withdrawing if u > 0.0 && !hole.still => Some(EventId::SlipZero),
-            Mode::Penetrating
-            | Mode::Withdrawing
-            | Mode::Closing
-            | Mode::Fused
-            | Mode::FreeFlight
-            | Mode::Perforated => None,
+            _ => None,
         }
     }
 

@@ -93,7 +93,7 @@ impl ContactModel for Lumped {
             Mode::Withdrawing | Mode::Closing => {
                 ContactForce::Elastic(self.unloading(hole.deepest_m))
             }
-            Mode::FreeFlight | Mode::Fused | Mode::Perforated => ContactForce::None,
+            _ => ContactForce::None,
         }
     }
 
@@ -113,7 +113,7 @@ impl ContactModel for Lumped {
             Mode::FreeFlight => {
                 events.watch(EventId::Recontact, EventFunction::travel_up_to(dent_m));
             }
-            Mode::Fused | Mode::Perforated => {}
+            _ => {}
         }
     }
 
@@ -146,7 +146,7 @@ impl ContactModel for Lumped {
                 let inside = q - law.slack_m > ROUNDING * hole.deepest_m && u > 0.0;
                 inside.then_some(EventId::Recontact)
             }
-            Mode::Penetrating | Mode::Fused | Mode::Perforated => None,
+            _ => None,
         }
     }
 
@@ -179,7 +179,7 @@ impl ContactModel for Lumped {
         let law = match mode {
             Mode::Penetrating => self.loading(),
             Mode::Withdrawing | Mode::Closing => self.unloading(hole.deepest_m),
-            Mode::FreeFlight | Mode::Fused | Mode::Perforated => return Some(0.0),
+            _ => return Some(0.0),
         };
         let force_n = law.stiffness_n_m * (hole.state.travel_m - law.slack_m);
         Some(0.5 * force_n * force_n / self.unload_n_m)

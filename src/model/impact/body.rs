@@ -272,18 +272,7 @@ impl<'a> Body<'a> {
             EventId::KnotBehind => self.state.plate_m = self.spring_ends().0,
             EventId::PlateSpeedZero if !self.damper_is_singular() => self.state.plate_m_s = 0.0,
             EventId::StopReached => self.state.plate_m = self.problem.mechanism.stop_at_m,
-            EventId::ContactLost
-            | EventId::ContactAgain
-            | EventId::HistoryEnd
-            | EventId::PlateZero
-            | EventId::PlateSpeedZero
-            | EventId::PlateClear
-            | EventId::PlateSpeedClear
-            | EventId::StopCleared
-            | EventId::StopPressed
-            | EventId::StopRelease
-            | EventId::PushLimit
-            | EventId::PullLimit => {}
+            _ => {}
         }
     }
 
@@ -304,12 +293,7 @@ impl<'a> Body<'a> {
         let way = match self.mode {
             Mode::Penetrating | Mode::Closing if self.problem.flows() => 1.0,
             Mode::Withdrawing if self.problem.flows() => -1.0,
-            Mode::Penetrating
-            | Mode::Closing
-            | Mode::Withdrawing
-            | Mode::Fused
-            | Mode::FreeFlight
-            | Mode::Perforated => return false,
+            _ => return false,
         };
         let first = e.slip[1..].iter().find(|c| **c != 0.0);
         e.slip[0] == 0.0 && first.is_some_and(|c| c * way < 0.0)

@@ -318,12 +318,7 @@ impl Track<'_> {
                 self.body.mode = self.body.problem.contact.turned_forward();
             }
             Mode::Withdrawing if self.body.state.slip_m_s == 0.0 => self.settle(),
-            Mode::Fused
-            | Mode::Withdrawing
-            | Mode::Penetrating
-            | Mode::Closing
-            | Mode::FreeFlight
-            | Mode::Perforated => {}
+            _ => {}
         }
     }
 

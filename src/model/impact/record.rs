@@ -88,11 +88,7 @@ impl Setting<'_> {
         let contact = match self.mode {
             Mode::Fused if self.still => 0.0,
             Mode::Fused => problem.share * (spring + damper + motion.stop.force(state)),
-            Mode::Penetrating
-            | Mode::Closing
-            | Mode::Withdrawing
-            | Mode::FreeFlight
-            | Mode::Perforated => motion.contact_force(state),
+            _ => motion.contact_force(state),
         };
         let stop = if self.rests_on_stop {
             contact * problem.cos - spring

@@ -26,12 +26,7 @@ impl Track<'_> {
                 NO_ENERGY
             }
             Mode::Perforated | Mode::Fused if for_good => LITTLE_ENERGY,
-            Mode::Penetrating
-            | Mode::Withdrawing
-            | Mode::Closing
-            | Mode::FreeFlight
-            | Mode::Fused
-            | Mode::Perforated => return,
+            _ => return,
         };
         if !self.body.is_still() && !self.body.stop_touches && self.body.has_less_than(least) {
             if self.body.mode != Mode::Fused {

@@ -74,15 +74,7 @@ fn rotation_kg(spring: &scene::Spring) -> f64 {
         SpringKind::Helix => {
             spring.helix.inertia_kg_m2 * spring.helix.twist_rad_m * spring.helix.twist_rad_m
         }
-        SpringKind::PowerLaw
-        | SpringKind::Normalised
-        | SpringKind::Cantilever
-        | SpringKind::FixedGuided
-        | SpringKind::Bistable
-        | SpringKind::ConstantForce
-        | SpringKind::Column
-        | SpringKind::Crush
-        | SpringKind::Table => 0.0,
+        _ => 0.0,
     }
 }
 
@@ -118,13 +110,6 @@ fn moving_part(kind: SpringKind) -> f64 {
     match kind {
         SpringKind::Cantilever => CANTILEVER,
         SpringKind::FixedGuided => GUIDED,
-        SpringKind::PowerLaw
-        | SpringKind::Normalised
-        | SpringKind::Bistable
-        | SpringKind::ConstantForce
-        | SpringKind::Column
-        | SpringKind::Helix
-        | SpringKind::Crush
-        | SpringKind::Table => COIL,
+        _ => COIL,
     }
 }

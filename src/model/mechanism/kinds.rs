@@ -31,13 +31,7 @@ pub fn power_law(spring: &scene::Spring) -> Option<PowerLaw> {
             law(spring.normalised.force_n / scale, spring.exponent)
         }
         SpringKind::Helix => law(spring.helix.stiffness_n_m, 1.0),
-        SpringKind::Cantilever
-        | SpringKind::FixedGuided
-        | SpringKind::Bistable
-        | SpringKind::ConstantForce
-        | SpringKind::Column
-        | SpringKind::Crush
-        | SpringKind::Table => None,
+        _ => None,
     }
 }
 
@@ -96,15 +90,7 @@ pub(super) fn beam_stress_pa(beam: &Beam, kind: SpringKind, x_m: f64) -> f64 {
             let half = Beam { length_m: 0.5 * beam.length_m, ..*beam };
             cantilever(&half).stress_pa(0.5 * x)
         }
-        SpringKind::Cantilever
-        | SpringKind::PowerLaw
-        | SpringKind::Normalised
-        | SpringKind::Bistable
-        | SpringKind::ConstantForce
-        | SpringKind::Column
-        | SpringKind::Helix
-        | SpringKind::Crush
-        | SpringKind::Table => cantilever(beam).stress_pa(x),
+        _ => cantilever(beam).stress_pa(x),
     }
 }
 
@@ -230,8 +216,6 @@ fn mirror(piece: &Piece) -> Piece {
         Piece::Cubic { from_m, c } => {
             Piece::Cubic { from_m: -from_m, c: [-c[0], c[1], -c[2], c[3]] }
         }
-        Piece::Link { .. } | Piece::Power { .. } | Piece::Parallel(_) | Piece::Series { .. } => {
-            piece.clone()
-        }
+        _ => piece.clone(),
     }
 }

@@ -15,6 +15,7 @@ use crate::model::scene::{
 };
 use crate::model::units::significant;
 use crate::model::variables;
+use crate::model::worded::worded;
 
 /// Up to this h/D plates are validated with dishing, from this on without; a tenth of it is "about".
 const THICKNESS: f64 = 1.0;
@@ -31,62 +32,34 @@ const OBLIQUE_LOW: f64 = 4.0;
 /// The end of a steel coil that moves faster than this, m/s, sends a wave through its wire that takes it beyond its strength.
 const COIL_END_M_S: f64 = 20.0;
 
-/// One row of the table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Check {
-    /// Plate thickness over projectile diameter.
-    Thickness,
-    /// The shape of the nose.
-    Nose,
-    /// The pressure on the nose over the projectile's strength.
-    NosePressure,
-    /// The mass of the nose sphere over that of the projectile.
-    NoseMass,
-    /// The plate's face over the projectile's diameter.
-    Face,
-    /// Impact velocity.
-    Velocity,
-    /// Obliquity.
-    Obliquity,
-    /// Velocity, stress and travel of the spring.
-    Spring,
-    /// A rigid stop under a fused interface.
-    Stop,
-    /// What a fused interface is asked to carry.
-    Interface,
+worded! {
+    /// One row of the table.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+    pub enum Check: label {
+        /// Plate thickness over projectile diameter.
+        Thickness = "h/D",
+        /// The shape of the nose.
+        Nose = "nose",
+        /// The pressure on the nose over the projectile's strength.
+        NosePressure = "nose pressure",
+        /// The mass of the nose sphere over that of the projectile.
+        NoseMass = "nose mass",
+        /// The plate's face over the projectile's diameter.
+        Face = "plate face",
+        /// Impact velocity.
+        Velocity = "velocity",
+        /// Obliquity.
+        Obliquity = "obliquity",
+        /// Velocity, stress and travel of the spring.
+        Spring = "spring",
+        /// A rigid stop under a fused interface.
+        Stop = "rigid stop",
+        /// What a fused interface is asked to carry.
+        Interface = "interface",
+    }
 }
 
 impl Check {
-    /// All, in the order of the table.
-    pub const ALL: [Self; 10] = [
-        Self::Thickness,
-        Self::Nose,
-        Self::NosePressure,
-        Self::NoseMass,
-        Self::Face,
-        Self::Velocity,
-        Self::Obliquity,
-        Self::Spring,
-        Self::Stop,
-        Self::Interface,
-    ];
-
-    /// A few words for a status line.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Thickness => "h/D",
-            Self::Nose => "nose",
-            Self::NosePressure => "nose pressure",
-            Self::NoseMass => "nose mass",
-            Self::Face => "plate face",
-            Self::Velocity => "velocity",
-            Self::Obliquity => "obliquity",
-            Self::Spring => "spring",
-            Self::Stop => "rigid stop",
-            Self::Interface => "interface",
-        }
-    }
-
     /// The variable in whose row the breach is marked.
     pub fn symbol(self) -> &'static str {
         match self {
@@ -103,25 +76,16 @@ impl Check {
     }
 }
 
-/// On which side the answer errs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// The real plate resists more: limits come out too low, depths too great.
-    Conservative,
-    /// The real plate resists less: limits come out too high, depths too small.
-    Unconservative,
-    /// Not known.
-    Unknown,
-}
-
-impl Direction {
-    /// The word.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Conservative => "conservative",
-            Self::Unconservative => "unconservative",
-            Self::Unknown => "direction unknown",
-        }
+worded! {
+    /// On which side the answer errs.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub enum Direction: word {
+        /// The real plate resists more: limits come out too low, depths too great.
+        Conservative = "conservative",
+        /// The real plate resists less: limits come out too high, depths too small.
+        Unconservative = "unconservative",
+        /// Not known.
+        Unknown = "direction unknown",
     }
 }
 

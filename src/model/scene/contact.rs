@@ -1,6 +1,8 @@
 //! The part of a scene that says how the force between projectile and plate is modelled: which of the models of thesis
 //! section 8.2, and what each of them needs. Which variables matter to which model is told by `variables.rs`.
 
+use crate::model::worded::worded;
+
 /// The interaction model and its parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct Contact {
@@ -19,57 +21,52 @@ pub struct Contact {
     pub appendix: Listing,
 }
 
-/// How the force between projectile and plate is modelled.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum ContactModel {
-    /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
-    #[default]
-    Hydrodynamic,
-    /// A prescribed half-sine force history, equation 8.9.
-    HalfSine,
-    /// A perfectly inelastic collision at once, equation 8.11.
-    InitialVelocity,
-    /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
-    Lumped,
-    /// The listing of Appendix A.
-    Appendix,
+worded! {
+    /// How the force between projectile and plate is modelled.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum ContactModel: word {
+        /// `F = A (S_y + C_d rho u²/2)`, thesis equation 8.4.
+        #[default]
+        Hydrodynamic = "hydrodynamic",
+        /// A prescribed half-sine force history, equation 8.9.
+        HalfSine = "half-sine",
+        /// A perfectly inelastic collision at once, equation 8.11.
+        InitialVelocity = "initial-velocity",
+        /// A spring with hysteresis and a damper between projectile and plate, Figures 8.4 to 8.8.
+        Lumped = "lumped",
+        /// The listing of Appendix A.
+        Appendix = "appendix",
+    }
 }
 
 impl ContactModel {
     /// All models, in the order of Table 8.1 with the default first.
-    pub const ALL: [Self; 5] =
+    pub const TABLE_8_1: [Self; 5] =
         [Self::Hydrodynamic, Self::Lumped, Self::HalfSine, Self::InitialVelocity, Self::Appendix];
+}
 
-    /// The word in files and on screens.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Hydrodynamic => "hydrodynamic",
-            Self::HalfSine => "half-sine",
-            Self::InitialVelocity => "initial-velocity",
-            Self::Lumped => "lumped",
-            Self::Appendix => "appendix",
-        }
+worded! {
+    /// How one doubtful place of the listing is read.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Reading: word {
+        /// As it is printed.
+        #[default]
+        Printed = "printed",
+        /// Put right.
+        Corrected = "corrected",
     }
 }
 
-/// How one doubtful place of the listing is read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Reading {
-    /// As it is printed.
-    #[default]
-    Printed,
-    /// Put right.
-    Corrected,
-}
-
-/// What becomes of the area once the nose is buried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Jumps {
-    /// The scripts' jumps do what they are meant to: the area stays that of the full section.
-    #[default]
-    Meant,
-    /// They are calls that come back: the next lines overwrite the area, and divide by tan(theta) = 0.
-    Ignored,
+worded! {
+    /// What becomes of the area once the nose is buried.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Jumps: word {
+        /// The scripts' jumps do what they are meant to: the area stays that of the full section.
+        #[default]
+        Meant = "meant",
+        /// They are calls that come back: the next lines overwrite the area, and divide by tan(theta) = 0.
+        Ignored = "ignored",
+    }
 }
 
 /// The listing of Appendix A, quirk by quirk.

@@ -1,6 +1,8 @@
 //! The part of a scene that says what carries the plate elastically: the kind of spring, and what each kind needs. What a
 //! kind means is in [`crate::model::mechanism`]; which variables matter to which kind is told by `variables`.
 
+use crate::model::worded::worded;
+
 use std::sync::Arc;
 
 /// One spring: its kind, and the parameters of every kind, so that none is lost on the way to another.
@@ -45,83 +47,53 @@ impl Spring {
     }
 }
 
-/// The spring's force law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum SpringKind {
-    /// `k |x|^n sgn(x)`.
-    #[default]
-    PowerLaw,
-    /// `F_ref |x/x_ref|^n sgn(x)`.
-    Normalised,
-    /// A cantilever by its pseudo-rigid-body model.
-    Cantilever,
-    /// Beams that are fixed at one end and guided at the other: the sides of a four-bar.
-    FixedGuided,
-    /// A cubic force with two stable positions.
-    Bistable,
-    /// A force that rises to its constant value.
-    ConstantForce,
-    /// An elastic rise, then a plateau.
-    Column,
-    /// A linear spring that turns the plate as it gives way.
-    Helix,
-    /// An absorber that is crushed at a constant force and unloads elastically.
-    Crush,
-    /// A measured curve.
-    Table,
+worded! {
+    /// The spring's force law.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum SpringKind: word {
+        /// `k |x|^n sgn(x)`.
+        #[default]
+        PowerLaw = "power-law",
+        /// `F_ref |x/x_ref|^n sgn(x)`.
+        Normalised = "normalised",
+        /// A cantilever by its pseudo-rigid-body model.
+        Cantilever = "prbm-cantilever",
+        /// Beams that are fixed at one end and guided at the other: the sides of a four-bar.
+        FixedGuided = "prbm-guided",
+        /// A cubic force with two stable positions.
+        Bistable = "bistable",
+        /// A force that rises to its constant value.
+        ConstantForce = "constant",
+        /// An elastic rise, then a plateau.
+        Column = "column",
+        /// A linear spring that turns the plate as it gives way.
+        Helix = "helix",
+        /// An absorber that is crushed at a constant force and unloads elastically.
+        Crush = "crush",
+        /// A measured curve.
+        Table = "table",
+    }
 }
 
 impl SpringKind {
-    /// All kinds, in the order of their words.
-    pub const ALL: [Self; 10] = [
-        Self::PowerLaw,
-        Self::Normalised,
-        Self::Cantilever,
-        Self::FixedGuided,
-        Self::Bistable,
-        Self::ConstantForce,
-        Self::Column,
-        Self::Helix,
-        Self::Crush,
-        Self::Table,
-    ];
-
-    /// Their words, in files and on screens.
-    pub const WORDS: [&'static str; 10] = [
-        "power-law",
-        "normalised",
-        "prbm-cantilever",
-        "prbm-guided",
-        "bistable",
-        "constant",
-        "column",
-        "helix",
-        "crush",
-        "table",
-    ];
-
-    /// The word.
-    pub fn word(self) -> &'static str {
-        let at = Self::ALL.iter().position(|kind| *kind == self).unwrap_or(0);
-        Self::WORDS[at]
-    }
-
     /// Whether it is made of beams.
     pub fn is_beam(self) -> bool {
         matches!(self, Self::Cantilever | Self::FixedGuided)
     }
 }
 
-/// How the first and the second spring act together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Combination {
-    /// There is one spring only.
-    #[default]
-    Alone,
-    /// Both are displaced alike: their forces add.
-    Parallel,
-    /// Both carry the same force: their displacements add.
-    Series,
+worded! {
+    /// How the first and the second spring act together.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum Combination: word {
+        /// There is one spring only.
+        #[default]
+        Alone = "alone",
+        /// Both are displaced alike: their forces add.
+        Parallel = "parallel",
+        /// Both carry the same force: their displacements add.
+        Series = "series",
+    }
 }
 
 /// `F_ref (x/x_ref)^n`: a law that stays the same when units change.
@@ -230,14 +202,16 @@ pub struct Wire {
     pub shear_strength_pa: f64,
 }
 
-/// Whether a spring's own mass counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum OwnMass {
-    /// Springs are massless, as the thesis has them.
-    #[default]
-    Ignored,
-    /// The part that moves with the plate adds to the plate's.
-    Counted,
+worded! {
+    /// Whether a spring's own mass counts.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+    pub enum OwnMass: word {
+        /// Springs are massless, as the thesis has them.
+        #[default]
+        Ignored = "ignored",
+        /// The part that moves with the plate adds to the plate's.
+        Counted = "counted",
+    }
 }
 
 impl Default for Spring {

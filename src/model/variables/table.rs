@@ -1,53 +1,114 @@
 //! The rows of the table of variables, in the order of the editor: one file a subject.
 
-use super::Variable;
+use super::visible::Visible;
+use super::{Allowed, Kind, Number, Step, Variable};
 use crate::model::scene::{Combination, Scene};
+use crate::model::units::Quantity;
+
+/// The group of the editor that a path of the scene belongs to.
+macro_rules! group {
+    (projectile $($rest:tt)+) => {
+        Group::Projectile
+    };
+    (target $($rest:tt)+) => {
+        Group::Target
+    };
+    (plate $($rest:tt)+) => {
+        Group::Plate
+    };
+    (mechanism.stop $($rest:tt)+) => {
+        Group::Stop
+    };
+    (mechanism $($rest:tt)+) => {
+        Group::Mechanism
+    };
+    (stack $($rest:tt)+) => {
+        Group::Stack
+    };
+    (run $($rest:tt)+) => {
+        Group::Run
+    };
+    ($($rest:tt)+) => {
+        Group::Interface
+    };
+}
+
+/// A variable by its path in the scene, which is its key, and its kind. What else there is to say of it follows.
+macro_rules! variable {
+    ($first:ident $(. $rest:ident)+, $kind:expr) => {
+        Variable {
+            key: concat!(stringify!($first) $(, ".", stringify!($rest))+),
+            symbol: "",
+            label: "",
+            aliases: &[],
+            visible: Visible::ALWAYS,
+            group: group!($first $(. $rest)+),
+            meaning: "",
+            source: "assumption",
+            kind: $kind,
+        }
+    };
+}
 
 /// A required number at a path of the scene.
 macro_rules! number {
-    ($quantity:ident, $allowed:expr, $thesis:expr, $step:ident, $($field:ident).+) => {
-        Kind::Number(Number {
-            quantity: Quantity::$quantity,
-            allowed: $allowed,
-            thesis_range: $thesis,
-            step: Step::$step,
-            absent: None,
-            get: |scene| Some(scene.$($field).+),
-            set: |scene, value| scene.$($field).+ = value.unwrap_or_default(),
-        })
+    ($quantity:ident, $allowed:expr, $($field:ident).+) => {
+        variable!(
+            $($field).+,
+            Kind::Number(Number {
+                get: |scene| Some(scene.$($field).+),
+                set: |scene, value| scene.$($field).+ = value.unwrap_or_default(),
+                ..Number::of(Quantity::$quantity, $allowed)
+            })
+        )
     };
 }
 
 /// A required number on which the plate's mass ratio may depend.
 macro_rules! sizing {
     ($quantity:ident, $($field:ident).+) => {
-        Kind::Number(Number {
-            quantity: Quantity::$quantity,
-            allowed: Allowed::Positive,
-            thesis_range: None,
-            step: Step::Linear,
-            absent: None,
-            get: |scene| Some(scene.$($field).+),
-            set: |scene, value| {
-                scene.$($field).+ = value.unwrap_or_default();
-                scene.follow_size();
-            },
-        })
+        variable!(
+            $($field).+,
+            Kind::Number(Number {
+                get: |scene| Some(scene.$($field).+),
+                set: |scene, value| {
+                    scene.$($field).+ = value.unwrap_or_default();
+                    scene.follow_size();
+                },
+                ..Number::of(Quantity::$quantity, Allowed::Positive)
+            })
+        )
     };
 }
 
 /// An optional number at a path of the scene, with the word for its absence.
 macro_rules! optional {
     ($quantity:ident, $allowed:expr, $absent:literal, $($field:ident).+) => {
-        Kind::Number(Number {
-            quantity: Quantity::$quantity,
-            allowed: $allowed,
-            thesis_range: None,
-            step: Step::Linear,
-            absent: Some($absent),
-            get: |scene| scene.$($field).+,
-            set: |scene, value| scene.$($field).+ = value,
-        })
+        variable!(
+            $($field).+,
+            Kind::Number(Number {
+                absent: Some($absent),
+                get: |scene| scene.$($field).+,
+                set: |scene, value| scene.$($field).+ = value,
+                ..Number::of(Quantity::$quantity, $allowed)
+            })
+        )
+    };
+}
+
+/// A choice at a path of the scene.
+macro_rules! choice {
+    ($type:ident, $($field:ident).+) => {
+        variable!(
+            $($field).+,
+            Kind::Choice(Choice {
+                words: &$type::WORDS,
+                get: |scene| scene.$($field).+ as usize,
+                set: |scene, index| {
+                    scene.$($field).+ = $type::ALL[index.min($type::ALL.len() - 1)];
+                },
+            })
+        )
     };
 }
 
@@ -58,6 +119,68 @@ mod spring;
 
 const TABLE_9_1: &str = "thesis Table 9.1";
 const TABLE_9_2: &str = "thesis Table 9.2 (range searched)";
+
+/// What is said of a row besides its path and kind.
+impl Variable {
+    const fn named(self, symbol: &'static str, label: &'static str) -> Self {
+        Self { symbol, label, ..self }
+    }
+
+    const fn also(self, aliases: &'static [&'static str]) -> Self {
+        Self { aliases, ..self }
+    }
+
+    const fn means(self, meaning: &'static str) -> Self {
+        Self { meaning, ..self }
+    }
+
+    /// Where the default comes from.
+    const fn from(self, source: &'static str) -> Self {
+        Self { source, ..self }
+    }
+
+    const fn visible_when(self, visible: Visible) -> Self {
+        Self { visible, ..self }
+    }
+
+    const fn when(self, used: fn(&Scene) -> bool) -> Self {
+        self.visible_when(Visible { listed: used, used })
+    }
+
+    /// Always listed, but with an effect only here.
+    const fn used_when(self, used: fn(&Scene) -> bool) -> Self {
+        self.visible_when(Visible { used, ..Visible::ALWAYS })
+    }
+
+    /// Listed only here, and with an effect.
+    const fn listed_when(self, listed: fn(&Scene) -> bool) -> Self {
+        self.visible_when(Visible { listed, ..Visible::ALWAYS })
+    }
+
+    /// The range the thesis searched.
+    const fn searched(mut self, range: Option<(f64, f64)>) -> Self {
+        if let Kind::Number(number) = &mut self.kind {
+            number.thesis_range = range;
+        }
+        self
+    }
+
+    /// The editor's arrow keys multiply it.
+    const fn log(mut self) -> Self {
+        if let Kind::Number(number) = &mut self.kind {
+            number.step = Step::Log;
+        }
+        self
+    }
+}
+
+impl Number {
+    /// A number that is required; where it is, is still to be said.
+    const fn of(quantity: Quantity, allowed: Allowed) -> Self {
+        let (thesis_range, step, absent) = (None, Step::Linear, None);
+        Self { quantity, allowed, thesis_range, step, absent, get: |_| None, set: |_, _| {} }
+    }
+}
 
 /// The tables one after the other; N is how many rows they have together.
 const fn joined<const N: usize>(tables: &[&[Variable]]) -> [Variable; N] {

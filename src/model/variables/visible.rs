@@ -14,22 +14,7 @@ pub struct Visible {
 
 impl Visible {
     /// Always, and it always has an effect.
-    pub(super) const ALWAYS: Self = Self::when(|_| true);
-
-    /// Where it has an effect.
-    pub(super) const fn when(used: fn(&Scene) -> bool) -> Self {
-        Self { listed: used, used }
-    }
-
-    /// Always, but it has an effect only here.
-    pub(super) const fn used_when(used: fn(&Scene) -> bool) -> Self {
-        Self { listed: |_| true, used }
-    }
-
-    /// Only here, and with an effect.
-    pub(super) const fn listed_when(listed: fn(&Scene) -> bool) -> Self {
-        Self { listed, used: |_| true }
-    }
+    pub(super) const ALWAYS: Self = Self { listed: |_| true, used: |_| true };
 }
 
 /// Whether a variable has any effect on this scene.

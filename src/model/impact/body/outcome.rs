@@ -38,11 +38,7 @@ impl Body<'_> {
             {
                 Outcome::Arrested
             }
-            Mode::Fused
-            | Mode::FreeFlight
-            | Mode::Penetrating
-            | Mode::Closing
-            | Mode::Withdrawing => Outcome::Moving,
+            _ => Outcome::Moving,
         }
     }
 

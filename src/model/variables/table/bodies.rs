@@ -4,260 +4,119 @@ use super::{TABLE_9_1, TABLE_9_2};
 use crate::model::scene::{Closure, Mount, Nose, PlateSize};
 use crate::model::units::Quantity;
 use crate::model::variables::visible::{Visible, is_oblique, is_sprung, uses_target};
-use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable, springs};
+use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Variable, springs};
 
 /// Projectile, target and plate.
 pub(super) const ROWS: &[Variable] = &[
-    Variable {
-        key: "projectile.mass_kg",
-        symbol: "m_p",
-        label: "projectile mass",
-        aliases: &[],
-        visible: Visible::ALWAYS,
-        group: Group::Projectile,
-        meaning: "projectile mass",
-        source: TABLE_9_1,
-        kind: sizing!(Mass, projectile.mass_kg),
-    },
-    Variable {
-        key: "projectile.tip_radius_m",
-        symbol: "R",
-        label: "tip radius",
-        aliases: &[],
-        visible: Visible::ALWAYS,
-        group: Group::Projectile,
-        meaning: "radius of the hemispherical tip and of the body behind it",
-        source: TABLE_9_1,
-        kind: number!(Length, Allowed::Positive, None, Linear, projectile.tip_radius_m),
-    },
-    Variable {
-        key: "projectile.velocity_m_s",
-        symbol: "v_i",
-        label: "impact velocity",
-        aliases: &["vi"],
-        visible: Visible::ALWAYS,
-        group: Group::Projectile,
-        meaning: "impact velocity",
-        source: TABLE_9_1,
-        kind: number!(Velocity, Allowed::Positive, None, Linear, projectile.velocity_m_s),
-    },
-    Variable {
-        key: "projectile.obliquity_deg",
-        symbol: "theta",
-        label: "obliquity",
-        aliases: &[],
-        visible: Visible::ALWAYS,
-        group: Group::Projectile,
-        meaning: "obliquity, between the projectile's axis and the plate's normal",
-        source: "thesis Appendix A.1; 0 throughout chapter 9",
-        kind: number!(Angle, Allowed::Below(0.0, 90.0), None, Linear, projectile.obliquity_deg),
-    },
-    Variable {
-        key: "projectile.density_kg_m3",
-        symbol: "rho_p",
-        label: "density",
-        aliases: &[],
-        visible: Visible::when(is_oblique),
-        group: Group::Projectile,
-        meaning: "projectile density, for the warning of ricochet alone",
-        source: "assumption: steel",
-        kind: number!(Density, Allowed::Positive, None, Linear, projectile.density_kg_m3),
-    },
-    Variable {
-        key: "projectile.strength_pa",
-        symbol: "Y_p",
-        label: "yield strength",
-        aliases: &[],
-        visible: Visible::when(is_oblique),
-        group: Group::Projectile,
-        meaning: "projectile strength, for the warning of ricochet alone",
-        source: "assumption: 1 GPa",
-        kind: number!(Pressure, Allowed::Positive, None, Linear, projectile.strength_pa),
-    },
-    Variable {
-        key: "projectile.nose",
-        symbol: "nose",
-        label: "nose shape",
-        aliases: &[],
-        visible: Visible::listed_when(|scene| scene.projectile.nose != Nose::Hemispherical),
-        group: Group::Projectile,
-        meaning: "shape of the nose; the law is for a hemisphere, the others only earn a warning",
-        source: "assumption of the model",
-        kind: Kind::Choice(Choice {
-            words: &["hemispherical", "pointed", "blunt"],
-            get: |scene| scene.projectile.nose as usize,
-            set: |scene, index| {
-                scene.projectile.nose =
-                    [Nose::Hemispherical, Nose::Pointed, Nose::Blunt][index.min(2)];
-            },
-        }),
-    },
-    Variable {
-        key: "target.thickness_m",
-        symbol: "h",
-        label: "plate thickness",
-        aliases: &[],
-        visible: Visible::used_when(uses_target),
-        group: Group::Target,
-        meaning: "plate thickness",
-        source: TABLE_9_1,
-        kind: sizing!(Length, target.thickness_m),
-    },
-    Variable {
-        key: "target.density_kg_m3",
-        symbol: "rho",
-        label: "plate density",
-        aliases: &[],
-        visible: Visible::used_when(uses_target),
-        group: Group::Target,
-        meaning: "plate density",
-        source: "thesis Table 9.1 (the Appendix has 2780)",
-        kind: sizing!(Density, target.density_kg_m3),
-    },
-    Variable {
-        key: "target.flow_strength_pa",
-        symbol: "S_y",
-        label: "flow strength",
-        aliases: &["Sy"],
-        visible: Visible::used_when(|scene| {
-            uses_target(scene) && scene.target.closure == Closure::Given
-        }),
-        group: Group::Target,
-        meaning: "dynamic flow strength of the plate",
-        source: "thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6",
-        kind: number!(Pressure, Allowed::NonNegative, None, Linear, target.flow_strength_pa),
-    },
-    Variable {
-        key: "target.closure",
-        symbol: "closure",
-        label: "source of S_y",
-        aliases: &[],
-        visible: Visible::used_when(uses_target),
-        group: Group::Target,
-        meaning: "where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)",
-        source: "given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))",
-        kind: Kind::Choice(Choice {
-            words: &["given", "double-yield", "cavity"],
-            get: |scene| match scene.target.closure {
-                Closure::Given => 0,
-                Closure::DoubleYield => 1,
-                Closure::Cavity => 2,
-            },
-            set: |scene, index| {
-                scene.target.closure =
-                    [Closure::Given, Closure::DoubleYield, Closure::Cavity][index.min(2)];
-            },
-        }),
-    },
-    Variable {
-        key: "target.yield_pa",
-        symbol: "Y",
-        label: "yield strength",
-        aliases: &[],
-        visible: Visible {
+    sizing!(Mass, projectile.mass_kg)
+        .named("m_p", "projectile mass")
+        .means("projectile mass")
+        .from(TABLE_9_1),
+    number!(Length, Allowed::Positive, projectile.tip_radius_m)
+        .named("R", "tip radius")
+        .means("radius of the hemispherical tip and of the body behind it")
+        .from(TABLE_9_1),
+    number!(Velocity, Allowed::Positive, projectile.velocity_m_s)
+        .named("v_i", "impact velocity")
+        .also(&["vi"])
+        .means("impact velocity")
+        .from(TABLE_9_1),
+    number!(Angle, Allowed::Below(0.0, 90.0), projectile.obliquity_deg)
+        .named("theta", "obliquity")
+        .means("obliquity, between the projectile's axis and the plate's normal")
+        .from("thesis Appendix A.1; 0 throughout chapter 9"),
+    number!(Density, Allowed::Positive, projectile.density_kg_m3)
+        .named("rho_p", "density")
+        .when(is_oblique)
+        .means("projectile density, for the warning of ricochet alone")
+        .from("assumption: steel"),
+    number!(Pressure, Allowed::Positive, projectile.strength_pa)
+        .named("Y_p", "yield strength")
+        .when(is_oblique)
+        .means("projectile strength, for the warning of ricochet alone")
+        .from("assumption: 1 GPa"),
+    choice!(Nose, projectile.nose)
+    .named("nose", "nose shape")
+    .listed_when(|scene| scene.projectile.nose != Nose::Hemispherical)
+    .means("shape of the nose; the law is for a hemisphere, the others only earn a warning")
+    .from("assumption of the model"),
+    sizing!(Length, target.thickness_m)
+        .named("h", "plate thickness")
+        .used_when(uses_target)
+        .means("plate thickness")
+        .from(TABLE_9_1),
+    sizing!(Density, target.density_kg_m3)
+        .named("rho", "plate density")
+        .used_when(uses_target)
+        .means("plate density")
+        .from("thesis Table 9.1 (the Appendix has 2780)"),
+    number!(Pressure, Allowed::NonNegative, target.flow_strength_pa)
+        .named("S_y", "flow strength")
+        .also(&["Sy"])
+        .used_when(|scene| uses_target(scene) && scene.target.closure == Closure::Given)
+        .means("dynamic flow strength of the plate")
+        .from("thesis Table 9.1 prints 1.52e7, a misprint: the Appendix has 2 x 75.8e6"),
+    choice!(Closure, target.closure)
+    .named("closure", "source of S_y")
+    .used_when(uses_target)
+    .means("where S_y comes from: given, 2 Y (with dishing), or cavity expansion (without dishing)")
+    .from("given: Table 9.1; double-yield: thesis 8.3.1; cavity: 2/3 Y (1 + ln(2 E/3 Y))"),
+    number!(Pressure, Allowed::Positive, target.yield_pa)
+        .named("Y", "yield strength")
+        .visible_when(Visible {
             listed: |scene| scene.target.closure != Closure::Given,
             used: uses_target,
-        },
-        group: Group::Target,
-        meaning: "static yield strength, for a closure",
-        source: "thesis Appendix A.1: 75.8 MPa",
-        kind: number!(Pressure, Allowed::Positive, None, Linear, target.yield_pa),
-    },
-    Variable {
-        key: "target.modulus_pa",
-        symbol: "E",
-        label: "elastic modulus",
-        aliases: &[],
-        visible: Visible {
+        })
+        .means("static yield strength, for a closure")
+        .from("thesis Appendix A.1: 75.8 MPa"),
+    number!(Pressure, Allowed::Positive, target.modulus_pa)
+        .named("E", "elastic modulus")
+        .visible_when(Visible {
             listed: |scene| scene.target.closure == Closure::Cavity,
             used: uses_target,
-        },
-        group: Group::Target,
-        meaning: "modulus of elasticity, for the closure by cavity expansion",
-        source: "aluminium 2024; the thesis needs none",
-        kind: number!(Pressure, Allowed::Positive, None, Linear, target.modulus_pa),
-    },
-    Variable {
-        key: "target.drag_coefficient",
-        symbol: "C_d",
-        label: "drag coefficient",
-        aliases: &["Cd"],
-        visible: Visible::used_when(uses_target),
-        group: Group::Target,
-        meaning: "drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2",
-        source: TABLE_9_1,
-        kind: number!(Number, Allowed::NonNegative, None, Linear, target.drag_coefficient),
-    },
-    Variable {
-        key: "target.dishing",
-        symbol: "dishing",
-        label: "dishing",
-        aliases: &[],
-        visible: Visible::used_when(uses_target),
-        group: Group::Target,
-        meaning: "the plate's local bulge takes up about one projectile diameter of travel",
-        source: "thesis section 8.3.1 and Appendix A.2",
-        kind: Kind::Switch {
+        })
+        .means("modulus of elasticity, for the closure by cavity expansion")
+        .from("aluminium 2024; the thesis needs none"),
+    number!(Number, Allowed::NonNegative, target.drag_coefficient)
+        .named("C_d", "drag coefficient")
+        .also(&["Cd"])
+        .used_when(uses_target)
+        .means("drag coefficient: the inertial part of the contact force is C_d rho u^2 / 2")
+        .from(TABLE_9_1),
+    variable!(
+        target.dishing,
+        Kind::Switch {
             get: |scene| scene.target.dishing,
             set: |scene, on| scene.target.dishing = on,
-        },
-    },
-    Variable {
-        key: "plate.mount",
-        symbol: "mount",
-        label: "mount",
-        aliases: &[],
-        visible: Visible::ALWAYS,
-        group: Group::Plate,
-        meaning: "sprung: carried by spring and damper; rigid: it cannot move",
-        source: "thesis section 9.3 (rigid: the baseline)",
-        kind: Kind::Choice(Choice {
-            words: &["sprung", "rigid"],
-            get: |scene| usize::from(scene.plate.mount == Mount::Rigid),
-            set: |scene, index| {
-                scene.plate.mount = if index == 0 { Mount::Sprung } else { Mount::Rigid };
-            },
-        }),
-    },
-    Variable {
-        key: "plate.mass_ratio",
-        symbol: "gamma",
-        label: "mass ratio",
-        aliases: &[],
-        visible: Visible::used_when(is_sprung),
-        group: Group::Plate,
-        meaning: "mass ratio, plate mass over projectile mass",
-        source: TABLE_9_2,
-        kind: Kind::Number(Number {
-            quantity: Quantity::Number,
-            allowed: Allowed::Positive,
-            thesis_range: Some((0.8, 7.0)),
-            step: Step::Linear,
-            absent: None,
+        }
+    )
+    .named("dishing", "dishing")
+    .used_when(uses_target)
+    .means("the plate's local bulge takes up about one projectile diameter of travel")
+    .from("thesis section 8.3.1 and Appendix A.2"),
+    choice!(Mount, plate.mount)
+        .named("mount", "mount")
+        .means("sprung: carried by spring and damper; rigid: it cannot move")
+        .from("thesis section 9.3 (rigid: the baseline)"),
+    variable!(
+        plate.mass_ratio,
+        Kind::Number(Number {
             get: |scene| Some(scene.plate.mass_ratio),
             set: |scene, value| {
                 scene.plate.size = PlateSize::Ratio;
                 scene.plate.mass_ratio = value.unwrap_or_default();
             },
-        }),
-    },
-    Variable {
-        key: "plate.mass_kg",
-        symbol: "m_2",
-        label: "plate mass",
-        aliases: &["m2"],
-        visible: Visible {
-            listed: |scene| matches!(scene.plate.size, PlateSize::Mass(_)),
-            used: is_sprung,
-        },
-        group: Group::Plate,
-        meaning: "plate mass; gamma = m_2/m_p follows from it",
-        source: "none: gamma gives the mass",
-        kind: Kind::Number(Number {
-            quantity: Quantity::Mass,
-            allowed: Allowed::Positive,
-            thesis_range: None,
-            step: Step::Linear,
+            ..Number::of(Quantity::Number, Allowed::Positive)
+        })
+    )
+    .searched(Some((0.8, 7.0)))
+    .named("gamma", "mass ratio")
+    .used_when(is_sprung)
+    .means("mass ratio, plate mass over projectile mass")
+    .from(TABLE_9_2),
+    variable!(
+        plate.mass_kg,
+        Kind::Number(Number {
             absent: Some("none"),
             get: |scene| match scene.plate.size {
                 PlateSize::Mass(kg) => Some(kg),
@@ -268,25 +127,20 @@ pub(super) const ROWS: &[Variable] = &[
                 (None, PlateSize::Mass(_)) => scene.resize(PlateSize::Ratio),
                 (None, PlateSize::Ratio | PlateSize::Face(_)) => {}
             },
-        }),
-    },
-    Variable {
-        key: "plate.face_m",
-        symbol: "face",
-        label: "plate side",
-        aliases: &[],
-        visible: Visible {
-            listed: |scene| matches!(scene.plate.size, PlateSize::Face(_)),
-            used: is_sprung,
-        },
-        group: Group::Plate,
-        meaning: "side of the plate's square face; gamma = rho h face^2/m_p follows from it",
-        source: "none: gamma gives the mass",
-        kind: Kind::Number(Number {
-            quantity: Quantity::Length,
-            allowed: Allowed::Positive,
-            thesis_range: None,
-            step: Step::Linear,
+            ..Number::of(Quantity::Mass, Allowed::Positive)
+        })
+    )
+    .named("m_2", "plate mass")
+    .also(&["m2"])
+    .visible_when(Visible {
+        listed: |scene| matches!(scene.plate.size, PlateSize::Mass(_)),
+        used: is_sprung,
+    })
+    .means("plate mass; gamma = m_2/m_p follows from it")
+    .from("none: gamma gives the mass"),
+    variable!(
+        plate.face_m,
+        Kind::Number(Number {
             absent: Some("none"),
             get: |scene| match scene.plate.size {
                 PlateSize::Face(side_m) => Some(side_m),
@@ -297,17 +151,20 @@ pub(super) const ROWS: &[Variable] = &[
                 (None, PlateSize::Face(_)) => scene.resize(PlateSize::Ratio),
                 (None, PlateSize::Ratio | PlateSize::Mass(_)) => {}
             },
-        }),
-    },
-    Variable {
-        key: "plate.cocking_m",
-        symbol: "d",
-        label: "cocking distance",
-        aliases: &[],
-        visible: Visible::used_when(|scene| is_sprung(scene) && springs::acts(&scene.mechanism)),
-        group: Group::Plate,
-        meaning: "cocking distance: the plate starts at x = -d, at rest",
-        source: TABLE_9_2,
-        kind: number!(Length, Allowed::NonNegative, Some((0.0, 0.5)), Linear, plate.cocking_m),
-    },
+            ..Number::of(Quantity::Length, Allowed::Positive)
+        })
+    )
+    .named("face", "plate side")
+    .visible_when(Visible {
+        listed: |scene| matches!(scene.plate.size, PlateSize::Face(_)),
+        used: is_sprung,
+    })
+    .means("side of the plate's square face; gamma = rho h face^2/m_p follows from it")
+    .from("none: gamma gives the mass"),
+    number!(Length, Allowed::NonNegative, plate.cocking_m)
+        .named("d", "cocking distance")
+        .searched(Some((0.0, 0.5)))
+        .used_when(|scene| is_sprung(scene) && springs::acts(&scene.mechanism))
+        .means("cocking distance: the plate starts at x = -d, at rest")
+        .from(TABLE_9_2),
 ];

@@ -3,115 +3,52 @@
 use crate::model::scene::{ContactModel, InterfaceLaw, Jumps, Reading};
 use crate::model::units::Quantity;
 use crate::model::variables::visible::{Visible, is_hydrodynamic, is_listing};
-use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Step, Variable};
+use crate::model::variables::{Allowed, Choice, Group, Kind, Number, Variable};
 
 /// A quirk of the listing: printed or corrected.
 macro_rules! quirk {
     ($field:ident, $symbol:literal, $label:literal, $meaning:literal, $where:literal) => {
-        Variable {
-            key: concat!("contact.appendix.", stringify!($field)),
-            symbol: $symbol,
-            label: $label,
-            aliases: &[],
-            visible: Visible::when(is_listing),
-            group: Group::Interface,
-            meaning: $meaning,
-            source: concat!("thesis Appendix ", $where),
-            kind: Kind::Choice(Choice {
-                words: &["printed", "corrected"],
-                get: |scene| usize::from(scene.contact.appendix.$field == Reading::Corrected),
-                set: |scene, index| {
-                    scene.contact.appendix.$field =
-                        if index == 0 { Reading::Printed } else { Reading::Corrected };
-                },
-            }),
-        }
+        choice!(Reading, contact.appendix.$field)
+            .named($symbol, $label)
+            .when(is_listing)
+            .means($meaning)
+            .from(concat!("thesis Appendix ", $where))
     };
 }
 
-/// In the order of their words.
-const MODELS: [ContactModel; 5] = [
-    ContactModel::Hydrodynamic,
-    ContactModel::HalfSine,
-    ContactModel::InitialVelocity,
-    ContactModel::Lumped,
-    ContactModel::Appendix,
-];
-
 /// Contact, interface and analysis.
 pub(super) const ROWS: &[Variable] = &[
-    Variable {
-        key: "contact.model",
-        symbol: "model",
-        label: "contact model",
-        aliases: &[],
-        visible: Visible::ALWAYS,
-        group: Group::Interface,
-        meaning: "how the force between projectile and plate is modelled",
-        source: "thesis section 8.2 and Table 8.1",
-        kind: Kind::Choice(Choice {
-            words: &["hydrodynamic", "half-sine", "initial-velocity", "lumped", "appendix"],
-            get: |scene| MODELS.iter().position(|it| *it == scene.contact.model).unwrap_or(0),
-            set: |scene, index| {
-                scene.contact.model = MODELS[index.min(MODELS.len() - 1)];
-            },
-        }),
-    },
-    Variable {
-        key: "contact.duration_s",
-        symbol: "t_d",
-        label: "pulse duration",
-        aliases: &[],
-        visible: Visible::when(|scene| scene.contact.model == ContactModel::HalfSine),
-        group: Group::Interface,
-        meaning: "duration of the half-sine force history",
-        source: "thesis equation 8.9; auto: the hydrodynamic contact on a rigid mount",
-        kind: optional!(Time, Allowed::Positive, "auto", contact.duration_s),
-    },
-    Variable {
-        key: "contact.load_stiffness_n_m",
-        symbol: "k_load",
-        label: "loading",
-        aliases: &[],
-        visible: Visible::when(|scene| scene.contact.model == ContactModel::Lumped),
-        group: Group::Interface,
-        meaning: "stiffness of the lumped interface while it is pressed in",
-        source: "thesis Figure 8.6; auto: as deep as the hydrodynamic model on a rigid mount",
-        kind: optional!(Stiffness, Allowed::Positive, "auto", contact.load_stiffness_n_m),
-    },
-    Variable {
-        key: "contact.unload_stiffness_n_m",
-        symbol: "k_unload",
-        label: "unloading",
-        aliases: &[],
-        visible: Visible::when(|scene| scene.contact.model == ContactModel::Lumped),
-        group: Group::Interface,
-        meaning: "stiffness of the lumped interface while it springs back, k_load or more",
-        source: "thesis Figure 8.6; auto: 100 k_load, an assumption",
-        kind: optional!(Stiffness, Allowed::Positive, "auto", contact.unload_stiffness_n_m),
-    },
-    Variable {
-        key: "contact.damping_n_s_m",
-        symbol: "b_2",
-        label: "interface damper",
-        aliases: &[],
-        visible: Visible::when(|scene| scene.contact.model == ContactModel::Lumped),
-        group: Group::Interface,
-        meaning: "damper of the lumped interface",
-        source: "thesis Figure 8.4; Wu has none",
-        kind: number!(Damping, Allowed::NonNegative, None, Log, contact.damping_n_s_m),
-    },
-    Variable {
-        key: "contact.appendix.step_s",
-        symbol: "dt",
-        label: "time step",
-        aliases: &[],
-        visible: Visible::when(is_listing),
-        group: Group::Interface,
-        meaning: "time step of the listing",
-        source: "thesis Appendix A.1",
-        kind: number!(Time, Allowed::Positive, None, Log, contact.appendix.step_s),
-    },
+    choice!(ContactModel, contact.model)
+        .named("model", "contact model")
+        .means("how the force between projectile and plate is modelled")
+        .from("thesis section 8.2 and Table 8.1"),
+    optional!(Time, Allowed::Positive, "auto", contact.duration_s)
+        .named("t_d", "pulse duration")
+        .when(|scene| scene.contact.model == ContactModel::HalfSine)
+        .means("duration of the half-sine force history")
+        .from("thesis equation 8.9; auto: the hydrodynamic contact on a rigid mount"),
+    optional!(Stiffness, Allowed::Positive, "auto", contact.load_stiffness_n_m)
+        .named("k_load", "loading")
+        .when(|scene| scene.contact.model == ContactModel::Lumped)
+        .means("stiffness of the lumped interface while it is pressed in")
+        .from("thesis Figure 8.6; auto: as deep as the hydrodynamic model on a rigid mount"),
+    optional!(Stiffness, Allowed::Positive, "auto", contact.unload_stiffness_n_m)
+        .named("k_unload", "unloading")
+        .when(|scene| scene.contact.model == ContactModel::Lumped)
+        .means("stiffness of the lumped interface while it springs back, k_load or more")
+        .from("thesis Figure 8.6; auto: 100 k_load, an assumption"),
+    number!(Damping, Allowed::NonNegative, contact.damping_n_s_m)
+        .named("b_2", "interface damper")
+        .log()
+        .when(|scene| scene.contact.model == ContactModel::Lumped)
+        .means("damper of the lumped interface")
+        .from("thesis Figure 8.4; Wu has none"),
+    number!(Time, Allowed::Positive, contact.appendix.step_s)
+        .named("dt", "time step")
+        .log()
+        .when(is_listing)
+        .means("time step of the listing")
+        .from("thesis Appendix A.1"),
     quirk!(
         coupling,
         "coupling",
@@ -154,75 +91,33 @@ pub(super) const ROWS: &[Variable] = &[
         "the whole force acts on both bodies, or (corrected) it is resolved on the normal",
         "A.2 to A.4"
     ),
-    Variable {
-        key: "contact.appendix.jumps",
-        symbol: "jumps",
-        label: "code jumps",
-        aliases: &[],
-        visible: Visible::when(is_listing),
-        group: Group::Interface,
-        meaning: "whether the listing's jumps work as meant, or (ignored) the area is overwritten once the nose is buried",
-        source: "thesis Appendix A.2",
-        kind: Kind::Choice(Choice {
-            words: &["meant", "ignored"],
-            get: |scene| usize::from(scene.contact.appendix.jumps == Jumps::Ignored),
-            set: |scene, index| {
-                scene.contact.appendix.jumps =
-                    if index == 0 { Jumps::Meant } else { Jumps::Ignored };
-            },
-        }),
-    },
-    Variable {
-        key: "interface.law",
-        symbol: "interface",
-        label: "interface law",
-        aliases: &["law"],
-        visible: Visible::used_when(is_hydrodynamic),
-        group: Group::Interface,
-        meaning: "fused: together for good once at common speed; plastic: it carries what its strength allows",
-        source: "fused: the thesis; plastic: a rigid-plastic interface",
-        kind: Kind::Choice(Choice {
-            words: &["fused", "plastic"],
-            get: |scene| usize::from(scene.interface.law == InterfaceLaw::Plastic),
-            set: |scene, index| {
-                scene.interface.law =
-                    if index == 0 { InterfaceLaw::Fused } else { InterfaceLaw::Plastic };
-            },
-        }),
-    },
-    Variable {
-        key: "interface.grip",
-        symbol: "g",
-        label: "grip",
-        aliases: &["grip"],
-        visible: Visible::used_when(|scene| {
+    choice!(Jumps, contact.appendix.jumps)
+        .named("jumps", "code jumps")
+        .when(is_listing)
+        .means("whether the listing's jumps work as meant, or (ignored) the area is overwritten once the nose is buried")
+        .from("thesis Appendix A.2"),
+    choice!(InterfaceLaw, interface.law)
+        .named("interface", "interface law")
+        .also(&["law"])
+        .used_when(is_hydrodynamic)
+        .means("fused: together for good once at common speed; plastic: it carries what its strength allows")
+        .from("fused: the thesis; plastic: a rigid-plastic interface"),
+    number!(Number, Allowed::NonNegative, interface.grip)
+        .named("g", "grip")
+        .also(&["grip"])
+        .used_when(|scene| {
             is_hydrodynamic(scene) && scene.interface.law == InterfaceLaw::Plastic
-        }),
-        group: Group::Interface,
-        meaning: "grip: the greatest pull of the interface is g A S_y",
-        source: "assumption: 0.1",
-        kind: number!(Number, Allowed::NonNegative, None, Linear, interface.grip),
-    },
-    Variable {
-        key: "run.tolerance",
-        symbol: "tol",
-        label: "tolerance",
-        aliases: &["tolerance"],
-        visible: Visible::ALWAYS,
-        group: Group::Run,
-        meaning: "relative accuracy asked of depth and time",
-        source: "default of this program",
-        kind: number!(Number, Allowed::Between(1e-14, 1e-2), None, Log, run.tolerance),
-    },
-    Variable {
-        key: "run.horizon_s",
-        symbol: "horizon",
-        label: "end of the run",
-        aliases: &[],
-        visible: Visible::ALWAYS,
-        group: Group::Run,
-        meaning: "the time the run goes on to",
-        source: "absent: chosen from the scene",
-        kind: optional!(Time, Allowed::Positive, "auto", run.horizon_s),
-    },
+        })
+        .means("grip: the greatest pull of the interface is g A S_y")
+        .from("assumption: 0.1"),
+    number!(Number, Allowed::Between(1e-14, 1e-2), run.tolerance)
+        .named("tol", "tolerance")
+        .also(&["tolerance"])
+        .log()
+        .means("relative accuracy asked of depth and time")
+        .from("default of this program"),
+    optional!(Time, Allowed::Positive, "auto", run.horizon_s)
+        .named("horizon", "end of the run")
+        .means("the time the run goes on to")
+        .from("absent: chosen from the scene"),
 ];

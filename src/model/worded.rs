@@ -1,0 +1,30 @@
+//! Enums whose variants have a word each, or a few, in files and on screens.
+
+/// Defines an enum, its variants and their words in order, and the method that gives a variant's.
+macro_rules! worded {
+    (
+        $(#[$meta:meta])*
+        pub enum $name:ident: $method:ident {
+            $($(#[$doc:meta])* $variant:ident = $word:literal,)+
+        }
+    ) => {
+        $(#[$meta])*
+        pub enum $name {
+            $($(#[$doc])* $variant,)+
+        }
+
+        impl $name {
+            /// Every one, in order.
+            pub const ALL: [Self; [$($word),+].len()] = [$(Self::$variant),+];
+            /// Their words.
+            pub const WORDS: [&'static str; Self::ALL.len()] = [$($word),+];
+
+            /// The word, or the words, in files and on screens.
+            pub fn $method(self) -> &'static str {
+                Self::WORDS[self as usize]
+            }
+        }
+    };
+}
+
+pub(in crate::model) use worded;
