@@ -16,8 +16,8 @@ use cmra::files::preset;
 use cmra::model::first_contact::first_contact;
 use cmra::model::scene::Scene;
 use cmra::model::simulate::{Settings, simulate};
+use cmra::study::parallel::Parallel;
 use cmra::study::quantities::named;
-use cmra::study::sweep::crew::Crew;
 use cmra::study::sweep::evaluate::{Evaluator, Rows};
 use cmra::study::sweep::{Axis, Design, Plan, Spacing, USUAL_OUTPUTS};
 
@@ -35,7 +35,7 @@ const NANOMETRE: f64 = 1e-9;
 const ROUNDS: usize = 15;
 
 pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
-    let machine = Crew::of_machine();
+    let machine = Parallel::of_machine();
     writeln!(
         out,
         "\nsurfaces of 101 x 101 runs, ms, {} threads: least of {ROUNDS}; plain and peer: the same points one by one",
@@ -54,7 +54,12 @@ pub(crate) fn print(out: &mut impl Write) -> std::io::Result<()> {
     linear(out)
 }
 
-fn surface(out: &mut impl Write, name: &str, scene: &Scene, machine: Crew) -> std::io::Result<()> {
+fn surface(
+    out: &mut impl Write,
+    name: &str,
+    scene: &Scene,
+    machine: Parallel,
+) -> std::io::Result<()> {
     let exact = Plan::of(&at(scene, 1e-12)).expect("a preset's sweep");
     let known = simulated(&exact);
     let mut found = None;
@@ -70,7 +75,7 @@ fn surface(out: &mut impl Write, name: &str, scene: &Scene, machine: Crew) -> st
     let Some((tolerance, error, plan)) = found else {
         return writeln!(out, "{name:12} does not reach {TARGET:e}");
     };
-    let alone = Crew { threads: 1, ..machine };
+    let alone = Parallel { threads: 1, ..machine };
     let (mut both_s, mut alone_s, mut plain_s) = (f64::MAX, f64::MAX, f64::MAX);
     for _ in 0..ROUNDS {
         both_s = both_s.min(seconds(|| drop(rows(&plan, machine))));
@@ -94,7 +99,7 @@ fn surface(out: &mut impl Write, name: &str, scene: &Scene, machine: Crew) -> st
 /// Cost against the number of runs, on a polynomial surface.
 fn linear(out: &mut impl Write) -> std::io::Result<()> {
     writeln!(out, "\nruns of a polynomial surface (gamma and k), one thread, tolerance 1e-6")?;
-    let alone = Crew { threads: 1, ..Crew::of_machine() };
+    let alone = Parallel { threads: 1, ..Parallel::of_machine() };
     for count in [32, 100, 316, 1000] {
         let axis = |symbol, ends| Axis::new(symbol, ends, count, Spacing::Linear);
         let axes = [axis("gamma", (0.8, 7.0)), axis("k", (0.0, 7.5e6))];
@@ -121,15 +126,15 @@ fn seconds(work: impl FnOnce()) -> f64 {
 }
 
 /// The engine, all of it: placing, contacts, threads, results in order.
-fn rows(plan: &Plan, crew: Crew) -> Vec<Rows> {
+fn rows(plan: &Plan, parallel: Parallel) -> Vec<Rows> {
     let stop = AtomicBool::new(false);
     let mut all = Vec::new();
-    let hire = || {
+    let worker = || {
         let mut evaluator = Evaluator::new(plan, &stop);
         move |piece: Range<u64>| evaluator.rows(piece)
     };
-    let _whole = crew.work(0..plan.points(), hire, |_, rows| {
-        all.push(rows);
+    let _whole = parallel.map(0..plan.points(), worker, |news| {
+        all.extend(news.map(|(_, rows)| rows));
         ControlFlow::Continue(())
     });
     all
@@ -169,11 +174,11 @@ fn worst(known: &[(usize, [Option<f64>; 2])], found: &[Rows]) -> f64 {
 }
 
 /// Every point's scene through the one door to a first contact, the points dealt out to the threads.
-fn plain(plan: &Plan, crew: Crew) {
+fn plain(plan: &Plan, parallel: Parallel) {
     std::thread::scope(|scope| {
-        for first in 0..crew.threads as u64 {
+        for first in 0..parallel.threads as u64 {
             scope.spawn(move || {
-                for index in (first..plan.points()).step_by(crew.threads) {
+                for index in (first..plan.points()).step_by(parallel.threads) {
                     std::hint::black_box(first_contact(&Arc::new(plan.scene(index))).ok());
                 }
             });

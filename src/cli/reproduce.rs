@@ -5,7 +5,8 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::cli::pace::{Pace, interruptible, was_interrupted};
+use crate::cli::pace::{Pace, was_interrupted};
+use crate::cli::search::all_threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
 use crate::report::thesis as tables;
@@ -27,9 +28,13 @@ pub(super) struct ReproduceArguments {
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
     let mut pace = Pace::begin();
+    let mut check = |claims: &[&'static Claim]| {
+        pace.study(all_threads(), "rows", |context| thesis::check_all(claims, context))
+    };
+    let all: Vec<&Claim> = thesis::claims().iter().collect();
     let shown = match &arguments.only {
-        None => report(&thesis::claims().iter().collect::<Vec<_>>(), &mut pace),
-        Some(text) => only(text, &mut pace)?,
+        None => check(&all),
+        Some(text) => only(text, &all, check)?,
     };
     let is_whole = arguments.only.is_none() && !was_interrupted();
     let differences = if is_whole { thesis::differences(&shown) } else { thesis::changed(&shown) };
@@ -42,33 +47,28 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<ExitCode, CliError> 
 }
 
 /// The rows with this text in them; all are computed only where it may be a verdict's. No row at all is refused.
-fn only(text: &str, pace: &mut Pace) -> Result<Vec<Row>, CliError> {
+fn only(
+    text: &str,
+    all: &[&'static Claim],
+    mut check: impl FnMut(&[&'static Claim]) -> Vec<Row>,
+) -> Result<Vec<Row>, CliError> {
     let wanted = text.to_lowercase();
     let has = |field: &str| field.to_lowercase().contains(&wanted);
     let said = |claim: &Claim| [claim.id, claim.place, claim.says].into_iter().any(has);
     if Verdict::ALL.into_iter().any(|verdict| has(verdict.words())) {
-        let mut rows = report(&thesis::claims().iter().collect::<Vec<_>>(), pace);
+        let mut rows = check(all);
         rows.retain(|row| said(row.claim) || has(row.found.verdict.words()));
         return Ok(rows);
     }
-    let chosen: Vec<_> = thesis::claims().iter().filter(|claim| said(claim)).collect();
+    let chosen: Vec<_> = all.iter().copied().filter(|claim| said(claim)).collect();
     if chosen.is_empty() {
         return Err(CliError::Option(format!(
             "--only {text}: none of the {} rows has this in its name, place, sentence or verdict; write a section (9.3), a \
              name (A.2-coupling), a word (stiffness) or a verdict (misprint)",
-            thesis::claims().len()
+            all.len()
         )));
     }
-    Ok(report(&chosen, pace))
-}
-
-/// These claims in thesis order; as far as it came where it was interrupted.
-fn report(claims: &[&'static Claim], pace: &mut Pace) -> Vec<Row> {
-    let watch =
-        &mut |rows: &[Row], total| pace.watch(|_| format!("{} of {total} rows", rows.len()));
-    let rows = thesis::check_all(claims, watch, &interruptible());
-    pace.clear();
-    rows
+    Ok(check(&chosen))
 }
 
 fn page(report: &[Row], differences: usize) -> String {

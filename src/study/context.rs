@@ -1,6 +1,9 @@
 //! What every study is given besides its task: whom to report its progress to, whether to stop, and on how many threads to run.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use crate::study::parallel::Parallel;
 
 /// Steps of a run after which a study looks again whether to stop: a run may have millions of steps.
 const LOOK: u64 = 64;
@@ -83,6 +86,45 @@ impl<'w, P: ?Sized> Context<'w, P> {
             steps += 1;
             if steps.is_multiple_of(LOOK) { self.flow() } else { ControlFlow::Continue(()) }
         }
+    }
+
+    /// Work through so many pieces of work on all threads, several at once; `take` is given each result in order, and says whether to
+    /// go on. The flag is set when the study is stopped: workers look at it, and hand in what they have done.
+    pub fn each<T: Send, W: FnMut(Range<u64>) -> T>(
+        &mut self,
+        (count, at_once): (u64, u64),
+        stop: &AtomicBool,
+        worker: impl Fn() -> W + Sync,
+        mut take: impl FnMut(&mut Self, Range<u64>, T) -> bool,
+    ) {
+        let parallel = Parallel { threads: self.threads, piece: at_once };
+        let _ = parallel.map(0..count, worker, |news| {
+            let goes_on = match news {
+                Some((piece, result)) => take(self, piece, result),
+                None => self.goes_on(),
+            };
+            stop.store(!goes_on, Ordering::Relaxed);
+            if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+    }
+
+    /// The results of so many pieces of work, which workers give several at once; fewer than all when stopped, and then a worker gives
+    /// fewer, too. `show` is given all there are so far, and says whether to go on.
+    pub fn map<T: Send, W: FnMut(Range<u64>) -> Vec<T>>(
+        &mut self,
+        work: (u64, u64),
+        stop: &AtomicBool,
+        worker: impl Fn() -> W + Sync,
+        mut show: impl FnMut(&mut Self, &[T]) -> bool,
+    ) -> Vec<T> {
+        let mut all = Vec::new();
+        self.each(work, stop, worker, |context, piece, found| {
+            let is_whole = found.len() as u64 == piece.end - piece.start;
+            context.count(found.len());
+            all.extend(found);
+            show(context, &all) && is_whole
+        });
+        all
     }
 
     /// Work whose own pieces do not count, since it is one piece of this study.

@@ -269,7 +269,8 @@ pub fn find(
         report.recht_ipson = RechtIpson::through(&perforated, velocity_m_s);
         report.lambert_jonas = LambertJonas::through(&perforated);
         if let Some(scattering) = effort.scattering {
-            report.scatter = scatter::scatter(scene, scattering, velocity_m_s, &mut range);
+            let how = (effort.criterion, &mut *context);
+            report.scatter = scatter::scatter(scene, scattering, velocity_m_s, how);
         }
     }
     report.is_complete = !context.is_stopped();

@@ -15,7 +15,6 @@ use crate::model::variables::VariableError;
 use crate::numerics::larger;
 use crate::study::accuracy::reference::stored;
 use crate::study::context::Context;
-use crate::study::sweep::crew::Crew;
 use cases::Case;
 use others::{Contact, Other, Verdict};
 
@@ -169,34 +168,17 @@ pub fn run(
 ) -> Result<Vec<Row>, VariableError> {
     let stop = AtomicBool::new(false);
     let clock = Clock { now_s, until_s: OTHERS_UNTIL_S, stop: &stop };
+    for case in cases {
+        case.scene()?;
+    }
     let examine_one = |piece: Range<u64>| {
-        usize::try_from(piece.start).map_or(Ok(None), |at| examine(cases[at], clock))
+        let case = usize::try_from(piece.start).ok().and_then(|at| cases.get(at));
+        let row = case.and_then(|case| examine(case, clock).ok().flatten());
+        row.into_iter().collect()
     };
-    let (mut rows, mut failed) = (Vec::new(), None);
     context.expect(cases.len());
-    let crew = Crew { threads: context.threads(), piece: 1 };
-    let _ = crew.work_heard(
-        0..cases.len() as u64,
-        || examine_one,
-        |news| {
-            let goes_on = match news {
-                None => context.goes_on(),
-                Some((_, Ok(Some(row)))) => {
-                    rows.push(row);
-                    context.count(1);
-                    context.show(&rows)
-                }
-                Some((_, Ok(None))) => false,
-                Some((_, Err(error))) => {
-                    failed = Some(error);
-                    false
-                }
-            };
-            stop.store(!goes_on, Ordering::Relaxed);
-            if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-        },
-    );
-    failed.map_or(Ok(rows), Err)
+    let show = |context: &mut Context<'_, [Row]>, rows: &[Row]| context.show(rows);
+    Ok(context.map((cases.len() as u64, 1), &stop, || examine_one, show))
 }
 
 /// Run one scene of the battery; `None` when stopped.

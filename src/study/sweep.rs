@@ -2,11 +2,10 @@
 //!
 //! A [`Plan`] is checked before anything runs, and knows every point from its index alone: 10^8 points need no memory, and any
 //! part of them (a [`Shard`]) can be computed anywhere, in any order, by any number of threads, to the same digits. What a point
-//! gives is decided in `evaluate`; the threads live in `crew` and nowhere else. A value exists only where its quantity does;
+//! gives is decided in `evaluate`; the threads live in `study/parallel.rs` and nowhere else. A value exists only where its quantity does;
 //! what became of the point is told beside it. Knows no files, no screen, no command line and no clock.
 
 pub mod axis;
-pub mod crew;
 mod design;
 pub mod error;
 pub mod evaluate;

@@ -3,12 +3,12 @@
 //! The claims are data, in `presets/thesis/claims.toml`: where a claim stands, what it says, and how it is checked, by the
 //! engine and by the Appendix as printed. Results come from the solver each time, and the verdict follows from them.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
 
 use crate::model::scene::Scene;
-use crate::study::sweep::crew::Crew;
+use crate::study::context::Context;
 use claim::Claims;
 use runs::{Runs, SharedRuns};
 
@@ -171,39 +171,23 @@ pub fn check(claim: &'static Claim) -> Row {
 }
 
 /// Check every claim, as [`check_all`] does.
-pub fn reproduce(watch: Watch<'_>, stop: &Arc<AtomicBool>) -> Vec<Row> {
-    check_all(&claims().iter().collect::<Vec<_>>(), watch, stop)
+pub fn reproduce(context: &mut Context<'_, [Row]>) -> Vec<Row> {
+    check_all(&claims().iter().collect::<Vec<_>>(), context)
 }
 
-/// Given what there is so far, and how many rows there will be; `Break` stops.
-pub type Watch<'a> = &'a mut dyn FnMut(&[Row], usize) -> ControlFlow<()>;
-
-/// Check claims on all cores, in their order. `stop` ends a claim at its next step: that row and those after it are left out.
-pub fn check_all(claims: &[&'static Claim], watch: Watch<'_>, stop: &Arc<AtomicBool>) -> Vec<Row> {
-    let crew = Crew { piece: 1, ..Crew::of_machine() };
-    let shared = SharedRuns::stopped_by(stop);
+/// Check claims, in their order, and show the rows as they come. A stop ends a claim at its next step: that row and those after it
+/// are left out.
+pub fn check_all(claims: &[&'static Claim], context: &mut Context<'_, [Row]>) -> Vec<Row> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let shared = SharedRuns::stopped_by(&stop);
     let check_one = |piece: Range<u64>| {
-        let claim = claims.get(usize::try_from(piece.start).ok()?)?;
-        let row = row(claim, &shared);
-        (!stop.load(Ordering::Relaxed)).then_some(row)
+        let claim = usize::try_from(piece.start).ok().and_then(|at| claims.get(at));
+        let row = claim.map(|claim| row(claim, &shared));
+        row.into_iter().filter(|_| !stop.load(Ordering::Relaxed)).collect()
     };
-    let mut rows = Vec::new();
-    let _ = crew.work_heard(
-        0..claims.len() as u64,
-        || check_one,
-        |news| {
-            if let Some((_, row)) = news {
-                let Some(row) = row else { return ControlFlow::Break(()) };
-                rows.push(row);
-            }
-            let asked = watch(&rows, claims.len());
-            if asked.is_break() {
-                stop.store(true, Ordering::Relaxed);
-            }
-            asked
-        },
-    );
-    rows
+    context.expect(claims.len());
+    let show = |context: &mut Context<'_, [Row]>, rows: &[Row]| context.show(rows);
+    context.map((claims.len() as u64, 1), &stop, || check_one, show)
 }
 
 /// Where the verdicts of these rows differ from the expected ones, in words.
@@ -233,6 +217,8 @@ pub fn tally(rows: &[Row]) -> [usize; 6] {
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+
     use super::*;
 
     #[test]
@@ -248,7 +234,7 @@ mod tests {
         for claim in claims() {
             assert_eq!(row(claim, &SharedRuns::stopped_by(&stop)).claim.id, claim.id);
         }
-        let watch = &mut |_: &[Row], _: usize| ControlFlow::Continue(());
-        assert!(reproduce(watch, &stop).is_empty());
+        let watch = &mut |_, _: Option<&[Row]>| ControlFlow::Break(());
+        assert!(reproduce(&mut Context::new(2, watch)).len() <= 1);
     }
 }

@@ -9,7 +9,7 @@ use std::time::Duration;
 use crate::files::clean;
 use crate::files::session::Session;
 use crate::model::scene::Scene;
-use crate::study::sweep::crew::Crew;
+use crate::study::parallel::Parallel;
 use crate::tui::dialogs::Dialog;
 use crate::tui::keymap::{Keymap, Pane};
 use crate::tui::message::{Effect, FileTask, PresetEntry};
@@ -194,7 +194,7 @@ impl App {
 
     /// Threads of sweeps and studies.
     pub fn crew(&self) -> usize {
-        self.threads.unwrap_or_else(|| Crew::of_machine().threads)
+        self.threads.unwrap_or_else(|| Parallel::of_machine().threads)
     }
 
     /// Where everything stands.

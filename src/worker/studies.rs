@@ -98,12 +98,12 @@ fn found(study: &Study<'_>, quiet: &Quiet, reporter: &Reporter<'_>) -> Result<Fi
             // A run of an edited scene has its turn beside it.
             battery(study.threads.min(2), &|| started.elapsed().as_secs_f64(), reporter)
         }
-        StudyKind::Thesis => Ok(claims(reporter)),
+        StudyKind::Thesis => Ok(claims(study.threads, reporter)),
         StudyKind::Limit(effort) => {
             let watch = &mut |progress: Progress, _: Option<&()>| {
                 reporter.tell(progress.done, progress.total, &|| None)
             };
-            limit::find(scene, *effort, &mut Context::new(1, watch))
+            limit::find(scene, *effort, &mut Context::new(study.threads, watch))
                 .map(|report| Finding::Limit(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
@@ -131,13 +131,10 @@ fn battery(
     Ok(Finding::Battery(Arc::new(rows), all))
 }
 
-/// The claims of the thesis.
-fn claims(reporter: &Reporter<'_>) -> Finding {
-    let watch = &mut |rows: &[thesis::Row], total| {
-        let part = || Some(Finding::Thesis(Arc::new(rows.to_vec()), false));
-        reporter.tell(rows.len(), total, &part)
-    };
-    let rows = thesis::reproduce(watch, reporter.cancel());
+/// The claims of the thesis on so many threads.
+fn claims(threads: usize, reporter: &Reporter<'_>) -> Finding {
+    let part = |rows: &[thesis::Row]| Finding::Thesis(Arc::new(rows.to_vec()), false);
+    let rows = thesis::reproduce(&mut Context::new(threads, &mut reporter.watch(part)));
     let all = rows.len() == thesis::claims().len();
     Finding::Thesis(Arc::new(rows), all)
 }

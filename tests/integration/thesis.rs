@@ -1,17 +1,16 @@
 //! The reproduction report: enough rows, in order, with the verdicts that were looked through and stored.
 
 use std::collections::HashSet;
-use std::ops::ControlFlow;
-use std::sync::Arc;
 
 use assert_cmd::Command;
 use cmra::files::bundled::BUNDLED;
 use cmra::report::thesis::claims as table_of;
+use cmra::study::context::{Context, to_its_end};
 use cmra::study::thesis::{self, Basis, Opens, Verdict, differences, reproduce, tally};
 
 #[test]
 fn every_verdict_is_the_stored_one() {
-    let report = reproduce(&mut |_, _| ControlFlow::Continue(()), &Arc::default());
+    let report = reproduce(&mut Context::new(2, &mut to_its_end));
     assert!(report.len() >= 190, "{}", report.len());
     assert_eq!(differences(&report), Vec::<String>::new());
     let counts = tally(&report);

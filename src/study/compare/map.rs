@@ -1,13 +1,13 @@
 //! A map of the mass efficiency over two variables, and the line on which it is 1.
 
 use std::ops::Range;
+use std::sync::atomic::AtomicBool;
 
 use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind};
 use crate::study::compare::sized::{Absence, sized};
 use crate::study::compare::{Hardware, hold_spring_mass};
 use crate::study::context::Context;
-use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
 
 /// Points a thread computes at once.
@@ -46,8 +46,7 @@ impl Map {
             own.run.tolerance = TOLERANCE;
         }
         let plan = Plan::new(&own, axes.to_vec(), Design::Factorial, &["final_penetration_m"])?;
-        let mut cells = Vec::new();
-        let hire = || {
+        let worker = || {
             let mut placed = plan.base().clone();
             let plan = &plan;
             move |piece: Range<u64>| {
@@ -57,18 +56,13 @@ impl Map {
                     hold_spring_mass(&mut own);
                     sized(&own, &hardware, WIDTH).map(|sized| sized.mass_efficiency())
                 };
-                piece.map(cell).collect::<Vec<_>>()
+                piece.map(cell).collect()
             }
         };
         context.expect(usize::try_from(plan.points()).unwrap_or(0));
-        let crew = Crew { threads: context.threads(), piece: PIECE };
-        let _stopped = crew.work_heard(0..plan.points(), hire, |news| {
-            if let Some((_, piece)) = news {
-                context.count(piece.len());
-                cells.extend(piece);
-            }
-            context.flow()
-        });
+        let stop = AtomicBool::new(false);
+        let work = (plan.points(), PIECE);
+        let cells = context.map(work, &stop, worker, |context, _| context.goes_on());
         Ok(Self { plan, cells })
     }
 

@@ -1,12 +1,15 @@
 //! The limit when the inputs scatter: V50, its spread, and the chance that the scene's own shot goes through.
 
+use std::ops::{self, ControlFlow};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::model::scene::Scene;
 use crate::numerics::random::Random;
 use crate::numerics::statistics::{moments, quantile, wilson};
-use crate::study::limit::Limit;
+use crate::study::context::Context;
 use crate::study::limit::search::{Range, Scan};
+use crate::study::limit::{Criterion, Limit};
 use crate::study::search::scatter::{Draw, usual_tolerances};
 
 /// Each sample's limit is looked for within this factor of the nominal one, with so many points, to this relative width.
@@ -64,54 +67,65 @@ pub struct Scatter {
     pub perforated95: (f64, f64),
 }
 
-/// The limits of scattered scenes: every input of Monte Carlo's own that a limit depends on. `None` when stopped, or when too few
+/// The limits of sampled scenes, with every input of Monte Carlo's own that a limit depends on. `None` when stopped, or when too few
 /// have a limit.
 pub(super) fn scatter(
     scene: &Arc<Scene>,
     scattering: Scattering,
     nominal_m_s: f64,
-    range: &mut Range<'_, '_, '_>,
+    (criterion, context): (Criterion, &mut Context<'_>),
 ) -> Option<Scatter> {
     let mut tolerances = usual_tolerances(scene, scattering.deviation);
     tolerances.retain(|tolerance| tolerance.symbol() != "v_i");
-    let mut draw = Draw::new(scene, &tolerances, scattering.seed);
     let mut errors = Random::new(!scattering.seed);
     let mut limits = Vec::new();
     let (mut without, mut through) = (0, 0_usize);
     let own_m_s = scene.projectile.velocity_m_s;
-    let range_criterion = range.criterion;
     let scan = Scan {
         low_m_s: nominal_m_s / WITHIN,
         high_m_s: nominal_m_s * WITHIN,
         points: POINTS,
         width: WIDTH,
     };
-    for _ in 0..scattering.samples {
-        if !range.goes_on() {
-            return None;
+    let stop = AtomicBool::new(false);
+    let limit_of = |sample: &[f64]| {
+        let mut own = (**scene).clone();
+        for (tolerance, value) in tolerances.iter().zip(sample) {
+            (tolerance.number().set)(&mut own, Some(*value));
         }
-        draw.sample().ok()?;
-        let sample = Arc::new(draw.scene().clone());
-        let factor = scattering.model.factor(&mut errors);
-        let limit = range.context.uncounted(|context| {
-            Range { scene: &sample, criterion: range_criterion, context }.limit(scan)
-        });
-        if range.context.is_stopped() {
-            return None;
-        }
-        match limit {
-            Limit::Found { velocity_m_s, .. } => {
-                through += usize::from(factor * velocity_m_s < own_m_s);
-                limits.push(factor * velocity_m_s);
+        let watch = &mut |_, _: Option<&()>| {
+            let is_stopped = stop.load(Ordering::Relaxed);
+            if is_stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let context = &mut Context::new(1, watch);
+        let limit = Range { scene: &Arc::new(own), criterion, context }.limit(scan);
+        (!context.is_stopped() && limit != Limit::Unknown).then_some(limit)
+    };
+    let mut draw = Draw::new(scene, &tolerances, scattering.seed);
+    let drawn = draw.each_batch(scattering.samples, context, |samples, context| {
+        let sample = |at: u64| usize::try_from(at).ok().and_then(|at| samples.get(at));
+        let worker = || {
+            |piece: ops::Range<u64>| piece.filter_map(sample).map_while(|it| limit_of(it)).collect()
+        };
+        let work = (samples.len() as u64, 1);
+        for limit in context.map(work, &stop, worker, |context, _| context.goes_on()) {
+            let factor = scattering.model.factor(&mut errors);
+            match limit {
+                Limit::Found { velocity_m_s, .. } => {
+                    through += usize::from(factor * velocity_m_s < own_m_s);
+                    limits.push(factor * velocity_m_s);
+                }
+                // Beyond the bracket on a known side.
+                Limit::Always => {
+                    without += 1;
+                    through += usize::from(own_m_s > factor * scan.low_m_s);
+                }
+                Limit::Between { .. } | Limit::Never | Limit::Unknown => without += 1,
             }
-            // Beyond the bracket on a known side.
-            Limit::Always => {
-                without += 1;
-                through += usize::from(own_m_s > factor * scan.low_m_s);
-            }
-            Limit::Unknown => return None,
-            Limit::Between { .. } | Limit::Never => without += 1,
         }
+    });
+    if drawn.is_err() || context.is_stopped() {
+        return None;
     }
     limits.sort_by(f64::total_cmp);
     let (_, deviation_m_s) = moments(&limits)?;

@@ -5,13 +5,12 @@
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
-use crate::study::sweep::crew::Crew;
 use crate::study::sweep::grid::tells;
 use crate::study::sweep::{Axis, Evaluator, Failure, Fate, Plan, SweepError};
 
@@ -98,23 +97,13 @@ impl Field {
         let plan = self.plan.over_points(designs);
         let stop = AtomicBool::new(false);
         let piece = if self.runs_whole() { PIECE_OF_RUNS } else { PIECE };
-        let crew = Crew { threads: context.threads(), piece };
-        let mut all = Vec::with_capacity(designs.len());
-        let hire = || {
+        let worker = || {
             let mut evaluator = Evaluator::new(&plan, &stop).limited(self.steps_max);
             let (plan, stop) = (&plan, &stop);
             move |points: Range<u64>| self.piece(plan, stop, &mut evaluator, points)
         };
-        let _ = crew.work_heard(0..designs.len() as u64, hire, |news| {
-            if let Some((_, found)) = news {
-                context.count(found.len());
-                all.extend(found);
-            }
-            let flow = context.flow();
-            stop.store(flow.is_break(), Ordering::Relaxed);
-            flow
-        });
-        all
+        let work = (designs.len() as u64, piece);
+        context.map(work, &stop, worker, |context, _| context.goes_on())
     }
 
     fn piece<'p>(

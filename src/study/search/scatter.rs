@@ -203,11 +203,8 @@ pub fn scatter(
     context.expect(task.samples);
     let nominal = context.uncounted(|context| field.evaluate(&[own], context)).into_iter().next();
     let mut values: Vec<Vec<f64>> = vec![Vec::new(); field.measures().len()];
-    while report.samples < task.samples && !context.is_stopped() {
-        let left = task.samples - report.samples;
-        let count = if left < BATCH { left } else { BATCH };
-        let designs = (0..count).map(|_| draw.sample()).collect::<Result<Vec<_>, _>>()?;
-        let found = field.evaluate(&designs, context);
+    draw.each_batch(task.samples, context, |designs, context| {
+        let found = field.evaluate(designs, context);
         report.samples += found.len();
         for found in found {
             report.outcomes.add(found.fate);
@@ -215,7 +212,7 @@ pub fn scatter(
                 list.extend(value);
             }
         }
-    }
+    })?;
     report.is_complete = !context.is_stopped();
     report.redrawn = draw.redrawn;
     report.perforated = perforated(report.outcomes);
@@ -270,13 +267,25 @@ impl<'t> Draw<'t> {
         }
     }
 
-    /// The scene with the values drawn last.
-    pub(in crate::study) fn scene(&self) -> &Scene {
-        &self.scene
+    /// Draw so many samples and hand them over batch by batch, each a value for every input; until the study is stopped.
+    pub(in crate::study) fn each_batch(
+        &mut self,
+        samples: usize,
+        context: &mut Context<'_>,
+        mut evaluate: impl FnMut(&[Vec<f64>], &mut Context<'_>),
+    ) -> Result<(), ScatterError> {
+        let mut done = 0;
+        while done < samples && !context.is_stopped() {
+            let count = BATCH.min(samples - done);
+            let batch = (0..count).map(|_| self.sample()).collect::<Result<Vec<_>, _>>()?;
+            evaluate(&batch, context);
+            done += count;
+        }
+        Ok(())
     }
 
     /// A value for every input, which together make physical sense.
-    pub(in crate::study) fn sample(&mut self) -> Result<Vec<f64>, ScatterError> {
+    fn sample(&mut self) -> Result<Vec<f64>, ScatterError> {
         let mut last = None;
         for _ in 0..DRAWS_MAX {
             let mut values = Vec::with_capacity(self.tolerances.len());

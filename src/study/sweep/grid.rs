@@ -4,12 +4,12 @@
 //! Every pass visits the points of a stride that none before it has; whatever is asked of a point that is not there yet is
 //! answered by the nearest coarser one. The finished grid does not depend on the passes.
 
-use std::ops::{ControlFlow, Range, RangeInclusive};
+use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::study::context::Context;
 use crate::study::quantities::{Needs, Quantity};
-use crate::study::sweep::crew::Crew;
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows, SweepError};
 
@@ -17,6 +17,8 @@ use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows, SweepError};
 pub const GRID_MAX: u64 = 1_000_000;
 /// How many of them an axis may have.
 pub const GRID_COUNTS: RangeInclusive<u64> = 2..=GRID_MAX;
+/// Points that a thread usually computes at once.
+pub const PIECE: u64 = 64;
 /// The first pass takes every so many-th point of an axis, unless the axis is short.
 const COARSEST: usize = 16;
 /// An axis has at least so many points in the first pass.
@@ -158,39 +160,34 @@ impl Grid {
         counts
     }
 
-    /// Fill the grid with all hands. `watch` is told after every piece whether a pass has just been finished; `Break` stops,
-    /// and what is done is kept.
+    /// Fill the grid, so many points of a thread at once, and show it after each pass. What is done when it is stopped is kept.
     #[must_use]
-    pub fn fill(
-        mut self,
-        crew: Crew,
-        stop: &AtomicBool,
-        watch: &mut dyn FnMut(&Self, bool) -> ControlFlow<()>,
-    ) -> Self {
+    pub fn fill(mut self, at_once: u64, context: &mut Context<'_, Self>) -> Self {
         let plan = Arc::clone(&self.plan);
+        let stop = AtomicBool::new(false);
+        context.expect(self.fates.len());
         for stride in self.strides() {
             let points = self.pass(stride);
-            let all = 0..points.len() as u64;
             let slice = |piece: &Range<u64>| {
                 let at = |end: u64| usize::try_from(end).unwrap_or(points.len());
                 &points[at(piece.start)..at(piece.end)]
             };
-            let hire = || {
-                let mut evaluator = Evaluator::new(&plan, stop);
+            let worker = || {
+                let mut evaluator = Evaluator::new(&plan, &stop);
                 move |piece: Range<u64>| evaluator.rows_of(slice(&piece))
             };
-            let last = all.end;
-            let ended = crew.work(all, hire, |piece, rows: Rows| {
+            let all = points.len() as u64;
+            context.each((all, at_once), &stop, worker, |context, piece, rows: Rows| {
                 let whole = rows.len() == slice(&piece).len();
                 self.put(slice(&piece), &rows);
-                let finished = whole && piece.end == last;
+                context.count(rows.len());
+                let finished = whole && piece.end == all;
                 if finished {
                     self.stride = stride;
                 }
-                let go_on = watch(&self, finished);
-                if whole { go_on } else { ControlFlow::Break(()) }
+                whole && if finished { context.show(&self) } else { context.goes_on() }
             });
-            if ended.is_break() {
+            if stop.load(Ordering::Relaxed) {
                 break;
             }
         }

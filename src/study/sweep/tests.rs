@@ -2,14 +2,15 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
-use super::crew::Crew;
 use super::grid::{Cell, Grid};
 use super::*;
 use crate::model::simulate::{Settings, simulate};
 use crate::model::units::Bare;
 use crate::model::variables::set_by_name;
+use crate::study::context::{Context, to_its_end, until};
+use crate::study::parallel::Parallel;
 
 const NONE: [&str; 0] = [];
 
@@ -187,15 +188,16 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
     }
 }
 
-/// Every bit of what a crew makes of a plan.
-fn by_crew(plan: &Plan, crew: Crew, shard: Shard) -> Vec<(Fate, u64)> {
+/// Every bit of what threads make of a plan.
+fn by_threads(plan: &Plan, parallel: Parallel, shard: Shard) -> Vec<(Fate, u64)> {
     let stop = AtomicBool::new(false);
     let mut all = Vec::new();
-    let hire = || {
+    let worker = || {
         let mut evaluator = Evaluator::new(plan, &stop);
         move |piece| evaluator.rows(piece)
     };
-    let ended = crew.work(shard.of(plan.points()), hire, |_, rows: Rows| {
+    let ended = parallel.map(shard.of(plan.points()), worker, |news| {
+        let rows = news.map_or_else(Rows::default, |(_, rows)| rows);
         for row in 0..rows.len() {
             for output in 0..plan.outputs().len() {
                 let value = rows.value(row, output).unwrap_or(f64::NAN);
@@ -212,13 +214,13 @@ fn by_crew(plan: &Plan, crew: Crew, shard: Shard) -> Vec<(Fate, u64)> {
 fn threads_pieces_and_shards_do_not_change_a_bit() {
     for (scene, axes) in surfaces() {
         let plan = Plan::new(&scene, axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
-        let whole = by_crew(&plan, Crew { threads: 1, piece: 1_000_000 }, Shard::WHOLE);
-        for crew in [Crew { threads: 2, piece: 3 }, Crew { threads: 3, piece: 64 }] {
-            assert_eq!(by_crew(&plan, crew, Shard::WHOLE), whole);
+        let whole = by_threads(&plan, Parallel { threads: 1, piece: 1_000_000 }, Shard::WHOLE);
+        for parallel in [Parallel { threads: 2, piece: 3 }, Parallel { threads: 3, piece: 64 }] {
+            assert_eq!(by_threads(&plan, parallel, Shard::WHOLE), whole);
         }
         let parts = (1..=3).flat_map(|part| {
             let shard = Shard::parse(&format!("{part}/3")).unwrap();
-            by_crew(&plan, Crew { threads: 2, piece: 5 }, shard)
+            by_threads(&plan, Parallel { threads: 2, piece: 5 }, shard)
         });
         assert_eq!(parts.collect::<Vec<_>>(), whole);
     }
@@ -229,20 +231,16 @@ fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
     let axes = vec![axis("gamma", 0.8, 7.0, 33), axis("k", 0.0, 7.5e6, 20)];
     let plan = Plan::new(&scene(""), axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
     let direct = rows(&plan);
-    let stop = AtomicBool::new(false);
     let mut seen = Vec::new();
-    let grid = Grid::new(Arc::new(plan)).unwrap().fill(
-        Crew { threads: 2, piece: 7 },
-        &stop,
-        &mut |grid, finished| {
-            if finished {
-                seen.push(grid.progress().0);
-                // What is not there yet is shown by a coarser point.
-                assert_ne!(grid.cell(32, 19, 0), Cell::Waiting);
-            }
-            ControlFlow::Continue(())
-        },
-    );
+    let watch = &mut |_, pass: Option<&Grid>| {
+        if let Some(grid) = pass {
+            seen.push(grid.progress().0);
+            // What is not there yet is shown by a coarser point.
+            assert_ne!(grid.cell(32, 19, 0), Cell::Waiting);
+        }
+        ControlFlow::Continue(())
+    };
+    let grid = Grid::new(Arc::new(plan)).unwrap().fill(7, &mut Context::new(2, watch));
     assert_eq!(seen, [9 * 5, 17 * 10, 33 * 20]);
     assert!(grid.is_complete());
     for x in 0..33 {
@@ -263,13 +261,7 @@ fn a_stopped_grid_keeps_the_finished_part() {
     let axes = vec![axis("gamma", 0.8, 7.0, 101), axis("n", 0.1, 3.0, 101)];
     // With a stop every point is a full simulation: none is over before the flag is seen.
     let plan = Plan::new(&scene("x_stop=2mm"), axes, Design::Factorial, &USUAL_OUTPUTS).unwrap();
-    let stop = AtomicBool::new(false);
-    let crew = Crew { threads: 2, piece: 4 };
-    let grid = Grid::new(Arc::new(plan)).unwrap().fill(crew, &stop, &mut |grid, _| {
-        // The flag alone ends it, as it does from another thread.
-        stop.store(grid.progress().0 >= 20, Ordering::Relaxed);
-        ControlFlow::Continue(())
-    });
+    let grid = Grid::new(Arc::new(plan)).unwrap().fill(4, &mut Context::new(2, &mut until(20)));
     let (done, all) = grid.progress();
     assert!((20..200).contains(&done), "{done} of {all}");
     assert_eq!(grid.outcomes().total(), done as u64);
@@ -281,10 +273,8 @@ fn a_perforation_is_never_a_number() {
     let axes = vec![axis("v_i", 200.0, 260.0, 7)];
     let names = ["final_penetration_m", "residual_velocity_m_s", "max_plate_displacement_m"];
     let plan = Plan::new(&scene("mount=rigid"), axes, Design::Factorial, &names).unwrap();
-    let stop = AtomicBool::new(false);
-    let crew = Crew { threads: 1, piece: 64 };
-    let filled = Grid::new(Arc::new(plan)).unwrap();
-    let grid = filled.fill(crew, &stop, &mut |_, _| ControlFlow::Continue(()));
+    let empty = Grid::new(Arc::new(plan)).unwrap();
+    let grid = empty.fill(64, &mut Context::new(1, &mut to_its_end));
     // The limit is 232.295 m/s (model page): 230 is stopped, 240 is not.
     assert!(matches!(grid.cell(3, 0, 0), Cell::Value(_)));
     assert_eq!(grid.cell(4, 0, 0), Cell::Fate(Fate::Perforated));
@@ -300,10 +290,9 @@ fn a_hypercube_is_kept_as_a_row_of_points() {
     let design = Design::LatinHypercube { points: 37, seed: 3 };
     let plan = Arc::new(Plan::new(&Scene::default(), axes, design, &USUAL_OUTPUTS).unwrap());
     let stop = AtomicBool::new(false);
-    let crew = Crew { threads: 2, piece: 4 };
     let empty = Grid::new(Arc::clone(&plan)).unwrap();
     assert_eq!((empty.counts(), empty.is_full()), ((37, 1), false));
-    let filled = empty.fill(crew, &stop, &mut |_, _| ControlFlow::Continue(()));
+    let filled = empty.fill(4, &mut Context::new(2, &mut to_its_end));
     assert!(filled.is_complete());
     let rows = Evaluator::new(&plan, &stop).rows(0..37);
     for (x, index) in (0..37).zip(0u64..) {

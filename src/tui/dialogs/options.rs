@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 
 use crate::model::variables::{self, Kind, VARIABLES, Value};
-use crate::study::sweep::crew::Crew;
+use crate::study::parallel::Parallel;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
@@ -114,7 +114,7 @@ pub(in crate::tui) fn change(app: &mut App, row: OptionRow, forward: bool) -> Ve
         }
         OptionRow::Threads => {
             // In a circle: one a core, then 1, 2, up to as many as there are cores.
-            let most = Crew::of_machine().threads;
+            let most = Parallel::of_machine().threads;
             let now = app.threads.map_or(0, |count| count.min(most));
             let next = dialogs::wrap(now, if forward { 1 } else { -1 }, most + 1);
             app.threads = (next > 0).then_some(next);

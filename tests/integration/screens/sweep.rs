@@ -2,13 +2,12 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use super::bench::{Bench, ended};
 use cmra::files::preset;
+use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
-use cmra::study::sweep::crew::Crew;
 use cmra::study::sweep::grid::Grid;
 use cmra::tui::app::{Base, Origin};
 use cmra::tui::dialogs::Dialog;
@@ -39,12 +38,11 @@ fn jobs(bench: &mut Bench) -> Vec<Job> {
 
 /// A grid of the job, filled until so many points are done.
 fn grid(job: &Job, points: usize) -> Arc<Grid> {
-    let stop = AtomicBool::new(false);
-    let crew = Crew { threads: 1, piece: 1 };
+    let watch = &mut |progress: study::Progress, _: Option<&Grid>| {
+        if progress.done >= points { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
     let grid = Grid::new(Arc::clone(&job.plan)).unwrap();
-    Arc::new(grid.fill(crew, &stop, &mut |grid, _| {
-        if grid.progress().0 >= points { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    }))
+    Arc::new(grid.fill(1, &mut Context::new(1, watch)))
 }
 
 /// Answer every sweep with its grid, as the thread would.

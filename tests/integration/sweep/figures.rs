@@ -1,13 +1,11 @@
 //! Figures 9.2 to 9.12: each preset holds what the caption says, and shows the trends section 9.3 describes.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use cmra::files::preset;
 use cmra::model::scene::Scene;
-use cmra::study::sweep::crew::Crew;
-use cmra::study::sweep::grid::Grid;
+use cmra::study::context::{Context, to_its_end};
+use cmra::study::sweep::grid::{Grid, PIECE};
 use cmra::study::sweep::{Fate, Plan};
 
 fn scene(figure: u32) -> Scene {
@@ -21,9 +19,8 @@ fn grid(figure: u32, count: usize) -> Grid {
     for axis in &mut sweep.axes {
         axis.count = count;
     }
-    let stop = AtomicBool::new(false);
     let grid = Grid::new(Arc::new(Plan::of(&scene).unwrap())).unwrap();
-    grid.fill(Crew::of_machine(), &stop, &mut |_, _| ControlFlow::Continue(()))
+    grid.fill(PIECE, &mut Context::new(2, &mut to_its_end))
 }
 
 const DEPTH: usize = 0;

@@ -251,7 +251,8 @@ impl Tolerance {
         self.variable
     }
 
-    pub(super) fn number(&self) -> &'static Number {
+    /// The variable's number: how it is set.
+    pub(in crate::study) fn number(&self) -> &'static Number {
         self.number
     }
 

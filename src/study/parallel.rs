@@ -17,71 +17,40 @@ const ASKED_EVERY: Duration = Duration::from_millis(20);
 
 /// How the work is cut and who does it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Crew {
+pub struct Parallel {
     /// Threads, >= 1.
     pub threads: usize,
     /// Points a piece has, >= 1: a few milliseconds of work at most, since cancelling waits for the running pieces.
     pub piece: u64,
 }
 
-impl Crew {
+impl Parallel {
     /// One thread for each core, and pieces of the usual size.
     pub fn of_machine() -> Self {
         Self { threads: thread::available_parallelism().map_or(1, usize::from), piece: 64 }
     }
 
-    /// Work through `points`: each thread gets a worker of its own from `hire`, and `take` is given every result in the order
-    /// of the points. `Break` from `take` ends it; pieces under way are dropped.
-    pub fn work<T: Send, W: FnMut(Range<u64>) -> T>(
+    /// Work through `points`: each thread gets a worker of its own from `worker`, and `take` is given every result in the order of
+    /// the points. It is also asked now and then while there is no result (`None`): a piece may take longer than anybody wants to
+    /// wait for the word to stop. `Break` ends it; pieces under way are dropped.
+    pub fn map<T: Send, W: FnMut(Range<u64>) -> T>(
         self,
         points: Range<u64>,
-        hire: impl Fn() -> W + Sync,
-        mut take: impl FnMut(Range<u64>, T) -> ControlFlow<()>,
+        worker: impl Fn() -> W + Sync,
+        mut take: impl FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        let pieces = self.cut(points);
-        if self.threads.max(1) == 1 || pieces.count == 1 {
-            let mut worker = hire();
-            for number in 0..pieces.count {
-                take(pieces.at(number), worker(pieces.at(number)))?;
-            }
-            return ControlFlow::Continue(());
-        }
-        self.share_out(&pieces, &hire, &mut |news| {
-            news.map_or(ControlFlow::Continue(()), |(piece, result)| take(piece, result))
-        })
-    }
-
-    /// The same on other threads than this one, which asks `hear` also now and then while there is no result (`None`): a piece
-    /// may take longer than anybody wants to wait for the word to stop.
-    pub fn work_heard<T: Send, W: FnMut(Range<u64>) -> T>(
-        self,
-        points: Range<u64>,
-        hire: impl Fn() -> W + Sync,
-        mut hear: impl FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
-        self.share_out(&self.cut(points), &hire, &mut hear)
-    }
-
-    fn cut(self, points: Range<u64>) -> Pieces {
         let size = self.piece.max(1);
-        Pieces { count: points.end.saturating_sub(points.start).div_ceil(size), size, points }
-    }
-
-    /// What depends on the type of the results: each waits in a slot of its own until those before it are taken.
-    fn share_out<T: Send, W: FnMut(Range<u64>) -> T>(
-        self,
-        pieces: &Pieces,
-        hire: &(impl Fn() -> W + Sync),
-        hear: &mut dyn FnMut(Option<(Range<u64>, T)>) -> ControlFlow<()>,
-    ) -> ControlFlow<()> {
+        let count = points.end.saturating_sub(points.start).div_ceil(size);
+        let pieces = &Pieces { count, size, points };
         let threads = u64::try_from(self.threads.max(1)).unwrap_or(1).min(pieces.count);
+        // Each result waits in a slot of its own until those before it are taken.
         let slots: Vec<Mutex<Option<T>>> = (0..OUT * threads).map(|_| Mutex::new(None)).collect();
         let slot = |number: u64| {
             let place = usize::try_from(number).unwrap_or(0) % slots.len();
             slots[place].lock().unwrap_or_else(PoisonError::into_inner)
         };
         let worker = || -> Box<dyn FnMut(u64) + '_> {
-            let mut work = hire();
+            let mut work = worker();
             Box::new(move |number| *slot(number) = Some(work(pieces.at(number))))
         };
         let queue = Queue {
@@ -92,7 +61,7 @@ impl Crew {
         };
         queue.run(&worker, &mut |number| {
             let result = number.and_then(|number| Some((pieces.at(number), slot(number).take()?)));
-            hear(result)
+            take(result)
         })
     }
 }
@@ -227,12 +196,14 @@ mod tests {
     fn results_come_in_order_whoever_works() {
         for threads in [1, 2, 3, 7] {
             for points in [0, 1, 9, 10, 11, 1000] {
-                let crew = Crew { threads, piece: 10 };
+                let parallel = Parallel { threads, piece: 10 };
                 let mut seen = Vec::new();
-                let hire = || |piece: Range<u64>| piece.collect::<Vec<u64>>();
-                let ended = crew.work(5..5 + points, hire, |piece, found: Vec<u64>| {
-                    assert_eq!(piece.clone().collect::<Vec<u64>>(), found);
-                    seen.extend(found);
+                let worker = || |piece: Range<u64>| piece.collect::<Vec<u64>>();
+                let ended = parallel.map(5..5 + points, worker, |news| {
+                    if let Some((piece, found)) = news {
+                        assert_eq!(piece.collect::<Vec<u64>>(), found);
+                        seen.extend(found);
+                    }
                     ControlFlow::Continue(())
                 });
                 assert!(ended.is_continue());
@@ -244,14 +215,16 @@ mod tests {
     #[test]
     fn breaking_off_ends_a_sweep_that_would_never_end() {
         for threads in [1, 2] {
-            let crew = Crew { threads, piece: 1 };
+            let parallel = Parallel { threads, piece: 1 };
             let mut taken = 0;
-            let ended = crew.work(
+            let ended = parallel.map(
                 0..u64::MAX >> 1,
                 || |piece: Range<u64>| piece.start,
-                |_, start| {
-                    assert_eq!(start, taken);
-                    taken += 1;
+                |news| {
+                    if let Some((_, start)) = news {
+                        assert_eq!(start, taken);
+                        taken += 1;
+                    }
                     if taken == 100 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
                 },
             );
@@ -265,7 +238,7 @@ mod tests {
         for threads in [1, 2] {
             stop.store(false, Ordering::Relaxed);
             let (mut asked, mut pieces) = (0, Vec::new());
-            let hire = || {
+            let worker = || {
                 let stop = &stop;
                 move |piece: Range<u64>| {
                     // The second piece would never end by itself.
@@ -275,7 +248,7 @@ mod tests {
                     piece.start
                 }
             };
-            let ended = Crew { threads, piece: 1 }.work_heard(0..1000, hire, |news| {
+            let ended = Parallel { threads, piece: 1 }.map(0..1000, worker, |news| {
                 asked += usize::from(news.is_none());
                 pieces.extend(news.map(|(_, start)| start));
                 if asked == 3 {
