@@ -1,6 +1,6 @@
 //! Work made of many runs.
 //!
-//! Knows the model and its methods; must not know files, screens or the command line, and threads only in `sweep/crew.rs`.
+//! Knows the model and its methods; must not know files, screens or the command line, and threads only in `parallel.rs`.
 //! Whoever wants a time measured passes the clock in.
 
 pub mod accuracy;
@@ -9,6 +9,7 @@ pub mod context;
 pub mod fit;
 pub mod limit;
 pub mod models;
+pub mod parallel;
 pub mod principles;
 pub mod quantities;
 pub mod screening;

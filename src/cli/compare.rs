@@ -11,7 +11,7 @@ use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::threads;
+use crate::cli::search::all_threads;
 use crate::cli::sweep::axes::range;
 use crate::cli::table::{TableArguments, at_top};
 use crate::files::preset::Preset;
@@ -123,7 +123,7 @@ impl CompareArguments {
         hardware: Hardware,
     ) -> Result<ExitCode, CliError> {
         let mut pace = Pace::begin();
-        let map = pace.study(threads(None), "points", |context| {
+        let map = pace.study(all_threads(), "points", |context| {
             Map::compute(&preset.scene, axes, hardware, context)
         })?;
         let name = preset.name.as_str();

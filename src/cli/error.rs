@@ -75,14 +75,6 @@ pub enum CliError {
     /// The scene as a whole makes no sense.
     #[error(transparent)]
     Scene(Box<VariableError>),
-    /// There is no subcommand of this name.
-    #[error("`{name}` is not a subcommand: {known}")]
-    Subcommand {
-        /// What was written.
-        name: String,
-        /// The names that exist.
-        known: String,
-    },
     /// Standard output cannot be written.
     #[error("cannot write to standard output: {0}")]
     Stdout(io::Error),
@@ -118,8 +110,7 @@ impl CliError {
             | Self::Scatter(_)
             | Self::NothingToSweep { .. }
             | Self::Option(_)
-            | Self::Scene(_)
-            | Self::Subcommand { .. } => ExitCode::from(2),
+            | Self::Scene(_) => ExitCode::from(2),
         }
     }
 

@@ -11,6 +11,7 @@ use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
+use crate::cli::search::all_threads;
 use crate::cli::table::TableArguments;
 use crate::report::figures::limit::residual;
 use crate::report::limit;
@@ -103,7 +104,8 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     let mut pace = Pace::begin();
     let scene = Arc::new(preset.scene);
-    let report = pace.study(1, "shots or so", |context| find(&scene, effort, context))?;
+    let report =
+        pace.study(all_threads(), "shots or so", |context| find(&scene, effort, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || limit::json(name, &report);

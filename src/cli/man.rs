@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use clap::{Args, Command, CommandFactory as _};
 
 use crate::cli::{Arguments, CliError, output};
-use crate::files::error::did_you_mean;
+use crate::files::error::nearest;
 
 #[derive(Debug, Args)]
 pub(super) struct ManArguments {
@@ -17,14 +17,11 @@ pub(super) struct ManArguments {
 pub(super) fn run(arguments: &ManArguments) -> Result<ExitCode, CliError> {
     let mut command = program();
     if let Some(name) = &arguments.subcommand {
+        let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+        let unknown =
+            || format!("`{name}` is not a subcommand: {}", nearest(name, &names, "use one of"));
         let found = command.find_subcommand(name).cloned();
-        let known = || {
-            let names: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
-            did_you_mean(name, &names).unwrap_or_else(|| format!("use one of {}", names.join(", ")))
-        };
-        let page =
-            found.ok_or_else(|| CliError::Subcommand { name: name.clone(), known: known() })?;
-        command = page;
+        command = found.ok_or_else(|| CliError::Option(unknown()))?;
     }
     output::print(&String::from_utf8_lossy(&page(command)?.content))?;
     Ok(ExitCode::SUCCESS)

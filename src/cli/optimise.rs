@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{bounds, say_if_long, threads};
+use crate::cli::search::{Threads, bounds, say_if_long};
 use crate::cli::table::TableArguments;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::report::front;
@@ -76,9 +76,8 @@ pub(super) struct OptimiseArguments {
     /// Seed: the same seed gives the same digits
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
-    /// Threads; the digits do not depend on it [default: one for each core]
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -146,7 +145,7 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
     let field = Field::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
     let mut pace = Pace::begin();
-    let threads = threads(arguments.threads);
+    let threads = arguments.threads.count();
     say_if_long(&field, task.runs(), threads);
     let fronts = pace.study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();

@@ -14,6 +14,7 @@ use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, Target, exists};
+use crate::cli::text::fitted;
 use crate::cli::{CliError, Glyphs, output, plain, summary};
 use crate::files::atomic::Existing;
 use crate::files::export::{self, ExportRequest};
@@ -208,7 +209,7 @@ pub(super) fn print_readable(computed: &Computed, charts: Charts) -> Result<(), 
     if let Charts::With(glyphs) = charts {
         text.push_str(&plain::charts(&computed.run, glyphs));
     }
-    output::print(&text)
+    output::print(&fitted(&text))
 }
 
 /// 0 for a complete run, 1 for one that ended early.

@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{say_if_long, threads};
+use crate::cli::search::{Threads, say_if_long};
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::model::scene::Scene;
@@ -47,9 +47,8 @@ pub(super) struct ScatterArguments {
     /// Seed: the same seed gives the same digits
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
-    /// Threads; the digits do not depend on it [default: one for each core]
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -85,7 +84,7 @@ pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
     let mut pace = Pace::begin();
-    let threads = threads(arguments.threads);
+    let threads = arguments.threads.count();
     say_if_long(&field(&preset.scene, &task)?, task.samples, threads);
     let report = pace.study(threads, "runs", |context| scatter(&preset.scene, &task, context))?;
     let name = preset.name.as_str();

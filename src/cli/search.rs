@@ -1,13 +1,15 @@
 //! What the commands that look for designs have in common: reading bounds, and saying how long it will take.
 
+use clap::Args;
+
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::axes::range;
 use crate::cli::{CliError, outlook};
 use crate::model::scene::{ContactModel, InterfaceLaw, Mount, Scene};
 use crate::study::context::Context;
+use crate::study::parallel::Parallel;
 use crate::study::search::field::Field;
 use crate::study::sensitivity::thesis_axes;
-use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Axis, COUNTS};
 
 /// Let a search look on the plastic law, unless `--set interface=...` says otherwise: fused, a search ends where the interface is
@@ -28,9 +30,24 @@ pub(super) fn be_cautious(arguments: &SceneArguments, scene: &mut Scene) -> Opti
     )
 }
 
-/// The number of threads given, or one for each core.
-pub(super) fn threads(asked: Option<u16>) -> usize {
-    asked.map_or_else(|| Crew::of_machine().threads, usize::from)
+/// `--threads`.
+#[derive(Debug, Args)]
+pub(super) struct Threads {
+    /// Threads; the digits do not depend on it [default: one for each core]
+    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+impl Threads {
+    /// The number given, or one for each core.
+    pub(super) fn count(&self) -> usize {
+        self.threads.map_or_else(all_threads, usize::from)
+    }
+}
+
+/// One thread for each core.
+pub(super) fn all_threads() -> usize {
+    Parallel::of_machine().threads
 }
 
 /// Variables and their bounds; without any those of Table 9.2.

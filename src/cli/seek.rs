@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{be_cautious, say_if_long, threads};
+use crate::cli::search::{Threads, be_cautious, say_if_long};
 use crate::cli::sweep::axes::range;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
@@ -39,9 +39,8 @@ pub(super) struct SeekArguments {
         help = "The result and the value it should have, SI or with a unit: percent_of_baseline=60, stroke_m=45mm"
     )]
     goal: String,
-    /// Threads; the digits do not depend on it [default: one for each core]
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -67,7 +66,7 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let law = be_cautious(&arguments.scene, &mut preset.scene);
     let field = Field::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
     let mut pace = Pace::begin();
-    let threads = threads(arguments.threads);
+    let threads = arguments.threads.count();
     say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), threads);
     let report = pace.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();

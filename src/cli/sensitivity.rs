@@ -9,7 +9,7 @@ use clap::Args;
 use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{bounds, say_if_long, threads};
+use crate::cli::search::{Threads, bounds, say_if_long};
 use crate::cli::table::TableArguments;
 use crate::report::sensitivity;
 use crate::study::search::field::Field;
@@ -39,9 +39,8 @@ pub(super) struct SensitivityArguments {
     /// Seed of the designs: the same seed gives the same digits
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
     seed: u64,
-    /// Threads; the digits do not depend on it [default: one for each core]
-    #[arg(long, value_name = "COUNT", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     #[command(flatten)]
     table: TableArguments,
 }
@@ -71,7 +70,7 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let preset = arguments.scene.load()?;
     let axes = bounds(&arguments.over, &preset.scene)?;
     let mut pace = Pace::begin();
-    let threads = threads(arguments.threads);
+    let threads = arguments.threads.count();
     if let Ok(field) = Field::new(&preset.scene, axes.clone(), &[&arguments.output]) {
         say_if_long(&field, effort.runs(axes.len()), threads);
     }

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::threads;
+use crate::cli::search::all_threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
 use crate::report::stability as tables;
@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &StabilityArguments) -> Result<ExitCode, CliError> 
     let start = Instant::now();
     let now_s = || start.elapsed().as_secs_f64();
     let rows =
-        pace.study(threads(None), "scenes", |context| stability::run(&cases, &now_s, context))?;
+        pace.study(all_threads(), "scenes", |context| stability::run(&cases, &now_s, context))?;
     let took_s = now_s();
     let page = || table::battery(&rows, took_s, text::width());
     let object = || tables::json(&rows);

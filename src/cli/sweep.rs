@@ -18,14 +18,16 @@ use clap::Args;
 use crate::cli::pace::{Pace, interruptible};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
+use crate::cli::search::Threads;
 use crate::cli::table::{TableArguments, Target, at_top, exists};
+use crate::cli::text::fitted;
 use crate::cli::{self, CliError, outlook, output};
 use crate::files::atomic::{self, Existing, Growing};
 use crate::files::export::{self, Meta};
 use crate::files::preset::Preset;
 use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
+use crate::study::parallel::Parallel;
 use crate::study::quantities;
-use crate::study::sweep::crew::Crew;
 use crate::study::sweep::{Evaluator, Plan, Shard, Summary};
 use crate::study::validity;
 use axes::{Asked, DesignWord};
@@ -69,9 +71,8 @@ pub(super) struct SweepArguments {
     /// Compute only part I of N
     #[arg(long, value_name = "I/N", default_value = "1/1")]
     shard: String,
-    /// Threads [default: one a core]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    threads: Threads,
     #[command(flatten)]
     pictures: PictureArguments,
     #[command(flatten)]
@@ -108,12 +109,9 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     if let Some(set) = arguments.scene.set_of(is_swept) {
         output::note(&format!("--set {set} has no effect: the sweep varies it"));
     }
-    let mut crew = Crew::of_machine();
-    if let Some(threads) = arguments.threads {
-        crew.threads = usize::from(threads);
-    }
+    let parallel = Parallel { threads: arguments.threads.count(), ..Parallel::of_machine() };
     let stop = interruptible();
-    let job = Job { plan: &plan, shard, crew, stop: &stop, preset: &preset };
+    let job = Job { plan: &plan, shard, parallel, stop: &stop, preset: &preset };
     let start = Instant::now();
     let columns = if all { Columns::All } else { Columns::Chosen };
     let mut kept = page::Kept::of(&plan, job.points(), draws || !rows_wanted);
@@ -122,7 +120,7 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<ExitCode, CliError> {
     } else {
         let page = job.page(&mut kept)?;
         if !arguments.pictures.is_stdout() {
-            output::print(&(arguments.scene.changed() + &page.text))?;
+            output::print(&fitted(&(arguments.scene.changed() + &page.text)))?;
         }
         page.summary
     };
@@ -140,7 +138,7 @@ struct Page {
 struct Job<'a> {
     plan: &'a Plan,
     shard: Shard,
-    crew: Crew,
+    parallel: Parallel,
     stop: &'a Arc<AtomicBool>,
     preset: &'a Preset,
 }
@@ -207,7 +205,7 @@ impl Job<'_> {
             Ok(())
         })?;
         let took_s = start.elapsed().as_secs_f64();
-        let head = page::Head { name, threads: self.crew.threads, took_s };
+        let head = page::Head { name, threads: self.parallel.threads, took_s };
         let warnings = validity::of_axes(self.plan.base(), self.plan.axes());
         let text = at_top(&page::text(self.plan, &head, &summary, kept), &warnings);
         Ok(Page { text, summary })
@@ -316,24 +314,20 @@ impl Job<'_> {
         let mut problem = None;
         let mut pace = Pace::stopped_by(Arc::clone(self.stop));
         let all = self.points().end - self.points().start;
-        let hire = || {
+        let worker = || {
             let mut evaluator = Evaluator::new(self.plan, self.stop);
             move |points: Range<u64>| sheet.piece(&mut evaluator, points)
         };
-        let _ = self.crew.work(self.points(), hire, |points, piece| {
-            summary.add(points.start, &piece.rows);
-            let whole = piece.rows.len() as u64 == points.end - points.start;
-            let taken = take(&piece);
+        let _ = self.parallel.map(self.points(), worker, |news| {
+            let mut is_whole = true;
+            if let Some((points, piece)) = news {
+                summary.add(points.start, &piece.rows);
+                is_whole = piece.rows.len() as u64 == points.end - points.start;
+                problem = take(&piece).err();
+            }
             // A piece by the contact kernel is done before it looks whether it should stop.
             let goes_on = pace.watch(|gone_s| so_far(summary.points(), all, gone_s));
-            match taken {
-                Ok(()) if whole => goes_on,
-                Ok(()) => ControlFlow::Break(()),
-                Err(error) => {
-                    problem = Some(error);
-                    ControlFlow::Break(())
-                }
-            }
+            if is_whole && problem.is_none() { goes_on } else { ControlFlow::Break(()) }
         });
         pace.clear();
         problem.map_or(Ok(summary), Err)
@@ -343,11 +337,11 @@ impl Job<'_> {
     fn say_if_long(&self) {
         let points = self.points();
         let count = points.end - points.start;
-        let piece = self.crew.piece.min(count / PIECES_MIN).max(1);
-        let crew = Crew { threads: self.crew.threads, piece: 1 };
+        let piece = self.parallel.piece.min(count / PIECES_MIN).max(1);
+        let parallel = Parallel { threads: self.parallel.threads, piece: 1 };
         outlook::say_if_long((count, "points"), |tried, go_on| {
             let stop = AtomicBool::new(false);
-            let hire = || {
+            let worker = || {
                 let mut evaluator = Evaluator::new(self.plan, &stop);
                 let (points, stop) = (&points, &stop);
                 move |number: Range<u64>| {
@@ -361,7 +355,7 @@ impl Job<'_> {
             let mut done = 0;
             let pieces = tried.start.div_ceil(piece)..tried.end.div_ceil(piece);
             // Whoever is at work when time is up hands in what is finished.
-            let _ = crew.work_heard(pieces, hire, |news| {
+            let _ = parallel.map(pieces, worker, |news| {
                 done += news.map_or(0, |(_, rows)| rows);
                 stop.fetch_or(go_on().is_break(), Ordering::Relaxed);
                 ControlFlow::Continue(())

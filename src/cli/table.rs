@@ -190,7 +190,7 @@ impl Delivery<'_> {
         };
         // A file that cannot be written must not cost what was computed.
         let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());
-        output::print(&if table.json { object() } else { changed() + &page() })?;
+        output::print(&if table.json { object() } else { text::fitted(&(changed() + &page())) })?;
         written.map_err(exists)
     }
 

@@ -29,3 +29,45 @@ pub(super) fn hanging(lead: &str, text: &str, indent: usize) -> String {
 pub(super) fn labelled(page: &mut String, label: &str, text: &str) {
     page.push_str(&hanging(&format!("    {label:<12}"), text, 16));
 }
+
+/// A page of which each line fits: a longer one goes on below its last column, where that begins in the left half, else indented.
+pub(super) fn fitted(page: &str) -> String {
+    let room = width();
+    let fitted = |line: &str| {
+        if line.chars().count() <= room {
+            return line.to_owned();
+        }
+        let blanks = line.len() - line.trim_start().len();
+        let half = line.char_indices().nth(room / 2).map_or(line.len(), |(at, _)| at);
+        let column = line[..half].rfind("  ").map_or(0, |at| at + 2);
+        let indent = if column > blanks { column } else { blanks + 2 };
+        let (lead, text) = line.split_at(column.max(blanks));
+        let first = wrap(text, room - lead.chars().count()).swap_remove(0);
+        let rest = text[first.len()..].trim_start();
+        let rest =
+            wrap(rest, room.saturating_sub(indent).max(1)).join(&format!("\n{:indent$}", ""));
+        format!("{lead}{first}\n{:indent$}{rest}", "")
+    };
+    let lines: Vec<String> = page.lines().map(fitted).collect();
+    lines.join("\n") + if page.ends_with('\n') { "\n" } else { "" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tests have no terminal: 80 columns.
+    #[test]
+    fn a_long_line_goes_on_below_its_last_column() {
+        let words = ["word"; 30].join(" ");
+        for (lead, indent) in [("  name    ", 10), ("    ", 6), ("", 2)] {
+            let text = format!("short\n{lead}{words}\n");
+            let page = fitted(&text);
+            assert!(page.lines().all(|line| line.len() <= USUAL), "{page}");
+            let second = page.lines().nth(2).unwrap();
+            assert_eq!(second.len() - second.trim_start().len(), indent);
+            let all = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+            assert_eq!(all(&page), all(&text));
+        }
+    }
+}

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::pace::Pace;
-use crate::cli::search::threads;
+use crate::cli::search::all_threads;
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output, text};
 use crate::files::validation;
@@ -24,7 +24,7 @@ pub(super) struct ValidateArguments {
 pub(super) fn run(arguments: &ValidateArguments) -> Result<ExitCode, CliError> {
     arguments.table.check()?;
     let mut pace = Pace::begin();
-    let report = pace.study(threads(None), "measurements", validation::report)?;
+    let report = pace.study(all_threads(), "measurements", validation::report)?;
     arguments.table.alone().deliver(&page(&report), &tables::table(&report))?;
     let missing: Vec<&str> =
         report.iter().filter(|row| row.computed.is_none()).map(|row| row.case.id).collect();

@@ -202,3 +202,8 @@ pub fn did_you_mean(name: &str, candidates: &[&str]) -> Option<String> {
         ranked.iter().take(SHOWN_MAX).map(|(_, candidate)| format!("`{candidate}`")).collect();
     (!close.is_empty()).then(|| format!("did you mean {}?", close.join(" or ")))
 }
+
+/// The candidates spelled most like `name`, else all of them after some words: `the keys here are a, b`.
+pub fn nearest(name: &str, candidates: &[&str], all: &str) -> String {
+    did_you_mean(name, candidates).unwrap_or_else(|| format!("{all} {}", candidates.join(", ")))
+}

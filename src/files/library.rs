@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::files::error::{FileError, SceneErrors, did_you_mean};
+use crate::files::error::{FileError, SceneErrors, nearest};
 use crate::files::paths::Paths;
 use crate::files::read::{self, Reader};
 use crate::model::library::{Entry, Library, Status};
@@ -79,10 +79,7 @@ pub fn find(library: Library, name: &str, paths: Option<&Paths>) -> Result<Entry
     }
     let names: Vec<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
     let list = format!("`cmra libraries` lists the {}", library.file());
-    let mut hint = match did_you_mean(name, &names) {
-        Some(hint) => format!("{hint} ({list})"),
-        None => format!("write one of {} ({list})", names.join(", ")),
-    };
+    let mut hint = format!("{} ({list})", nearest(name, &names, "write one of"));
     for problem in problems {
         hint = format!("{hint}\n{problem}");
     }

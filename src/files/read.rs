@@ -11,7 +11,7 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::files::error::{FileError, Problem, SceneErrors};
+use crate::files::error::{FileError, Problem, SceneErrors, nearest};
 use crate::files::{atomic, clean, read_stack, read_sweep, read_table};
 use crate::model::scene::{Scene, SpringKind};
 use crate::model::units::{self, Bare};
@@ -456,8 +456,7 @@ fn nearest_table(path: &str) -> String {
             unique.push(table);
         }
     }
-    crate::files::error::did_you_mean(path, &unique)
-        .unwrap_or_else(|| format!("the tables are {}", unique.join(", ")))
+    nearest(path, &unique, "the tables are")
 }
 
 /// The keys and tables directly below a table (`""`: the top level).

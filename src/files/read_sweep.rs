@@ -3,7 +3,7 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::files::error::did_you_mean;
+use crate::files::error::nearest;
 use crate::files::read::{Reader, kind_of, number};
 use crate::model::scene::{Sweep, SweepAxis};
 use crate::model::units;
@@ -33,8 +33,7 @@ pub(super) fn sweep(reader: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Op
             "axes" => sweep.axes = axes(reader, value),
             "outputs" => sweep.outputs = outputs(reader, value),
             other => {
-                let hint = did_you_mean(other, &["axes", "outputs"])
-                    .unwrap_or_else(|| "the keys here are axes, outputs".to_owned());
+                let hint = nearest(other, &["axes", "outputs"], "the keys here are");
                 reader.problem(
                     key.span(),
                     format!("`sweep.{other}` is not a key of a scene: {hint}"),
@@ -95,8 +94,7 @@ fn axis(reader: &mut Reader<'_>, row: &Spanned<DeValue<'_>>) -> Option<SweepAxis
     for key in table.keys() {
         let name = key.get_ref().as_ref();
         if !AXIS_KEYS.contains(&name) {
-            let hint = did_you_mean(name, &AXIS_KEYS)
-                .unwrap_or_else(|| format!("the keys here are {}", AXIS_KEYS.join(", ")));
+            let hint = nearest(name, &AXIS_KEYS, "the keys here are");
             reader.problem(
                 key.span(),
                 format!("sweep.axes: `{name}` is not a key of an axis: {hint}"),

@@ -41,7 +41,7 @@ impl Parallel {
     ) -> ControlFlow<()> {
         let size = self.piece.max(1);
         let count = points.end.saturating_sub(points.start).div_ceil(size);
-        let pieces = &Pieces { count, size, points };
+        let pieces = &Pieces { points, size, count };
         let threads = u64::try_from(self.threads.max(1)).unwrap_or(1).min(pieces.count);
         // Each result waits in a slot of its own until those before it are taken.
         let slots: Vec<Mutex<Option<T>>> = (0..OUT * threads).map(|_| Mutex::new(None)).collect();
