@@ -1,4 +1,4 @@
-//! The contact phase beside other solvers, in one run: `cargo bench --bench peers [-- S4 S13]`, then the surfaces of chapter 9
+//! The contact phase beside other solvers, in one run: `cargo bench -p cmra-benches [-- S4 S13]`, then the surfaces of chapter 9
 //! (`surfaces.rs`; alone: `-- surfaces`).
 //!
 //! Eighteen scenes from first contact to first arrest or exit, on one core. Each solver runs at its loosest tolerance whose

@@ -1,4 +1,4 @@
-//! Figures 9.7 to 9.12 as surfaces of 101 x 101 runs: `cargo bench --bench peers -- surfaces`.
+//! Figures 9.7 to 9.12 as surfaces of 101 x 101 runs: `cargo bench -p cmra-benches -- surfaces`.
 //!
 //! The sweep engine as the Surface tab uses it, at its loosest tolerance whose measured error is below 1e-6: depth in percent of
 //! the baseline and greatest displacement (against itself or a nanometre), at every thirty-seventh point, against the full
