@@ -210,13 +210,7 @@ fn own_sweep(scene: &Scene) -> Result<Vec<Block>, CliError> {
     }
     let stop: Arc<AtomicBool> = interruptible();
     let found = Evaluator::new(&plan, &stop).rows(0..plan.points());
-    let values = |row: usize| (0..found.outputs()).map(move |output| (row, output));
-    let rows: Vec<Row> = (0..found.len())
-        .map(|row| Row {
-            fate: found.fate(row),
-            values: values(row).map(|(row, output)| found.value(row, output)).collect(),
-        })
-        .collect();
+    let rows: Vec<Row> = Row::all(&found).collect();
     let pictures = (0..plan.outputs().len()).filter_map(|output| picture(&plan, output, &rows));
     let mut blocks: Vec<Block> = pictures.map(block).collect();
     let warnings = validity::of_axes(plan.base(), plan.axes());

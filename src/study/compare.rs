@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 use crate::model::mechanism::Mechanism;
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{Mount, OwnMass, Scene};
+use crate::model::scene::{self, Combination, Mount, OwnMass, Plate, Scene, Stack};
 use crate::model::variables::{self, VariableError};
 use crate::model::{mechanism::Inertia, stack};
 use crate::study::context::Context;
@@ -303,12 +303,11 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
         return Some(own);
     }
     if candidate == Candidate::Solid {
-        own.stack = stack_of_none();
+        own.stack = Stack::default();
         own.target.thickness_m = areal_kg_m2? / scene.target.density_kg_m3;
     }
     let mount = if candidate == Candidate::Free { Mount::Sprung } else { Mount::Rigid };
-    let bare = |plate: &mut crate::model::scene::Plate,
-                mechanism: &mut crate::model::scene::Mechanism| {
+    let bare = |plate: &mut Plate, mechanism: &mut scene::Mechanism| {
         plate.cocking_m = 0.0;
         plate.mount = mount;
         mechanism.stop.position_m = None;
@@ -322,15 +321,11 @@ fn make(scene: &Scene, candidate: Candidate, areal_kg_m2: Option<f64>) -> Option
     Some(own)
 }
 
-fn stack_of_none() -> crate::model::scene::Stack {
-    crate::model::scene::Stack::default()
-}
-
 /// A spring whose mass is counted by the energy of the shot keeps the mass that the design shot gives it.
 fn hold_spring_mass(scene: &mut Scene) {
     let mass_kg = Inertia::of(scene).spring_mass_kg;
     let spring = &mut scene.mechanism.spring;
-    let is_alone = scene.mechanism.combination == crate::model::scene::Combination::Alone;
+    let is_alone = scene.mechanism.combination == Combination::Alone;
     if is_alone && spring.own_mass == OwnMass::Counted && spring.mass_kg.is_none() {
         spring.mass_kg = mass_kg;
     }

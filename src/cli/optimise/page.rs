@@ -89,13 +89,10 @@ fn one(page: &mut String, task: &Task, front: &Front) {
     }
 }
 
-fn shown(column: &Quantity, value: Option<f64>) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| column.show(value, 4))
-}
-
 fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
     let measures = task.measures();
-    let found = task.shown().into_iter().map(|at| shown(measures[at], candidate.measures[at]));
+    let found = task.shown().into_iter();
+    let found = found.map(|at| measures[at].show_any(candidate.measures[at], 4));
     let found: Vec<String> = found.collect();
     let words = match &candidate.standing {
         Standing::OnFront => "on the front: no design of it is better".to_owned(),

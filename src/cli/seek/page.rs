@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 
 use crate::model::units::significant;
-use crate::study::quantities::Quantity;
 use crate::study::search::seek::{Place, Report};
 use crate::study::sweep::{Axis, Fate, Spacing};
 
@@ -16,7 +15,7 @@ pub(super) fn text(name: &str, report: &Report) -> String {
         "{name}: which {} gives {} = {}?\n{} points from {} to {}{spacing}, {} runs in all\n\n",
         axis.symbol(),
         report.measure.title(),
-        shown(report.measure, report.target),
+        report.measure.show(report.target, 6),
         report.scan.len(),
         value(axis, low),
         value(axis, high),
@@ -29,7 +28,7 @@ pub(super) fn text(name: &str, report: &Report) -> String {
             .map_or_else(String::new, |until| format!(" to {}, all of it", value(axis, until)));
         let touch = if solution.touches { ", a least or greatest value" } else { "" };
         let fate = solution.fate.map_or("", Fate::word);
-        let reached = shown(report.measure, solution.place.value);
+        let reached = report.measure.show(solution.place.value, 6);
         let _ = writeln!(page, "  {} = {at}{until}   {reached}, {fate}{touch}", axis.symbol());
     }
     for jump in &report.jumps {
@@ -38,8 +37,8 @@ pub(super) fn text(name: &str, report: &Report) -> String {
             "  no solution, a jump over the goal: at {} = {} from {} to {}",
             axis.symbol(),
             value(axis, jump.before.at),
-            shown(report.measure, jump.before.value),
-            shown(report.measure, jump.after.value)
+            report.measure.show(jump.before.value, 6),
+            report.measure.show(jump.after.value, 6)
         );
     }
     if report.solutions.is_empty() {
@@ -68,10 +67,10 @@ pub(super) fn text(name: &str, report: &Report) -> String {
 
 fn nothing(page: &mut String, report: &Report) {
     let axis = &report.axis;
-    let _ = writeln!(page, "  nothing reaches {}", shown(report.measure, report.target));
+    let _ = writeln!(page, "  nothing reaches {}", report.measure.show(report.target, 6));
     let told = |place: Place| {
         let at = value(axis, place.at);
-        format!("{} at {} = {at}", shown(report.measure, place.value), axis.symbol())
+        format!("{} at {} = {at}", report.measure.show(place.value, 6), axis.symbol())
     };
     if let Some(nearest) = report.nearest {
         let _ = writeln!(page, "  nearest: {}", told(nearest));
@@ -85,9 +84,4 @@ fn nothing(page: &mut String, report: &Report) {
 fn value(axis: &Axis, value: f64) -> String {
     let unit = axis.variable().unit().trim_matches('-');
     format!("{} {unit}", significant(value, 6)).trim_end().to_owned()
-}
-
-/// A measure with its unit.
-fn shown(column: &Quantity, value: f64) -> String {
-    column.show(value, 6)
 }

@@ -12,18 +12,13 @@ const BAR: usize = 24;
 
 /// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
-    let own = shown(report, report.own);
+    let own = report.output.show_any(report.own, 4);
     let mut page =
         format!("{name}: what {} depends on\nthe scene itself: {own}\n\n", report.output.title());
     tornado(&mut page, report);
     morris(&mut page, report);
     sobol(&mut page, report);
     page
-}
-
-/// A value of the quantity.
-fn shown(report: &Report, value: Option<f64>) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| report.output.show(value, 4))
 }
 
 fn tornado(page: &mut String, report: &Report) {
@@ -81,8 +76,8 @@ fn sobol(page: &mut String, report: &Report) {
     let _ = writeln!(
         page,
         "  mean {}, standard deviation {}",
-        shown(report, mean),
-        shown(report, deviation)
+        report.output.show_any(mean, 4),
+        report.output.show_any(deviation, 4)
     );
     if found.inputs.iter().all(|input| input.first.is_none()) {
         page.push_str(

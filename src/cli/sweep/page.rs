@@ -38,10 +38,8 @@ impl Kept {
     }
 
     pub(super) fn keep(&mut self, rows: &Rows) {
-        let Some(kept) = &mut self.0 else { return };
-        for row in 0..rows.len() {
-            let values = (0..rows.outputs()).map(|output| rows.value(row, output)).collect();
-            kept.push(Row { fate: rows.fate(row), values });
+        if let Some(kept) = &mut self.0 {
+            kept.extend(Row::all(rows));
         }
     }
 

@@ -6,7 +6,7 @@ use crate::report::map::{Cell, Map};
 use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::tells;
-use crate::study::sweep::{self, Fate, Plan};
+use crate::study::sweep::{self, Fate, Plan, Rows};
 
 /// What became of a point, and its outputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +18,12 @@ pub struct Row {
 }
 
 impl Row {
+    /// The rows that came out of a sweep.
+    pub fn all(rows: &Rows) -> impl Iterator<Item = Self> {
+        let values = |row| (0..rows.outputs()).map(|output| rows.value(row, output)).collect();
+        (0..rows.len()).map(move |row| Self { fate: rows.fate(row), values: values(row) })
+    }
+
     /// The number to draw, if one tells anything.
     pub fn shown(&self, output: usize, column: &Quantity) -> Option<f64> {
         self.values[output].filter(|_| tells(column, self.fate))

@@ -11,7 +11,7 @@ use crate::study::context::Context;
 use crate::study::quantities::Quantity;
 use crate::study::search::field::Field;
 use crate::study::sweep::{Axis, Fate, SweepError};
-use roots::{Hunt, Kind};
+use roots::{Kind, RootScan};
 
 pub mod roots;
 
@@ -122,9 +122,9 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
         fates.extend(shares.iter().zip(&found).map(|(share, found)| (*share, found.fate)));
         (!context.is_stopped()).then(|| found.iter().map(|found| found.values[0]).collect())
     };
-    let mut hunt = Hunt::new(goal.target, &mut function);
-    let ended = hunt.run(scan);
-    let Hunt { crossings, seen, scan: scanned, .. } = hunt;
+    let mut root_scan = RootScan::new(goal.target, &mut function);
+    let ended = root_scan.run(scan);
+    let RootScan { crossings, seen, scan: scanned, .. } = root_scan;
     let place = |(share, value): (f64, f64)| Place { at: axis.at_share(share), value };
     let fate_at = |share: f64| {
         fates.iter().find(|(other, _)| other.to_bits() == share.to_bits()).map(|(_, fate)| *fate)

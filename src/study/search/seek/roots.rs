@@ -54,7 +54,7 @@ pub struct Crossing {
 }
 
 /// A search under way.
-pub struct Hunt<'f> {
+pub struct RootScan<'f> {
     target: f64,
     function: Function<'f>,
     /// What was found, in order.
@@ -66,7 +66,7 @@ pub struct Hunt<'f> {
     spread: f64,
 }
 
-impl<'f> Hunt<'f> {
+impl<'f> RootScan<'f> {
     /// A search for the places where the function is `target`.
     pub fn new(target: f64, function: Function<'f>) -> Self {
         let (crossings, seen, scan) = (Vec::new(), Vec::new(), Vec::new());
@@ -316,11 +316,11 @@ impl<'f> Hunt<'f> {
 mod tests {
     use super::*;
 
-    fn hunt(f: impl Fn(f64) -> Option<f64>, target: f64, points: usize) -> Vec<Crossing> {
+    fn scan(f: impl Fn(f64) -> Option<f64>, target: f64, points: usize) -> Vec<Crossing> {
         let function: Function<'_> = &mut |shares| Some(shares.iter().map(|s| f(*s)).collect());
-        let mut hunt = Hunt::new(target, function);
-        hunt.run(points).unwrap();
-        hunt.crossings
+        let mut scan = RootScan::new(target, function);
+        scan.run(points).unwrap();
+        scan.crossings
     }
 
     fn roots(found: &[Crossing]) -> Vec<f64> {
@@ -341,29 +341,29 @@ mod tests {
         let exact: Vec<f64> = exact.into_iter().filter(|s| *s < 1.0).collect();
         // sin(10 pi s - pi/3) = 0 at s = (n + 1/3)/10; take all of them.
         let all: Vec<f64> = (0..10).map(|n| (f64::from(n) + 1.0 / 3.0) / 10.0).collect();
-        let found = hunt(|s| Some((10.0 * pi * s - pi / 3.0).sin() + 2.0), 2.0, 41);
+        let found = scan(|s| Some((10.0 * pi * s - pi / 3.0).sin() + 2.0), 2.0, 41);
         assert_near(&roots(&found), &all);
         // tan-like slopes of one sign only: cos² touches nothing between.
-        let half = hunt(|s| Some((5.0 * pi * s - pi / 6.0).sin() + 2.0), 2.0, 41);
+        let half = scan(|s| Some((5.0 * pi * s - pi / 6.0).sin() + 2.0), 2.0, 41);
         assert_near(&roots(&half), &exact[..5]);
     }
 
     #[test]
     fn a_touch_is_told_from_a_crossing_and_from_a_miss() {
-        let touch = hunt(|s| Some((s - 0.372).powi(2) + 1.0), 1.0, 21);
+        let touch = scan(|s| Some((s - 0.372).powi(2) + 1.0), 1.0, 21);
         assert_eq!((touch.len(), touch[0].kind), (1, Kind::Touch));
         assert!((touch[0].from.0 - 0.372).abs() < 1e-3);
-        let twice = hunt(|s| Some((s - 0.372).powi(2) + 1.0), 1.0 + 1e-6, 21);
+        let twice = scan(|s| Some((s - 0.372).powi(2) + 1.0), 1.0 + 1e-6, 21);
         assert_near(&roots(&twice), &[0.371, 0.373]);
-        assert!(hunt(|s| Some((s - 0.372).powi(2) + 1.0), 0.99, 21).is_empty());
+        assert!(scan(|s| Some((s - 0.372).powi(2) + 1.0), 0.99, 21).is_empty());
     }
 
     #[test]
     fn a_jump_and_a_pole_are_no_solutions() {
-        let step = hunt(|s| Some(if s < 0.3217 { 1.0 } else { 3.0 }), 2.0, 17);
+        let step = scan(|s| Some(if s < 0.3217 { 1.0 } else { 3.0 }), 2.0, 17);
         assert_eq!((step.len(), step[0].kind), (1, Kind::Jump));
         assert!((step[0].from.0 - 0.3217).abs() < 1e-13 && (step[0].to.0 - 0.3217).abs() < 1e-13);
-        let pole = hunt(|s| Some(1.0 / (s - 0.4321)), 0.0, 17);
+        let pole = scan(|s| Some(1.0 / (s - 0.4321)), 0.0, 17);
         assert!(pole.iter().all(|it| it.kind == Kind::Jump), "{pole:?}");
     }
 
@@ -371,22 +371,22 @@ mod tests {
     fn a_crossing_between_the_scan_and_an_edge_is_found() {
         // Known only below 0.43; crosses at 0.42, between the points 0.4 and 0.5.
         let known = |s: f64| (s < 0.43).then_some(s);
-        assert_near(&roots(&hunt(known, 0.42, 11)), &[0.42]);
+        assert_near(&roots(&scan(known, 0.42, 11)), &[0.42]);
         let above = |s: f64| (s > 0.57).then_some(s);
-        assert_near(&roots(&hunt(above, 0.58, 11)), &[0.58]);
+        assert_near(&roots(&scan(above, 0.58, 11)), &[0.58]);
         // A hole within a bracket: crossing before it, and one that falls into it.
         let hole = |s: f64| (!(0.44..0.46).contains(&s)).then_some(s);
-        assert_near(&roots(&hunt(hole, 0.43, 11)), &[0.43]);
-        assert!(roots(&hunt(hole, 0.45, 11)).is_empty());
-        assert!(hunt(|_| None, 1.0, 11).is_empty());
+        assert_near(&roots(&scan(hole, 0.43, 11)), &[0.43]);
+        assert!(roots(&scan(hole, 0.45, 11)).is_empty());
+        assert!(scan(|_| None, 1.0, 11).is_empty());
     }
 
     #[test]
     fn what_does_not_depend_on_the_place_is_one_plateau() {
-        let flat = hunt(|_| Some(7.0), 7.0, 11);
+        let flat = scan(|_| Some(7.0), 7.0, 11);
         assert_eq!(flat.len(), 1);
         assert_eq!((flat[0].kind, flat[0].from.0, flat[0].to.0), (Kind::Plateau, 0.0, 1.0));
-        assert!(hunt(|_| Some(7.0), 8.0, 11).is_empty());
+        assert!(scan(|_| Some(7.0), 8.0, 11).is_empty());
     }
 
     #[test]
@@ -396,8 +396,8 @@ mod tests {
             asked += 1;
             (asked < 3).then(|| shares.iter().map(|s| Some(s * s)).collect())
         };
-        let mut hunt = Hunt::new(0.123, function);
-        assert!(hunt.run(11) == Err(Stopped));
-        assert_eq!(hunt.scan.len(), 11);
+        let mut scan = RootScan::new(0.123, function);
+        assert!(scan.run(11) == Err(Stopped));
+        assert_eq!(scan.scan.len(), 11);
     }
 }
