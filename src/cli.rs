@@ -27,6 +27,7 @@ mod libraries;
 mod limit;
 mod man;
 mod models;
+mod monte_carlo;
 mod optimise;
 mod outlook;
 mod output;
@@ -38,7 +39,6 @@ mod presets;
 mod report;
 mod reproduce;
 mod run;
-mod scatter;
 mod scene;
 mod search;
 mod seek;
@@ -112,7 +112,7 @@ enum Command {
     Optimise(optimise::OptimiseArguments),
     /// Show how results spread when inputs do
     #[command(name = "montecarlo", alias = "scatter")]
-    Scatter(scatter::ScatterArguments),
+    MonteCarlo(monte_carlo::MonteCarloArguments),
     /// Find which variables matter most
     Sensitivity(sensitivity::SensitivityArguments),
     /// List the presets, or show one
@@ -196,7 +196,7 @@ pub fn run(arguments: impl Iterator<Item = OsString>) -> Result<ExitCode, CliErr
         Some(Command::Report(arguments)) => report::run(&arguments),
         Some(Command::Seek(arguments)) => seek::run(&arguments),
         Some(Command::Optimise(arguments)) => optimise::run(&arguments),
-        Some(Command::Scatter(arguments)) => scatter::run(&arguments),
+        Some(Command::MonteCarlo(arguments)) => monte_carlo::run(&arguments),
         Some(Command::Sensitivity(arguments)) => sensitivity::run(&arguments),
         Some(Command::Presets(arguments)) => presets::run(&arguments),
         Some(Command::Keys) => help::run_keys(),

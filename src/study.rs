@@ -9,6 +9,7 @@ pub mod context;
 pub mod fit;
 pub mod limit;
 pub mod models;
+pub mod monte_carlo;
 pub mod parallel;
 pub mod principles;
 pub mod quantities;

@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::files::error::FileError;
 use crate::model::variables::VariableError;
-use crate::study::search::scatter::ScatterError;
+use crate::study::monte_carlo::MonteCarloError;
 use crate::study::sweep::SweepError;
 use crate::tui::TuiError;
 
@@ -52,7 +52,7 @@ pub enum CliError {
     Sweep(#[from] SweepError),
     /// The scatter is refused before it begins.
     #[error(transparent)]
-    Scatter(#[from] ScatterError),
+    MonteCarlo(#[from] MonteCarloError),
     /// A sweep of a scene that has none, without `--over`.
     #[error("{scene} has no [sweep] of its own: name an axis, for example --over gamma=0.8..7:101")]
     NothingToSweep {
@@ -107,7 +107,7 @@ impl CliError {
             | Self::Set { .. }
             | Self::Over { .. }
             | Self::Sweep(_)
-            | Self::Scatter(_)
+            | Self::MonteCarlo(_)
             | Self::NothingToSweep { .. }
             | Self::Option(_)
             | Self::Scene(_) => ExitCode::from(2),

@@ -16,7 +16,7 @@ use crate::cli::table::TableArguments;
 use crate::report::figures::limit::residual;
 use crate::report::limit;
 use crate::report::svg::Picture;
-use crate::study::limit::scatter::{ModelError, Scattering};
+use crate::study::limit::monte_carlo::{ModelError, Scattering};
 use crate::study::limit::{Criterion, Effort, find};
 use crate::study::validity;
 

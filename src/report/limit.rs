@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::report::table::{Table, pretty};
 use crate::study::limit::fit::{LambertJonas, RechtIpson};
-use crate::study::limit::scatter::Scatter;
+use crate::study::limit::monte_carlo::Scatter;
 use crate::study::limit::{Limit, Report, Shot};
 
 /// The shots, in order of velocity, with what each fitted law says and the limit or what it lies between.

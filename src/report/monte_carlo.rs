@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::report::table::{Table, pretty};
-use crate::study::search::scatter::{Report, Summary};
+use crate::study::monte_carlo::{Report, Summary};
 
 /// Digits of a number on a page.
 const DIGITS: usize = 4;

@@ -15,12 +15,12 @@ use crate::model::variables::{self, VariableError};
 use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
 use fit::{LambertJonas, RechtIpson};
-use scatter::{Scatter, Scattering};
+use monte_carlo::{Scatter, Scattering};
 use search::{BESIDE, Range};
 
 mod at_limit;
 pub mod fit;
-pub mod scatter;
+pub mod monte_carlo;
 mod search;
 pub mod words;
 
@@ -270,7 +270,7 @@ pub fn find(
         report.lambert_jonas = LambertJonas::through(&perforated);
         if let Some(scattering) = effort.scattering {
             let how = (effort.criterion, &mut *context);
-            report.scatter = scatter::scatter(scene, scattering, velocity_m_s, how);
+            report.scatter = monte_carlo::sample(scene, scattering, velocity_m_s, how);
         }
     }
     report.is_complete = !context.is_stopped();

@@ -1,4 +1,4 @@
-//! Looking for designs: goal seek, constrained optimisation with Pareto fronts, and scatter over tolerances.
+//! Looking for designs: goal seek, and constrained optimisation with Pareto fronts.
 //!
 //! All of them ask one [`field::Field`] for the measures of designs, many at once, by the same evaluation as sweeps. Must not know
 //! files, screens or a clock.
@@ -7,5 +7,4 @@ pub mod field;
 pub mod front;
 pub mod nsga;
 pub mod recommended;
-pub mod scatter;
 pub mod seek;

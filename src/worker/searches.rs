@@ -7,8 +7,8 @@ use crate::model::scene::Scene;
 use crate::study::compare::map::{self, Map};
 use crate::study::compare::{self, Hardware};
 use crate::study::context::{Context, Progress};
+use crate::study::monte_carlo;
 use crate::study::search::front::{self, Front, Task};
-use crate::study::search::scatter;
 use crate::study::search::seek::{self, Goal};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
@@ -33,7 +33,7 @@ pub enum Request {
         effort: sensitivity::Effort,
     },
     /// How results scatter when inputs do.
-    Scatter(scatter::Task),
+    Scatter(monte_carlo::Task),
     /// The comparison at equal areal mass, and its map.
     Compare,
 }
@@ -48,7 +48,7 @@ pub enum Answer {
     /// See [`Request::Sensitivity`].
     Sensitivity(Arc<sensitivity::Report>),
     /// See [`Request::Scatter`].
-    Scatter(Arc<scatter::Report>),
+    Scatter(Arc<monte_carlo::Report>),
     /// See [`Request::Compare`].
     Compare(Arc<Comparison>),
 }
@@ -94,7 +94,7 @@ pub(super) fn make(
                 .map_err(|error| error.to_string())
         }
         Request::Scatter(task) => {
-            scatter::scatter(scene, task, &mut Context::new(threads, &mut plain))
+            monte_carlo::sample(scene, task, &mut Context::new(threads, &mut plain))
                 .map(|report| Answer::Scatter(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }

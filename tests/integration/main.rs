@@ -31,6 +31,8 @@ mod mechanisms;
 #[cfg(test)]
 mod models;
 #[cfg(test)]
+mod monte_carlo;
+#[cfg(test)]
 mod optimise;
 #[cfg(test)]
 mod oracle;
@@ -52,8 +54,6 @@ mod quantities;
 mod random;
 #[cfg(test)]
 mod readers;
-#[cfg(test)]
-mod scatter;
 #[cfg(test)]
 mod screens;
 #[cfg(test)]

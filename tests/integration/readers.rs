@@ -12,7 +12,7 @@ use cmra::files::{read, read_table, session, write};
 use cmra::model::scene::Scene;
 use cmra::model::units::{self, Bare, Quantity};
 use cmra::model::variables;
-use cmra::study::search::scatter::Tolerance;
+use cmra::study::monte_carlo::Tolerance;
 
 use crate::random::Random;
 use crate::support::{files_in, in_repository};

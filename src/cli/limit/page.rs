@@ -6,7 +6,7 @@ use crate::cli::draw;
 use crate::cli::text::hanging;
 use crate::model::units::{fixed_significant, significant};
 use crate::report::figures::limit::residual;
-use crate::study::limit::scatter::ModelError;
+use crate::study::limit::monte_carlo::ModelError;
 use crate::study::limit::{Limit, Report, words};
 use crate::tui::theme::Theme;
 

@@ -1,6 +1,6 @@
 //! Limits against closed forms, scatter against its own law, and the absence of a limit said as such.
 
-use super::scatter::ModelError;
+use super::monte_carlo::ModelError;
 use super::search::{Scan, Verdict};
 use std::ops::ControlFlow;
 

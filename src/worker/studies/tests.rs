@@ -146,11 +146,11 @@ fn a_limit_is_found_and_a_stopped_one_says_so() {
     worker.submit(Task { id: 1, threads: 1, work });
     let limit_m_s = found().limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-    let scattering = limit::scatter::Scattering {
+    let scattering = limit::monte_carlo::Scattering {
         deviation: 0.02,
         samples: 1_000_000,
         seed: 1,
-        model: limit::scatter::ModelError::default(),
+        model: limit::monte_carlo::ModelError::default(),
     };
     worker.submit(study(2, passage(Some(scattering))));
     while !matches!(

@@ -6,7 +6,7 @@ use super::bench::{Bench, ended};
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
-use cmra::study::limit::scatter::Scatter;
+use cmra::study::limit::monte_carlo::Scatter;
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::limit::state::SCATTERING;

@@ -9,9 +9,9 @@ use cmra::study::compare::map::{Map, usual_axis};
 use cmra::study::compare::{self, Hardware};
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
-use cmra::study::search::{scatter, seek};
 use cmra::study::sensitivity;
 use cmra::study::sweep::Fate;
+use cmra::study::{monte_carlo, search::seek};
 use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::search;
@@ -68,8 +68,8 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
             Answer::Sensitivity(Arc::new(report.unwrap()))
         }
         Request::Scatter(task) => {
-            let task = scatter::Task { samples: 500, ..task.clone() };
-            Answer::Scatter(Arc::new(scatter::scatter(scene, &task, context).unwrap()))
+            let task = monte_carlo::Task { samples: 500, ..task.clone() };
+            Answer::Scatter(Arc::new(monte_carlo::sample(scene, &task, context).unwrap()))
         }
         Request::Compare => {
             let hardware = Hardware::default();

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::units::{fixed_significant, significant};
-use crate::study::limit::scatter::{ModelError, Scatter, Scattering};
+use crate::study::limit::monte_carlo::{ModelError, Scatter, Scattering};
 use crate::study::limit::{Criterion, Effort, Limit, Report, Shot, words};
 use crate::tui::app::App;
 use crate::tui::app::jobs::Running;

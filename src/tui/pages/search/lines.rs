@@ -5,9 +5,9 @@ use crate::report::front::designs;
 use crate::report::table::Cells;
 use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
-use crate::study::search::{scatter, seek};
 use crate::study::sensitivity::{self, indices::Index};
 use crate::study::sweep::{Axis, Fate};
+use crate::study::{monte_carlo, search::seek};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{fitted, wrap};
@@ -47,7 +47,7 @@ impl App {
     }
 
     /// The measure that the scatter page draws, with its values.
-    pub fn scattered(&self) -> Option<(&scatter::Report, &scatter::Summary)> {
+    pub fn scattered(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
         let Some(Found { answer: Answer::Scatter(report), .. }) =
             self.searching.found[Page::MonteCarlo.index()].as_ref()
         else {
@@ -236,7 +236,7 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
     lines
 }
 
-fn scattered(report: &scatter::Report, output: &str, width: usize) -> Vec<Line> {
+fn scattered(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line> {
     // Four columns of numbers, and what is left for the name.
     let (cell, digits) = if width < 72 { (9, 3) } else { (11, 4) };
     let name = width.saturating_sub(4 * cell + 2).clamp(8, 32);

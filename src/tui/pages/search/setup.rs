@@ -3,10 +3,10 @@
 use crate::model::scene::Scene;
 use crate::model::units::{self, significant};
 use crate::model::variables::{self, Group, Kind};
+use crate::study::monte_carlo::{self, usual_tolerances};
 use crate::study::quantities::{self, Quantity, named};
 use crate::study::search::front::{self, Constraint, Objective, Task, USUAL};
 use crate::study::search::nsga;
-use crate::study::search::scatter::{self, usual_tolerances};
 use crate::study::search::seek::{Goal, SCAN_USUAL};
 use crate::study::sensitivity;
 use crate::study::sweep::Axis;
@@ -356,7 +356,7 @@ impl App {
                 output: setup.output.to_owned(),
                 effort: sensitivity::Effort { rows: 1024, trajectories: 100, seed: 1 },
             },
-            Page::MonteCarlo => Request::Scatter(scatter::Task {
+            Page::MonteCarlo => Request::Scatter(monte_carlo::Task {
                 tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
                 measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
                 samples: setup.samples,

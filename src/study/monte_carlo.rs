@@ -95,7 +95,7 @@ pub struct Report {
 
 /// Why nothing was drawn.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum ScatterError {
+pub enum MonteCarloError {
     /// Names or the scene make no sense.
     #[error(transparent)]
     Sweep(#[from] SweepError),
@@ -180,12 +180,12 @@ fn is_springs_own(key: &str, scene: &Scene) -> bool {
 /// Draw and evaluate.
 ///
 /// # Errors
-/// A [`ScatterError`] when something about it is bad: then nothing has run; or when no draw makes sense.
-pub fn scatter(
+/// A [`MonteCarloError`] when something about it is bad: then nothing has run; or when no draw makes sense.
+pub fn sample(
     scene: &Scene,
     task: &Task,
     context: &mut Context<'_>,
-) -> Result<Report, ScatterError> {
+) -> Result<Report, MonteCarloError> {
     let field = field(scene, task)?;
     let mut draw = Draw::new(scene, &task.tolerances, task.seed);
     let mut report = Report {
@@ -231,17 +231,17 @@ pub fn scatter(
 /// Where the samples are evaluated: for asking how long it will take, too.
 ///
 /// # Errors
-/// As [`scatter`].
-pub fn field(scene: &Scene, task: &Task) -> Result<Field, ScatterError> {
+/// As [`sample`].
+pub fn field(scene: &Scene, task: &Task) -> Result<Field, MonteCarloError> {
     if task.tolerances.is_empty() {
-        return Err(ScatterError::Nothing);
+        return Err(MonteCarloError::Nothing);
     }
     if !(2..=SAMPLES_MAX).contains(&task.samples) {
-        return Err(ScatterError::Samples { samples: task.samples });
+        return Err(MonteCarloError::Samples { samples: task.samples });
     }
     for (at, tolerance) in task.tolerances.iter().enumerate() {
         if task.tolerances[..at].iter().any(|other| other.symbol() == tolerance.symbol()) {
-            return Err(ScatterError::Twice { symbol: tolerance.symbol() });
+            return Err(MonteCarloError::Twice { symbol: tolerance.symbol() });
         }
     }
     let axes = task.tolerances.iter().map(|tolerance| tolerance.axis(scene));
@@ -273,7 +273,7 @@ impl<'t> Draw<'t> {
         samples: usize,
         context: &mut Context<'_>,
         mut evaluate: impl FnMut(&[Vec<f64>], &mut Context<'_>),
-    ) -> Result<(), ScatterError> {
+    ) -> Result<(), MonteCarloError> {
         let mut done = 0;
         while done < samples && !context.is_stopped() {
             let count = BATCH.min(samples - done);
@@ -285,7 +285,7 @@ impl<'t> Draw<'t> {
     }
 
     /// A value for every input, which together make physical sense.
-    fn sample(&mut self) -> Result<Vec<f64>, ScatterError> {
+    fn sample(&mut self) -> Result<Vec<f64>, MonteCarloError> {
         let mut last = None;
         for _ in 0..DRAWS_MAX {
             let mut values = Vec::with_capacity(self.tolerances.len());
@@ -307,8 +307,8 @@ impl<'t> Draw<'t> {
             }
         }
         match last {
-            Some(source) => Err(ScatterError::NoSense { source: Box::new(source) }),
-            None => Err(ScatterError::Nothing),
+            Some(source) => Err(MonteCarloError::NoSense { source: Box::new(source) }),
+            None => Err(MonteCarloError::Nothing),
         }
     }
 }

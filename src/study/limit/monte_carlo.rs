@@ -10,7 +10,7 @@ use crate::numerics::statistics::{moments, quantile, wilson};
 use crate::study::context::Context;
 use crate::study::limit::search::{Range, Scan};
 use crate::study::limit::{Criterion, Limit};
-use crate::study::search::scatter::{Draw, usual_tolerances};
+use crate::study::monte_carlo::{Draw, usual_tolerances};
 
 /// Each sample's limit is looked for within this factor of the nominal one, with so many points, to this relative width.
 const WITHIN: f64 = 2.0;
@@ -69,7 +69,7 @@ pub struct Scatter {
 
 /// The limits of sampled scenes, with every input of Monte Carlo's own that a limit depends on. `None` when stopped, or when too few
 /// have a limit.
-pub(super) fn scatter(
+pub(super) fn sample(
     scene: &Arc<Scene>,
     scattering: Scattering,
     nominal_m_s: f64,

@@ -1,4 +1,4 @@
-//! `cmra scatter [SCENE]`: how the results scatter when the inputs do, as a page, CSV or JSON.
+//! `cmra montecarlo [SCENE]`: how the results spread when the inputs do, as a page, CSV or JSON.
 
 mod page;
 
@@ -13,10 +13,10 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo;
-use crate::study::quantities;
-use crate::study::search::scatter::{
-    Task, Tolerance, USUAL_DEVIATION, field, scatter, usual_tolerances,
+use crate::study::monte_carlo::{
+    Task, Tolerance, USUAL_DEVIATION, field, sample, usual_tolerances,
 };
+use crate::study::quantities;
 use crate::study::validity;
 
 #[derive(Debug, Args)]
@@ -26,7 +26,7 @@ use crate::study::validity;
     A draw outside the allowed range is repeated, which truncates the distribution; the page reports how often.\n\
     Memory: eight bytes a sample and result; at most 10 million samples."
 )]
-pub(super) struct ScatterArguments {
+pub(super) struct MonteCarloArguments {
     #[command(flatten)]
     scene: SceneArguments,
     /// An input and how it scatters; may be repeated.
@@ -53,7 +53,7 @@ pub(super) struct ScatterArguments {
     table: TableArguments,
 }
 
-impl ScatterArguments {
+impl MonteCarloArguments {
     fn task(&self, scene: &Scene) -> Result<Task, CliError> {
         let tolerances = if self.vary.is_empty() {
             usual_tolerances(scene, USUAL_DEVIATION)
@@ -79,14 +79,14 @@ fn vary(text: &str, scene: &Scene) -> Result<Tolerance, CliError> {
 }
 
 /// Draw; exit status 1 when a sample failed, or after an interrupt.
-pub(super) fn run(arguments: &ScatterArguments) -> Result<ExitCode, CliError> {
+pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     let preset = arguments.scene.load()?;
     let task = arguments.task(&preset.scene)?;
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
     say_if_long(&field(&preset.scene, &task)?, task.samples, threads);
-    let report = pace.study(threads, "runs", |context| scatter(&preset.scene, &task, context))?;
+    let report = pace.study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
     let object = || monte_carlo::json(name, &report);

@@ -1,11 +1,11 @@
-//! Scatter as a page of text: the inputs, the outcomes, and quantiles result by result.
+//! The spread of results as a page of text: the inputs, the outcomes, and quantiles result by result.
 
 use std::fmt::Write as _;
 
 use crate::cli::text::width;
 use crate::model::units::significant;
 use crate::report::monte_carlo::table;
-use crate::study::search::scatter::Report;
+use crate::study::monte_carlo::Report;
 
 /// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {

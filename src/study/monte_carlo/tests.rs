@@ -16,7 +16,7 @@ fn run(scene: &Scene, task: &Task) -> Report {
 }
 
 fn on(threads: usize, scene: &Scene, task: &Task) -> Report {
-    scatter(scene, task, &mut Context::new(threads, &mut to_its_end)).unwrap()
+    sample(scene, task, &mut Context::new(threads, &mut to_its_end)).unwrap()
 }
 
 fn rigid() -> Scene {
@@ -131,7 +131,7 @@ fn no_digit_depends_on_the_threads_and_a_stop_keeps_what_there_is() {
     let one = on(1, &scene, &asked);
     assert_eq!(one, on(3, &scene, &asked));
     assert_ne!(one.summaries, run(&scene, &Task { seed: 2, ..asked.clone() }).summaries);
-    let cut = scatter(&scene, &asked, &mut Context::new(2, &mut until(2100))).unwrap();
+    let cut = sample(&scene, &asked, &mut Context::new(2, &mut until(2100))).unwrap();
     assert!(!cut.is_complete && cut.samples > 2000 && cut.samples < 3000);
     assert_eq!(cut.summaries[0].sorted.len(), cut.samples);
 }
@@ -174,7 +174,7 @@ fn tolerances_are_read_as_people_write_them() {
     let twice = task(vec![usual_tolerances(&scene, 0.02)[0]; 2], &["stroke_m"], 100);
     let mut watch = to_its_end;
     let mut context = Context::new(1, &mut watch);
-    assert_eq!(scatter(&scene, &twice, &mut context), Err(ScatterError::Twice { symbol: "v_i" }));
-    let none = scatter(&scene, &task(Vec::new(), &["stroke_m"], 100), &mut context);
-    assert_eq!(none, Err(ScatterError::Nothing));
+    assert_eq!(sample(&scene, &twice, &mut context), Err(MonteCarloError::Twice { symbol: "v_i" }));
+    let none = sample(&scene, &task(Vec::new(), &["stroke_m"], 100), &mut context);
+    assert_eq!(none, Err(MonteCarloError::Nothing));
 }
