@@ -404,7 +404,8 @@ proptest! {
         for word in lines[7].trim_matches('|').split_whitespace() {
             let value: f64 = word.parse().unwrap();
             let column = plot_from as f64 + (cells - 1.0) * (value - lo) / span;
-            let near = |tick: &&usize| ((**tick as f64) - column).abs() <= 0.5 + 1e-6;
+            // Places are rounded to 1e-4 of a cell before they are to cells.
+            let near = |tick: &&usize| ((**tick as f64) - column).abs() <= 0.5 + 1e-4;
             let ticks = tick_columns(axis);
             let tick = ticks[1..].iter().find(near);
             prop_assert!(tick.is_some(), "{} not at a tick in\n{}\n{}", word, axis, lines[7]);
