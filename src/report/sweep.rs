@@ -83,7 +83,8 @@ impl Sheet<'_> {
         Piece { rows, csv, json }
     }
 
-    /// The rows of some points; with all columns the run of each, where there is one.
+    /// The rows of some points; with all columns the run of each, where there is one. Made for every piece, and of files alone: no
+    /// column has a heading.
     fn table<'t>(
         &'t self,
         points: &'t [u64],
@@ -95,33 +96,33 @@ impl Sheet<'_> {
         let mut table = Table::of(0..rows.len());
         for (at, axis) in self.plan.axes().iter().enumerate() {
             let value = move |row: &usize| self.plan.coordinate(points[*row], at);
-            table = table.with(axis.symbol(), axis.symbol(), "", value);
+            table = table.with(axis.symbol(), "", "", value);
         }
         if is_all {
             let word = |key| word(self.plan.base(), key);
             table = table
-                .with("scene", "scene", "", |_| self.scene)
-                .with("model", "model", "", move |_| word("contact.model"))
-                .with("interface", "interface", "", move |_| word("interface.law"));
+                .with("scene", "", "", |_| self.scene)
+                .with("model", "", "", move |_| word("contact.model"))
+                .with("interface", "", "", move |_| word("interface.law"));
         }
-        table = table.with("outcome", "outcome", "", |row| rows.fate(*row).word());
+        table = table.with("outcome", "", "", |row| rows.fate(*row).word());
         if is_all {
-            table = table.with("end", "end", "", move |row| Some(run(row)?.end.words()));
+            table = table.with("end", "", "", move |row| Some(run(row)?.end.words()));
         }
         for (at, output) in self.plan.outputs().iter().enumerate() {
             let value = move |row: &usize| rows.value(*row, at);
-            table = table.with(output.name, output.heading(), output.unit(), value);
+            table = table.with(output.name, "", "", value);
         }
         if is_all {
             let omitted = |run: &Run| run.omitted.iter().map(|it| it.words()).collect::<Vec<_>>();
             table = table
-                .with("method", "method", "", move |row| Some(run(row)?.cost.method))
-                .with("omitted", "omitted", "", move |row| Some(omitted(run(row)?).join("; ")))
-                .with("warnings", "warnings", "", move |row| {
+                .with("method", "", "", move |row| Some(run(row)?.cost.method))
+                .with("omitted", "", "", move |row| Some(omitted(run(row)?).join("; ")))
+                .with("warnings", "", "", move |row| {
                     Some(envelope::warnings(run(row)?).join("; "))
                 });
         }
-        table.with("error", "error", "", |row| match rows.fate(*row) {
+        table.with("error", "", "", |row| match rows.fate(*row) {
             Fate::Failed(failure) => Some(failure.words()),
             Fate::Arrested | Fate::Perforated | Fate::Separated | Fate::Moving => None,
         })
