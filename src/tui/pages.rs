@@ -16,6 +16,7 @@ use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::keymap::{Action, Bound, Command, Key, Pane, PaneSpec};
 use crate::tui::message::{Content, Effect};
+use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
 use crate::worker::Report;
 
@@ -172,6 +173,11 @@ pub(in crate::tui) trait Page: Sync {
 
     /// Put the cursor on a cell of the map in the pane.
     fn go_to_cell(&self, _app: &mut App, _cell: (usize, usize)) {}
+
+    /// The axis across of the chart in the pane, where a part of it can be chosen.
+    fn across<'a>(&self, _app: &'a mut App) -> Option<Across<'a>> {
+        None
+    }
 
     /// Put the crosshair of a chart of the pane on a value of its axis across.
     fn go_to_value(&self, _app: &mut App, _chart: usize, _value: f64) {}

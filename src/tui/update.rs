@@ -17,6 +17,7 @@ pub(in crate::tui) mod field;
 pub(in crate::tui) mod find;
 pub(in crate::tui) mod jobs;
 mod pointer;
+pub(in crate::tui) mod zoom;
 
 /// What to ask for first: a run of the scene and of the pins, and the list of presets.
 pub fn start(app: &mut App) -> Vec<Effect> {

@@ -142,12 +142,24 @@ impl ViewRange {
         self.mapped(scale, |lo, hi| (about - (about - lo) / factor, about + (hi - about) / factor))
     }
 
-    /// Moved by a fraction of its span; positive moves to greater values.
+    /// What of it lies within bounds; the bounds where nothing does.
     #[must_use]
-    pub fn panned(self, scale: Scale, fraction: f64) -> Self {
+    pub fn within(self, bounds: Self) -> Self {
+        let (lo, hi) = (self.lo.max(bounds.lo), self.hi.min(bounds.hi));
+        if lo < hi { Self { lo, hi } } else { bounds }
+    }
+
+    /// Moved by a fraction of its span, at most to the bounds; positive moves to greater values.
+    #[must_use]
+    pub fn panned(self, scale: Scale, fraction: f64, bounds: Self) -> Self {
         if !fraction.is_finite() {
             return self;
         }
+        let view = self.on(scale);
+        let span = scale.place(view.hi) - scale.place(view.lo);
+        let room = |from: f64, to: f64| (scale.place(to) - scale.place(from)) / span;
+        let down = room(view.lo, bounds.lo).min(0.0);
+        let fraction = fraction.clamp(down, room(view.hi, bounds.hi).max(0.0));
         self.mapped(scale, |lo, hi| {
             let by = (hi - lo) * fraction;
             (lo + by, hi + by)
@@ -356,7 +368,7 @@ mod tests {
             let view = ViewRange::new(a, b);
             let zoomed = view.zoomed(scale, c, d);
             let all = [
-                view, zoomed, view.on(scale), view.panned(scale, c), view.padded(scale, 0.1),
+                view, zoomed, view.on(scale), view.panned(scale, c, view), view.within(zoomed), view.padded(scale, 0.1),
                 view.rounded(scale),
             ];
             for range in all {

@@ -23,6 +23,7 @@ use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::{Content, Effect};
 use crate::tui::pages::explore::state::{Picture, SetupRow};
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
+use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
 use crate::worker::Report;
 
@@ -142,6 +143,16 @@ impl Page for ExploreTab {
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.sweeping.cursor[app.picture() as usize] = Some(cell);
+    }
+
+    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
+        let grid = &app.sweeping.found(Picture::Line)?.grid;
+        if app.pane() != RESULTS || app.picture() != Picture::Line {
+            return None;
+        }
+        let x = curves::chart_axis(&grid.plan().axes()[0]);
+        let about = grid.coordinate(app.cursor_point(grid), 0);
+        Some(Across::of(&mut app.sweeping.zoomed, x.view, x.scale, Some(about)))
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -12,11 +12,13 @@ use ratatui::layout::Rect;
 use crate::report::{compare, limit};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
+use crate::tui::chart::scale::Scale;
 use crate::tui::dialogs::ask;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
+use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
 use crate::worker::{Report, Slot};
 
@@ -144,6 +146,17 @@ impl Page for LimitTab {
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.limit.map_cursor = Some(cell);
+    }
+
+    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
+        if app.pane() != RESIDUAL {
+            return None;
+        }
+        let tab = &mut app.limit;
+        let (x, _) = draw::axes(tab.report.as_ref()?)?;
+        let scale = if tab.log.0 { Scale::Log10 } else { x.scale };
+        let about = tab.shot().map(|shot| shot.impact_m_s);
+        Some(Across::of(&mut tab.zoomed, x.view, scale, about))
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -14,6 +14,7 @@ use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::{Content, Effect};
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
+use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
 use crate::worker::{Report, Slot};
 
@@ -190,6 +191,15 @@ impl Page for NumericsTab {
 
     fn go_to_cell(&self, app: &mut App, cell: (usize, usize)) {
         app.stability.cursor = Some(cell);
+    }
+
+    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
+        if app.pane() != ACCURACY {
+            return None;
+        }
+        let tab = &mut app.accuracy;
+        let (all, about) = (tab.all_times()?, tab.cursor_s);
+        Some(Across::of(&mut tab.view.times, all, tab.view.time_scale, about))
     }
 
     fn go_to_value(&self, app: &mut App, _chart: usize, value: f64) {

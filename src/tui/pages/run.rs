@@ -19,6 +19,7 @@ use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, note};
+use crate::tui::update::zoom::Across;
 use crate::tui::update::{edit, jobs};
 use crate::tui::widgets::Canvas;
 use crate::worker::Report;
@@ -159,6 +160,10 @@ impl Page for RunTab {
 
     fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<Vec<Effect>, String> {
         edit::type_value(app, app.editor.selected, text)
+    }
+
+    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
+        (app.pane() == CHARTS).then(|| app.time_across())
     }
 
     fn go_to_value(&self, app: &mut App, chart: usize, value: f64) {

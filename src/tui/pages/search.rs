@@ -16,6 +16,7 @@ use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
 use crate::tui::message::Effect;
 use crate::tui::pages::{About, Page, Rows, StatusPart, Tab, Table, note};
+use crate::tui::update::zoom::Across;
 use crate::tui::widgets::Canvas;
 use crate::worker::Report;
 
@@ -165,6 +166,15 @@ impl Page for SearchTab {
 
     fn take(&self, app: &mut App, _row: usize, text: &str) -> Result<Vec<Effect>, String> {
         keys::take(app, text)
+    }
+
+    fn across<'a>(&self, app: &'a mut App) -> Option<Across<'a>> {
+        if app.pane() != RESULTS {
+            return None;
+        }
+        let tab = &mut app.searching;
+        let (x, about) = draw::across(tab)?;
+        Some(Across::of(&mut tab.zoomed, x.view, x.scale, about))
     }
 
     fn draw(&self, app: &App, body: Rect, canvas: &mut Canvas<'_>) {

@@ -7,7 +7,7 @@ use crate::tui::keymap::{Action, Pane, Part};
 use crate::tui::message::Effect;
 use crate::tui::pages::run::runs;
 use crate::tui::pages::{self, Tab};
-use crate::tui::update::{edit, find};
+use crate::tui::update::{edit, find, zoom};
 
 /// Do it, in the pane that has the keys.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
@@ -26,6 +26,13 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Vec<Effect> {
         && let Some(by) = rows_moved(action, rows.shown)
     {
         move_by(app, by);
+        return Vec::new();
+    }
+    if page.across(app).is_some_and(|across| across.change(action)) {
+        return Vec::new();
+    }
+    if zoom::is_zoom(action) && pages::spec(app.pane()).has.contains(&Part::Chart) {
+        app.say(Severity::Note, "nothing is drawn yet that could be zoomed");
         return Vec::new();
     }
     anywhere(app, action)

@@ -139,7 +139,7 @@ fn curves(
         let marker = MARKERS[index % MARKERS.len()];
         Curve::new(marker, name, points).colour(index).emphasis(emphasis)
     });
-    let along_axis = match app.sweeping.zoom[Picture::Line as usize] {
+    let along_axis = match app.sweeping.zoomed {
         Some(view) => zoomed_axis(&axes[0], view),
         None => chart_axis(&axes[0]),
     };

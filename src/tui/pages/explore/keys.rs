@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
+use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Spacing};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::scale::{Scale, ViewRange};
 use crate::tui::keymap::Action;
 use crate::tui::message::{Effect, Message};
 use crate::tui::pages::explore::SETUP;
@@ -20,8 +19,6 @@ use crate::worker::{Finding, Progress, ReportBody, Task, Work};
 
 /// Far along a picture, in points.
 const FAR: isize = 10;
-/// One pan step, as a fraction of the view.
-const PAN: f64 = 0.25;
 /// A sweep that will take longer says so.
 const LONG_S: u64 = 60;
 
@@ -108,11 +105,11 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         Action::View => app.sweeping.output = next_output(app),
         Action::LogY => app.sweeping.log_values = !app.sweeping.log_values,
         Action::LogX => return Some(setup::keys::toggle_spacing(app)),
-        Action::ZoomIn => zoom(app, |view, scale, about| view.zoomed(scale, about, 2.0)),
-        Action::ZoomOut => zoom(app, |view, scale, about| view.zoomed(scale, about, 0.5)),
-        Action::PanLeft => zoom(app, |view, scale, _| view.panned(scale, -PAN)),
-        Action::PanRight => zoom(app, |view, scale, _| view.panned(scale, PAN)),
-        Action::ZoomFit => app.sweeping.zoom[app.picture() as usize] = None,
+        Action::ZoomIn | Action::ZoomOut | Action::PanLeft | Action::PanRight
+            if app.picture() == Picture::Surface =>
+        {
+            app.say(Severity::Note, "a map shows all of its axes: change their ends in the setup");
+        }
         Action::Enter => return Some(edit::load_design(app, app.sweep_design())),
         _ => move_cursor(app, cursor_moved(action, FAR)?),
     }
@@ -122,28 +119,6 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 fn next_output(app: &App) -> usize {
     let count = crate::tui::pages::explore::state::sweep_of(&app.scene).outputs.len().max(1);
     (app.sweeping.output + 1) % count
-}
-
-/// Change the part of the variable along that curves show.
-fn zoom(app: &mut App, change: impl FnOnce(ViewRange, Scale, f64) -> ViewRange) {
-    let picture = app.picture();
-    let Some(found) = app.sweeping.found(picture).filter(|_| picture == Picture::Line) else {
-        app.say(Severity::Note, "a map shows all of its axes: change their ends in the setup");
-        return;
-    };
-    let grid = &found.grid;
-    let axis = &grid.plan().axes()[0];
-    let (from, to) = axis.ends();
-    let whole = ViewRange::new(from, to);
-    let scale = match axis.spacing() {
-        Spacing::Linear | Spacing::Listed => Scale::Linear,
-        Spacing::Log => Scale::Log10,
-    };
-    let about = grid.coordinate(app.cursor_point(grid), 0);
-    let view = change(app.sweeping.zoom[picture as usize].unwrap_or(whole), scale, about);
-    let inside = ViewRange::new(view.lo().max(whole.lo()), view.hi().min(whole.hi()));
-    let all = inside.lo() <= whole.lo() && inside.hi() >= whole.hi();
-    app.sweeping.zoom[picture as usize] = (!all).then_some(inside);
 }
 
 /// Move the cursor by points; the scene stays as it is.

@@ -149,7 +149,7 @@ pub struct Sweeping {
     /// The point under the cursor, by picture; `None`: the one nearest to the scene.
     pub cursor: [Option<(usize, usize)>; 2],
     /// The part of the variable along that is in view, by picture; `None`: all of it.
-    pub zoom: [Option<ViewRange>; 2],
+    pub zoomed: Option<ViewRange>,
     /// The output shown, of those computed.
     pub output: usize,
     /// Values on a logarithmic scale.
@@ -171,7 +171,7 @@ impl Default for Sweeping {
             problem: None,
             row: SetupRow::Name(0),
             cursor: [None; 2],
-            zoom: [None; 2],
+            zoomed: None,
             output: 0,
             log_values: false,
             contour: Contour::Cursor,
@@ -205,7 +205,9 @@ impl Sweeping {
         let before = self.found(picture).map(|found| found.grid.plan());
         if before.is_none_or(|plan| plan.axes() != found.grid.plan().axes()) {
             self.cursor[picture as usize] = None;
-            self.zoom[picture as usize] = None;
+            if picture == Picture::Line {
+                self.zoomed = None;
+            }
         }
         match picture {
             Picture::Line => self.line = Some(found),

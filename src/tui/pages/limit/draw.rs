@@ -80,7 +80,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 }
 
 /// The axes of impact and residual velocity; `None` where nothing goes through.
-fn axes(report: &Report) -> Option<(Axis<'static>, Axis<'static>)> {
+pub(super) fn axes(report: &Report) -> Option<(Axis<'static>, Axis<'static>)> {
     let own = report.scene.projectile.velocity_m_s;
     let limit = report.limit.velocity_m_s();
     let impacts = report.shots.iter().map(|shot| shot.impact_m_s);

@@ -13,7 +13,7 @@ use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{fitting, wrap};
-use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::chart::scale::ViewRange;
 use crate::tui::pages::limit::layout::panes;
 use crate::worker::searches::Comparison;
 
@@ -91,35 +91,6 @@ impl Ballistic {
         let Some(last) = self.shots().len().checked_sub(1) else { return };
         let by = if self.cursor.is_some() { by } else { 0 };
         self.cursor = Some(self.shot_at().saturating_add_signed(by).min(last));
-    }
-
-    /// All impact velocities, and those in view.
-    fn views(&self) -> Option<(ViewRange, ViewRange)> {
-        let whole = ViewRange::of(self.scale(), self.shots().iter().map(|shot| shot.impact_m_s))?;
-        Some((whole, self.zoomed.unwrap_or(whole)))
-    }
-
-    fn scale(&self) -> Scale {
-        if self.log.0 { Scale::Log10 } else { Scale::Linear }
-    }
-
-    /// Zoom the impact velocity about the cursor.
-    pub fn zoom(&mut self, factor: f64) {
-        let Some((whole, view)) = self.views() else { return };
-        let middle = 0.5 * (view.lo() + view.hi());
-        let about = self.shot().map_or(middle, |shot| shot.impact_m_s);
-        self.keep_view(whole, view.zoomed(self.scale(), about, factor));
-    }
-
-    /// Move the view by a fraction of its span.
-    pub fn pan(&mut self, fraction: f64) {
-        let Some((whole, view)) = self.views() else { return };
-        self.keep_view(whole, view.panned(self.scale(), fraction));
-    }
-
-    fn keep_view(&mut self, whole: ViewRange, view: ViewRange) {
-        let all = view.lo() <= whole.lo() && view.hi() >= whole.hi();
-        self.zoomed = (!all).then_some(view);
     }
 
     /// Everything but the limit itself, in words.

@@ -117,12 +117,13 @@ impl Accuracy {
 
     /// The run times in view.
     pub fn times(&self) -> Option<ViewRange> {
-        let scale = self.view.time_scale;
-        let all = || {
-            let (least, most) = self.times_s()?;
-            Some(ViewRange::new(least, most).rounded(scale))
-        };
-        self.view.times.map(|times| times.on(scale)).or_else(all)
+        self.view.times.map(|times| times.on(self.view.time_scale)).or_else(|| self.all_times())
+    }
+
+    /// The run times of all that is drawn, rounded.
+    pub fn all_times(&self) -> Option<ViewRange> {
+        let (least, most) = self.times_s()?;
+        Some(ViewRange::new(least, most).rounded(self.view.time_scale))
     }
 
     /// The errors of what is in view, and what the judge of the selected method cannot tell from zero where that is near.
@@ -143,20 +144,6 @@ impl Accuracy {
         let own = self.of(self.method()).and_then(|report| report.reference);
         let first = || self.report.as_ref()?.references.first().copied();
         own.or_else(first)?.uncertainty
-    }
-
-    /// Zoom about the crosshair: `factor` 2 shows half the span.
-    pub fn zoom(&mut self, factor: f64) {
-        let Some(times) = self.times() else { return };
-        let middle = (times.lo() * times.hi()).sqrt();
-        let about = self.cursor_s.unwrap_or(middle);
-        self.view.times = Some(times.zoomed(self.view.time_scale, about, factor));
-    }
-
-    /// Move the view by a share of its span.
-    pub fn pan(&mut self, share: f64) {
-        let Some(times) = self.times() else { return };
-        self.view.times = Some(times.panned(self.view.time_scale, share));
     }
 
     /// Put the crosshair on a run time, s, or on the nearest there is.

@@ -9,6 +9,7 @@ use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
 use crate::tui::pages::run::layout::panes;
 use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs::RunView;
+use crate::tui::update::zoom::Across;
 use coarse::Coarse;
 
 pub mod coarse;
@@ -47,7 +48,7 @@ pub struct Charts {
     /// Contact window or whole response.
     pub window: Window,
     /// A time range chosen by zooming or panning, s; `None`: all of the window.
-    pub zoom_s: Option<(f64, f64)>,
+    pub zoom_s: Option<ViewRange>,
     /// What the vertical axes are fitted to.
     pub fit: Fit,
     /// The time axis.
@@ -98,9 +99,6 @@ pub struct Curve {
 /// How far beyond the range in view curves are given, as a share of it.
 const BEYOND: f64 = 0.02;
 
-/// How far the zoom goes in.
-const NARROWEST_S: f64 = 1e-12;
-
 impl App {
     /// The time range of the window without zoom, s.
     pub fn window_s(&self) -> (f64, f64) {
@@ -119,7 +117,12 @@ impl App {
 
     /// The time range on the screen, s; begins above zero on a logarithmic axis.
     pub fn time_range_s(&self) -> (f64, f64) {
-        let (from, to) = self.charts.zoom_s.unwrap_or_else(|| self.window_s());
+        self.on_time_axis(
+            self.charts.zoom_s.map_or_else(|| self.window_s(), |it| (it.lo(), it.hi())),
+        )
+    }
+
+    fn on_time_axis(&self, (from, to): (f64, f64)) -> (f64, f64) {
         match self.charts.time_scale {
             Scale::Log10 if from <= 0.0 => (to * 1e-4, to),
             Scale::Log10 | Scale::Linear => (from, to),
@@ -258,7 +261,8 @@ impl App {
         let (from, to) = self.time_range_s();
         if t_s < from || t_s > to {
             let width = to - from;
-            self.charts.zoom_s = Some(((t_s - 0.5 * width).max(0.0), t_s + 0.5 * width));
+            self.charts.zoom_s =
+                Some(ViewRange::new((t_s - 0.5 * width).max(0.0), t_s + 0.5 * width));
         }
     }
 
@@ -285,37 +289,14 @@ impl App {
             .map(|event| event.kind.words())
     }
 
-    /// Zoom by a factor about the crosshair (the middle without one); at most to the whole window.
-    pub fn zoom(&mut self, factor: f64) {
-        let (from, to) = self.time_range_s();
-        let centre =
-            self.charts.cursor_s.filter(|t| (from..=to).contains(t)).unwrap_or(0.5 * (from + to));
-        let view = ViewRange::new(from, to).zoomed(self.charts.time_scale, centre, 1.0 / factor);
-        self.set_zoom(view.lo(), view.hi());
-    }
-
-    /// Move the range by a share of its width.
-    pub fn pan(&mut self, share: f64) {
-        let (from, to) = self.time_range_s();
-        let (begin, end) = self.whole_s();
-        if self.charts.time_scale == Scale::Log10 {
-            let view = ViewRange::new(from, to).panned(Scale::Log10, share);
-            if view.lo() > 0.0 && view.hi() <= end {
-                self.set_zoom(view.lo().max(begin), view.hi());
-            }
-            return;
-        }
-        let shift = (share * (to - from)).clamp((-from).min(0.0), (end - to).max(0.0));
-        self.set_zoom(from + shift, to + shift);
-    }
-
-    fn set_zoom(&mut self, low: f64, high: f64) {
-        let (begin, end) = self.whole_s();
-        let (low, high) = (low.max(begin), high.min(end));
-        if high - low > NARROWEST_S {
-            let all = (low, high) == self.window_s();
-            self.charts.zoom_s = (!all).then_some((low, high));
-        }
+    /// The time axis, of which a part can be chosen.
+    pub(in crate::tui) fn time_across(&mut self) -> Across<'_> {
+        let range = |(from, to)| ViewRange::new(from, to);
+        let view = range(self.time_range_s());
+        let home = range(self.on_time_axis(self.window_s()));
+        let bounds = range(self.whole_s());
+        let (scale, about) = (self.charts.time_scale, self.charts.cursor_s);
+        Across { view, bounds, ..Across::of(&mut self.charts.zoom_s, home, scale, about) }
     }
 
     /// From first contact to the end of the longest visible run (or of the window, where that is later), s.

@@ -13,9 +13,10 @@ use crate::tui::chart::{
     Axis, Chart, Curve, Emphasis, EventLine, Legend, Level, Mapping, Scale, Unit, ViewRange,
 };
 use crate::tui::message::Target;
+use crate::tui::pages::explore::curves::chart_axis;
 use crate::tui::pages::search::lines::LETTERS;
 use crate::tui::pages::search::setup::brief;
-use crate::tui::pages::search::state::{Page, Row};
+use crate::tui::pages::search::state::{Page, Row, Searching};
 use crate::tui::pages::search::{RESULTS, SETUP};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
@@ -184,7 +185,7 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
             canvas,
         );
     };
-    let x = crate::tui::pages::explore::curves::chart_axis(&report.axis);
+    let x = chart_axis(&report.axis);
     let x = Axis { view: app.searching.zoomed.unwrap_or(x.view), ..x };
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
@@ -216,6 +217,26 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
     }
 }
 
+/// The axis across of the chart shown, all of it, and where the selected point is on it.
+pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
+    match &tab.shown()?.answer {
+        Answer::Seek(report) => {
+            let about = report.solutions.get(tab.selected()).map(|it| it.place.at);
+            Some((chart_axis(&report.axis), about))
+        }
+        Answer::Front(_) => {
+            let (_, task) = tab.front()?;
+            let (at, designs) = (tab.across(task).0, tab.designs());
+            let value = |design: &&Design| design.measures.get(at).copied().flatten();
+            let measure = task.measures()[at];
+            let values: Vec<f64> = designs.iter().filter_map(value).collect();
+            let x = measure_axis(measure, values.into_iter(), tab.log.0, brief(measure))?;
+            Some((x, designs.get(tab.selected()).and_then(value)))
+        }
+        _ => None,
+    }
+}
+
 /// Designs as points, the scene and the thesis's designs as letters.
 fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let tab = &app.searching;
@@ -228,10 +249,8 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
         let own = designs.iter().filter_map(move |design| value(&design.measures, at));
         own.collect::<Vec<f64>>()
     };
-    let (xs, ys) = (all(across), all(up));
-    let label = brief(measures[across]);
-    let x = measure_axis(measures[across], xs.into_iter(), tab.log.0, label);
-    let y = measure_axis(measures[up], ys.into_iter(), tab.log.1, String::new());
+    let x = self::across(tab).map(|(x, _)| x);
+    let y = measure_axis(measures[up], all(up).into_iter(), tab.log.1, String::new());
     let Some((x, y)) = x.zip(y) else {
         let text = "no design keeps every constraint".to_owned();
         return lines_below(app, &[(Severity::Warning, text)], area, canvas);

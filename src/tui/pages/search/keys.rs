@@ -68,11 +68,6 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         }
         Action::LogX => app.searching.log.0 = !app.searching.log.0,
         Action::LogY => app.searching.log.1 = !app.searching.log.1,
-        Action::ZoomIn => app.searching.zoom(2.0),
-        Action::ZoomOut => app.searching.zoom(0.5),
-        Action::ZoomFit => app.searching.zoomed = None,
-        Action::PanLeft => app.searching.pan(-0.25),
-        Action::PanRight => app.searching.pan(0.25),
         _ => {
             let by = match action {
                 Action::Left => -1,

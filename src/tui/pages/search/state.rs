@@ -7,12 +7,11 @@ use crate::model::units::significant;
 use crate::report;
 use crate::study::monte_carlo::Summary;
 use crate::study::search::front::{Design, Front, Task};
-use crate::study::sweep::Spacing;
 use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::chart::scale::ViewRange;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::search::SETUP;
 use crate::tui::pages::search::setup::brief;
@@ -241,58 +240,6 @@ impl Searching {
         if let Some(at) = at {
             self.select(at);
         }
-    }
-
-    /// The values of the axis across of what is drawn.
-    fn drawn_across(&self) -> Vec<f64> {
-        match self.shown().map(|found| &found.answer) {
-            Some(Answer::Seek(report)) => report.scan.iter().map(|point| point.0).collect(),
-            Some(Answer::Front(_)) => {
-                let across = self.front().map_or(0, |(_, task)| self.across(task).0);
-                let value = |design: &&Design| design.measures.get(across).copied().flatten();
-                self.designs().iter().filter_map(value).collect()
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    /// The scale of the axis across.
-    fn scale_across(&self) -> Scale {
-        match self.shown().map(|found| &found.answer) {
-            Some(Answer::Seek(report)) if report.axis.spacing() == Spacing::Log => Scale::Log10,
-            Some(Answer::Front(_)) if self.log.0 => Scale::Log10,
-            _ => Scale::Linear,
-        }
-    }
-
-    fn view_across(&self) -> Option<(ViewRange, ViewRange, f64)> {
-        let scale = self.scale_across();
-        let whole = ViewRange::of(scale, self.drawn_across())?;
-        let about = match self.shown().map(|found| &found.answer) {
-            Some(Answer::Seek(report)) => {
-                report.solutions.get(self.selected()).map(|it| it.place.at)
-            }
-            _ => self.drawn_across().get(self.selected()).copied(),
-        };
-        let view = self.zoomed.unwrap_or(whole);
-        Some((whole, view, about.unwrap_or_else(|| 0.5 * (view.lo() + view.hi()))))
-    }
-
-    /// Zoom the axis across about the selected design.
-    pub fn zoom(&mut self, factor: f64) {
-        let Some((whole, view, about)) = self.view_across() else { return };
-        self.keep_view(whole, view.zoomed(self.scale_across(), about, factor));
-    }
-
-    /// Move the view across by a fraction of its span.
-    pub fn pan(&mut self, fraction: f64) {
-        let Some((whole, view, _)) = self.view_across() else { return };
-        self.keep_view(whole, view.panned(self.scale_across(), fraction));
-    }
-
-    fn keep_view(&mut self, whole: ViewRange, view: ViewRange) {
-        let all = view.lo() <= whole.lo() && view.hi() >= whole.hi();
-        self.zoomed = (!all).then_some(view);
     }
 }
 

@@ -144,7 +144,7 @@ pub(in crate::tui) fn show(app: &mut App, base: Base) -> Vec<Effect> {
     app.focus_on(explore::RESULTS);
     app.sweeping.output = 0;
     app.sweeping.cursor = [None; 2];
-    app.sweeping.zoom = [None; 2];
+    app.sweeping.zoomed = None;
     // The sweep as the preset has it, whatever was looked at before.
     let visits = &mut app.sweeping.visits;
     visits.picture = if axes == 1 { Picture::Line } else { Picture::Surface };

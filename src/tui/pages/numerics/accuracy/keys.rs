@@ -18,11 +18,6 @@ use crate::worker::{Finding, ReportBody};
 
 /// Columns of a plot that is not drawn.
 const FEW_COLUMNS: u16 = 40;
-/// One zoom step.
-const ZOOM: f64 = 2.0;
-/// One pan step, as a share of the span.
-const PAN: f64 = 0.25;
-
 /// The tab is shown: measure, unless this scene has been or is being measured.
 pub(in crate::tui) fn enter(app: &mut App) -> Vec<Effect> {
     let tab = &app.accuracy;
@@ -41,11 +36,6 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         Action::Right => app.accuracy.move_cursor(1, columns),
         Action::FarLeft => app.accuracy.move_cursor(-10, columns),
         Action::FarRight => app.accuracy.move_cursor(10, columns),
-        Action::ZoomIn => app.accuracy.zoom(ZOOM),
-        Action::ZoomOut => app.accuracy.zoom(1.0 / ZOOM),
-        Action::ZoomFit => app.accuracy.view.times = None,
-        Action::PanLeft => app.accuracy.pan(-PAN),
-        Action::PanRight => app.accuracy.pan(PAN),
         Action::View => app.accuracy.table_page += 1,
         Action::LogX | Action::LogY | Action::SlopeGuides | Action::SpreadBars => look(app, action),
         Action::ShowHide | Action::Mark => show_or_hide(app),

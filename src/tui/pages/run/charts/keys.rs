@@ -12,11 +12,6 @@ use crate::tui::view::plot_columns;
 
 /// Columns of a plot that is not drawn.
 const FEW_COLUMNS: u16 = 40;
-/// One zoom step.
-const ZOOM: f64 = 0.5;
-/// One pan step, as a share of the range.
-const PAN: f64 = 0.25;
-
 /// What an action does in the charts; `None` where it means nothing of its own.
 pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     use Action as A;
@@ -30,14 +25,10 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
         A::FarRight => app.move_cursor(10, width),
         A::EventNext => event(app, true),
         A::EventPrevious => event(app, false),
-        A::ZoomIn => app.zoom(ZOOM),
-        A::ZoomOut => app.zoom(1.0 / ZOOM),
         A::ZoomFit => {
-            app.charts.zoom_s = None;
             app.charts.fit = Fit::View;
+            return None;
         }
-        A::PanLeft => app.pan(-PAN),
-        A::PanRight => app.pan(PAN),
         A::FitVertical => fit(app),
         A::Window => window(app),
         A::View => {
