@@ -23,6 +23,34 @@ use crate::worker::Report;
 /// A part of the status row: how serious, the text, and a shorter form of it.
 pub type StatusPart = (Severity, String, String);
 
+/// How what a page computes stands: its words in the status row are the same on every page.
+pub(in crate::tui) enum Progress<'a> {
+    /// Under way; what is done, and how much of it.
+    Running(String),
+    /// Nothing was computed.
+    Nothing,
+    /// What is shown belongs to another such thing.
+    Old(&'a str),
+    /// Stopped before its end; how far it came.
+    Cut(String),
+    /// All of it.
+    Done(String),
+}
+
+impl Progress<'_> {
+    /// The part of the status row that says so.
+    pub(in crate::tui) fn part(self) -> StatusPart {
+        let (severity, text) = match self {
+            Self::Running(what) => (Severity::Note, format!("{what} (Esc cancels)")),
+            Self::Nothing => (Severity::Note, "no results yet: press r".to_owned()),
+            Self::Old(whose) => (Severity::Warning, format!("another {whose}'s results: press r")),
+            Self::Cut(after) => (Severity::Warning, format!("cancelled{after}: press r")),
+            Self::Done(text) => (Severity::Note, text),
+        };
+        (severity, text.clone(), text)
+    }
+}
+
 /// A table of a page, to be written to a file or copied.
 pub(in crate::tui) struct Table {
     /// What is written, for the dialog's frame.

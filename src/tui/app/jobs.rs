@@ -29,8 +29,9 @@ pub struct Running {
 
 impl Running {
     /// `: 12 of 30`; empty where nothing is known yet.
-    pub fn counted(&self) -> String {
-        let count = |(done, total): (usize, usize)| format!(": {} of {total}", done.min(total));
+    pub fn counted(&self, of: &str, what: &str) -> String {
+        let count =
+            |(done, total): (usize, usize)| format!(": {} {of} {total}{what}", done.min(total));
         self.points.map_or_else(String::new, count)
     }
 }

@@ -205,7 +205,7 @@ fn progress_is_shown_a_part_is_drawn_and_a_stop_keeps_it() {
     assert!(bench.has_cancelled());
     let body = ended(Finding::Search(answer));
     bench.reply(study.id, body);
-    assert!(bench.screen().contains("Cancelled. Showing partial results."), "{}", bench.screen());
+    assert!(bench.screen().contains("cancelled: press r"), "{}", bench.screen());
 }
 
 #[test]

@@ -130,7 +130,7 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
     assert!(bench.has_cancelled());
     let body = ended(Finding::Battery(Arc::new(rows(5)), false));
     bench.reply(study.id, body);
-    assert!(bench.screen().contains("cancelled: press r to run all | 4 of 5 scenes pass"));
+    assert!(bench.screen().contains("cancelled: press r | 4 of 5 scenes pass"));
     bench.keys("jj");
     assert!(bench.message().contains("fails: energy"), "{}", bench.message());
     // Whoever comes back to a part of it gets all of it.

@@ -55,7 +55,7 @@ fn rows_come_in_parts_and_a_stopped_report_says_so() {
     bench.keys("<Esc>");
     assert!(bench.has_cancelled());
     bench.reply(id, ended(Finding::Thesis(Arc::new(some), false)));
-    assert!(bench.screen().contains("cancelled: press r to check all"));
+    assert!(bench.screen().contains("cancelled: press r"));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::model::units;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::{App, show_duration};
+use crate::tui::pages::Progress;
 use crate::tui::pages::explore::gaps;
 use crate::tui::pages::explore::state::{Picture, quadratic};
 
@@ -12,34 +13,30 @@ impl App {
         let same = |severity, text: String| (severity, text.clone(), text);
         let mut parts = Vec::new();
         let found = self.sweeping.found(picture);
-        if let Some(computing) = self.sweeping.computing.as_ref().filter(|it| it.picture == picture)
-        {
-            let points = computing
-                .points
-                .map_or_else(String::new, |(done, total)| format!(": {done} of {total} points"));
-            let left = computing.left().filter(|left| left.as_secs() > 0);
-            let left =
-                left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
-            parts.push(same(Severity::Note, format!("sweeping{points}{left} (Esc stops)")));
-        } else if let Some(problem) = &self.sweeping.problem {
-            parts.push(same(Severity::Error, problem.clone()));
-        } else if self.sweep_is_old(picture) {
-            parts.push(same(Severity::Warning, "another scene's results: press r".to_owned()));
-        } else if let Some(found) = found {
-            let (done, total) = found.grid.progress();
-            match found.took.filter(|_| found.grid.is_complete()) {
-                Some(took) => {
-                    let text = format!("{total} points in {}", show_duration(took));
-                    parts.push(same(Severity::Note, text));
-                }
-                None => parts.push(same(
-                    Severity::Warning,
-                    format!("cancelled after {done} of {total} points: press r"),
-                )),
+        let computing = self.sweeping.computing.as_ref().filter(|it| it.picture == picture);
+        parts.push(match (computing, &self.sweeping.problem, found) {
+            (Some(computing), ..) => {
+                let points = computing.points.map_or_else(String::new, |(done, total)| {
+                    format!(": {done} of {total} points")
+                });
+                let left = computing.left().filter(|left| left.as_secs() > 0);
+                let left =
+                    left.map_or_else(String::new, |left| format!(", {} left", show_duration(left)));
+                Progress::Running(format!("sweeping{points}{left}")).part()
             }
-        } else {
-            parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
-        }
+            (None, Some(problem), _) => same(Severity::Error, problem.clone()),
+            _ if self.sweep_is_old(picture) => Progress::Old("scene").part(),
+            (None, None, None) => Progress::Nothing.part(),
+            (None, None, Some(found)) => {
+                let (done, total) = found.grid.progress();
+                match found.took.filter(|_| found.grid.is_complete()) {
+                    Some(took) => {
+                        Progress::Done(format!("{total} points in {}", show_duration(took))).part()
+                    }
+                    None => Progress::Cut(format!(" after {done} of {total} points")).part(),
+                }
+            }
+        });
         if let Some(found) = found {
             for (word, count) in found.grid.outcomes().each() {
                 if count > 0 && word != "arrested" {

@@ -14,6 +14,7 @@ use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{fitting, wrap};
 use crate::tui::chart::scale::ViewRange;
+use crate::tui::pages::Progress;
 use crate::tui::pages::limit::layout::panes;
 use crate::worker::searches::Comparison;
 
@@ -309,28 +310,23 @@ impl App {
     pub fn limit_status(&self) -> Vec<(Severity, String, String)> {
         let same = |severity, text: String| (severity, text.clone(), text);
         let tab = &self.limit;
-        let mut parts = vec![match (&tab.finding, &tab.report) {
-            (Some(finding), _) => {
-                let of = finding.points.map_or_else(String::new, |(done, total)| {
-                    format!(": {} of about {total} shots", done.min(total))
-                });
-                same(Severity::Note, format!("finding the limit{of} (Esc cancels)"))
-            }
-            (None, None) => same(Severity::Note, "no results yet: press r".to_owned()),
-            (None, Some(_)) if self.limit_is_old() => {
-                same(Severity::Warning, "another scene's results: press r".to_owned())
-            }
-            (None, Some(report)) if !report.is_complete => {
-                same(Severity::Warning, "cancelled: press r".to_owned())
-            }
-            (None, Some(_)) => same(Severity::Note, "done".to_owned()),
-        }];
+        let progress = match (&tab.finding, &tab.report) {
+            (Some(finding), _) => Progress::Running(format!(
+                "finding the limit{}",
+                finding.counted("of about", " shots")
+            )),
+            (None, None) => Progress::Nothing,
+            (None, Some(_)) if self.limit_is_old() => Progress::Old("scene"),
+            (None, Some(report)) if !report.is_complete => Progress::Cut(String::new()),
+            (None, Some(_)) => Progress::Done("done".to_owned()),
+        };
+        let mut parts = vec![progress.part()];
         if let Some(report) = &tab.report {
             if let Limit::Found { basis, .. } = report.limit {
                 parts.push(same(Severity::Note, format!("by {}", basis.words())));
             }
             parts.extend(tab.comparing.as_ref().map(|comparing| {
-                same(Severity::Note, format!("comparing{} (Esc cancels)", comparing.counted()))
+                Progress::Running(format!("comparing{}", comparing.counted("of", ""))).part()
             }));
             parts.push(same(Severity::Note, format!("curve of {} shots", report.shots.len())));
             parts.extend(self.validity_part());

@@ -15,6 +15,7 @@ use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
+use crate::tui::pages::Progress;
 
 /// What a judge cannot tell from zero is shown where it is at least this part of the least error drawn.
 const FLOOR_NEAR: f64 = 1e-4;
@@ -223,30 +224,21 @@ impl App {
             .report
             .as_ref()
             .map_or(0, |report| report.methods.iter().map(|one| one.points.len()).sum());
-        let mut parts = Vec::new();
-        if let Some(measuring) = &tab.measuring {
-            let (done, total) = measuring.points.unwrap_or_default();
-            let text = match total {
-                0 => "measuring (Esc cancels)".to_owned(),
-                _ => format!("measuring: {} of {total} points (Esc cancels)", done.min(total)),
-            };
-            parts.push(same(Severity::Note, text));
-        } else if self.accuracy_is_old() {
-            let text = "another scene's results: press r".to_owned();
-            parts.push(same(Severity::Warning, text));
-        } else if let Some(report) = &tab.report {
-            parts.push(same(
-                if report.is_complete { Severity::Note } else { Severity::Warning },
-                format!(
-                    "{} {count} points",
-                    if report.is_complete { "measured" } else { "cancelled after" }
-                ),
-            ));
-        } else if self.needs_single_plate() {
-            parts.push(same(Severity::Note, "nothing to measure".to_owned()));
-        } else {
-            parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
-        }
+        let progress = match (&tab.measuring, &tab.report) {
+            (Some(measuring), _) => {
+                Progress::Running(format!("measuring{}", measuring.counted("of", " points")))
+            }
+            _ if self.accuracy_is_old() => Progress::Old("scene"),
+            (None, Some(report)) if report.is_complete => {
+                Progress::Done(format!("measured {count} points"))
+            }
+            (None, Some(_)) => Progress::Cut(format!(" after {count} points")),
+            (None, None) if self.needs_single_plate() => {
+                Progress::Done("nothing to measure".to_owned())
+            }
+            (None, None) => Progress::Nothing,
+        };
+        let mut parts = vec![progress.part()];
         if let Some(first) = tab.report.as_ref().and_then(|report| report.references.first()) {
             let sure = first.uncertainty.map_or_else(
                 || "uncertainty unknown".to_owned(),

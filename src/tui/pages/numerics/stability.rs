@@ -14,6 +14,7 @@ use crate::study::stability::map::{Axis, Map, Method};
 use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
+use crate::tui::pages::Progress;
 use crate::tui::pages::numerics::STIFF_SCENES;
 use crate::tui::widgets::table::Sorting;
 
@@ -179,37 +180,33 @@ impl App {
             let short = tab.rows().iter().filter(|row| row.shortfall.is_some()).count();
             let holds = format!("{} of {} scenes pass", tab.rows().len() - short, tab.rows().len());
             let severity = if short > 0 { Severity::Warning } else { Severity::Note };
-            match (&tab.running, &tab.battery) {
-                (Some(running), _) => {
-                    let text = format!("running the battery{} (Esc cancels)", running.counted());
-                    parts.push(same(Severity::Note, text));
-                }
-                (None, None) => {
-                    parts.push(same(Severity::Note, "no results yet: press r".to_owned()));
-                }
-                (None, Some((_, false))) => {
-                    parts.push(same(Severity::Warning, "cancelled: press r to run all".to_owned()));
-                }
-                (None, Some((_, true))) => {}
-            }
+            let progress = match (&tab.running, &tab.battery) {
+                (Some(running), _) => Some(Progress::Running(format!(
+                    "running the battery{}",
+                    running.counted("of", "")
+                ))),
+                (None, None) => Some(Progress::Nothing),
+                (None, Some((_, false))) => Some(Progress::Cut(String::new())),
+                (None, Some((_, true))) => None,
+            };
+            parts.extend(progress.map(Progress::part));
             if tab.battery.is_some() {
                 parts.push(same(severity, holds));
                 parts.push((Severity::Note, COLUMNS.to_owned(), COLUMNS_BRIEF.to_owned()));
             }
             return parts;
         }
-        let complete = tab.map.as_ref().is_none_or(|(_, map)| map.is_complete());
-        if let Some(mapping) = &tab.mapping {
-            let of = mapping.points.map_or_else(String::new, |(done, total)| {
-                format!(": {} of {total} rows", done.min(total))
-            });
-            let text = format!("computing the map{of} (Esc cancels)");
-            parts.push(same(Severity::Note, text));
-        } else if self.map_is_old() {
-            parts.push(same(Severity::Warning, "another scene's map: press r".to_owned()));
-        } else if !complete {
-            parts.push(same(Severity::Warning, "cancelled: press r".to_owned()));
-        }
+        let progress = match (&tab.mapping, &tab.map) {
+            (Some(mapping), _) => Some(Progress::Running(format!(
+                "computing the map{}",
+                mapping.counted("of", " rows")
+            ))),
+            _ if self.map_is_old() => Some(Progress::Old("scene")),
+            (None, None) => Some(Progress::Nothing),
+            (None, Some((_, map))) if !map.is_complete() => Some(Progress::Cut(String::new())),
+            (None, Some(_)) => None,
+        };
+        parts.extend(progress.map(Progress::part));
         if let Some((_, map)) = &tab.map {
             parts.push(same(
                 Severity::Note,

@@ -12,6 +12,7 @@ use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::scale::ViewRange;
+use crate::tui::pages::Progress;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::search::SETUP;
 use crate::tui::pages::search::setup::brief;
@@ -366,33 +367,26 @@ impl App {
                 let of = running.points.map_or_else(String::new, |(done, total)| {
                     format!(": about {} of {total} runs", done.min(total))
                 });
-                parts.push(same(Severity::Note, format!("searching{of} (Esc cancels)")));
+                parts.push(Progress::Running(format!("searching{of}")).part());
             }
             (Some(_), None, _) => {
-                parts.push(same(
-                    Severity::Note,
-                    "another search is running (Esc cancels)".to_owned(),
-                ));
+                parts.push(Progress::Running("another search is running".to_owned()).part());
             }
-            (None, _, None) => match &tab.problem {
-                Some(_) => {
-                    parts.push(same(Severity::Error, "this cannot be searched for".to_owned()));
-                }
-                None => {
-                    parts.push(same(
-                        Severity::Note,
-                        "No results yet. Press r to search.".to_owned(),
-                    ));
-                }
-            },
+            (None, _, None) if tab.problem.is_some() => {
+                parts.push(same(Severity::Error, "this cannot be searched for".to_owned()));
+            }
+            (None, _, None) => parts.push(Progress::Nothing.part()),
             (None, _, Some(_)) if self.search_is_old() => {
-                parts.push(same(Severity::Warning, "another setup's results: press r".to_owned()));
+                parts.push(Progress::Old("setup").part());
             }
             (None, _, Some(found)) => {
                 let (done, runs) = completeness(&found.answer);
-                let word = if done { "done" } else { "Cancelled. Showing partial results." };
-                let severity = if done { Severity::Note } else { Severity::Warning };
-                parts.push(same(severity, word.to_owned()));
+                let progress = if done {
+                    Progress::Done("done".to_owned())
+                } else {
+                    Progress::Cut(String::new())
+                };
+                parts.push(progress.part());
                 if let Some(runs) = runs {
                     parts.push(same(Severity::Note, runs));
                 }

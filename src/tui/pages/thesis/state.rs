@@ -10,6 +10,7 @@ use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
+use crate::tui::pages::Progress;
 use crate::tui::pages::thesis::{self, CLAIMS};
 
 /// The state of the tab.
@@ -124,20 +125,17 @@ impl App {
 
     /// The parts of the status row in this tab; see [`App::status`].
     pub fn thesis_status(&self) -> Vec<(Severity, String, String)> {
-        let note = |text: String| (Severity::Note, text.clone(), text);
         let tab = &self.thesis;
         let mut parts = Vec::new();
-        match (&tab.running, &tab.report) {
+        let progress = match (&tab.running, &tab.report) {
             (Some(running), _) => {
-                let of = running.counted();
-                parts.push(note(format!("checking the claims{of} (Esc cancels)")));
+                Some(Progress::Running(format!("checking the claims{}", running.counted("of", ""))))
             }
-            (None, None) => parts.push(note("no results yet: press r".to_owned())),
-            (None, Some((_, false))) => {
-                parts.push(note("cancelled: press r to check all".to_owned()));
-            }
-            (None, Some((_, true))) => {}
-        }
+            (None, None) => Some(Progress::Nothing),
+            (None, Some((_, false))) => Some(Progress::Cut(String::new())),
+            (None, Some((_, true))) => None,
+        };
+        parts.extend(progress.map(Progress::part));
         if let Some((rows, _)) = &tab.report {
             let counts = tally(rows);
             let listed = |show: fn(Verdict) -> String, gap: &str| {
