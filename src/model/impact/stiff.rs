@@ -28,7 +28,7 @@ const POINTS_PER_STEP: usize = 3;
 const LANDED: f64 = 1e-9;
 /// The shortest step, relative to the time reached: time has no finer resolution.
 const TICK: f64 = 2.0 * f64::EPSILON;
-/// The step, relative to the time reached, at whose end an event is taken wherever on it the sign changes.
+/// The step, relative to the time reached, at whose end an event is taken wherever in it it sign_changes.
 const CLOSEST: f64 = 4.0 * TICK;
 /// Work of one of Newton's iterations, in Taylor expansions, and the most iterations of a step.
 const NEWTON: usize = 1;
