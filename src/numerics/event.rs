@@ -1,7 +1,7 @@
-//! Events on a step: where a function of the state goes from positive to negative.
+//! Events on a step: where a function of the state falls through zero.
 //!
-//! The sign change is located on the step's dense output and then landed on by steps anew from the same start, so that the state there
-//! has the full order of the method. Knows no method and no system.
+//! The fall is found on the step's dense output and then landed on by steps anew from the same start, so that the state there has the
+//! full order of the method. Knows no method and no system.
 
 use crate::numerics::arc::Arc;
 use crate::numerics::root::in_bracket;
@@ -11,40 +11,40 @@ const STEPS_MAX: usize = 40;
 /// Part of its place by which the slope of a function there is taken on the dense output.
 const SLOPE: f64 = 1e-4;
 
-/// Where a function changes its sign on a step, by the dense output.
+/// Where a function falls on a step, by the dense output: the part, and the parts on either side between which it does.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SignChange {
-    /// The part of the step.
+pub struct Fall {
+    /// Where.
     pub part: f64,
-    /// Parts on either side: the last at which it is known to be positive, the first at which it is not.
+    /// Where it is still positive, and where no longer.
     pub between: (f64, f64),
 }
 
-/// The first sign change of a function that is positive at the start of a step, by samples (part and value) in their order. `at` is the
-/// function on the dense output.
-pub fn first_sign_change(
+/// The first fall of a function that is positive at the start of a step, seen in samples of it (part and value) in their order; `at` is
+/// the function on the dense output.
+pub fn fall(
     samples: impl IntoIterator<Item = (f64, f64)>,
     at: impl FnMut(f64) -> f64,
-) -> Option<SignChange> {
+) -> Option<Fall> {
     let mut low = 0.0;
     for (high, value) in samples {
         if value <= 0.0 {
-            return Some(SignChange { part: in_bracket(low, high, at), between: (low, high) });
+            return Some(Fall { part: in_bracket(low, high, at), between: (low, high) });
         }
         low = high;
     }
     None
 }
 
-/// A step anew that ends at a sign change, with the part of the step; `None` where no step ends closer to it than `near` allows.
-/// Secants, the first with the slope of the dense output, kept in the bracket by bisection.
+/// A step anew that ends where a function falls, with the part at which that is; `None` where no step ends closer to the fall than
+/// `near` allows. Secants, the first with the slope of the dense output, kept between the sides of the fall by bisection.
 pub fn land<A: Arc>(
     arc: &A,
-    sign_change: &SignChange,
+    fall: &Fall,
     value: impl Fn(&A::State) -> f64,
     near: impl Fn(&A::State) -> f64,
 ) -> Option<(f64, A::Step)> {
-    let SignChange { part: mut s, between: (mut low, mut high) } = *sign_change;
+    let Fall { part: mut s, between: (mut low, mut high) } = *fall;
     let dense = |part: f64| value(&arc.dense(part));
     let mut slope = (dense(s) - dense(s * (1.0 - SLOPE))) / (s * SLOPE);
     let mut best: Option<Landing<A::Step>> = None;
@@ -81,7 +81,7 @@ pub fn land<A: Arc>(
     best.filter(|best| best.is_near).map(|best| (best.part, best.step))
 }
 
-/// A step that ends close to a sign change.
+/// A step that ends close to a fall.
 struct Landing<S> {
     part: f64,
     distance: f64,
@@ -118,13 +118,13 @@ mod tests {
     }
 
     fn found(dip: &Dip, parts: &[f64]) -> Option<f64> {
-        let samples = parts.iter().map(|part| (*part, dip.dense(*part)));
-        let found = first_sign_change(samples, |part| dip.dense(part))?;
-        land(dip, &found, |height| *height, |_| 1e-9).map(|(part, _)| part)
+        let fall =
+            fall(parts.iter().map(|part| (*part, dip.dense(*part))), |part| dip.dense(part))?;
+        land(dip, &fall, |height| *height, |_| 1e-9).map(|(part, _)| part)
     }
 
     #[test]
-    fn a_sign_change_is_landed_on_by_steps_anew_whatever_the_dense_output_is_off_by() {
+    fn a_fall_is_landed_on_by_steps_anew_whatever_the_dense_output_is_off_by() {
         for error in [0.0, 1e-3, -1e-3, 0.05] {
             let dip = Dip { depth: 0.04, error, exists: true };
             let part = found(&dip, &[0.5, 1.0]).unwrap();
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sign_change_between_two_samples_is_not_seen_and_one_that_is_only_near_is_not_landed_on() {
+    fn a_fall_between_two_looks_is_not_seen_and_one_that_is_only_near_is_not_landed_on() {
         let dip = Dip { depth: 0.04, error: 0.0, exists: true };
         assert_eq!(found(&dip, &[1.0]), None);
         // The dense output touches the plane, the steps do not.

@@ -183,20 +183,18 @@ pub(super) fn integrate(
         count.steps += 1;
         let taken =
             Taken { system: &system, y: &y, h, solved: &solved, count: RefCell::new(&mut *count) };
-        let sign_changes =
+        let falls =
             stretch.ends().iter().enumerate().filter(|(_, boundary)| boundary.is_armed(&here));
-        let sign_changes = sign_changes.filter_map(|(index, boundary)| {
+        let falls = falls.filter_map(|(index, boundary)| {
             let at = |part: f64| boundary.at(&taken.dense(part));
             let looks = (1..=LOOKS).map(|look| look as f64 / LOOKS as f64);
-            Some((index, event::first_sign_change(looks.map(|part| (part, at(part))), at)?))
+            Some((index, event::fall(looks.map(|part| (part, at(part))), at)?))
         });
-        if let Some((index, sign_change)) =
-            sign_changes.min_by(|a, b| a.1.part.total_cmp(&b.1.part))
-        {
+        if let Some((index, fall)) = falls.min_by(|a, b| a.1.part.total_cmp(&b.1.part)) {
             let boundary = stretch.ends()[index];
-            let landed = event::land(&taken, &sign_change, |y| boundary.at(y), |_| f64::INFINITY);
+            let landed = event::land(&taken, &fall, |y| boundary.at(y), |_| f64::INFINITY);
             let (s, y) = landed.map_or_else(
-                || (sign_change.part, taken.dense(sign_change.part)),
+                || (fall.part, taken.dense(fall.part)),
                 |(s, step)| (s, taken.end(s, &step)),
             );
             return Reached { t: t + s * h, y, stop: Stop::Boundary(index), step: h };

@@ -14,7 +14,7 @@ use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
 use crate::model::run::Mode;
 use crate::numerics::arc::Arc;
-use crate::numerics::event::{SignChange, first_sign_change, land};
+use crate::numerics::event::{Fall, fall, land};
 use crate::numerics::graded::{Graded, POINTS, part_at, solve};
 use crate::numerics::{larger, smaller};
 
@@ -154,7 +154,7 @@ impl Track<'_> {
         let whole = self.unbroken(variable, to)?;
         let taken = Taken { track: self, variable, whole: &whole };
         let events = self.active_events();
-        let mut first: Option<(EventId, EventFunction, SignChange)> = None;
+        let mut first: Option<(EventId, EventFunction, Fall)> = None;
         for (event, form) in events.iter().filter(|(event, _)| *event != variable.own_trigger()) {
             let value = |state: &State| form.watched(variable.motion, state);
             let start = value(&self.body.state);
@@ -170,15 +170,15 @@ impl Track<'_> {
             let samples = values.into_iter().enumerate().map(|(i, value)| (part_at(i), value));
             let samples = samples.chain([(1.0, value(&whole.end))]);
             let samples = samples.skip_while(|(_, value)| start <= 0.0 && *value <= unseen);
-            let found = first_sign_change(samples, |part| value(&taken.dense(part)));
-            if let Some(sign_change) = found
-                && first.as_ref().is_none_or(|first| sign_change.part < first.2.part)
+            let fall = fall(samples, |part| value(&taken.dense(part)));
+            if let Some(fall) = fall
+                && first.as_ref().is_none_or(|first| fall.part < first.2.part)
             {
-                first = Some((*event, *form, sign_change));
+                first = Some((*event, *form, fall));
             }
         }
-        let Some((event, form, sign_change)) = first else { return Some(whole) };
-        let landed = taken.landed(&form, &sign_change)?;
+        let Some((event, form, fall)) = first else { return Some(whole) };
+        let landed = taken.landed(&form, &fall)?;
         Some(Stretch { fired: Some(event), ..landed })
     }
 
@@ -285,9 +285,9 @@ impl Arc for Taken<'_, '_> {
 
 impl Taken<'_, '_> {
     /// The stretch to where an event function falls.
-    fn landed(&self, form: &EventFunction, sign_change: &SignChange) -> Option<Stretch> {
+    fn landed(&self, form: &EventFunction, fall: &Fall) -> Option<Stretch> {
         let (track, variable) = (self.track, self.variable);
-        let aim = self.whole.graded.between(sign_change.part).0;
+        let aim = self.whole.graded.between(fall.part).0;
         let seen = TICKS * f64::EPSILON * track.body.state.t_s * variable.speed().abs();
         if aim.abs() < seen {
             // The time does not resolve the fall from the zero.
@@ -297,7 +297,7 @@ impl Taken<'_, '_> {
         let value = |state: &State| form.watched(variable.motion, state);
         let start = value(&track.body.state).abs();
         let near = |state: &State| larger(LANDED * start, form.rounding(variable.motion, state));
-        land(self, sign_change, value, near).map(|(_, stretch)| stretch)
+        land(self, fall, value, near).map(|(_, stretch)| stretch)
     }
 }
 

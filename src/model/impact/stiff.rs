@@ -12,7 +12,7 @@ use crate::model::impact::track::{Track, is_finite};
 use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
 use crate::numerics::arc::Arc;
-use crate::numerics::event::{first_sign_change, land};
+use crate::numerics::event::{fall, land};
 use crate::numerics::implicit::{
     ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor,
 };
@@ -28,7 +28,7 @@ const POINTS_PER_STEP: usize = 3;
 const LANDED: f64 = 1e-9;
 /// The shortest step, relative to the time reached: time has no finer resolution.
 const TICK: f64 = 2.0 * f64::EPSILON;
-/// The step, relative to the time reached, at whose end an event is taken wherever in it it sign_changes.
+/// The step, relative to the time reached, at whose end an event is taken wherever in it it falls.
 const CLOSEST: f64 = 4.0 * TICK;
 /// Work of one of Newton's iterations, in Taylor expansions, and the most iterations of a step.
 const NEWTON: usize = 1;
@@ -222,18 +222,17 @@ impl Track<'_> {
             let armed = events.iter().filter(|(event, form)| {
                 fired != Some(*event) && form.watched(motion, &start) > 0.0
             });
-            let sign_changes = armed.filter_map(|(event, form)| {
+            let falls = armed.filter_map(|(event, form)| {
                 let at = |part: f64| form.watched(motion, &taken.dense(part));
-                Some((*event, form, first_sign_change([(1.0, form.watched(motion, &end))], at)?))
+                Some((*event, form, fall([(1.0, form.watched(motion, &end))], at)?))
             });
-            let Some((event, form, sign_change)) =
-                sign_changes.min_by(|a, b| a.2.part.total_cmp(&b.2.part))
+            let Some((event, form, fall)) = falls.min_by(|a, b| a.2.part.total_cmp(&b.2.part))
             else {
                 break;
             };
             let variation = form.at(motion, &start) - form.at(motion, &end);
             let near = |state: &State| LANDED * variation + form.rounding(motion, state);
-            let landed = land(&taken, &sign_change, |state| form.watched(motion, state), near);
+            let landed = land(&taken, &fall, |state| form.watched(motion, state), near);
             if let Some((part, step)) = landed {
                 (h, solved, fired) = (part * h, step, Some(event));
             } else if h <= CLOSEST * start.t_s {

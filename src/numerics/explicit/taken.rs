@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use super::{Boundary, Count, System};
 use crate::numerics::arc::Arc;
-use crate::numerics::event::{self, SignChange};
+use crate::numerics::event::{self, Fall};
 use crate::numerics::{larger, minimum};
 
 /// Part of the distance at the start of a step within which a boundary that is only come near counts as landed on.
@@ -70,7 +70,7 @@ where
     S: Fn(&mut Y, &mut Count, f64) -> [f64; N],
 {
     /// The boundary crossed first, and where.
-    pub(super) fn first(&self) -> Option<(usize, SignChange)> {
+    pub(super) fn first(&self) -> Option<(usize, Fall)> {
         let system = self.system.borrow();
         let falls = system.boundaries().iter().enumerate().filter_map(|(index, boundary)| {
             let height = |part: f64| boundary.at(&self.dense(part));
@@ -83,14 +83,14 @@ where
             } else {
                 return None;
             };
-            Some((index, event::first_sign_change([sample], height)?))
+            Some((index, event::fall([sample], height)?))
         });
         falls.min_by(|a, b| a.1.part.total_cmp(&b.1.part))
     }
 
     /// The part of the step and the state on the boundary; `None` where the steps only come near it, which the dense output seemed to
     /// touch.
-    pub(super) fn land(&self, index: usize, sign_change: &SignChange) -> Option<(f64, [f64; N])> {
+    pub(super) fn land(&self, index: usize, fall: &Fall) -> Option<(f64, [f64; N])> {
         let boundary = self.system.borrow().boundaries()[index];
         let y0 = self.ends.y0;
         let near = if self.ends.falls(&boundary) {
@@ -98,6 +98,6 @@ where
         } else {
             larger(NEAR * boundary.at(y0).abs(), boundary.noise(y0))
         };
-        event::land(self, sign_change, |y| boundary.at(y), |_| near)
+        event::land(self, fall, |y| boundary.at(y), |_| near)
     }
 }
