@@ -52,7 +52,7 @@ impl Body<'_> {
 
     /// Plastic and together: whether the interface will hold whatever comes.
     fn holds_for_good(&self) -> bool {
-        if self.is_at_rest() || self.has_no_energy() {
+        if self.is_at_rest() || self.has_no_energy() || self.is_thrown_back_freely() {
             return true;
         }
         let mechanism = &self.problem.mechanism;
@@ -65,7 +65,8 @@ impl Body<'_> {
             * self.problem.strength_pa
             * self.problem.geometry.swept_m3(self.state.travel_m);
         let negligible = larger(NEGLIGIBLE * self.problem.scene.run.tolerance, UNSEEN);
-        if energy < negligible * depth * strength && energy < pull_out {
+        let is_nothing = |energy: f64| energy < negligible * depth * strength && energy < pull_out;
+        if is_nothing(energy) {
             return true;
         }
         if self.yields_since_deeper > RATTLES && energy < pull_out {
@@ -73,10 +74,26 @@ impl Body<'_> {
         }
         let returns = !mechanism.spring.is_absent() || self.state.plate_m_s > 0.0;
         if mechanism.rigid_stop().is_some() && returns && self.reach_m() >= mechanism.stop_at_m {
-            return false;
+            // Only what the spring does not hold when the plate meets its stop is left to the projectile.
+            let on_arrival = energy - mechanism.spring.energy(mechanism.stop_at_m);
+            if !is_nothing(on_arrival) {
+                return false;
+            }
         }
         self.push_at(energy) <= push && self.pull_at(energy) <= pull
             || self.yielding_stays_within(energy)
+    }
+
+    /// Whether the plate goes back where nothing acts on it any more: thrown back by an absorber, which only pushes.
+    fn is_thrown_back_freely(&self) -> bool {
+        let mechanism = &self.problem.mechanism;
+        let goes_back = self.state.plate_m_s < 0.0 && mechanism.damper.coefficient == 0.0;
+        goes_back
+            && !self.stop_touches
+            && mechanism.spring.curve().is_some_and(|curve| {
+                let forces = curve.forces_between(f64::NEG_INFINITY, self.state.plate_m);
+                forces.0 >= 0.0 && forces.1 <= 0.0
+            })
     }
 
     /// Apart, moving apart, and unable to meet again.
@@ -155,6 +172,14 @@ impl Body<'_> {
         }
         if springless && mechanism.stop.is_none() {
             return self.coasting(so_far);
+        }
+        // The damper alone would stop the plate before it gets noticeably farther.
+        if w >= 0.0
+            && self.state.plate_m >= 0.0
+            && let MaximumDisplacement::Known(at_most) = self.coasting(so_far)
+            && at_most <= so_far * (1.0 + 1e-12)
+        {
+            return MaximumDisplacement::Known(so_far);
         }
         MaximumDisplacement::Pending
     }

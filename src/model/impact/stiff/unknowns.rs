@@ -17,7 +17,7 @@ pub(super) struct Unknowns<'a> {
     pub(super) motion: &'a Motion<'a>,
     /// When the step starts, s.
     from_s: f64,
-    spring: Carrier<'a>,
+    pub(super) spring: Carrier<'a>,
     damper: Carrier<'a>,
     /// From where the plate's displacement is measured, m.
     datum_m: f64,
@@ -26,7 +26,7 @@ pub(super) struct Unknowns<'a> {
 
 /// Whether a law's unknown is its argument or its force.
 #[derive(Clone, Copy)]
-enum Carrier<'a> {
+pub(super) enum Carrier<'a> {
     /// x itself, from a datum on; the force follows.
     Argument(Elastic<'a>, f64),
     /// The force; x = sgn (|force|/k)^(1/n) follows.
@@ -136,6 +136,34 @@ impl<'a> Unknowns<'a> {
                 let rests_on_stop = smaller(by_inertia.abs(), held_n) * sign(by_inertia);
                 stage[3] = if by_inertia * drive > 0.0 { rests_on_stop } else { y[3] };
             }
+            stage
+        })
+    }
+
+    /// Stages of a plate that follows the slow manifold of its spring through the whole step, at the stage's contact force: where
+    /// Newton's method has to change the side of zero, its own slopes, flat at zero, do not lead it there.
+    pub(super) fn riding(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+        NODES.map(|node| {
+            let mut stage = *y;
+            stage[0] += y[1] * node * h;
+            let at = self.state(y, node * h);
+            let state = State { travel_m: stage[0], plate_m: 0.0, plate_m_s: 0.0, ..at };
+            let motion = self.motion;
+            stage[2] = motion.contact_force(&state) * motion.coupling - motion.stop.force(&state);
+            stage[3] = 0.0;
+            stage
+        })
+    }
+
+    /// Stages of a plate that goes on at its velocity: where the spring's force is next to nothing its displacement's slope is,
+    /// too, and from there Newton's method would come to the force of where the plate will be by a part of it at a time.
+    pub(super) fn coasting(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+        let state = self.state(y, 0.0);
+        NODES.map(|node| {
+            let mut stage = *y;
+            stage[0] += y[1] * node * h;
+            let x = self.datum_m + self.spring.unfold(y[2]).0 + state.plate_m_s * node * h;
+            stage[2] = self.spring.unknown(x, 0.0);
             stage
         })
     }
