@@ -26,7 +26,9 @@ impl Track<'_> {
         if self.record.push_ratio.is_none() && !self.body.is_still() && self.body.problem.flows() {
             let motion = self.body.motion();
             let force = motion.mechanism_force(&self.body.state);
-            self.record.carried(&self.body.setting(&motion), force, -force);
+            let mut record = std::mem::take(&mut self.record);
+            record.carried(&self.body.setting(&motion), force, -force);
+            self.record = record;
         }
         self.termination.swing = match self.termination.swing {
             Swing::Back if self.body.state.plate_m_s > 0.0 => Swing::Forward,

@@ -283,7 +283,7 @@ impl Track<'_> {
     /// Work by the method's own quadrature, extremes of its dense output, points to draw.
     fn write_down(&mut self, system: &Unknowns<'_>, y: &[f64; 4], solved: &Step<4>, h: f64) {
         let motion = system.motion;
-        let record = &mut self.record;
+        let mut record = std::mem::take(&mut self.record);
         let setting = self.body.setting(motion);
         for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
             let state = system.state(stage, node * h);
@@ -309,6 +309,7 @@ impl Track<'_> {
                 record.point(&setting, &at(part), false);
             }
         }
+        self.record = record;
     }
 }
 

@@ -202,7 +202,9 @@ impl<'a> Track<'a> {
     /// Records the present state.
     pub(super) fn point(&mut self) {
         let motion = self.body.motion();
-        self.record.point(&self.body.setting(&motion), &self.body.state, true);
+        let mut record = std::mem::take(&mut self.record);
+        record.point(&self.body.setting(&motion), &self.body.state, true);
+        self.record = record;
     }
 
     /// The state at the end of a step, put exactly on the event that ended it.
@@ -220,8 +222,10 @@ impl<'a> Track<'a> {
         let (x, w) = (self.body.state.plate_m.abs(), self.body.state.plate_m_s.abs());
         self.body.plate_scale_m = larger(x, self.body.plate_scale_m);
         self.body.speed_scale_m_s = larger(w, self.body.speed_scale_m_s);
-        self.record.reach(&self.body.state);
-        self.record.point(&self.body.setting(motion), &self.body.state, true);
+        let mut record = std::mem::take(&mut self.record);
+        record.reach(&self.body.state);
+        record.point(&self.body.setting(motion), &self.body.state, true);
+        self.record = record;
     }
 }
 
