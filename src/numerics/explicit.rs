@@ -6,9 +6,9 @@
 //! stretch. Fixed-size arrays, no allocation, every loop bounded. Must not know what it integrates.
 
 pub mod dop853;
+mod landing;
 pub mod rk4;
 mod tableau;
-mod taken;
 
 /// A system y' = f(t, y) of N components.
 pub trait System<const N: usize> {
@@ -45,11 +45,6 @@ impl<const N: usize> Boundary<N> {
             sum += slope * f;
         }
         sum
-    }
-
-    /// Whether a state is on the positive side, by more than the rounding of one just landed on.
-    pub fn is_armed(&self, y: &[f64; N]) -> bool {
-        self.at(y) > 2.0 * self.noise(y)
     }
 
     /// The size below which the distance is rounding.

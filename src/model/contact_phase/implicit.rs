@@ -4,14 +4,11 @@
 //! velocity) follows from it, which is flat. Boundaries are found on the collocation polynomial of a step and landed on by stepping
 //! anew. Knows the equations by their stretch only.
 
-use std::cell::RefCell;
-
 use super::stretch::Stretch;
 use super::{Law, Spring};
-use crate::numerics::arc::Arc;
-use crate::numerics::event;
-use crate::numerics::explicit::{Count, Limits, Reached, Start, Stop};
+use crate::numerics::explicit::{Boundary, Count, Limits, Reached, Start, Stop};
 use crate::numerics::implicit::{ImplicitSystem, NODES, Step, interpolate, step, step_factor};
+use crate::numerics::root::in_bracket;
 
 /// The first step, in R/v, where none is known.
 const FIRST: f64 = 1e-4;
@@ -102,21 +99,33 @@ impl ImplicitSystem<4> for Unknowns<'_, '_> {
     }
 
     fn rate(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
+        let phase = self.stretch.phase;
         let (f, _, _) = self.stretch.contact(y[0], y[1]);
+        if self.stretch.is_still() {
+            return [y[1], -f, 0.0, 0.0];
+        }
         let ((x, _, spring, _), (w, _, damper, _)) = (self.plate(y[2]), self.speed(y[3]));
-        let [slip, plate] = self.stretch.response(f, spring + damper + self.stretch.stop(x, w));
-        [y[1], slip, w, plate]
+        let [stiffness, damping, stop_x] = self.stretch.pressed();
+        let held = spring + damper + (stiffness * (x - stop_x) + damping * w);
+        let plate = (f * phase.faces.cos - held) / phase.gamma;
+        [y[1], -f - phase.faces.cos * plate, w, plate]
     }
 
     fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
+        let phase = self.stretch.phase;
         let (_, by_q, by_u) = self.stretch.contact(y[0], y[1]);
+        if self.stretch.is_still() {
+            return [[0.0, 1.0, 0.0, 0.0], [-by_q, -by_u, 0.0, 0.0], [0.0; 4], [0.0; 4]];
+        }
         let ((_, x_slope, _, spring), (_, w_slope, _, damper)) =
             (self.plate(y[2]), self.speed(y[3]));
         let [stiffness, damping, _] = self.stretch.pressed();
-        let (by_x, by_w) = (spring + stiffness * x_slope, damper + damping * w_slope);
-        let columns = [(by_q, 0.0), (by_u, 0.0), (0.0, by_x), (0.0, by_w)];
-        let columns = columns.map(|(contact, held)| self.stretch.response(contact, held));
-        let [slip, plate] = [0, 1].map(|row| columns.map(|column| column[row]));
+        let cos = phase.faces.cos;
+        let held = [0.0, 0.0, spring + stiffness * x_slope, damper + damping * w_slope];
+        let push = [by_q * cos, by_u * cos, 0.0, 0.0];
+        let plate: [f64; 4] = std::array::from_fn(|i| (push[i] - held[i]) / phase.gamma);
+        let contact = [by_q, by_u, 0.0, 0.0];
+        let slip = std::array::from_fn(|i| -contact[i] - cos * plate[i]);
         [[0.0, 1.0, 0.0, 0.0], slip, [0.0, 0.0, 0.0, w_slope], plate]
     }
 
@@ -181,22 +190,22 @@ pub(super) fn integrate(
             continue;
         }
         count.steps += 1;
-        let taken =
-            Taken { system: &system, y: &y, h, solved: &solved, count: RefCell::new(&mut *count) };
-        let falls =
-            stretch.ends().iter().enumerate().filter(|(_, boundary)| boundary.is_armed(&here));
-        let falls = falls.filter_map(|(index, boundary)| {
-            let at = |part: f64| boundary.at(&taken.dense(part));
-            let looks = (1..=LOOKS).map(|look| look as f64 / LOOKS as f64);
-            Some((index, event::fall(looks.map(|part| (part, at(part))), at)?))
-        });
-        if let Some((index, fall)) = falls.min_by(|a, b| a.1.part.total_cmp(&b.1.part)) {
+        if let Some((index, until)) = crossed(&system, &y, &here, &solved) {
             let boundary = stretch.ends()[index];
-            let landed = event::land(&taken, &fall, |y| boundary.at(y), |_| f64::INFINITY);
-            let (s, y) = landed.map_or_else(
-                || (fall.part, taken.dense(fall.part)),
-                |(s, step)| (s, taken.end(s, &step)),
-            );
+            let mut reached = (1.0, y);
+            let mut at = |s: f64| {
+                let short = if s > 0.0 { advance(&system, &y, s * h, None, count) } else { None };
+                let end = short.map_or_else(
+                    || if s > 0.0 { interpolate(&y, &solved, s) } else { y },
+                    |short| short.stages[2],
+                );
+                reached = (s, end);
+                boundary.at(&system.carried(&end))
+            };
+            let s = in_bracket(0.0, until, &mut at);
+            at(s);
+            let (s, end) = reached;
+            let y = system.carried(&end);
             return Reached { t: t + s * h, y, stop: Stop::Boundary(index), step: h };
         }
         t += h;
@@ -207,30 +216,43 @@ pub(super) fn integrate(
     }
 }
 
-/// A step that was taken, to look for events on.
-struct Taken<'a, 'p> {
-    system: &'a Unknowns<'a, 'p>,
-    y: &'a [f64; 4],
-    h: f64,
-    solved: &'a Step<4>,
-    count: RefCell<&'a mut Count>,
+/// The boundary that a step crosses first, and a fraction of the step that lies beyond it.
+fn crossed(
+    system: &Unknowns<'_, '_>,
+    y: &[f64; 4],
+    here: &[f64; 4],
+    solved: &Step<4>,
+) -> Option<(usize, f64)> {
+    let boundaries = system.stretch.ends();
+    let armed: Vec<usize> =
+        (0..boundaries.len()).filter(|index| is_armed(&boundaries[*index], here)).collect();
+    for look in 1..=LOOKS {
+        let s = look as f64 / LOOKS as f64;
+        let state = |s: f64| {
+            let end = if look == LOOKS { solved.stages[2] } else { interpolate(y, solved, s) };
+            system.carried(&end)
+        };
+        let there = state(s);
+        let beyond = armed.iter().filter(|index| boundaries[**index].at(&there) <= 0.0);
+        // Of several the one that is farthest past its plane, for the way it had to go, was crossed first.
+        let first = beyond.min_by(|a, b| {
+            let share = |index: usize| {
+                let (from, to) = (boundaries[index].at(here), boundaries[index].at(&there));
+                from / (from - to)
+            };
+            share(**a).total_cmp(&share(**b))
+        });
+        if let Some(index) = first {
+            return Some((*index, s));
+        }
+    }
+    None
 }
 
-impl Arc for Taken<'_, '_> {
-    type State = [f64; 4];
-    type Step = Step<4>;
-
-    fn dense(&self, part: f64) -> [f64; 4] {
-        self.system.carried(&interpolate(self.y, self.solved, part))
-    }
-
-    fn anew(&self, part: f64) -> Option<Step<4>> {
-        advance(self.system, self.y, part * self.h, None, &mut self.count.borrow_mut())
-    }
-
-    fn end(&self, _: f64, step: &Step<4>) -> [f64; 4] {
-        self.system.carried(&step.stages[2])
-    }
+/// On its positive side, by more than the rounding of one just landed on.
+fn is_armed(boundary: &Boundary<4>, y: &[f64; 4]) -> bool {
+    let size: f64 = boundary.slope.iter().zip(y).map(|(slope, y)| (slope * y).abs()).sum();
+    boundary.at(y) > 4.0 * f64::EPSILON * (boundary.offset.abs() + size)
 }
 
 #[cfg(test)]

@@ -262,29 +262,17 @@ impl<'a> Stretch<'a> {
         (self.phase.spring.force(x, self.region), self.phase.spring.tangent(x, self.region))
     }
 
-    /// What a contact force and the force that holds the plate do to slip and plate velocity: linear in both. A plate that cannot
-    /// move is at rest.
-    pub(super) fn response(&self, contact: f64, held: f64) -> [f64; 2] {
-        if self.phase.rigid || matches!(self.behind, Behind::Held(_)) {
-            return [-contact, 0.0];
-        }
-        let cos = self.phase.faces.cos;
-        let plate = (contact * cos - held) / self.phase.gamma;
-        [-contact - cos * plate, plate]
-    }
-
-    /// What an elastic stop that is pressed holds the plate with.
-    pub(super) fn stop(&self, x: f64, w: f64) -> f64 {
-        let [stiffness, damping, stop_x] = self.pressed();
-        stiffness * (x - stop_x) + damping * w
-    }
-
     /// Stiffness, damping and place of an elastic stop that is pressed; zeros without.
     pub(super) fn pressed(&self) -> [f64; 3] {
         match self.behind {
             Behind::Elastic(stop) => stop,
             Behind::Room | Behind::Held(_) => [0.0; 3],
         }
+    }
+
+    /// Whether the plate cannot move.
+    pub(super) fn is_still(&self) -> bool {
+        self.phase.rigid || matches!(self.behind, Behind::Held(_))
     }
 
     /// Where it ends.
@@ -296,10 +284,18 @@ impl<'a> Stretch<'a> {
 impl System<4> for Stretch<'_> {
     fn rate(&mut self, _: f64, y: &[f64; 4]) -> [f64; 4] {
         let (phase, [q, u, x, w]) = (self.phase, *y);
-        let f = phase.faces.area(q, self.piece) * (phase.sigma + phase.kappa * u * u);
-        let held = phase.spring.force(x, self.region) + phase.damper.force(w) + self.stop(x, w);
-        let [slip, plate] = self.response(f, held);
-        [u, slip, w, plate]
+        let area = phase.faces.area(q, self.piece);
+        let f = area * (phase.sigma + phase.kappa * u * u);
+        if self.is_still() {
+            return [u, -f, 0.0, 0.0];
+        }
+        let cos = phase.faces.cos;
+        let [stiffness, damping, stop_x] = self.pressed();
+        let held = phase.spring.force(x, self.region)
+            + phase.damper.force(w)
+            + (stiffness * (x - stop_x) + damping * w);
+        let plate = (f * cos - held) / phase.gamma;
+        [u, -f - cos * plate, w, plate]
     }
 
     fn boundaries(&self) -> &[Boundary<4>] {

@@ -4,11 +4,10 @@
 //! Equations I*, 2nd ed. (1993), section II.10, with its error measure (10.21), the starting step of section II.4 and a
 //! proportional-integral controller (volume II, section IV.2). Node 12 is 1, as it must be for rates that depend on time.
 
-use std::cell::RefCell;
 use std::cmp::Ordering;
 
-use super::tableau::{DENSE, ERRORS, NODES, STAGES};
-use super::taken::{Ends, Taken};
+use super::landing::{Ends, land};
+use super::tableau::{DENSE, ERROR_3, ERROR_5, NODES, STAGES};
 use super::{Count, Limits, Reached, Start, Stop, System, is_finite};
 
 /// Stages of a step.
@@ -70,20 +69,17 @@ pub fn integrate<const N: usize>(
         let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
         if ends.may_cross(system.boundaries()) {
             let dense = Dense::of(system, (t, &ends, length), &trial, count);
-            let taken = Taken {
-                system: RefCell::new(&mut *system),
-                count: RefCell::new(&mut *count),
-                ends,
-                dense: |part: f64| dense.at(part),
-                step: |system: &mut _, count: &mut Count, part: f64| {
-                    step(system, (t, &y, &f), part * length, count).y
-                },
-            };
-            let landed = taken.first().and_then(|(index, fall)| {
-                taken.land(index, &fall).map(|(part, y)| (Stop::Boundary(index), part, y))
-            });
-            if let Some((stop, part, y)) = landed {
-                return Reached { t: t + part * length, y, stop, step: h };
+            let crossed = ends.first(system.boundaries(), |s| dense.at(s));
+            if let Some((index, guess)) = crossed {
+                let boundary = system.boundaries()[index];
+                let landed = land(&boundary, &y, guess, |s| {
+                    let y = step(system, (t, &y, &f), s * length, count).y;
+                    count.evaluations += 1;
+                    (y, system.rate(t + s * length, &y).map(|f| f * length))
+                });
+                if let Some((s, y)) = landed {
+                    return Reached { t: t + s * length, y, stop: Stop::Boundary(index), step: h };
+                }
             }
         }
         let least = if error > 1e-10 { error } else { 1e-10 };
@@ -148,8 +144,8 @@ fn error<const N: usize>(trial: &Trial<N>, y: &[f64; N], h: f64, tolerance: f64)
         let scale = tolerance * (1.0 + size);
         let (mut five, mut three) = (0.0, 0.0);
         for (j, k) in trial.k.iter().enumerate() {
-            five += ERRORS[1][j] * k[i];
-            three += ERRORS[0][j] * k[i];
+            five += ERROR_5[j] * k[i];
+            three += ERROR_3[j] * k[i];
         }
         fifth += (five / scale) * (five / scale);
         third += (three / scale) * (three / scale);
@@ -285,8 +281,8 @@ mod tests {
         // The embedded formulas: of order 3 and 5, so that the differences vanish on lower powers.
         for q in 1..=5 {
             let moment = |w: &[f64; S]| (0..S).map(|j| w[j] * NODES[j].powi(q - 1)).sum::<f64>();
-            assert!(moment(&ERRORS[1]).abs() < 1e-14, "{q}");
-            assert!(q > 3 || moment(&ERRORS[0]).abs() < 1e-14, "{q}");
+            assert!(moment(&ERROR_5).abs() < 1e-14, "{q}");
+            assert!(q > 3 || moment(&ERROR_3).abs() < 1e-14, "{q}");
         }
     }
 

@@ -3,9 +3,7 @@
 //! W. Kutta, *Zeitschrift für Mathematik und Physik* 46 (1901) 435-453. Boundaries are either landed on or only noticed after
 //! the step that crossed them, as a program without event location does.
 
-use std::cell::RefCell;
-
-use super::taken::{Ends, Taken};
+use super::landing::{Ends, land};
 use super::{Count, Limits, Reached, Start, Stop, System, is_finite};
 
 /// What happens at a boundary.
@@ -50,22 +48,19 @@ pub fn integrate<const N: usize>(
         }
         let ends = Ends { y0: &y, f0: &f, y1: &y_next, f1: &f_next };
         if ends.may_cross(system.boundaries()) {
-            let taken = Taken {
-                system: RefCell::new(&mut *system),
-                count: RefCell::new(&mut *count),
-                dense: |part: f64| hermite(&ends, h, part),
-                step: |system: &mut _, count: &mut Count, part: f64| {
-                    step(system, (t, &y, &f), part * h, count)
-                },
-                ends,
-            };
-            if let Some((index, fall)) = taken.first() {
-                let stop = Stop::Boundary(index);
+            let inside = |s: f64| hermite(&ends, h, s);
+            if let Some((index, guess)) = ends.first(system.boundaries(), inside) {
                 if crossing == Crossing::Notice {
-                    return ended(t_next, y_next, stop);
+                    return ended(t_next, y_next, Stop::Boundary(index));
                 }
-                if let Some((part, y)) = taken.land(index, &fall) {
-                    return ended(t + part * h, y, stop);
+                let boundary = system.boundaries()[index];
+                let landed = land(&boundary, &y, guess, |s| {
+                    let y = step(system, (t, &y, &f), s * h, count);
+                    count.evaluations += 1;
+                    (y, system.rate(t + s * h, &y).map(|f| f * h))
+                });
+                if let Some((s, y)) = landed {
+                    return ended(t + s * h, y, Stop::Boundary(index));
                 }
             }
         }
