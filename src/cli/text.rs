@@ -37,15 +37,15 @@ pub(super) fn fitted(page: &str) -> String {
         if line.chars().count() <= room {
             return line.to_owned();
         }
-        let blanks = line.len() - line.trim_start().len();
+        let word_from = |at: usize| line.len() - line[at..].trim_start().len();
         let half = line.char_indices().nth(room / 2).map_or(line.len(), |(at, _)| at);
-        let column = line[..half].rfind("  ").map_or(0, |at| at + 2);
-        let indent = if column > blanks { column } else { blanks + 2 };
-        let (lead, text) = line.split_at(column.max(blanks));
-        let first = wrap(text, room - lead.chars().count()).swap_remove(0);
+        let column = line[..half].rfind("  ").map_or(0, word_from);
+        let is_column = column > word_from(0) && column <= half;
+        let (lead, text) = line.split_at(if is_column { column } else { word_from(0) });
+        let first = wrap(text, room.saturating_sub(lead.chars().count())).swap_remove(0);
         let rest = text[first.len()..].trim_start();
-        let rest =
-            wrap(rest, room.saturating_sub(indent).max(1)).join(&format!("\n{:indent$}", ""));
+        let indent = lead.chars().count() + if is_column { 0 } else { 2 };
+        let rest = wrap(rest, room.saturating_sub(indent)).join(&format!("\n{:indent$}", ""));
         format!("{lead}{first}\n{:indent$}{rest}", "")
     };
     let lines: Vec<String> = page.lines().map(fitted).collect();
@@ -60,7 +60,8 @@ mod tests {
     #[test]
     fn a_long_line_goes_on_below_its_last_column() {
         let words = ["word"; 30].join(" ");
-        for (lead, indent) in [("  name    ", 10), ("    ", 6), ("", 2)] {
+        let wide = format!("name{:50}", "");
+        for (lead, indent) in [("  name    ", 10), ("    ", 6), ("", 2), (wide.as_str(), 2)] {
             let text = format!("short\n{lead}{words}\n");
             let page = fitted(&text);
             assert!(page.lines().all(|line| line.len() <= USUAL), "{page}");
