@@ -95,3 +95,28 @@ impl<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>> WithSimd
         self.contact.go_on(expand, (K::TWO_SIDED, D::TWO_SIDED), self.plan)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::contact_kernel::TERMS_TIGHT;
+    use crate::model::contact_kernel::integration::InitialPhase;
+    use crate::model::scene::Scene;
+
+    /// What processors without vectors do. The depth at the first arrest is row S2 of `reference.csv`.
+    #[test]
+    fn valid_one_number_of_terms_serves_every_tolerance() {
+        let contact = Contact::of(&Scene::default());
+        let mut numbers = Vec::new();
+        for tolerance in [1e-4, 1e-8, 1e-11] {
+            let InitialPhase::Steps(plan) = contact.initial_phase(tolerance) else {
+                panic!("no plain steps")
+            };
+            numbers.push(plan.terms);
+            let depth_m = contact.with_spring::<TERMS>(&plan).unwrap().penetration_m;
+            let error = (depth_m / 0.004_571_788_754_106_379 - 1.0).abs();
+            assert!(error < tolerance, "{tolerance:e}: {error:e}");
+        }
+        assert!(numbers.iter().any(|terms| *terms != TERMS) && numbers.contains(&TERMS_TIGHT));
+    }
+}
