@@ -9,6 +9,20 @@ use crate::study::stability::map::Map;
 use crate::study::stability::others::Other;
 use crate::study::stability::{Basis, Row, Shortfall};
 
+/// Columns of a page that say how a scene has run, by this program and by the other methods.
+pub const HOW_IT_RAN: [&str; 10] = [
+    "outcome",
+    "energy_residual",
+    "error",
+    "steps",
+    "run_time_s",
+    "stiffness",
+    "explicit",
+    "implicit",
+    "thesis_1e-6",
+    "thesis_1e-7",
+];
+
 /// Names of the columns of another method: how it fares, and its error; and the heading of the first.
 fn keys(other: Other) -> (&'static str, &'static str, &'static str) {
     match other {

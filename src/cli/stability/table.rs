@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::model::units::{Engineering, significant};
-use crate::report::stability::table;
+use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability::map::{Cell, Map};
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
 
@@ -12,19 +12,8 @@ const WIDE: usize = 118;
 
 /// The table of the battery, what it means, and one line that sums it up.
 pub(super) fn battery(rows: &[Row], took_s: f64, width: usize) -> String {
-    let mut keys = vec![
-        "scene",
-        "outcome",
-        "energy_residual",
-        "error",
-        "steps",
-        "run_time_s",
-        "stiffness",
-        "explicit",
-        "implicit",
-        "thesis_1e-6",
-        "thesis_1e-7",
-    ];
+    let mut keys = vec!["scene"];
+    keys.extend(HOW_IT_RAN);
     if width >= WIDE {
         keys.extend(["reference", "why_hard"]);
     }

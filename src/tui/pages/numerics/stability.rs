@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::model::scene::Scene;
 use crate::model::units::significant;
 use crate::report::accuracy::seconds;
-use crate::report::stability::table;
+use crate::report::stability::{HOW_IT_RAN, table};
 use crate::study::stability::Row;
 use crate::study::stability::map::{Axis, Map, Method};
 use crate::tui::app::App;
@@ -24,21 +24,9 @@ const COLUMNS: &str =
 const COLUMNS_BRIEF: &str = "expl, D: DOP853, impl, R: Radau IIA";
 
 /// The columns of the table of stiff scenes.
-pub const KEYS: [&str; 13] = [
-    "scene",
-    "shortfall",
-    "outcome",
-    "energy_residual",
-    "error",
-    "steps",
-    "run_time_s",
-    "stiffness",
-    "explicit",
-    "implicit",
-    "thesis_1e-6",
-    "thesis_1e-7",
-    "reference",
-];
+pub fn keys() -> Vec<&'static str> {
+    ["scene", "shortfall"].into_iter().chain(HOW_IT_RAN).chain(["reference"]).collect()
+}
 
 /// The state of the tab.
 #[derive(Clone, Debug)]
@@ -116,7 +104,7 @@ impl Stability {
 
     /// Sort the table by its next column.
     pub fn sort_next(&mut self) {
-        self.sorting = self.sorting.next(&KEYS);
+        self.sorting = self.sorting.next(&keys());
         self.selected = 0;
     }
 
