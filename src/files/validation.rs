@@ -1,6 +1,5 @@
 //! The measurements, computed from their presets.
 
-use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
 use crate::files::error::FileError;
@@ -17,10 +16,11 @@ pub fn report(context: &mut Context<'_>) -> Result<Vec<Row>, FileError> {
         .map(|case| Ok((case, preset::resolve(case.preset, None)?.scene)))
         .collect::<Result<_, FileError>>()?;
     context.expect(all.len());
-    let compute = |piece: Range<u64>| {
-        let case = usize::try_from(piece.start).ok().and_then(|at| all.get(at));
-        case.map(|(case, scene)| compute(case, scene)).into_iter().collect()
-    };
     let stop = AtomicBool::new(false);
-    Ok(context.map((all.len() as u64, 1), &stop, || compute, |context, _| context.goes_on()))
+    Ok(context.map_items(
+        &all,
+        &stop,
+        |(case, scene)| Some(compute(case, scene)),
+        |context, _| context.goes_on(),
+    ))
 }

@@ -158,7 +158,7 @@ impl Contact {
         contact
     }
 
-    /// Run it to the relative accuracy `tolerance`; `None` where the full track is needed.
+    /// Run it to the relative accuracy `tolerance`; `None` where the simulation is needed.
     pub fn run(&self, tolerance: f64) -> Option<ContactEnd> {
         let mut initial_phase = self.initial_phase(tolerance);
         if let InitialPhase::OnManifold(manifold_run) = &initial_phase {
@@ -356,7 +356,7 @@ mod tests {
         scene
     }
 
-    /// (time, depth) by the full track.
+    /// (time, depth) by the simulation.
     fn full(scene: &Scene) -> (f64, f64) {
         let settings = Settings { series: false, estimate: false };
         let go_on = &mut |_: f64| ControlFlow::Continue(());

@@ -2,7 +2,7 @@
 //! nothing but depth and time.
 //!
 //! Which kernel stands behind the door is decided here and nowhere else: the contact kernel where it takes the scene, else the
-//! full track. Knows no clock and no screen.
+//! simulation. Knows no clock and no screen.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

@@ -343,7 +343,7 @@ pub struct Cost {
 }
 
 worded! {
-    /// Something a scene did not need, and so was left out.
+    /// A term that a scene does not need, and that its run omits.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
     pub enum Omission: words {
         /// No spring.

@@ -5,6 +5,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::study::parallel::Parallel;
 
+/// How much work there is.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    /// Pieces of it.
+    pub count: u64,
+    /// Pieces that a thread does before it hands in their results.
+    pub at_once: u64,
+}
+
 /// Steps of a run after which a study looks again whether to stop: a run may have millions of steps.
 const LOOK: u64 = 64;
 
@@ -88,17 +97,17 @@ impl<'w, P: ?Sized> Context<'w, P> {
         }
     }
 
-    /// Work through so many pieces of work on all threads, several at once; `take` is given each result in order, and says whether to
-    /// go on. The flag is set when the study is stopped: workers look at it, and hand in what they have done.
+    /// Work on all threads. `take` is given each result in order, and says whether to go on. The flag is set when the study is
+    /// stopped: workers look at it, and hand in what they have done.
     pub fn each<T: Send, W: FnMut(Range<u64>) -> T>(
         &mut self,
-        (count, at_once): (u64, u64),
+        work: Work,
         stop: &AtomicBool,
         worker: impl Fn() -> W + Sync,
         mut take: impl FnMut(&mut Self, Range<u64>, T) -> bool,
     ) {
-        let parallel = Parallel { threads: self.threads, piece: at_once };
-        let _ = parallel.map(0..count, worker, |news| {
+        let parallel = Parallel { threads: self.threads, piece: work.at_once };
+        let _ = parallel.map(0..work.count, worker, |news| {
             let goes_on = match news {
                 Some((piece, result)) => take(self, piece, result),
                 None => self.goes_on(),
@@ -108,11 +117,11 @@ impl<'w, P: ?Sized> Context<'w, P> {
         });
     }
 
-    /// The results of so many pieces of work, which workers give several at once; fewer than all when stopped, and then a worker gives
-    /// fewer, too. `show` is given all there are so far, and says whether to go on.
+    /// The results of work, of which workers give several at once; fewer than all when stopped, and then a worker gives fewer, too.
+    /// `show` is given all there are so far, and says whether to go on.
     pub fn map<T: Send, W: FnMut(Range<u64>) -> Vec<T>>(
         &mut self,
-        work: (u64, u64),
+        work: Work,
         stop: &AtomicBool,
         worker: impl Fn() -> W + Sync,
         mut show: impl FnMut(&mut Self, &[T]) -> bool,
@@ -125,6 +134,22 @@ impl<'w, P: ?Sized> Context<'w, P> {
             show(context, &all) && is_whole
         });
         all
+    }
+
+    /// What `make` gives for each of these items, one at a time; as [`Self::map`] otherwise. A `make` that is stopped gives `None`.
+    pub fn map_items<I: Sync, T: Send>(
+        &mut self,
+        items: &[I],
+        stop: &AtomicBool,
+        make: impl Fn(&I) -> Option<T> + Sync,
+        show: impl FnMut(&mut Self, &[T]) -> bool,
+    ) -> Vec<T> {
+        let work = Work { count: items.len() as u64, at_once: 1 };
+        let one = |piece: Range<u64>| {
+            let at = usize::try_from(piece.start).ok();
+            at.and_then(|at| make(items.get(at)?)).into_iter().collect()
+        };
+        self.map(work, stop, || &one, show)
     }
 
     /// Work whose own pieces do not count, since it is one piece of this study.

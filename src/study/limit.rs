@@ -269,8 +269,9 @@ pub fn find(
         report.recht_ipson = RechtIpson::through(&perforated, velocity_m_s);
         report.lambert_jonas = LambertJonas::through(&perforated);
         if let Some(scattering) = effort.scattering {
-            let how = (effort.criterion, &mut *context);
-            report.scatter = monte_carlo::sample(scene, scattering, velocity_m_s, how);
+            let criterion = effort.criterion;
+            report.scatter =
+                monte_carlo::sample(scene, scattering, velocity_m_s, criterion, context);
         }
     }
     report.is_complete = !context.is_stopped();

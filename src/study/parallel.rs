@@ -1,7 +1,7 @@
 //! The ordered parallel map of all studies: pieces go out in order, results come back in order, on however many threads.
 //!
-//! Whichever thread is free takes the next piece. So many pieces are out at the most, so memory stays constant. The result of a piece
-//! depends on nothing but the piece.
+//! A thread that is free takes the next piece. A few pieces a thread are out at the most, so memory stays constant. The result of a
+//! piece depends on nothing but the piece.
 
 use std::collections::BTreeSet;
 use std::ops::{ControlFlow, Range};

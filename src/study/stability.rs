@@ -2,7 +2,7 @@
 //!
 //! What `auto` is held to stands in the constants below. Must not know files, threads, screens or the clock itself.
 
-use std::ops::{ControlFlow, Range};
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -171,14 +171,10 @@ pub fn run(
     for case in cases {
         case.scene()?;
     }
-    let examine_one = |piece: Range<u64>| {
-        let case = usize::try_from(piece.start).ok().and_then(|at| cases.get(at));
-        let row = case.and_then(|case| examine(case, clock).ok().flatten());
-        row.into_iter().collect()
-    };
+    let examine = |case: &&'static Case| examine(case, clock).ok().flatten();
     context.expect(cases.len());
     let show = |context: &mut Context<'_, [Row]>, rows: &[Row]| context.show(rows);
-    Ok(context.map((cases.len() as u64, 1), &stop, || examine_one, show))
+    Ok(context.map_items(cases, &stop, examine, show))
 }
 
 /// Run one scene of the battery; `None` when stopped.

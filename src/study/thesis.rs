@@ -3,7 +3,6 @@
 //! The claims are data, in `presets/thesis/claims.toml`: where a claim stands, what it says, and how it is checked, by the
 //! engine and by the Appendix as printed. Results come from the solver each time, and the verdict follows from them.
 
-use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock};
 
@@ -175,19 +174,18 @@ pub fn reproduce(context: &mut Context<'_, [Row]>) -> Vec<Row> {
     check_all(&claims().iter().collect::<Vec<_>>(), context)
 }
 
-/// Check claims, in their order, and show the rows as they come. A stop ends a claim at its next step: that row and those after it
-/// are left out.
+/// Check claims, in their order, and show the rows as they come. A stop ends a claim at its next step: it has no row,
+/// nor have those after it.
 pub fn check_all(claims: &[&'static Claim], context: &mut Context<'_, [Row]>) -> Vec<Row> {
     let stop = Arc::new(AtomicBool::new(false));
     let shared = SharedRuns::stopped_by(&stop);
-    let check_one = |piece: Range<u64>| {
-        let claim = usize::try_from(piece.start).ok().and_then(|at| claims.get(at));
-        let row = claim.map(|claim| row(claim, &shared));
-        row.into_iter().filter(|_| !stop.load(Ordering::Relaxed)).collect()
+    let check = |claim: &&'static Claim| {
+        let row = row(claim, &shared);
+        (!stop.load(Ordering::Relaxed)).then_some(row)
     };
     context.expect(claims.len());
     let show = |context: &mut Context<'_, [Row]>, rows: &[Row]| context.show(rows);
-    context.map((claims.len() as u64, 1), &stop, || check_one, show)
+    context.map_items(claims, &stop, check, show)
 }
 
 /// Where the verdicts of these rows differ from the expected ones, in words.

@@ -55,7 +55,7 @@ pub(super) enum InitialPhase {
     Steps(Plan),
     /// The plate follows the slow manifold of its spring first.
     OnManifold(ManifoldRun),
-    /// To where the full track must take over.
+    /// To where the simulation must take over.
     Left,
 }
 
@@ -66,7 +66,7 @@ pub(super) enum Next {
     Ended(ContactEnd),
     /// Where another expansion must take over.
     Handed(Track),
-    /// To where the full track must.
+    /// To where the simulation must.
     Left,
 }
 
@@ -118,7 +118,7 @@ impl Contact {
         Track { t_s, state, clock, piece: 0, farthest_m: self.start_m, steps: 0 }
     }
 
-    /// Go on by steps to the end; `None` where the full track must take over.
+    /// Go on by steps to the end; `None` where the simulation must take over.
     #[inline(always)]
     pub(super) fn go_on<const N: usize>(
         &self,

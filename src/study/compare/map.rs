@@ -7,7 +7,7 @@ use crate::model::scene::Scene;
 use crate::model::variables::{self, Kind};
 use crate::study::compare::sized::{Absence, sized};
 use crate::study::compare::{Hardware, hold_spring_mass};
-use crate::study::context::Context;
+use crate::study::context::{Context, Work};
 use crate::study::sweep::{Axis, Design, Plan, Spacing, SweepError};
 
 /// Points a thread computes at once.
@@ -61,7 +61,7 @@ impl Map {
         };
         context.expect(usize::try_from(plan.points()).unwrap_or(0));
         let stop = AtomicBool::new(false);
-        let work = (plan.points(), PIECE);
+        let work = Work { count: plan.points(), at_once: PIECE };
         let cells = context.map(work, &stop, worker, |context, _| context.goes_on());
         Ok(Self { plan, cells })
     }

@@ -1,6 +1,6 @@
 //! The limit when the inputs scatter: V50, its spread, and the chance that the scene's own shot goes through.
 
-use std::ops::{self, ControlFlow};
+use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -73,7 +73,8 @@ pub(super) fn sample(
     scene: &Arc<Scene>,
     scattering: Scattering,
     nominal_m_s: f64,
-    (criterion, context): (Criterion, &mut Context<'_>),
+    criterion: Criterion,
+    context: &mut Context<'_>,
 ) -> Option<Scatter> {
     let mut tolerances = usual_tolerances(scene, scattering.deviation);
     tolerances.retain(|tolerance| tolerance.symbol() != "v_i");
@@ -103,12 +104,8 @@ pub(super) fn sample(
     };
     let mut draw = Draw::new(scene, &tolerances, scattering.seed);
     let drawn = draw.each_batch(scattering.samples, context, |samples, context| {
-        let sample = |at: u64| usize::try_from(at).ok().and_then(|at| samples.get(at));
-        let worker = || {
-            |piece: ops::Range<u64>| piece.filter_map(sample).map_while(|it| limit_of(it)).collect()
-        };
-        let work = (samples.len() as u64, 1);
-        for limit in context.map(work, &stop, worker, |context, _| context.goes_on()) {
+        let limit_of = |sample: &Vec<f64>| limit_of(sample);
+        for limit in context.map_items(samples, &stop, limit_of, |context, _| context.goes_on()) {
             let factor = scattering.model.factor(&mut errors);
             match limit {
                 Limit::Found { velocity_m_s, .. } => {

@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::numerics::larger;
-use crate::study::context::Context;
+use crate::study::context::{Context, Work};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::tells;
 use crate::study::sweep::{Axis, Evaluator, Failure, Fate, Plan, SweepError};
@@ -102,7 +102,7 @@ impl Field {
             let (plan, stop) = (&plan, &stop);
             move |points: Range<u64>| self.piece(plan, stop, &mut evaluator, points)
         };
-        let work = (designs.len() as u64, piece);
+        let work = Work { count: designs.len() as u64, at_once: piece };
         context.map(work, &stop, worker, |context, _| context.goes_on())
     }
 

@@ -8,7 +8,7 @@ use std::ops::{Range, RangeInclusive};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::study::context::Context;
+use crate::study::context::{Context, Work};
 use crate::study::quantities::{Needs, Quantity};
 use crate::study::sweep::summary::OutcomeCounts;
 use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows, SweepError};
@@ -177,7 +177,8 @@ impl Grid {
                 move |piece: Range<u64>| evaluator.rows_of(slice(&piece))
             };
             let all = points.len() as u64;
-            context.each((all, at_once), &stop, worker, |context, piece, rows: Rows| {
+            let work = Work { count: all, at_once };
+            context.each(work, &stop, worker, |context, piece, rows: Rows| {
                 let whole = rows.len() == slice(&piece).len();
                 self.put(slice(&piece), &rows);
                 context.count(rows.len());
