@@ -43,7 +43,6 @@ mod scene;
 mod search;
 mod seek;
 mod sensitivity;
-mod sidecar;
 mod stability;
 mod summary;
 mod sweep;

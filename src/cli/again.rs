@@ -2,15 +2,23 @@
 
 use clap::{ArgAction, Command};
 
+use crate::cli::help;
 use crate::files::clean::shell_word;
+use crate::files::export;
 
 /// Options that the sidecar's scene already contains, or that say where results go.
 const DROPPED: [&str; 9] =
     ["set", "threat", "material", "absorber", "csv", "force", "csv-style", "meta", "json"];
 
-/// The words after the program's name that make the rows again on standard output. `scene` takes the place of SCENE; without one
-/// the scene and its changes stay as they were typed.
-pub(super) fn line(program: &Command, typed: &[String], scene: Option<&str>) -> String {
+/// The comment line with the command that was typed. `scene` takes the place of SCENE; without one the scene and its changes stay as
+/// they were typed.
+pub(super) fn comment(scene: Option<&str>) -> String {
+    let typed = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
+    export::again(&line(&help::command(), &typed.collect::<Vec<_>>(), scene))
+}
+
+/// The words after the program's name that make the rows again on standard output.
+fn line(program: &Command, typed: &[String], scene: Option<&str>) -> String {
     let mut words = vec!["cmra".to_owned()];
     let Some((name, rest)) = typed.split_first() else { return words.remove(0) };
     words.push(shell_word(name));

@@ -6,9 +6,9 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::cli::table::exists;
-use crate::cli::{CliError, output, sidecar};
-use crate::files::atomic::{Existing, Growing};
-use crate::files::export;
+use crate::cli::{CliError, output};
+use crate::files::atomic::Existing;
+use crate::files::export::{Destination, Meta};
 use crate::files::join::Whole;
 
 #[derive(Debug, Args)]
@@ -31,28 +31,21 @@ pub(super) struct JoinArguments {
 
 /// Join.
 pub(super) fn run(arguments: &JoinArguments) -> Result<ExitCode, CliError> {
-    let existing = if arguments.force { Existing::Replace } else { Existing::Keep };
-    let target = arguments.csv.as_deref().filter(|path| path.as_os_str() != "-");
-    if let Some(path) = target {
-        sidecar::check(path, existing).map_err(exists)?;
-    }
-    let mut file = target.map(|path| Growing::begin(path, existing)).transpose().map_err(exists)?;
+    let existing = Existing::replaced(arguments.force);
+    let path = arguments.csv.clone().filter(|path| path.as_os_str() != "-");
+    let to = path.map(|path| Destination { path, existing, meta: Meta::Beside });
+    let mut file = to.as_ref().map(Destination::begin).transpose().map_err(exists)?;
     let whole = Whole::of(&arguments.parts)?;
     whole.each_piece(|piece| match &mut file {
         Some(file) => file.add(piece).map_err(CliError::File),
         None => output::print_bytes(piece),
     })?;
-    let (Some(file), Some(path)) = (file, target) else {
+    let (Some(to), Some(file)) = (to, file) else {
         output::print("")?;
         return Ok(ExitCode::SUCCESS);
     };
-    let (beside, text) = (export::sidecar_path(path, None), whole.sidecar(path));
-    let has_place = sidecar::is_ordinary(path);
-    let files = has_place.then(|| (beside.clone(), text.as_bytes()));
-    file.finish(files.as_slice(), existing).map_err(exists)?;
-    output::note(&format!("joined {} parts: wrote {}", whole.count(), path.display()));
-    if has_place {
-        output::note(&format!("wrote {}", beside.display()));
-    }
+    let written = to.finish(file, &[whole.beside()]).map_err(exists)?;
+    output::note(&format!("joined {} parts", whole.count()));
+    output::note_written(&written);
     Ok(ExitCode::SUCCESS)
 }

@@ -1,6 +1,7 @@
 //! The only place that writes to standard output and standard error.
 
 use std::io::{self, Write};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use crate::cli::CliError;
@@ -28,6 +29,13 @@ pub(super) fn progress(text: &str) {
 /// Writes a note beside the result, on standard error. A closed standard error loses it.
 pub(super) fn note(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", clean::page(text));
+}
+
+/// Name the files that were written.
+pub(super) fn note_written(files: &[PathBuf]) {
+    for path in files {
+        note(&format!("wrote {}", path.display()));
+    }
 }
 
 /// Print why a command failed, and give its exit code.

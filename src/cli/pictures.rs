@@ -65,7 +65,7 @@ impl PictureArguments {
             return output::print(&text);
         }
         atomic::write(path, text.as_bytes(), table.existing()).map_err(exists)?;
-        output::note(&format!("wrote {}", path.display()));
+        output::note_written(std::slice::from_ref(path));
         Ok(())
     }
 }

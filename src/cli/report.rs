@@ -73,7 +73,7 @@ impl Format {
 /// Write a report; exit status 1 for a run that ended early, or after an interrupt.
 pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
     let path = &arguments.output;
-    let existing = if arguments.force { Existing::Replace } else { Existing::Keep };
+    let existing = Existing::replaced(arguments.force);
     let format = Format::of(path)?;
     atomic::check(path, existing).map_err(exists)?;
     let preset = arguments.scene.load()?;
@@ -97,7 +97,7 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<ExitCode, CliError> {
         Format::Markdown => document.markdown(draw::picture),
     };
     atomic::write(path, clean::page(&text).as_bytes(), existing).map_err(exists)?;
-    output::note(&format!("wrote {}", path.display()));
+    output::note_written(std::slice::from_ref(path));
     Ok(run::exit_code(&computed.run))
 }
 

@@ -1,7 +1,6 @@
 //! `cmra run SCENE`: one impact, as a readable summary, as JSON, as CSV, or with charts in plain text.
 
 use std::ops::ControlFlow;
-use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -9,15 +8,14 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use crate::cli::models::{self, Compare};
-use crate::cli::pace::Pace;
+use crate::cli::pace::{Pace, was_interrupted};
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
 use crate::cli::sweep::page::duration;
 use crate::cli::table::{TableArguments, Target, exists};
 use crate::cli::text::fitted;
 use crate::cli::{CliError, Glyphs, output, plain, summary};
-use crate::files::atomic::Existing;
-use crate::files::export::{self, ExportRequest};
+use crate::files::export::RunTable;
 use crate::files::preset::Preset;
 use crate::model::impact::window::Window;
 use crate::model::run::Run;
@@ -56,22 +54,6 @@ pub(super) struct RunArguments {
     /// Choose the characters of the charts
     #[arg(long, value_enum, default_value = "auto", value_name = "GLYPHS")]
     glyphs: Glyphs,
-}
-
-impl RunArguments {
-    /// The export to this file.
-    fn request(&self, computed: &Computed, path: &Path) -> ExportRequest {
-        let (path, existing) = self.table.place(path);
-        ExportRequest {
-            path,
-            overwrite: existing == Existing::Replace,
-            rows: Rows::Series,
-            runs: named(computed),
-            columns: Vec::new(),
-            style: self.table.csv_style,
-            meta: self.table.meta,
-        }
-    }
 }
 
 /// A run with what the command line adds to it.
@@ -173,17 +155,22 @@ pub(super) fn run(arguments: &RunArguments) -> Result<ExitCode, CliError> {
         None => compute(arguments.scene.load()?)?,
         Some(dt_s) => at_equal_steps(arguments.scene.load()?, dt_s)?,
     };
+    let table = || RunTable {
+        rows: Rows::Series,
+        runs: named(&computed),
+        columns: Vec::new(),
+        style: arguments.table.csv_style,
+    };
     match arguments.table.target() {
         Target::None => {}
         Target::Stdout => {
-            output::print(&export::text(&arguments.request(&computed, Path::new("-")))?)?;
+            output::print(&table().text(arguments.table.meta)?)?;
             return Ok(exit_code(&computed.run));
         }
-        Target::File(path) => {
-            let request = arguments.request(&computed, path);
-            for path in export::write(&request).map_err(exists)? {
-                output::note(&format!("wrote {}", path.display()));
-            }
+        Target::File(to) => {
+            let (to, table) = (to.placed(!was_interrupted()), table());
+            let written = to.write(table.text(to.meta)?.as_bytes(), &table.scenes());
+            output::note_written(&written.map_err(exists)?);
         }
     }
     arguments.pictures.write(&arguments.table, || {

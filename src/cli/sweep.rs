@@ -3,11 +3,10 @@
 //! Rows are written as they are made, so that a sweep needs no memory; an interrupt keeps the finished ones.
 
 pub(super) mod axes;
+mod inline;
 pub(super) mod page;
-mod sidecar;
 
 use std::ops::{ControlFlow, Range};
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,10 +20,11 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::search::Threads;
 use crate::cli::table::{TableArguments, Target, at_top, exists};
 use crate::cli::text::fitted;
-use crate::cli::{self, CliError, outlook, output};
-use crate::files::atomic::{self, Existing, Growing};
-use crate::files::export::{self, Meta};
+use crate::cli::{CliError, outlook, output};
+use crate::files::export::Meta;
 use crate::files::preset::Preset;
+use crate::files::shard::Part;
+use crate::model::scene::Scene;
 use crate::report::sweep::{Columns, JSON_TAIL, Piece, Sheet, Texts};
 use crate::study::parallel::Parallel;
 use crate::study::quantities;
@@ -143,14 +143,6 @@ struct Job<'a> {
     preset: &'a Preset,
 }
 
-/// Where the table goes.
-struct Finish<'a> {
-    path: &'a Path,
-    existing: Existing,
-    /// The scene goes beside it.
-    beside: bool,
-}
-
 impl Job<'_> {
     fn points(&self) -> Range<u64> {
         self.shard.of(self.plan.points())
@@ -218,22 +210,9 @@ impl Job<'_> {
         columns: Columns,
         kept: &mut page::Kept,
     ) -> Result<Summary, CliError> {
-        let (existing, target) = (arguments.table.existing(), arguments.table.target());
-        let mut made = sidecar::Made {
-            plan: self.plan,
-            columns,
-            shard: self.shard,
-            style: arguments.table.csv_style,
-            missing: None,
-        };
-        let beside = arguments.table.meta == Meta::Beside;
-        let mut file = match target {
-            Target::File(path) => {
-                if beside {
-                    cli::sidecar::check(path, existing).map_err(exists)?;
-                }
-                Some(Growing::begin(path, existing).map_err(exists)?)
-            }
+        let target = arguments.table.target();
+        let mut file = match &target {
+            Target::File(to) => Some(to.begin().map_err(exists)?),
             Target::None | Target::Stdout => None,
         };
         self.say_if_long();
@@ -242,7 +221,10 @@ impl Job<'_> {
         let sheet = Sheet { plan: self.plan, scene: &self.preset.name, columns, texts };
         let style = arguments.table.csv_style;
         if self.shard.is_first() && texts.csv {
-            let comments = if beside { String::new() } else { sidecar::inline(self.preset, &made) };
+            let comments = match arguments.table.meta {
+                Meta::Beside => String::new(),
+                Meta::Inline => inline::comments(self.preset, self.plan),
+            };
             let head = style.file(&comments, "")?;
             match &mut file {
                 Some(file) => file.add(head.as_bytes())?,
@@ -270,38 +252,22 @@ impl Job<'_> {
         })?;
         write("", if json { JSON_TAIL } else { "" })?;
         output::print("")?;
-        if let (Some(file), Target::File(path)) = (file, target) {
+        if let (Some(file), Target::File(to)) = (file, target) {
             let (done, all) = (summary.points(), self.points().end - self.points().start);
-            made.missing = (done < all).then(|| format!("{done} of {all} points"));
-            let finish = Finish { path, existing, beside };
-            self.finish(file, &finish, &made)?;
+            let missing = (done < all).then(|| format!("{done} of {all} points"));
+            let part = Part {
+                shard: self.shard,
+                design: self.plan.design(),
+                name: self.preset.name.clone(),
+                style,
+            };
+            let sweep = Some(columns.sweep(self.plan));
+            let scene = Scene { sweep, ..self.preset.scene.clone() };
+            let beside = part.beside(&scene, missing.as_deref());
+            let written = to.placed(missing.is_none()).finish(file, &[beside]);
+            output::note_written(&written.map_err(exists)?);
         }
         Ok(summary)
-    }
-
-    /// Give the file its name, and write its scene beside it. A table that is not complete gets a name of its own.
-    fn finish(
-        &self,
-        file: Growing,
-        finish: &Finish<'_>,
-        made: &sidecar::Made<'_>,
-    ) -> Result<(), CliError> {
-        // A device has what it has been given already.
-        let is_partial = made.missing.is_some() && atomic::ordinary(finish.path).is_ok();
-        let partial = is_partial.then(|| export::partial_path(finish.path));
-        let path = partial.as_deref().unwrap_or(finish.path);
-        let scene = finish.beside.then(|| sidecar::beside(path, self.preset, made)).flatten();
-        let beside: Vec<(PathBuf, &[u8])> =
-            scene.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
-        let finished = match partial {
-            Some(_) => file.finish_as(path, &beside),
-            None => file.finish(&beside, finish.existing),
-        };
-        finished.map_err(exists)?;
-        for path in std::iter::once(path).chain(beside.iter().map(|(path, _)| path.as_path())) {
-            output::note(&format!("wrote {}", path.display()));
-        }
-        Ok(())
     }
 
     /// Compute all points, give each piece away in order, and show how far it is.

@@ -8,10 +8,10 @@ use clap::{Args, ValueEnum};
 
 use crate::cli::pace::was_interrupted;
 use crate::cli::scene::{Changes, SceneArguments};
-use crate::cli::{CliError, output, sidecar, text};
-use crate::files::atomic::{self, Existing};
+use crate::cli::{CliError, again, output, text};
+use crate::files::atomic::Existing;
 use crate::files::error::FileError;
-use crate::files::export::{self, Meta};
+use crate::files::export::{self, Beside, Destination, Meta};
 use crate::files::style::Style;
 use crate::model::scene::Scene;
 use crate::report::table::Table;
@@ -59,53 +59,49 @@ impl ValueEnum for Meta {
 }
 
 /// Where a table is to go.
-pub(super) enum Target<'a> {
+pub(super) enum Target {
     /// Nowhere: no table was requested.
     None,
     /// To standard output, instead of the page.
     Stdout,
     /// To a file.
-    File(&'a Path),
+    File(Destination),
 }
 
 impl TableArguments {
     /// Where the table is to go.
-    pub(super) fn target(&self) -> Target<'_> {
-        match self.csv.as_deref() {
+    pub(super) fn target(&self) -> Target {
+        match &self.csv {
             None => Target::None,
             Some(path) if path == Path::new("-") => Target::Stdout,
-            Some(path) => Target::File(path),
+            Some(path) => Target::File(Destination {
+                path: path.clone(),
+                existing: self.existing(),
+                meta: self.meta,
+            }),
         }
     }
 
     /// What may happen to a file that is there already.
     pub(super) fn existing(&self) -> Existing {
-        if self.force { Existing::Replace } else { Existing::Keep }
-    }
-
-    /// Where the table goes that was requested in this file, and what may happen to a file that is there. What an interrupt has
-    /// left of one gets a name of its own: it takes the place of no table that is complete.
-    pub(super) fn place(&self, path: &Path) -> (PathBuf, Existing) {
-        export::place(path.to_owned(), self.existing(), !was_interrupted())
+        Existing::replaced(self.force)
     }
 
     /// Whether the table can be written where it is to go: asked before a long computation, not after it.
     pub(super) fn check(&self) -> Result<(), CliError> {
-        self.check_stdout()?;
-        match self.target() {
-            Target::None | Target::Stdout => Ok(()),
-            Target::File(path) => atomic::check(path, self.existing()).map_err(exists),
-        }
+        self.check_with(Meta::Inline)
     }
 
     /// The same, and whether the scene can be written beside it.
     pub(super) fn check_beside(&self) -> Result<(), CliError> {
-        self.check()?;
-        match (self.target(), self.meta) {
-            (Target::File(path), Meta::Beside) => {
-                sidecar::check(path, self.existing()).map_err(exists)
-            }
-            _ => Ok(()),
+        self.check_with(self.meta)
+    }
+
+    fn check_with(&self, meta: Meta) -> Result<(), CliError> {
+        self.check_stdout()?;
+        match self.target() {
+            Target::None | Target::Stdout => Ok(()),
+            Target::File(to) => Destination { meta, ..to }.check().map_err(exists),
         }
     }
 
@@ -186,7 +182,7 @@ impl Delivery<'_> {
         let written = match table.target() {
             Target::None => Ok(()),
             Target::Stdout => return output::print(&text()?),
-            Target::File(path) => self.write(path, &text()?),
+            Target::File(to) => self.write(to, &text()?),
         };
         // A file that cannot be written must not cost what was computed.
         let changed = || self.source.map_or_else(String::new, |source| source.changes.changed());
@@ -202,21 +198,20 @@ impl Delivery<'_> {
         let scene = self.source.and_then(|source| Some((source.name, source.scene?)));
         let scene =
             scene.map(|(name, scene)| export::inline_scene(("scene", name), scene, |_| true));
-        sidecar::inline_again() + &scene.unwrap_or_default()
+        again::comment(None) + &scene.unwrap_or_default()
     }
 
-    fn write(&self, path: &Path, text: &str) -> Result<(), FileError> {
-        let (path, existing) = self.table.place(path);
-        let beside = self.source.filter(|_| self.table.meta == Meta::Beside);
-        let beside = beside.and_then(|source| sidecar::file(&path, source.scene?));
-        let mut files = vec![(path, text.as_bytes())];
-        if let Some((name, text)) = &beside {
-            files.push((name.clone(), text.as_bytes()));
-        }
-        atomic::write_all(&files, existing)?;
-        for (path, _) in &files {
-            output::note(&format!("wrote {}", path.display()));
-        }
+    /// What an interrupt has left of a table gets a name of its own.
+    fn write(&self, to: Destination, text: &str) -> Result<(), FileError> {
+        let missing = if was_interrupted() { "# not complete: interrupted\n" } else { "" };
+        let scene = self.source.and_then(|source| source.scene);
+        let beside = scene.map(|scene| Beside {
+            run: None,
+            scene,
+            notes: Box::new(|own| missing.to_owned() + &again::comment(Some(own))),
+        });
+        let to = to.placed(missing.is_empty());
+        output::note_written(&to.write(text.as_bytes(), beside.as_slice())?);
         Ok(())
     }
 }

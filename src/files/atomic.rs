@@ -32,12 +32,20 @@ pub enum Existing {
     Replace,
 }
 
+impl Existing {
+    /// Replace it where that was asked for.
+    pub fn replaced(is_asked_for: bool) -> Self {
+        if is_asked_for { Self::Replace } else { Self::Keep }
+    }
+}
+
 /// Write one file.
 ///
 /// # Errors
 /// [`FileError::Exists`] or [`FileError::Write`]; nothing is left behind then.
 pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<(), FileError> {
-    write_all(&[(path.to_owned(), content)], existing)
+    clear_leftovers(directory_of(path));
+    name_all(vec![prepare(path, content, existing)?], existing)
 }
 
 /// Make the folder of a file, where it is missing.
@@ -77,18 +85,6 @@ pub fn ordinary(path: &Path) -> Result<(), FileError> {
 pub fn is_named_pipe(path: &Path, found: &fs::Metadata) -> bool {
     use std::os::unix::fs::FileTypeExt as _;
     found.file_type().is_fifo() && !path.starts_with("/dev") && !path.starts_with("/proc")
-}
-
-/// Write files that belong together: all, or none.
-///
-/// # Errors
-/// [`FileError::Exists`] or [`FileError::Write`]; nothing is left behind then.
-pub fn write_all(files: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), FileError> {
-    for directory in files.iter().map(|(path, _)| directory_of(path)).collect::<BTreeSet<_>>() {
-        clear_leftovers(directory);
-    }
-    let ready = files.iter().map(|(path, content)| prepare(path, content, existing));
-    name_all(ready.collect::<Result<_, _>>()?, existing)
 }
 
 /// Give all files their names. Those after the first belong to it: the old ones go first, so that a program that is killed in
@@ -219,11 +215,21 @@ impl Growing {
         written.map_err(|source| FileError::write(&self.path, source))
     }
 
-    /// Give it its name, and write the files that belong to it.
+    /// Give it its name, or another one in the same folder, and write the files that belong to it.
     ///
     /// # Errors
     /// [`FileError::Exists`] when another file has taken a name meanwhile, or [`FileError::Write`].
-    pub fn finish(self, beside: &[(PathBuf, &[u8])], existing: Existing) -> Result<(), FileError> {
+    pub fn finish(
+        mut self,
+        path: &Path,
+        beside: &[(PathBuf, &[u8])],
+        existing: Existing,
+    ) -> Result<(), FileError> {
+        // Only for another name: what a link points to keeps its own.
+        if path != self.path && matches!(self.ready.place, Place::Beside(_)) {
+            let name = path.file_name().unwrap_or_default();
+            self.ready.target = self.ready.target.with_file_name(name);
+        }
         if let Place::Beside(file) = &self.ready.place {
             file.as_file().sync_all().map_err(|source| FileError::write(&self.path, source))?;
         }
@@ -232,18 +238,6 @@ impl Growing {
             ready.push(prepare(path, content, existing)?);
         }
         name_all(ready, existing)
-    }
-
-    /// The same under another name in the same folder, which is free: what is there stays, whatever was to happen to it.
-    ///
-    /// # Errors
-    /// As [`Growing::finish`].
-    pub fn finish_as(mut self, path: &Path, beside: &[(PathBuf, &[u8])]) -> Result<(), FileError> {
-        if matches!(self.ready.place, Place::Beside(_)) {
-            let name = path.file_name().unwrap_or_default();
-            self.ready.target = self.ready.target.with_file_name(name);
-        }
-        self.finish(beside, Existing::Keep)
     }
 }
 
@@ -375,8 +369,9 @@ mod tests {
         let place = tempfile::tempdir().unwrap();
         let (first, second) = (place.path().join("a.csv"), place.path().join("a.toml"));
         fs::write(&second, "mine").unwrap();
-        let files: [(PathBuf, &[u8]); 2] = [(first.clone(), b"1"), (second.clone(), b"2")];
-        assert!(write_all(&files, Existing::Keep).is_err());
+        let mut file = Growing::begin(&first, Existing::Keep).unwrap();
+        file.add(b"1").unwrap();
+        assert!(file.finish(&first, &[(second.clone(), b"2")], Existing::Keep).is_err());
         assert_eq!(names(place.path()), ["a.toml"]);
         assert_eq!(fs::read(&second).unwrap(), b"mine");
     }
@@ -389,7 +384,7 @@ mod tests {
         file.add(b"one ").unwrap();
         assert!(!path.exists());
         file.add(b"two").unwrap();
-        file.finish(&[], Existing::Keep).unwrap();
+        file.finish(&path, &[], Existing::Keep).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"one two");
         assert!(matches!(Growing::begin(&path, Existing::Keep), Err(FileError::Exists(_))));
         drop(Growing::begin(&path, Existing::Replace).unwrap());
@@ -471,7 +466,7 @@ mod tests {
         let mut file = Growing::begin(&path, Existing::Replace).unwrap();
         file.add(b"part").unwrap();
         let partial = place.path().join("a.partial.csv");
-        file.finish_as(&partial, &[(scene, b"scene")]).unwrap();
+        file.finish(&partial, &[(scene, b"scene")], Existing::Keep).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"complete");
         assert_eq!(fs::read(&partial).unwrap(), b"part");
         assert_eq!(names(place.path()), ["a.csv", "a.partial.csv", "a.partial.toml"]);

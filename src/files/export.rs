@@ -1,7 +1,7 @@
 //! Exports: a CSV file, and beside it the scene that gives it again.
 //!
-//! Both are written or neither is, and nothing is replaced unasked. The sidecar is a scene file like any other; its
-//! comments say which program wrote it and what came out.
+//! All commands and the workbench write their tables here. Both files are written or neither is, and nothing is replaced unasked.
+//! The sidecar is a scene file like any other; its comments say which program wrote it and what came out.
 
 use std::ffi::OsStr;
 use std::fmt::Write as _;
@@ -9,7 +9,7 @@ use std::fs;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use crate::files::atomic::{self, Existing};
+use crate::files::atomic::{self, Existing, Growing};
 use crate::files::clean;
 use crate::files::error::FileError;
 use crate::files::style::Style;
@@ -24,23 +24,38 @@ use crate::study::quantities::of_runs;
 /// How every sidecar begins. A file of the sidecar's name that begins otherwise is someone's own scene.
 const MARK: &str = "# exported by cmra";
 
-/// What an export contains and where it goes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExportRequest {
-    /// Target file of the CSV; the sidecar TOML goes beside it.
+/// Where a table goes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Destination {
+    /// The CSV file.
     pub path: PathBuf,
-    /// Replace existing files.
-    pub overwrite: bool,
+    /// What may happen to a file that is there.
+    pub existing: Existing,
+    /// Where the scene goes.
+    pub meta: Meta,
+}
+
+/// A scene that goes beside a table.
+pub struct Beside<'a> {
+    /// The run that it is of, where the table has several: a part of the file's name.
+    pub run: Option<&'a str>,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Makes the comment lines above it from the name of its file.
+    pub notes: Box<dyn Fn(&str) -> String + 'a>,
+}
+
+/// A table of runs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RunTable {
     /// Which rows.
     pub rows: Rows,
     /// The runs, each with its name (`now`, `A`, ...); the first one's scene goes into the sidecar of the CSV's own name.
     pub runs: Vec<NamedRun>,
     /// Names of the columns to write, in order; empty: all.
     pub columns: Vec<String>,
-    /// How the table is spelt.
+    /// CSV dialect.
     pub style: Style,
-    /// Where the scene goes.
-    pub meta: Meta,
 }
 
 /// Where the scene of an export goes.
@@ -74,39 +89,125 @@ impl Meta {
     }
 }
 
-/// Write an export and give the files written, the CSV first.
-///
-/// # Errors
-/// [`FileError`]; no file is new or changed then.
-pub fn write(request: &ExportRequest) -> Result<Vec<PathBuf>, FileError> {
-    let existing = if request.overwrite { Existing::Replace } else { Existing::Keep };
-    let mut files = vec![(request.path.clone(), text(request)?)];
-    // A device or a pipe has no place beside it.
-    let ordinary = fs::metadata(&request.path).map_or(true, |found| found.is_file());
-    if ordinary && request.meta == Meta::Beside {
-        for (index, (name, run)) in request.runs.iter().enumerate() {
-            let path = sidecar_path(&request.path, (index > 0).then_some(name.as_str()));
-            check_sidecar(&request.path, &path)?;
-            files.push((path, sidecar(&request.path, run)));
+impl Destination {
+    /// Whether the table and its scene can be written: asked before a long computation, not after it.
+    ///
+    /// # Errors
+    /// [`FileError`].
+    pub fn check(&self) -> Result<(), FileError> {
+        self.check_beside()?;
+        atomic::check(&self.path, self.existing)?;
+        let beside = sidecar_path(&self.path, None);
+        if self.has_beside()
+            && self.existing == Existing::Keep
+            && fs::symlink_metadata(&beside).is_ok()
+        {
+            return Err(FileError::Exists(beside));
         }
+        Ok(())
     }
-    let contents: Vec<(PathBuf, &[u8])> =
-        files.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
-    atomic::write_all(&contents, existing)?;
-    Ok(files.into_iter().map(|(path, _)| path).collect())
+
+    fn check_beside(&self) -> Result<(), FileError> {
+        if self.has_beside() {
+            check_sidecar(&self.path, &sidecar_path(&self.path, None))?;
+        }
+        Ok(())
+    }
+
+    /// A device or a pipe has no place beside it.
+    fn has_beside(&self) -> bool {
+        let is_ordinary = || fs::metadata(&self.path).map_or(true, |found| found.is_file());
+        self.meta == Meta::Beside && is_ordinary()
+    }
+
+    /// Where a table goes that may be incomplete: such a table has a name of its own, and takes the place of no other.
+    #[must_use]
+    pub fn placed(self, is_complete: bool) -> Self {
+        // A device is refused by its own name.
+        if is_complete || atomic::ordinary(&self.path).is_err() {
+            return self;
+        }
+        Self { path: partial_path(&self.path), existing: Existing::Keep, ..self }
+    }
+
+    /// Write the table and the scenes beside it, and give the files written, the table first.
+    ///
+    /// # Errors
+    /// [`FileError`]; no file is new or changed then.
+    pub fn write(&self, table: &[u8], scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
+        let mut file = self.begin()?;
+        file.add(table)?;
+        self.finish(file, scenes)
+    }
+
+    /// Begin a table that is written as it is made.
+    ///
+    /// # Errors
+    /// [`FileError`].
+    pub fn begin(&self) -> Result<Growing, FileError> {
+        self.check_beside()?;
+        Growing::begin(&self.path, self.existing)
+    }
+
+    /// Give such a table its name; as [`Destination::write`].
+    ///
+    /// # Errors
+    /// [`FileError`]; no file is new or changed then.
+    pub fn finish(&self, file: Growing, scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
+        let mut beside: Vec<(PathBuf, String)> = Vec::new();
+        for scene in scenes.iter().filter(|_| self.has_beside()) {
+            let path = sidecar_path(&self.path, scene.run);
+            check_sidecar(&self.path, &path)?;
+            beside.push((path, scene.file(&self.path)));
+        }
+        let texts: Vec<(PathBuf, &[u8])> =
+            beside.iter().map(|(path, text)| (path.clone(), text.as_bytes())).collect();
+        file.finish(&self.path, &texts, self.existing)?;
+        let beside = beside.into_iter().map(|(path, _)| path);
+        Ok(std::iter::once(self.path.clone()).chain(beside).collect())
+    }
 }
 
-/// The table as it goes into the file.
-///
-/// # Errors
-/// [`FileError::Column`] when a wanted column does not exist.
-pub fn text(request: &ExportRequest) -> Result<String, FileError> {
-    let table = run::csv(request.rows, &request.runs, &request.columns, usize::MAX)?;
-    let comments = match request.meta {
-        Meta::Beside => String::new(),
-        Meta::Inline => request.runs.iter().map(|(name, run)| inline(name, run)).collect(),
-    };
-    request.style.file(&comments, &table)
+impl Beside<'_> {
+    /// The scene file beside this table.
+    pub fn file(&self, csv: &Path) -> String {
+        let own = sidecar_path(csv, self.run);
+        let own = format!("./{}", own.file_name().unwrap_or_default().to_string_lossy());
+        let name = csv.file_name().unwrap_or(csv.as_os_str()).to_string_lossy();
+        let (version, name, notes) =
+            (env!("CARGO_PKG_VERSION"), clean::line(&name), (self.notes)(&own));
+        format!("{MARK} {version} with {name}\n{notes}\n{}", write::fresh(self.scene))
+    }
+}
+
+/// The comment line with the command that makes a table again.
+pub fn again(command: &str) -> String {
+    format!("# again: {}\n", clean::line(command))
+}
+
+impl RunTable {
+    /// The table as it goes into the file.
+    ///
+    /// # Errors
+    /// [`FileError::Column`] when a wanted column does not exist.
+    pub fn text(&self, meta: Meta) -> Result<String, FileError> {
+        let table = run::csv(self.rows, &self.runs, &self.columns, usize::MAX)?;
+        let comments = match meta {
+            Meta::Beside => String::new(),
+            Meta::Inline => self.runs.iter().map(|(name, run)| inline(name, run)).collect(),
+        };
+        self.style.file(&comments, &table)
+    }
+
+    /// The scene of each run, with what came out of it.
+    pub fn scenes(&self) -> Vec<Beside<'_>> {
+        let beside = |(index, (name, run)): (usize, &'_ NamedRun)| Beside {
+            run: (index > 0).then_some(name.as_str()),
+            scene: &run.scene,
+            notes: Box::new(move |_| outcome(run, " =")),
+        };
+        self.runs.iter().enumerate().map(beside).collect()
+    }
 }
 
 /// What gave a run and what came out, as comment lines `# key: value (unit)`.
@@ -171,7 +272,7 @@ pub fn sidecar_path(csv: &Path, run: Option<&str>) -> PathBuf {
 
 /// Where a table goes that is not complete: `NAME.partial.csv`, with a number where that or its sidecar's name is taken. It
 /// takes the place of no other table, whatever may be replaced.
-pub fn partial_path(csv: &Path) -> PathBuf {
+fn partial_path(csv: &Path) -> PathBuf {
     let stem = csv.file_stem().unwrap_or_else(|| OsStr::new("export"));
     let named = |number: usize| {
         let mut name = stem.to_owned();
@@ -192,21 +293,11 @@ pub fn partial_path(csv: &Path) -> PathBuf {
         .unwrap_or_else(|| named(1))
 }
 
-/// Where a table goes, and what may happen to a file that is there: a table that is not complete has a name of its own.
-pub fn place(path: PathBuf, existing: Existing, is_complete: bool) -> (PathBuf, Existing) {
-    // A device is refused by its own name.
-    if is_complete || atomic::ordinary(&path).is_err() {
-        (path, existing)
-    } else {
-        (partial_path(&path), Existing::Keep)
-    }
-}
-
 /// A sidecar may replace an older sidecar, never a scene that someone wrote.
 ///
 /// # Errors
 /// [`FileError::Target`] when the CSV's name or what lies beside it forbids one.
-pub fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
+fn check_sidecar(csv: &Path, sidecar: &Path) -> Result<(), FileError> {
     let refuse = |problem: &str| {
         Err(FileError::Target { path: csv.to_owned(), problem: problem.to_owned() })
     };
@@ -234,31 +325,6 @@ fn begins_with_mark(path: &Path) -> bool {
         && start == *MARK.as_bytes()
 }
 
-/// The scene of a study as a file; `again` is the command line that makes the same table from it, `notes` are lines `key: text`
-/// about the table.
-pub fn study_sidecar(csv: &Path, scene: &Scene, again: &str, notes: &[String]) -> String {
-    let mut text = first_line(csv);
-    for note in notes {
-        let _ = writeln!(text, "# {note}");
-    }
-    let _ = writeln!(text, "# again: {}\n", clean::line(again));
-    text + &write::fresh(scene)
-}
-
-/// How a sidecar begins.
-fn first_line(csv: &Path) -> String {
-    let name = csv.file_name().unwrap_or(csv.as_os_str()).to_string_lossy();
-    format!("{MARK} {} with {}\n", env!("CARGO_PKG_VERSION"), clean::line(&name))
-}
-
-/// The scene of a run as a file, with what came out as comments.
-pub fn sidecar(csv: &Path, run: &Run) -> String {
-    let mut text = first_line(csv);
-    text.push_str(&outcome(run, " ="));
-    text.push('\n');
-    text + &write::fresh(&run.scene)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -272,6 +338,17 @@ mod tests {
         fs::write(at("a.partial-2.toml"), "").unwrap();
         assert_eq!(partial_path(&at("a.csv")), at("a.partial-3.csv"));
         assert_eq!(partial_path(&at("table")), at("table.partial"));
+    }
+
+    #[test]
+    fn a_table_that_is_not_complete_replaces_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        let whole = Destination { path, existing: Existing::Replace, meta: Meta::Beside };
+        assert_eq!(whole.clone().placed(true), whole);
+        let partial = whole.placed(false);
+        assert_eq!(partial.path, folder.path().join("a.partial.csv"));
+        assert_eq!(partial.existing, Existing::Keep);
     }
 
     #[test]

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use csv::ReaderBuilder;
 
 use crate::files::error::FileError;
-use crate::files::export;
+use crate::files::export::{self, Beside};
 use crate::files::read;
 use crate::files::shard::Part;
 use crate::files::style::Style;
@@ -26,7 +26,7 @@ const PIECE: usize = 1 << 16;
 #[derive(Debug)]
 pub struct Whole {
     parts: Vec<PathBuf>,
-    first: Part,
+    whole: Part,
     scene: Scene,
 }
 
@@ -68,7 +68,8 @@ impl Whole {
         }
         let parts = found.iter().map(|one| one.path.clone()).collect();
         let first = found.swap_remove(0);
-        Ok(Self { parts, first: first.part, scene: first.scene })
+        let whole = Part { shard: Shard::WHOLE, ..first.part };
+        Ok(Self { parts, whole, scene: first.scene })
     }
 
     /// How many parts there are.
@@ -99,9 +100,9 @@ impl Whole {
         Ok(())
     }
 
-    /// The sidecar that one run would have written beside this table.
-    pub fn sidecar(&self, csv: &Path) -> String {
-        Part { shard: Shard::WHOLE, ..self.first.clone() }.sidecar(csv, &self.scene, None)
+    /// The scene that one run would have written beside this table.
+    pub fn beside(&self) -> Beside<'_> {
+        self.whole.beside(&self.scene, None)
     }
 }
 

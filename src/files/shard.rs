@@ -1,10 +1,9 @@
 //! What the sidecar of a sweep says of the part that stands beside it: which part of which design, and how it is spelt.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use crate::files::clean;
-use crate::files::export;
+use crate::files::export::{self, Beside};
 use crate::files::style::Style;
 use crate::model::scene::Scene;
 use crate::study::sweep::{Axis, COUNTS, Design, Shard};
@@ -24,12 +23,15 @@ pub struct Part {
 }
 
 impl Part {
-    /// The sidecar of this part: the scene with its `[sweep]`, what makes the rows again, and, for a part, what it takes to
-    /// join it.
-    pub fn sidecar(&self, csv: &Path, scene: &Scene, missing: Option<&str>) -> String {
-        let beside = export::sidecar_path(csv, None);
-        let name = beside.file_name().unwrap_or_default().to_string_lossy();
-        let mut again = format!("cmra sweep {}", clean::shell_word(&format!("./{name}")));
+    /// The scene that goes beside this part: what makes the rows again, and, for a part, what it takes to join it. The scene has
+    /// its `[sweep]`.
+    pub fn beside<'a>(&'a self, scene: &'a Scene, missing: Option<&'a str>) -> Beside<'a> {
+        let notes = move |own: &str| self.notes(own, scene, missing);
+        Beside { run: None, scene, notes: Box::new(notes) }
+    }
+
+    fn notes(&self, own: &str, scene: &Scene, missing: Option<&str>) -> String {
+        let mut again = format!("cmra sweep {}", clean::shell_word(own));
         if let Some((points, seed)) = self.sampled() {
             let word = self.design.word();
             let _ = write!(again, " --design {word} --points {points} --seed {seed}");
@@ -38,10 +40,9 @@ impl Part {
             let _ = write!(again, " --shard {}", self.shard);
         }
         again += " --csv -";
-        let notes: Vec<String> =
-            missing.map(|it| format!("not complete: {it}")).into_iter().collect();
-        let notes = [notes, self.notes(), warnings(scene)].concat();
-        export::study_sidecar(csv, scene, &again, &notes)
+        let missing = missing.map(|it| format!("not complete: {it}"));
+        let notes = missing.into_iter().chain(self.lines()).chain(warnings(scene));
+        notes.map(|note| format!("# {note}\n")).collect::<String>() + &export::again(&again)
     }
 
     /// Points and seed of a design that is no full grid.
@@ -55,7 +56,7 @@ impl Part {
     }
 
     /// The lines that `join` reads.
-    fn notes(&self) -> Vec<String> {
+    fn lines(&self) -> Vec<String> {
         if self.shard == Shard::WHOLE {
             return Vec::new();
         }

@@ -10,7 +10,7 @@ use std::ops::Range;
 use serde_json::Value;
 
 use crate::model::run::{Run, envelope};
-use crate::model::scene::Scene;
+use crate::model::scene::{Scene, Sweep};
 use crate::model::{units, variables};
 use crate::report::table::Table;
 use crate::study::sweep::grid::Grid;
@@ -24,6 +24,18 @@ pub enum Columns {
     Chosen,
     /// Everything `cmra run --json` tells of a run in one field; the plan's outputs must then be all results.
     All,
+}
+
+impl Columns {
+    /// The sweep as a scene keeps it, which makes the same columns again.
+    pub fn sweep(self, plan: &Plan) -> Sweep {
+        let outputs = match self {
+            Self::Chosen => plan.outputs().iter().map(|output| output.name.to_owned()).collect(),
+            // Without outputs all are meant.
+            Self::All => Vec::new(),
+        };
+        Sweep { axes: plan.axes().iter().map(Axis::asked).collect(), outputs }
+    }
 }
 
 /// Which texts are made.

@@ -14,6 +14,7 @@ pub(in crate::tui) mod words;
 
 use crate::files::export::Meta;
 use crate::files::style::Style;
+use crate::report::run::Rows;
 use crate::tui::app::App;
 use crate::tui::app::find::{rank, ranked};
 use crate::tui::keymap::{Action, LINES, Line, Scope};
@@ -110,7 +111,7 @@ pub enum Purpose {
 pub enum ExportRow {
     /// Which rows: four kinds.
     What,
-    /// How the table is spelt.
+    /// CSV dialect.
     Style,
     /// Where the scene goes.
     Meta,
@@ -150,6 +151,16 @@ impl What {
             Self::Events => "events with their times",
         }
     }
+
+    /// The rows; so many of a grid.
+    pub(in crate::tui) fn rows(self, grid: usize) -> Rows {
+        match self {
+            Self::Series => Rows::Series,
+            Self::Grid => Rows::Grid(grid),
+            Self::Results => Rows::Results,
+            Self::Events => Rows::Events,
+        }
+    }
 }
 
 /// The export dialog.
@@ -165,7 +176,7 @@ pub struct Export {
     pub columns: Vec<(&'static str, bool)>,
     /// The file.
     pub path: TextField,
-    /// How the table is spelt.
+    /// CSV dialect.
     pub style: Style,
     /// Where the scene goes.
     pub meta: Meta,
@@ -187,11 +198,22 @@ impl Export {
             rows.push(ExportRow::GridRows);
         }
         rows.extend((0..self.runs.len()).map(ExportRow::Run));
-        if matches!(self.what, What::Series | What::Grid) {
+        if self.is_series() {
             rows.extend((0..self.columns.len()).map(ExportRow::Column));
         }
         rows.extend([ExportRow::Style, ExportRow::Meta]);
         rows
+    }
+
+    /// Whether the columns can be chosen.
+    pub(in crate::tui) fn is_series(&self) -> bool {
+        matches!(self.what, What::Series | What::Grid)
+    }
+
+    /// The columns that are chosen of a series; none of another table.
+    pub(in crate::tui) fn chosen_columns(&self) -> Vec<String> {
+        let chosen = self.columns.iter().filter(|(_, on)| *on && self.is_series());
+        chosen.map(|(name, _)| (*name).to_owned()).collect()
     }
 
     /// The field of the selected row, if it has one.

@@ -17,14 +17,13 @@ use std::time::{Duration, Instant};
 use super::Incoming;
 use crate::files::atomic::{self, Existing};
 use crate::files::error::FileError;
-use crate::files::export::{self, ExportRequest};
+use crate::files::export::Destination;
 use crate::files::library;
 use crate::files::paths::Paths;
 use crate::files::preset::{self, Preset};
 use crate::files::read_table;
 use crate::files::session::{self, Known, Session};
 use crate::model::scene::Scene;
-use crate::report::{accuracy, sweep};
 use crate::tui::complete;
 use crate::tui::message::{
     Content, EffectReport, ExportOutcome, FileTask as Task, Message, PresetEntry,
@@ -206,10 +205,7 @@ impl FileQueue {
             Task::SavePreset { name, scene, overwrite } => {
                 EffectReport::Saved(save_preset(paths, name, &scene, overwrite))
             }
-            Task::Export(request) => EffectReport::Exported(write_export(&request)),
-            Task::ExportTable { path, overwrite, content } => {
-                EffectReport::Exported(write_table(path, overwrite, &content))
-            }
+            Task::Export(to, content) => EffectReport::Exported(export(to, &content)),
             Task::ListPresets(recent) => EffectReport::Presets(list_presets(paths, &recent)),
             Task::Load(path) => EffectReport::Loaded(
                 preset::from_ordinary_file(&path)
@@ -267,10 +263,6 @@ pub(super) fn of_another(aside: &Path) -> String {
     )
 }
 
-fn existing(overwrite: bool) -> Existing {
-    if overwrite { Existing::Replace } else { Existing::Keep }
-}
-
 fn save_preset(
     paths: Option<&Paths>,
     name: String,
@@ -278,40 +270,18 @@ fn save_preset(
     overwrite: bool,
 ) -> Result<(String, PathBuf), String> {
     let paths = paths.ok_or_else(|| FileError::NoHome.to_string())?;
-    preset::save(paths, &name, scene, existing(overwrite))
+    preset::save(paths, &name, scene, Existing::replaced(overwrite))
         .map(|path| (name, path))
         .map_err(|error| error.to_string())
 }
 
-fn write_export(request: &ExportRequest) -> ExportOutcome {
-    match atomic::ordinary(&request.path).and_then(|()| export::write(request)) {
-        Ok(files) => ExportOutcome::Written(files),
-        Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
-        Err(error) => ExportOutcome::Failed(error.to_string()),
-    }
-}
-
-fn write_table(path: PathBuf, overwrite: bool, content: &Content) -> ExportOutcome {
-    let is_complete = match content {
-        Content::Text(_) => true,
-        Content::Grid(_, grid) => grid.is_complete(),
-        Content::Accuracy(found) => found.1.is_complete,
-    };
-    let (path, existing) = export::place(path, existing(overwrite), is_complete);
-    let table = || {
-        Ok(match content {
-            Content::Text(text) => text.clone().into_bytes(),
-            Content::Grid(name, grid) => sweep::grid_csv(name, grid).into_bytes(),
-            Content::Accuracy(found) => {
-                accuracy::table(std::slice::from_ref(&**found)).csv().into_bytes()
-            }
-        })
-    };
-    let written = atomic::ordinary(&path)
-        .and_then(|()| table())
-        .and_then(|table| atomic::write(&path, &table, existing));
+fn export(to: Destination, content: &Content) -> ExportOutcome {
+    let to = to.placed(content.is_complete());
+    let written = atomic::ordinary(&to.path)
+        .and_then(|()| content.table(to.meta))
+        .and_then(|table| to.write(table.as_bytes(), &content.scenes()));
     match written {
-        Ok(()) => ExportOutcome::Written(vec![path]),
+        Ok(files) => ExportOutcome::Written(files),
         Err(FileError::Exists(path)) => ExportOutcome::Exists(path),
         Err(error) => ExportOutcome::Failed(error.to_string()),
     }
@@ -484,16 +454,6 @@ mod tests {
         };
         let mine = presets.iter().find(|entry| entry.name == "mine").unwrap();
         assert_eq!(mine.origin, "mine");
-    }
-
-    #[test]
-    fn a_table_that_is_not_complete_replaces_none() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.csv");
-        assert_eq!(export::place(path.clone(), Existing::Replace, true).0, path);
-        let partial = folder.path().join("a.partial.csv");
-        let placed = export::place(path, Existing::Replace, false);
-        assert_eq!(placed, (partial, Existing::Keep));
     }
 
     #[test]

@@ -6,11 +6,13 @@ use std::time::Duration;
 
 use crossterm::event::KeyEvent;
 
-use crate::files::export::ExportRequest;
+use crate::files::error::FileError;
+use crate::files::export::{Beside, Destination, Meta, RunTable};
 use crate::model::library::Entry;
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VariableError};
-use crate::report::accuracy::Named;
+use crate::report::accuracy::{self, Named};
+use crate::report::sweep;
 use crate::study::sweep::grid::Grid;
 use crate::tui::keymap::{Action, Pane};
 use crate::tui::pages::Tab;
@@ -205,17 +207,8 @@ pub enum FileTask {
         /// Replace an existing preset of this name.
         overwrite: bool,
     },
-    /// Write an export.
-    Export(Box<ExportRequest>),
     /// Write a table.
-    ExportTable {
-        /// The CSV file.
-        path: PathBuf,
-        /// Replace an existing file.
-        overwrite: bool,
-        /// What goes into it.
-        content: Content,
-    },
+    Export(Destination, Content),
     /// List the presets there are, these files among them.
     ListPresets(Vec<PathBuf>),
     /// Read a scene file.
@@ -231,10 +224,44 @@ pub enum FileTask {
 /// What goes into a table that is written.
 #[derive(Clone, Debug)]
 pub enum Content {
+    /// Runs, with their scenes.
+    Runs(RunTable),
     /// This text.
     Text(String),
     /// What a sweep found, with the scene's name.
     Grid(String, Arc<Grid>),
     /// What was measured of the methods, with the scene's name.
     Accuracy(Box<Named>),
+}
+
+impl Content {
+    /// Whether nothing is missing in it.
+    pub(in crate::tui) fn is_complete(&self) -> bool {
+        match self {
+            Self::Runs(_) | Self::Text(_) => true,
+            Self::Grid(_, grid) => grid.is_complete(),
+            Self::Accuracy(found) => found.1.is_complete,
+        }
+    }
+
+    /// The table.
+    ///
+    /// # Errors
+    /// [`FileError`] where it cannot be made.
+    pub fn table(&self, meta: Meta) -> Result<String, FileError> {
+        Ok(match self {
+            Self::Runs(runs) => runs.text(meta)?,
+            Self::Text(text) => text.clone(),
+            Self::Grid(name, grid) => sweep::grid_csv(name, grid),
+            Self::Accuracy(found) => accuracy::table(std::slice::from_ref(&**found)).csv(),
+        })
+    }
+
+    /// The scenes that go beside it.
+    pub(in crate::tui) fn scenes(&self) -> Vec<Beside<'_>> {
+        match self {
+            Self::Runs(runs) => runs.scenes(),
+            Self::Text(_) | Self::Grid(..) | Self::Accuracy(_) => Vec::new(),
+        }
+    }
 }

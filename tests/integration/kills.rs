@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use cmra::files::atomic::{Existing, Growing};
-use cmra::files::export::{self, ExportRequest, Meta};
+use cmra::files::export::{Destination, Meta, RunTable};
 use cmra::files::paths::Paths;
 use cmra::files::session::{self, Known, Session};
 use cmra::files::style::Style;
@@ -29,16 +29,17 @@ const KILLS: usize = 200;
 /// The two states that every file alternates between.
 const STATES: [&str; 2] = ["gamma=1 k=1e5", "gamma=2 k=1e6"];
 
-fn request(place: &Path, run: Arc<Run>) -> ExportRequest {
-    ExportRequest {
-        path: place.join("run.csv"),
-        overwrite: true,
+fn table_of(run: Arc<Run>) -> RunTable {
+    RunTable {
         rows: Rows::Series,
         runs: vec![("now".to_owned(), run)],
         columns: Vec::new(),
         style: Style::Plain,
-        meta: Meta::Beside,
     }
+}
+
+fn destination(place: &Path, name: &str) -> Destination {
+    Destination { path: place.join(name), existing: Existing::Replace, meta: Meta::Beside }
 }
 
 fn session_of(scene: Scene) -> Session {
@@ -60,7 +61,9 @@ fn writes_until_it_is_killed() {
     let mut known = Known::default();
     for state in [0, 1].into_iter().cycle() {
         let scene = scene(STATES[state]);
-        export::write(&request(place, Arc::clone(&runs[state]))).unwrap();
+        let exported = table_of(Arc::clone(&runs[state]));
+        let text = exported.text(Meta::Beside).unwrap();
+        destination(place, "run.csv").write(text.as_bytes(), &exported.scenes()).unwrap();
         preset::save(&paths, "mine", &scene, Existing::Replace).unwrap();
         session::save(&paths.session_file(), &session_of(scene), &mut known).unwrap();
         let (rows, beside) = table(state);
@@ -69,7 +72,7 @@ fn writes_until_it_is_killed() {
             growing.add(piece).unwrap();
         }
         let beside = [(place.join("sweep.toml"), beside.as_slice())];
-        growing.finish(&beside, Existing::Replace).unwrap();
+        growing.finish(&place.join("sweep.csv"), &beside, Existing::Replace).unwrap();
     }
 }
 
@@ -114,9 +117,9 @@ fn nothing_is_torn_or_lost_when_a_program_is_killed_while_it_writes() {
     let paths = Paths::below(place.path());
     let scenes = STATES.map(scene);
     let exported = STATES.map(|state| {
-        let request = request(place.path(), Arc::new(run(scene(state))));
-        let text = export::text(&request).unwrap();
-        (text.into_bytes(), export::sidecar(&request.path, &request.runs[0].1).into_bytes())
+        let exported = table_of(Arc::new(run(scene(state))));
+        let beside = exported.scenes()[0].file(&place.path().join("run.csv"));
+        (exported.text(Meta::Beside).unwrap().into_bytes(), beside.into_bytes())
     });
     let [(first, beside_first), (second, beside_second)] = exported;
     let exported = [[first, second], [beside_first, beside_second]];

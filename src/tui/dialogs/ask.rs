@@ -5,14 +5,15 @@ use std::path::PathBuf;
 use crossterm::event::{KeyCode, KeyEvent};
 use ratatui::layout::Rect;
 
+use crate::files::atomic::Existing;
+use crate::files::export::{Destination, Meta};
 use crate::model::scene::Scene;
-use crate::report::{accuracy, sweep};
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::wrap;
 use crate::tui::app::{App, Origin};
 use crate::tui::dialogs::popup::frame;
 use crate::tui::dialogs::{Ask, Dialog, Purpose, curve};
-use crate::tui::message::{Content, Effect, FileTask};
+use crate::tui::message::{Effect, FileTask};
 use crate::tui::pages;
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
@@ -41,15 +42,12 @@ pub(in crate::tui) fn export(app: &mut App) {
 
 /// Copy the table shown to the clipboard.
 pub(in crate::tui) fn copy(app: &mut App) -> Vec<Effect> {
-    let text = match pages::of(app.tab).table(app).map(|table| table.content) {
-        Some(Content::Text(text)) => Ok(text),
-        Some(Content::Grid(name, grid)) => Ok(sweep::grid_csv(&name, &grid)),
-        Some(Content::Accuracy(found)) => Ok(accuracy::table(std::slice::from_ref(&*found)).csv()),
-        None => Err("nothing to copy yet: press r to compute it".to_owned()),
+    let Some(table) = pages::of(app.tab).table(app) else {
+        return app.refuse("nothing to copy yet: press r to compute it".to_owned());
     };
-    match text {
+    match table.content.table(Meta::Beside) {
         Ok(text) => vec![Effect::Copy(text)],
-        Err(why) => app.refuse(why),
+        Err(why) => app.refuse(why.to_string()),
     }
 }
 
@@ -102,11 +100,9 @@ fn accept(app: &App, state: &mut Ask, overwrite: bool) -> Vec<Effect> {
         Purpose::Table(_) => typed_path(app, state, "table.csv").and_then(|path| {
             let table = pages::of(app.tab).table(app);
             let table = table.ok_or_else(|| "there is nothing to write any more".to_owned())?;
-            Ok(vec![Effect::Files(FileTask::ExportTable {
-                path,
-                overwrite,
-                content: table.content,
-            })])
+            let existing = Existing::replaced(overwrite);
+            let to = Destination { path, existing, meta: Meta::Beside };
+            Ok(vec![Effect::Files(FileTask::Export(to, table.content))])
         }),
         Purpose::Curve(second) => typed_path(app, state, "curve.csv")
             .map(|path| vec![Effect::Files(FileTask::ReadCurve(second, path))]),
@@ -117,15 +113,26 @@ fn accept(app: &App, state: &mut Ask, overwrite: bool) -> Vec<Effect> {
     })
 }
 
-/// The path that was typed; an error where it names no file.
 fn typed_path(app: &App, state: &mut Ask, example: &str) -> Result<PathBuf, String> {
-    let text = state.text.value().trim();
+    let path = path_of(app, &state.text, example)?;
+    state.question = false;
+    Ok(path)
+}
+
+/// The path that was typed.
+///
+/// # Errors
+/// In words, where it names no file.
+pub(in crate::tui) fn path_of(
+    app: &App,
+    field: &TextField,
+    example: &str,
+) -> Result<PathBuf, String> {
+    let text = field.value().trim();
     if text.is_empty() || text.ends_with('/') {
         return Err(format!("the path needs a file name, for example `{example}`"));
     }
-    let path = app.directory.join(text);
-    state.question = false;
-    Ok(path)
+    Ok(app.directory.join(text))
 }
 
 /// Save the scene under the name; one of the person's own presets is replaced only when asked.

@@ -2,18 +2,18 @@
 
 pub(in crate::tui) mod draw;
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use crate::files::export::{ExportRequest, Meta};
+use crate::files::atomic::Existing;
+use crate::files::export::{Destination, Meta, RunTable};
 use crate::files::style::Style;
 use crate::report::run::{self, NamedRun, Rows};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::dialogs::{Dialog, Export, ExportRow, What, ask};
-use crate::tui::message::{Effect, FileTask};
+use crate::tui::message::{Content, Effect, FileTask};
 use crate::tui::widgets::input::TextField;
 
 /// Rows of a grid when nothing else is asked for, and the most there may be.
@@ -60,9 +60,11 @@ pub(in crate::tui) fn press(app: &mut App, mut state: Export, key: KeyEvent) -> 
         KeyCode::Esc | KeyCode::Char('n') if state.question => state.question = false,
         KeyCode::Esc => return Vec::new(),
         KeyCode::Char('q') if !typing => return Vec::new(),
-        KeyCode::Char('y' | 'o') if state.question => effects = submit(app, &mut state, true),
+        KeyCode::Char('y' | 'o') if state.question => {
+            effects = submit(app, &mut state, Existing::Replace);
+        }
         KeyCode::Char('r') if state.question => rename(&mut state),
-        KeyCode::Enter => effects = submit(app, &mut state, false),
+        KeyCode::Enter => effects = submit(app, &mut state, Existing::Keep),
         KeyCode::Tab if state.row == ExportRow::Path => {
             effects = vec![Effect::Files(FileTask::Complete(state.path.value().to_owned()))];
         }
@@ -140,12 +142,12 @@ fn rename(state: &mut Export) {
     state.question = false;
 }
 
-fn submit(app: &App, state: &mut Export, overwrite: bool) -> Vec<Effect> {
-    match request(app, state, overwrite) {
-        Ok(request) => {
+fn submit(app: &App, state: &mut Export, existing: Existing) -> Vec<Effect> {
+    match task(app, state, existing) {
+        Ok(task) => {
             state.question = false;
             state.error = None;
-            vec![Effect::Files(FileTask::Export(Box::new(request)))]
+            vec![Effect::Files(task)]
         }
         Err(error) => {
             state.error = Some(error);
@@ -154,11 +156,8 @@ fn submit(app: &App, state: &mut Export, overwrite: bool) -> Vec<Effect> {
     }
 }
 
-fn request(app: &App, state: &Export, overwrite: bool) -> Result<ExportRequest, String> {
-    let text = state.path.value().trim();
-    if text.is_empty() || text.ends_with('/') {
-        return Err("the path needs a file name, for example `run.csv`".to_owned());
-    }
+fn task(app: &App, state: &Export, existing: Existing) -> Result<FileTask, String> {
+    let path = ask::path_of(app, &state.path, "run.csv")?;
     let runs: Vec<NamedRun> = available(app)
         .into_iter()
         .filter(|(name, _)| state.runs.iter().any(|(listed, on)| *on && listed == name))
@@ -166,32 +165,18 @@ fn request(app: &App, state: &Export, overwrite: bool) -> Result<ExportRequest, 
     if runs.is_empty() {
         return Err("no run is chosen: Space on a run ticks it".to_owned());
     }
-    let rows = match state.what {
-        What::Series => Rows::Series,
-        What::Grid => Rows::Grid(grid_rows(state.grid.value(), runs.len())?),
-        What::Results => Rows::Results,
-        What::Events => Rows::Events,
-    };
-    let series = matches!(state.what, What::Series | What::Grid);
-    let ticked = state.columns.iter().filter(|(_, on)| *on);
-    let names: Vec<String> = ticked.map(|(name, _)| (*name).to_owned()).collect();
-    if series && names.is_empty() {
+    let grid =
+        if state.what == What::Grid { grid_rows(state.grid.value(), runs.len())? } else { 0 };
+    let mut columns = state.chosen_columns();
+    if state.is_series() && columns.is_empty() {
         return Err("no column is chosen: Space on a column ticks it".to_owned());
     }
-    let all = names.len() == state.columns.len();
-    Ok(ExportRequest {
-        path: path_in(app, text),
-        overwrite,
-        rows,
-        runs,
-        columns: if series && !all { names } else { Vec::new() },
-        style: state.style,
-        meta: state.meta,
-    })
-}
-
-fn path_in(app: &App, text: &str) -> PathBuf {
-    app.directory.join(text)
+    if columns.len() == state.columns.len() {
+        columns.clear();
+    }
+    let to = Destination { path, existing, meta: state.meta };
+    let rows = state.what.rows(grid);
+    Ok(FileTask::Export(to, Content::Runs(RunTable { rows, runs, columns, style: state.style })))
 }
 
 /// The number of rows typed; all runs together have no more than [`GRID_ROWS`] allows, since a table is made in memory.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::bench::{Bench, ended};
+use cmra::files::atomic::Existing;
 use cmra::model::contact_phase::{Answer, Ending, Refusal};
 use cmra::model::scene::Scene;
 use cmra::study::accuracy::method::{Knob, Ladder, Method};
@@ -172,26 +173,22 @@ fn the_table_is_written_and_never_over_a_file_unasked() {
     bench.keys("e<Enter>");
     let sent = |bench: &mut Bench| {
         bench.effects.drain(..).rev().find_map(|effect| match effect {
-            Effect::Files(FileTask::ExportTable {
-                path,
-                overwrite,
-                content: Content::Accuracy(found),
-            }) => Some((path, overwrite, found)),
+            Effect::Files(FileTask::Export(to, Content::Accuracy(found))) => Some((to, found)),
             _ => None,
         })
     };
-    let (path, overwrite, found) = sent(&mut bench).expect("an export");
-    assert_eq!(path, std::path::Path::new("/home/ada/work/thesis-baseline-accuracy.csv"));
-    assert!(!overwrite);
+    let (to, found) = sent(&mut bench).expect("an export");
+    assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-accuracy.csv"));
+    assert_eq!(to.existing, Existing::Keep);
     assert_eq!(found.0, "thesis-baseline");
     let points: usize = found.1.methods.iter().map(|method| method.points.len()).sum();
     let csv = cmra::report::accuracy::table(std::slice::from_ref(&*found)).csv();
     assert_eq!(csv.lines().count(), points + 1);
     let done = |outcome| Message::Done(EffectReport::Exported(outcome));
-    bench.send(done(ExportOutcome::Exists(path.clone())));
+    bench.send(done(ExportOutcome::Exists(to.path.clone())));
     bench.keys("y");
-    assert!(sent(&mut bench).expect("asked again").1);
-    bench.send(done(ExportOutcome::Written(vec![path])));
+    assert_eq!(sent(&mut bench).expect("asked again").0.existing, Existing::Replace);
+    bench.send(done(ExportOutcome::Written(vec![to.path])));
     assert!(bench.app.dialog.is_none());
 }
 

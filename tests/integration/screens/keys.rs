@@ -5,6 +5,7 @@
 use std::collections::HashSet;
 
 use super::bench::{Bench, done, made};
+use cmra::files::atomic::Existing;
 use cmra::files::export::Meta;
 use cmra::files::style::Style;
 use cmra::model::run::{EndReason, Run};
@@ -13,7 +14,7 @@ use cmra::report::run::Rows;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::dialogs::{Dialog, List};
 use cmra::tui::keymap::LINES;
-use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::all_panes;
 use cmra::tui::pages::run::charts::Window;
@@ -471,15 +472,17 @@ fn export_asks_for_the_ticked_runs_and_columns() {
     bench.press("<Down><Down><Down> <Down><Down> ");
     bench.press("<Enter>");
     let request = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(request)) => Some(request.clone()),
+        Effect::Files(FileTask::Export(to, Content::Runs(request))) => {
+            Some((to.clone(), request.clone()))
+        }
         _ => None,
     });
-    let request = request.unwrap();
-    assert_eq!(request.path.to_str(), Some("/home/ada/work/thesis-baseline-x.csv"));
+    let (to, request) = request.unwrap();
+    assert_eq!(to.path.to_str(), Some("/home/ada/work/thesis-baseline-x.csv"));
     assert_eq!(request.rows, Rows::Series);
     let names: Vec<&str> = request.runs.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["now"]);
-    assert!(!request.overwrite);
+    assert_eq!(to.existing, Existing::Keep);
     assert!(request.columns.contains(&"time_s".to_owned()));
     assert!(!request.columns.contains(&"mode".to_owned()));
     bench.send(Message::Done(EffectReport::Exported(ExportOutcome::Exists("x".into()))));
@@ -505,11 +508,11 @@ fn an_export_is_spelt_as_chosen_with_its_scene_where_chosen() {
     assert!(bench.screen().contains("time_s;mode;penetration_m"), "{}", bench.screen());
     bench.press("<Enter>");
     let request = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(request)) => Some(request),
+        Effect::Files(FileTask::Export(to, Content::Runs(request))) => Some((to, request)),
         _ => None,
     });
-    let request = request.unwrap();
-    assert_eq!((request.style, request.meta), (Style::ExcelEu, Meta::Inline));
+    let (to, request) = request.unwrap();
+    assert_eq!((request.style, to.meta), (Style::ExcelEu, Meta::Inline));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::bench::{Bench, ended};
+use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
@@ -183,24 +184,20 @@ fn shots_are_exported_and_a_file_is_not_replaced_unasked() {
     bench.keys("<Enter>");
     let sent = |bench: &mut Bench| {
         bench.effects.drain(..).find_map(|effect| match effect {
-            Effect::Files(FileTask::ExportTable {
-                path,
-                overwrite,
-                content: Content::Text(text),
-            }) => Some((path, overwrite, text)),
+            Effect::Files(FileTask::Export(to, Content::Text(text))) => Some((to, text)),
             _ => None,
         })
     };
-    let (path, overwrite, text) = sent(&mut bench).expect("an export");
-    assert_eq!(path, std::path::Path::new("/home/ada/work/thesis-baseline-limit.csv"));
-    assert!(!overwrite);
+    let (to, text) = sent(&mut bench).expect("an export");
+    assert_eq!(to.path, std::path::Path::new("/home/ada/work/thesis-baseline-limit.csv"));
+    assert_eq!(to.existing, Existing::Keep);
     assert_eq!(text.lines().count(), 31);
     assert!(text.starts_with("scene,impact_velocity_m_s,outcome,"));
     let done = |outcome| Message::Done(EffectReport::Exported(outcome));
-    bench.send(done(ExportOutcome::Exists(path.clone())));
+    bench.send(done(ExportOutcome::Exists(to.path.clone())));
     bench.keys("y");
-    assert!(sent(&mut bench).expect("asked again").1);
-    bench.send(done(ExportOutcome::Written(vec![path])));
+    assert_eq!(sent(&mut bench).expect("asked again").0.existing, Existing::Replace);
+    bench.send(done(ExportOutcome::Written(vec![to.path])));
     assert!(bench.app.dialog.is_none());
 }
 

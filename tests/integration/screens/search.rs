@@ -213,8 +213,8 @@ fn what_was_found_is_exported() {
     let mut bench = open(GlyphSet::Ascii, (80, 24));
     bench.keys("e<Enter>");
     let text = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::ExportTable { content: Content::Text(text), path, .. }) => {
-            Some((text.clone(), path.clone()))
+        Effect::Files(FileTask::Export(to, Content::Text(text))) => {
+            Some((text.clone(), to.path.clone()))
         }
         _ => None,
     });

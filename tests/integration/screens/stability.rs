@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::bench::{Bench, ended, made};
+use cmra::files::atomic::Existing;
 use cmra::model::scene::Scene;
 use cmra::study::stability::cases::CASES;
 use cmra::study::stability::map::{Axis, Cell, Map, Method};
@@ -143,11 +144,11 @@ fn the_battery_runs_once_can_be_stopped_and_says_what_fails() {
 /// The table written last, and its path.
 fn exported(bench: &Bench) -> (String, String) {
     let last = bench.effects.iter().rev().find_map(|effect| match effect {
-        Effect::Files(FileTask::ExportTable {
-            path,
-            overwrite: false,
-            content: Content::Text(text),
-        }) => Some((path.display().to_string(), text.clone())),
+        Effect::Files(FileTask::Export(to, Content::Text(text)))
+            if to.existing == Existing::Keep =>
+        {
+            Some((to.path.display().to_string(), text.clone()))
+        }
         _ => None,
     });
     last.expect("an export")

@@ -5,13 +5,15 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::bench::{Bench, ended};
+use cmra::files::atomic::Existing;
+use cmra::files::export::Meta;
 use cmra::files::preset;
 use cmra::study::context::{self as study, Context};
 use cmra::study::sweep::Plan;
 use cmra::study::sweep::grid::Grid;
 use cmra::tui::app::{Base, Origin};
 use cmra::tui::dialogs::Dialog;
-use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
+use cmra::tui::message::{Effect, EffectReport, ExportOutcome, FileTask, Message};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore::state::{Picture, SetupRow};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
@@ -333,16 +335,13 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
     assert_snapshot!("surface_export", bench.screen());
     bench.press("<Enter>");
     let export = bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::ExportTable {
-            path,
-            overwrite,
-            content: Content::Grid(name, grid),
-        }) => Some((path.clone(), *overwrite, name.clone(), Arc::clone(grid))),
+        Effect::Files(FileTask::Export(to, content)) => {
+            Some((to.clone(), content.table(Meta::Beside).unwrap()))
+        }
         _ => None,
     });
-    let (path, overwrite, name, grid) = export.expect("an export");
-    assert!(path.ends_with("figure-9.7-gamma-k.csv") && !overwrite);
-    let text = cmra::report::sweep::grid_csv(&name, &grid);
+    let (to, text) = export.expect("an export");
+    assert!(to.path.ends_with("figure-9.7-gamma-k.csv") && to.existing == Existing::Keep);
     assert!(
         text.starts_with("gamma,k,outcome,percent_of_baseline,max_plate_displacement_m,error\n")
     );
@@ -351,7 +350,7 @@ fn what_was_found_is_exported_and_nothing_is_replaced_unasked() {
     assert!(matches!(&bench.app.dialog, Some(Dialog::Ask(ask)) if ask.question));
     bench.press("y");
     let forced = bench.effects.iter().any(|effect| {
-        matches!(effect, Effect::Files(FileTask::ExportTable { overwrite: true, .. }))
+        matches!(effect, Effect::Files(FileTask::Export(to, _)) if to.existing == Existing::Replace)
     });
     assert!(forced);
 }

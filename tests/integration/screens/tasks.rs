@@ -5,7 +5,7 @@ use super::accuracy;
 use super::bench::Bench;
 use super::{limit, search, sweep};
 use cmra::study::accuracy::method::Method;
-use cmra::tui::message::{Effect, FileTask, PresetEntry};
+use cmra::tui::message::{Content, Effect, FileTask, PresetEntry};
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::explore;
 use cmra::tui::pages::search::state::Page;
@@ -43,7 +43,7 @@ fn comparing_two_designs_and_exporting_both_takes_13() {
     task.key(":").text("k").key("<Enter>").text("2e5").key("<Enter>");
     task.key("e").key("<Enter>");
     let request = task.bench.effects.iter().find_map(|effect| match effect {
-        Effect::Files(FileTask::Export(request)) => Some(request.clone()),
+        Effect::Files(FileTask::Export(_, Content::Runs(request))) => Some(request.clone()),
         _ => None,
     });
     let runs: Vec<String> = request.unwrap().runs.iter().map(|(name, _)| name.clone()).collect();

@@ -121,8 +121,8 @@ fn each_page_is_exported() {
     ] {
         bench.keys("e<Enter>");
         let written = bench.effects.iter().rev().find_map(|effect| match effect {
-            Effect::Files(FileTask::ExportTable { content: Content::Text(text), path, .. }) => {
-                Some((text.clone(), path.clone()))
+            Effect::Files(FileTask::Export(to, Content::Text(text))) => {
+                Some((text.clone(), to.path.clone()))
             }
             _ => None,
         });

@@ -1,12 +1,15 @@
 //! The export dialog: file, kind, runs and columns, with the absolute path and the first lines as they would be.
 
+use std::sync::Arc;
+
 use ratatui::layout::Rect;
 
 use crate::files::export::Meta;
+use crate::report::run;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::dialogs::popup::frame;
-use crate::tui::dialogs::{Export, ExportRow, What};
+use crate::tui::dialogs::{Export, ExportRow};
 use crate::tui::theme::Role;
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::input::TextField;
@@ -134,23 +137,11 @@ fn below(app: &App, state: &Export, area: Rect, canvas: &mut Canvas<'_>) {
 
 /// The first three lines as they would be written.
 fn preview(app: &App, state: &Export) -> Vec<String> {
-    use crate::report::run::{self, Rows};
-    let rows = match state.what {
-        What::Series => Rows::Series,
-        What::Grid => Rows::Grid(3),
-        What::Results => Rows::Results,
-        What::Events => Rows::Events,
-    };
     let Some(shown) = &app.shown else {
         return Vec::new();
     };
-    let ticked = state.columns.iter().filter(|(_, on)| *on);
-    let wanted: Vec<String> = match state.what {
-        What::Series | What::Grid => ticked.map(|(name, _)| (*name).to_owned()).collect(),
-        What::Results | What::Events => Vec::new(),
-    };
-    let named = [("now".to_owned(), std::sync::Arc::clone(&shown.run))];
-    let text = run::csv(rows, &named, &wanted, 2).unwrap_or_default();
+    let named = [("now".to_owned(), Arc::clone(&shown.run))];
+    let text = run::csv(state.what.rows(3), &named, &state.chosen_columns(), 2).unwrap_or_default();
     let text = state.style.file("", &text).unwrap_or_default();
     text.trim_start_matches(state.style.head()).lines().take(3).map(str::to_owned).collect()
 }
