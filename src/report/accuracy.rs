@@ -75,6 +75,7 @@ pub fn methods(methods: &[MethodReport]) -> Table<'_, &MethodReport> {
     let in_seconds = |_: &&MethodReport, value: &Value| Some(seconds(value.as_f64()?));
     let brief = |_: &&MethodReport, value: &Value| Some(format!("{:.0e}", value.as_f64()?));
     Table::of(methods)
+        .with("letter", "", "", |it| it.method.letter().to_string())
         .with("method", "method", "", |it| it.method.name())
         .with("observed_order", "order", "", |it| it.observed_order())
         .shown(|it, _| Some(order(it)))

@@ -7,11 +7,11 @@ use std::sync::Arc;
 use serde_json::{Map, Value, json};
 
 use crate::model::run::envelope::warnings;
-use crate::model::run::{EnergyLedger, EstimateBasis, Event, Run, Sample, StackRun};
+use crate::model::run::{EnergyLedger, EstimateBasis, Event, Outcome, Run, Sample, StackRun};
 use crate::model::scene::Scene;
 use crate::model::variables::{self, VARIABLES, Variable};
 use crate::report::table::{NoColumn, Object, Table, pretty};
-use crate::study::quantities::{Quantity, of_runs};
+use crate::study::quantities::{Quantity, find, of_runs};
 
 /// Which rows a table has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,6 +153,38 @@ fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
     of_runs().fold(table, |table, quantity| {
         table.with(quantity.name, quantity.heading(), "", |it| quantity.value(&it.1))
     })
+}
+
+/// Runs beside each other, those that are not computed yet among them.
+pub fn comparison<'c>(
+    runs: impl IntoIterator<Item = (String, Option<&'c Run>)>,
+) -> Table<'c, (String, Option<&'c Run>)> {
+    let table = Table::of(runs).with("name", "name", "", |it| it.0.clone());
+    let columns = [
+        ("first_arrest_penetration_m", "p_1st"),
+        ("final_penetration_m", "p_end"),
+        ("max_plate_displacement_m", "x_max"),
+        ("percent_of_baseline", "rigid"),
+        ("peak_contact_force_n", "F_max"),
+        ("residual_velocity_m_s", "v_out"),
+    ];
+    let found = columns.into_iter().filter_map(|(name, label)| Some((find(name)?, label)));
+    found.fold(table, |table, (quantity, label)| {
+        let value = |it: &(String, Option<&Run>)| quantity.value(it.1?);
+        table.with(quantity.name, label, quantity.unit(), value).shown(move |it, _| match it.1 {
+            None => (label == "p_1st").then(|| "running".to_owned()),
+            Some(run) => no_depth(run).filter(|_| label == "p_end").map(str::to_owned),
+        })
+    })
+}
+
+/// What stands in the place of a depth where a run has none.
+pub fn no_depth(run: &Run) -> Option<&'static str> {
+    match run.outcome {
+        Outcome::Perforated => Some("perforated!"),
+        Outcome::Separated => Some("separated!"),
+        Outcome::Arrested | Outcome::Moving => None,
+    }
 }
 
 fn events(runs: &[NamedRun], several: bool) -> Table<'_, (&str, Event)> {

@@ -3,8 +3,9 @@
 use serde_json::json;
 
 use crate::model::units::significant;
-use crate::report::table::{Table, pretty};
+use crate::report::table::{Cells, Table, pretty};
 use crate::study::sensitivity::Report;
+use crate::study::sensitivity::indices::Index;
 use crate::study::sweep::Axis;
 
 /// The variables, the one that matters most first; a row is a variable's place in the report.
@@ -36,6 +37,39 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
         .with("sobol_total", "total", "", move |at| Some(total(at)?.value))
         .with("sobol_total_low_95", "from", "", move |at| Some(total(at)?.range95.0))
         .with("sobol_total_high_95", "to", "", move |at| Some(total(at)?.range95.1))
+}
+
+/// What each variable does alone: some columns, and bars of so many cells at the most, the longest first.
+pub fn tornado(report: &Report, keys: &[&str], bar: usize) -> Vec<Cells> {
+    let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
+    let mut table = table("", report);
+    table.rows.sort_by(|a, b| swing(b).total_cmp(&swing(a)));
+    let widest = table.rows.first().map_or(0.0, &swing);
+    let cells = |at: &usize| {
+        let length = swing(at) / widest * bar as f64;
+        "#".repeat((1..=bar).filter(|cell| length >= *cell as f64 - 0.5).count())
+    };
+    let bars = table.rows.iter().map(cells).collect();
+    let mut columns = table.cells(keys);
+    columns.push(Cells { head: String::new(), is_text: true, cells: bars });
+    columns
+}
+
+/// Effects and indices in brief: half the interval of an index stands behind it.
+pub fn indices(report: &Report) -> Table<'_, usize> {
+    let index = |at: &usize| report.sobol.as_ref().map(|sobol| sobol.inputs[*at]);
+    let brief = |index: Option<Index>| {
+        let index = index?;
+        let half = 0.5 * (index.range95.1 - index.range95.0);
+        Some(format!("{:.3} +-{half:.3}", index.value))
+    };
+    Table::of(report.order())
+        .with("variable", "", "", |at| report.axes[*at].symbol())
+        .with("morris_mu_star", "Morris mu*", report.output.unit(), |at| {
+            report.effects.get(*at)?.magnitude
+        })
+        .with("sobol_first", "Sobol first", "", move |at| brief(index(at)?.first))
+        .with("sobol_total", "total", "", move |at| brief(index(at)?.total))
 }
 
 /// A value of a variable with its unit.

@@ -2,16 +2,28 @@
 
 use std::fmt::Write as _;
 
+use crate::cli::text::width;
 use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
-use crate::report::accuracy::{Named, TARGETS, by, order, percent, seconds};
-use crate::study::accuracy::Report;
+use crate::report::accuracy::{Named, TARGETS, by, methods, seconds};
+use crate::report::table::{Cells, grid};
 use crate::study::accuracy::method::Method;
+use crate::study::accuracy::{MethodReport, Report};
 use crate::tui::chart::{Axis, Chart, Curve, Legend, Level, Scale, Unit, ViewRange};
 use crate::tui::theme::Theme;
 
 const WIDTH: u16 = 80;
 const HEIGHT: u16 = 20;
+/// The columns of the table of methods.
+const KEYS: [&str; 7] = [
+    "letter",
+    "method",
+    "observed_order",
+    "least_error",
+    "run_time_s_to_1e-6",
+    "run_time_s_to_1e-9",
+    "run_time_spread",
+];
 /// The accuracies answered below it.
 const ANSWERS: [f64; 4] = [1e-4, 1e-6, 1e-9, 1e-12];
 
@@ -93,32 +105,13 @@ fn chart(report: &Report) -> String {
 
 /// A line for each method.
 fn table(report: &Report) -> String {
-    let mut text = format!(
-        "\n  {:<18}{:>7}{:>8}{:>12}{:>12}{:>8}\n",
-        "method", "order", "least", "to 1e-6", "to 1e-9", "spread"
-    );
-    let pick = report.cheapest(TARGETS[1]);
-    for method in &report.methods {
-        let least = method.least_error().map_or_else(|| "-".to_owned(), |it| format!("{it:.0e}"));
-        let _ = write!(
-            text,
-            "{} {:<18}{:>7}{least:>8}",
-            method.method.letter(),
-            method.method.name(),
-            order(method)
-        );
-        for target in TARGETS {
-            let time = method.cheapest(target).map(|found| seconds(found.min_s));
-            let _ = write!(text, "{:>12}", time.unwrap_or_else(|| "-".to_owned()));
-        }
-        let spread = method.spread().map_or_else(|| "-".to_owned(), percent);
-        let _ = write!(text, "{spread:>8}");
-        if pick.is_some_and(|pick| pick.method == method.method) {
-            text.push_str("  <- cheapest");
-        }
-        text.push('\n');
-    }
-    text
+    let pick = report.cheapest(TARGETS[1]).map(|pick| pick.method);
+    let table = methods(&report.methods);
+    let mark = |it: &&MethodReport| if pick == Some(it.method) { "<- cheapest" } else { "" };
+    let marks = table.rows.iter().map(|it| mark(it).to_owned()).collect();
+    let mut cells = table.cells(&KEYS);
+    cells.push(Cells { head: String::new(), is_text: true, cells: marks });
+    format!("\n{}", grid(&cells, width()))
 }
 
 /// What some accuracies cost here, and what they would cost with no term omitted.

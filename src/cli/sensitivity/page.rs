@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::cli::text::width;
-use crate::report::sensitivity::table;
+use crate::report::sensitivity::{table, tornado};
 use crate::report::table::{Cells, grid};
 use crate::study::sensitivity::Report;
 
@@ -15,25 +15,12 @@ pub(super) fn text(name: &str, report: &Report) -> String {
     let own = report.output.show_any(report.own, 4);
     let mut page =
         format!("{name}: what {} depends on\nthe scene itself: {own}\n\n", report.output.title());
-    tornado(&mut page, report);
+    let keys = ["variable", "low", "high", "output_at_low", "output_at_high"];
+    let bars = grid(&tornado(report, &keys, BAR), width());
+    let _ = writeln!(page, "one at a time, the others as in the scene\n{bars}");
     morris(&mut page, report);
     sobol(&mut page, report);
     page
-}
-
-fn tornado(page: &mut String, report: &Report) {
-    let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
-    let mut table = table("", report);
-    table.rows.sort_by(|a, b| swing(b).total_cmp(&swing(a)));
-    let widest = table.rows.first().map_or(0.0, &swing);
-    let bar = |at: &usize| {
-        let length = swing(at) / widest * BAR as f64;
-        "#".repeat((1..=BAR).filter(|cell| length >= *cell as f64 - 0.5).count())
-    };
-    let bars = table.rows.iter().map(bar).collect();
-    let mut cells = table.cells(&["variable", "low", "high", "output_at_low", "output_at_high"]);
-    cells.push(Cells { head: String::new(), is_text: true, cells: bars });
-    let _ = writeln!(page, "one at a time, the others as in the scene\n{}", grid(&cells, width()));
 }
 
 fn morris(page: &mut String, report: &Report) {

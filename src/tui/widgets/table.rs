@@ -7,6 +7,7 @@ use std::ops::Range;
 use serde_json::Value;
 
 use crate::report::table::{Cells, Table};
+use crate::tui::app::status::fitted;
 
 /// From this width on two blanks stand between columns, one below it.
 const WIDE: u16 = 60;
@@ -24,7 +25,7 @@ pub(in crate::tui) struct Grid {
 impl Grid {
     /// The page after so many turns of a table that has so many columns of the screen.
     pub(in crate::tui) fn of(cells: Vec<Cells>, width: u16, turns: usize) -> Self {
-        let gap = if width < WIDE { " " } else { "  " };
+        let gap = gap(width);
         let lead = cells.first().map_or(0, Cells::width);
         let room = usize::from(width).saturating_sub(lead);
         let end_of = |from: usize| {
@@ -47,6 +48,25 @@ impl Grid {
         Self { cells, shown: from..end, gap, page: (number, ends.len()) }
     }
 
+    /// As many columns as fit beside names of this width at least; longer names are shortened to the room that is left.
+    pub(in crate::tui) fn shortened(mut cells: Vec<Cells>, width: u16, least: usize) -> Self {
+        let (gap, room) = (gap(width).len(), usize::from(width));
+        let mut used = cells.first().map_or(0, Cells::width).min(least);
+        let fitting = cells.iter().skip(1).take_while(|column| {
+            used += gap + column.width();
+            used <= room
+        });
+        let count = fitting.count();
+        cells.truncate(1 + count);
+        let others: usize = cells.iter().skip(1).map(|column| gap + column.width()).sum();
+        if let Some(names) = cells.first_mut() {
+            for name in &mut names.cells {
+                *name = fitted(name, room.saturating_sub(others));
+            }
+        }
+        Self::of(cells, width, 0)
+    }
+
     /// Which page of how many, and the key that turns it; nothing where all columns are shown.
     pub(in crate::tui) fn hint(&self) -> Option<String> {
         let (number, count) = self.page;
@@ -58,6 +78,11 @@ impl Grid {
         let shown = self.cells.first().into_iter().chain(&self.cells[self.shown.clone()]);
         shown.map(|column| column.padded(row)).collect::<Vec<_>>().join(self.gap)
     }
+}
+
+/// What stands between two columns.
+fn gap(width: u16) -> &'static str {
+    if width < WIDE { " " } else { "  " }
 }
 
 /// How a table is sorted: by which of its columns; `None`: as it is listed.

@@ -6,7 +6,7 @@ pub(in crate::tui) mod keys;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::model::run::{Outcome, Run};
+use crate::model::run::Run;
 use crate::model::scene::Scene;
 use crate::model::units::{self, Engineering};
 use crate::model::variables::VARIABLES;
@@ -75,15 +75,6 @@ impl App {
 /// A length in mm with four figures, `-` where it does not exist.
 pub fn millimetres(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |metres| units::fixed_significant(metres * 1e3, 4))
-}
-
-/// The depth at the end in mm, or in words where it is none.
-pub fn final_depth(run: &Run) -> String {
-    match run.outcome {
-        Outcome::Perforated => "perforated!".to_owned(),
-        Outcome::Separated => "separated!".to_owned(),
-        Outcome::Arrested | Outcome::Moving => millimetres(run.final_penetration_m),
-    }
 }
 
 /// A value with prefix and unit, four figures: `19.26 kN`.

@@ -2,15 +2,17 @@
 
 use crate::model::units::significant;
 use crate::report::front::designs;
+use crate::report::monte_carlo::table;
+use crate::report::sensitivity::{indices, tornado};
 use crate::report::table::Cells;
 use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
-use crate::study::sensitivity::{self, indices::Index};
+use crate::study::sensitivity;
 use crate::study::sweep::{Axis, Fate};
 use crate::study::{monte_carlo, search::seek};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::app::status::{fitted, wrap};
+use crate::tui::app::status::wrap;
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Found, Page};
 use crate::tui::widgets::table::Grid;
@@ -18,6 +20,9 @@ use crate::worker::searches::{Answer, Request};
 
 /// A line, and how it is meant.
 pub type Line = (Severity, String);
+
+/// Least columns of the names of a table's rows.
+const NAME_LEAST: usize = 12;
 
 /// Letters of the scene and the designs of the thesis on a front.
 pub const LETTERS: [char; 6] = ['S', 'A', 'B', 'C', 'D', 'E'];
@@ -191,41 +196,12 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
         let text = "nothing to compare: no run of these has this result; Tab, then Of: another one";
         return vec![lines.remove(0), (Severity::Warning, text.to_owned())];
     }
-    let widest = report.bars.iter().filter_map(|bar| bar.swing()).fold(0.0, f64::max);
-    let room = width.saturating_sub(34).clamp(4, 40);
-    let mut order: Vec<usize> = (0..report.axes.len()).collect();
-    let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
-    order.sort_by(|a, b| swing(b).total_cmp(&swing(a)));
-    for at in order {
-        let bar = report.bars[at];
-        let share = bar.swing().map_or(0.0, |swing| swing / widest);
-        let cells = (1..=room).filter(|cell| share * room as f64 >= *cell as f64 - 0.5).count();
-        let (low, high) = (shown(output, bar.low), shown(output, bar.high));
-        let name = report.axes[at].symbol();
-        lines.push(note(format!("  {name:6}{low:>10} .. {high:<10} {}", "#".repeat(cells))));
-    }
-    let cell = |index: Option<Index>| {
-        index.map_or_else(
-            || format!("{:>16}", "-"),
-            |index| {
-                let half = 0.5 * (index.range95.1 - index.range95.0);
-                format!("{:>8.3} +-{half:.3}", index.value)
-            },
-        )
-    };
+    let keys = ["variable", "output_at_low", "output_at_high"];
+    let bar = width.saturating_sub(34).clamp(4, 40);
+    lines.extend(table_lines(tornado(report, &keys, bar), width));
     lines.push(note(String::new()));
-    lines.push(note(format!("  {:6}{:>10}{:>16}{:>16}", "", "Morris mu*", "Sobol first", "total")));
-    for at in report.order() {
-        let effect = report.effects.get(at).copied().unwrap_or_default();
-        let indices = report.sobol.as_ref().map(|sobol| sobol.inputs[at]).unwrap_or_default();
-        let name = report.axes[at].symbol();
-        let mu = shown(output, effect.magnitude);
-        lines.push(note(format!(
-            "  {name:6}{mu:>10}{}{}",
-            cell(indices.first),
-            cell(indices.total)
-        )));
-    }
+    let keys = ["variable", "morris_mu_star", "sobol_first", "sobol_total"];
+    lines.extend(table_lines(indices(report).cells(&keys), width));
     if let Some(sobol) = &report.sobol {
         let left = sobol.rows - sobol.used;
         if left > 0 {
@@ -237,12 +213,6 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
 }
 
 fn scattered(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line> {
-    // Four columns of numbers, and what is left for the name.
-    let (cell, digits) = if width < 72 { (9, 3) } else { (11, 4) };
-    let name = width.saturating_sub(4 * cell + 2).clamp(8, 32);
-    let cells = |list: [String; 4]| {
-        list.iter().fold(String::new(), |line, it| line + &format!("{it:>cell$}"))
-    };
     let mut lines = Vec::new();
     if let Some((part, (low, high))) = report.perforated {
         let percent = |share: f64| significant(100.0 * share, 3);
@@ -257,17 +227,24 @@ fn scattered(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Li
     let again =
         if again > 0 { format!("; {again} impossible draws made again") } else { String::new() };
     lines.push(note(format!("{}{again}", report.outcomes)));
-    let heads = cells(["scene", "5 %", "median", "95 %"].map(str::to_owned));
-    lines.push(note(format!("  {:name$}{heads}", "")));
-    for summary in report.summaries.iter().filter(|summary| !summary.quantiles.is_empty()) {
-        let show = |value: Option<f64>| {
-            value.map_or_else(|| "-".to_owned(), |value| summary.measure.show(value, digits))
-        };
-        let at = |share: f64| show(summary.quantile(share).map(|quantile| quantile.value));
-        let mark = if summary.measure.name == output { ">" } else { " " };
-        let title = fitted(&summary.measure.title(), name);
-        let values = cells([show(summary.nominal), at(0.05), at(0.5), at(0.95)]);
-        lines.push(note(format!("{mark} {title:name$}{values}")));
+    let mut table = table("", report);
+    table.rows.retain(|summary| !summary.quantiles.is_empty());
+    let selected = table.rows.iter().position(|summary| summary.measure.name == output);
+    let cells = table.cells(&["output", "q05", "q50", "q95", "nominal"]);
+    let mut rows: Vec<Line> = table_lines(cells, width).collect();
+    if let Some((_, row)) = selected.and_then(|at| rows.get_mut(at + 1)) {
+        row.replace_range(..1, ">");
     }
+    lines.extend(rows);
     lines
+}
+
+/// A table in so many columns: its headings, and its rows.
+fn table_lines(cells: Vec<Cells>, width: usize) -> impl Iterator<Item = Line> {
+    let rows = cells.first().map_or(0, |column| column.cells.len());
+    let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
+    let grid = Grid::shortened(cells, room, NAME_LEAST);
+    std::iter::once(None)
+        .chain((0..rows).map(Some))
+        .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))
 }
