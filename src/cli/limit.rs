@@ -11,7 +11,7 @@ use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::pictures::PictureArguments;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::all_threads;
+use crate::cli::search::{Random, all_threads};
 use crate::cli::table::TableArguments;
 use crate::report::figures::limit::residual;
 use crate::report::limit;
@@ -39,9 +39,8 @@ pub(super) struct LimitArguments {
     /// Number of Monte Carlo samples
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 200)]
     samples: usize,
-    /// Random seed: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
-    seed: u64,
+    #[command(flatten)]
+    random: Random,
     /// What counts as a perforation: `passage` (the nose is clear of the rear face, navy criterion) or `protrusion` (the nose stands
     /// out of it, army criterion)
     #[arg(long, value_name = "WORD", default_value = "passage", value_parser = criterion)]
@@ -70,7 +69,7 @@ impl LimitArguments {
             let text = format!("--samples {} is outside 2..{SAMPLES_MAX}", self.samples);
             return Err(CliError::Option(text));
         }
-        let (samples, seed) = (self.samples, self.seed);
+        let (samples, seed) = (self.samples, self.random.seed);
         let model = ModelError { bias: self.model_bias, spread: self.model_spread };
         if model.bias <= -1.0 || !model.bias.is_finite() {
             let text = format!("--model-bias {} must be above -1: -0.04 for 4 % low", model.bias);

@@ -8,7 +8,7 @@ use clap::Args;
 
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Threads, say_if_long};
+use crate::cli::search::{Random, Threads, say_if_long};
 use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::model::scene::Scene;
@@ -44,9 +44,8 @@ pub(super) struct MonteCarloArguments {
     /// Samples
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 10_000)]
     samples: usize,
-    /// Seed: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
-    seed: u64,
+    #[command(flatten)]
+    random: Random,
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
@@ -66,7 +65,7 @@ impl MonteCarloArguments {
         } else {
             named.collect()
         };
-        Ok(Task { tolerances, measures, samples: self.samples, seed: self.seed })
+        Ok(Task { tolerances, measures, samples: self.samples, seed: self.random.seed })
     }
 }
 

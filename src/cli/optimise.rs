@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Threads, bounds, say_if_long};
+use crate::cli::search::{Random, Threads, bounds, say_if_long};
 use crate::cli::table::TableArguments;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::report::front;
@@ -73,9 +73,8 @@ pub(super) struct OptimiseArguments {
     /// Generations after the first
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     generations: usize,
-    /// Seed: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
-    seed: u64,
+    #[command(flatten)]
+    random: Random,
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
@@ -96,7 +95,7 @@ impl OptimiseArguments {
                 "--generations {generations} is more than {GENERATIONS_MAX}: 100 is usual"
             )));
         }
-        Ok(Effort { population, generations, seed: self.seed })
+        Ok(Effort { population, generations, seed: self.random.seed })
     }
 
     fn task(&self, scene: &Scene) -> Result<Task, CliError> {

@@ -45,6 +45,14 @@ impl Threads {
     }
 }
 
+/// `--seed`.
+#[derive(Debug, Args)]
+pub(super) struct Random {
+    /// Random seed: the same seed gives the same digits
+    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
+    pub(super) seed: u64,
+}
+
 /// One thread for each core.
 pub(super) fn all_threads() -> usize {
     Parallel::of_machine().threads

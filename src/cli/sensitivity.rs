@@ -9,7 +9,7 @@ use clap::Args;
 use crate::cli::CliError;
 use crate::cli::pace::Pace;
 use crate::cli::scene::SceneArguments;
-use crate::cli::search::{Threads, bounds, say_if_long};
+use crate::cli::search::{Random, Threads, bounds, say_if_long};
 use crate::cli::table::TableArguments;
 use crate::report::sensitivity;
 use crate::study::search::field::Field;
@@ -36,9 +36,8 @@ pub(super) struct SensitivityArguments {
     /// Trajectories for Morris's effects; each costs one run per variable and one more
     #[arg(long, value_name = "COUNT", allow_negative_numbers = true, default_value_t = 100)]
     trajectories: usize,
-    /// Seed of the designs: the same seed gives the same digits
-    #[arg(long, value_name = "NUMBER", allow_negative_numbers = true, default_value_t = 1)]
-    seed: u64,
+    #[command(flatten)]
+    random: Random,
     #[command(flatten)]
     threads: Threads,
     #[command(flatten)]
@@ -59,7 +58,7 @@ impl SensitivityArguments {
                 "--trajectories {trajectories} is outside 2..{TRAJECTORIES_MAX}"
             )));
         }
-        Ok(Effort { rows, trajectories, seed: self.seed })
+        Ok(Effort { rows, trajectories, seed: self.random.seed })
     }
 }
 
