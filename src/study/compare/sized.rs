@@ -11,7 +11,7 @@ use crate::study::compare::hardware::Built;
 use crate::study::compare::hardware::{self, Demand, Failure, Hardware};
 use crate::study::compare::solid::{thickness_of_limit, thickness_of_limit_m};
 use crate::study::compare::{elements, outcome};
-use crate::study::sweep::kernel;
+use crate::study::sweep::kernel::{self, Wanted, decides};
 
 /// Relative width to which the thickness is closed in.
 pub(super) const WIDTH: f64 = 1e-9;
@@ -129,7 +129,7 @@ struct Shot {
 
 /// The shot at a scene, by the contact kernel where that is enough.
 fn shoot(scene: &Scene) -> Option<Shot> {
-    if scene.stack.base_thickness_m.is_none() && kernel::decides(scene, true) {
+    if decides(scene, Wanted::Passage) && decides(scene, Wanted::Displacement) {
         let contact = contact_end(scene, kernel::TOLERANCE_FRACTION * scene.run.tolerance);
         if let Some(end) = contact {
             let demand = Demand::of(scene, kernel::max_displacement_m(scene, &end));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::model::contact_phase::Ending;
 use crate::model::first_contact::first_contact;
 use crate::model::run::{Outcome, Run};
-use crate::model::scene::{ContactModel, InterfaceLaw, Scene};
+use crate::model::scene::Scene;
 use crate::model::simulate::{Settings, follow, simulate};
 use crate::numerics::smaller;
 use crate::study::compare::{Load, outcome, residual_m_s};
@@ -15,6 +15,7 @@ use crate::study::limit::{
     ABOVE, BELOW, Basis, CURVE, Closures, Criterion, Limit, RANGE_M_S, SCAN, Shot, at_limit,
     closed_form,
 };
+use crate::study::sweep::kernel::{Wanted, decides};
 
 /// Relative width to which the limit is closed in.
 const WIDTH: f64 = 1e-10;
@@ -111,14 +112,10 @@ impl Range<'_, '_, '_> {
         (!self.context.is_stopped()).then_some(shot)
     }
 
-    /// Whether a shot goes through; `None` when stopped. What is fused at the first arrest stays: there the first contact alone
-    /// decides.
+    /// Whether a shot goes through; `None` when stopped.
     fn verdict(&mut self, impact_m_s: f64) -> Option<Verdict> {
         let scene = self.scene;
-        let decided = scene.interface.law == InterfaceLaw::Fused
-            && scene.contact.model == ContactModel::Hydrodynamic
-            && scene.stack.base_thickness_m.is_none();
-        if decided {
+        if decides(scene, Wanted::Passage) {
             if !self.goes_on() {
                 return None;
             }

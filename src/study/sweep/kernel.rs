@@ -110,9 +110,10 @@ impl<'p> Kernel<'p> {
         self.answers.resize(points.len(), None);
         self.contacts.clear();
         self.places.clear();
+        let wanted = if self.displacement { Wanted::Displacement } else { Wanted::Contact };
         for (place, index) in points.iter().enumerate() {
             self.plan.place(scene, *index);
-            if decides(scene, self.displacement) && self.tells_force(scene) {
+            if decides(scene, wanted) && self.tells_force(scene) {
                 self.contacts.push(Contact::of(scene));
                 self.places.push(place);
             }
@@ -150,16 +151,31 @@ impl<'p> Kernel<'p> {
     }
 }
 
-/// Whether the first contact decides a scene, with its maximum displacement or without.
-pub(in crate::study) fn decides(scene: &Scene, displacement: bool) -> bool {
+/// What is to be known of a shot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::study) enum Wanted {
+    /// Whether it goes through, however long that takes.
+    Passage,
+    /// The quantities of its first contact.
+    Contact,
+    /// The same and the maximum displacement.
+    Displacement,
+}
+
+/// Whether the first contact alone decides that: what is fused at the first arrest stays. All else takes the simulation.
+pub(in crate::study) fn decides(scene: &Scene, wanted: Wanted) -> bool {
     let mechanism = &scene.mechanism;
     let sprung = scene.plate.mount == Mount::Sprung;
-    let damped = sprung && mechanism.damper.coefficient > 0.0;
-    scene.contact.model == ContactModel::Hydrodynamic
-        && scene.interface.law == InterfaceLaw::Fused
-        && !(sprung && mechanism.stop.position_m.is_some())
-        && !(damped && displacement)
-        && scene.run.horizon_s.is_none()
+    let stays = scene.contact.model == ContactModel::Hydrodynamic
+        && scene.interface.law == InterfaceLaw::Fused;
+    let is_free = !(sprung && mechanism.stop.position_m.is_some()) && scene.run.horizon_s.is_none();
+    let is_damped = sprung && mechanism.damper.coefficient > 0.0;
+    stays
+        && match wanted {
+            Wanted::Passage => scene.stack.base_thickness_m.is_none(),
+            Wanted::Contact => is_free,
+            Wanted::Displacement => is_free && !is_damped,
+        }
 }
 
 /// Penetration of the same shot on a rigid mount, m; `None` when that perforates.
