@@ -68,6 +68,18 @@ impl Verdict {
         }
     }
 
+    /// One word, for counts in a narrow row.
+    pub fn brief(self) -> &'static str {
+        match self {
+            Self::Reproduced => "reproduced",
+            Self::Corrected => "corrected",
+            Self::Misprint => "misprint",
+            Self::TrendHolds => "hold",
+            Self::TrendFails => "fail",
+            Self::Unchecked => "unchecked",
+        }
+    }
+
     /// One letter, for narrow columns.
     pub fn letter(self) -> char {
         match self {

@@ -138,17 +138,12 @@ impl App {
         parts.extend(progress.map(Progress::part));
         if let Some((rows, _)) = &tab.report {
             let counts = tally(rows);
-            let listed = |show: fn(Verdict) -> String, gap: &str| {
-                let parts: Vec<String> = Verdict::ALL
-                    .iter()
-                    .zip(counts)
-                    .map(|(verdict, count)| format!("{count} {}", show(*verdict)))
-                    .collect();
-                format!("{} rows: {}", rows.len(), parts.join(gap))
+            let listed = |show: fn(Verdict) -> &'static str| {
+                let parts = Verdict::ALL.iter().zip(counts);
+                let parts = parts.map(|(verdict, count)| format!("{count} {}", show(*verdict)));
+                format!("{} rows: {}", rows.len(), parts.collect::<Vec<_>>().join(", "))
             };
-            let long = listed(|it| it.words().to_owned(), ", ");
-            let short = listed(|it| format!("{} {}", it.letter(), it.words()), ", ");
-            parts.push((Severity::Note, long, short));
+            parts.push((Severity::Note, listed(Verdict::words), listed(Verdict::brief)));
         }
         parts
     }
