@@ -118,7 +118,7 @@ pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
         let table = arguments.table.of(&arguments.scene, &report.scene);
         table.deliver_warned(&warnings, page, object, limit::shots(name, &report))?;
     }
-    let chart = || residual(&report).map(Picture::Chart).into_iter().collect();
+    let chart = || residual(&report, None).map(Picture::Chart).into_iter().collect();
     arguments.pictures.write(&arguments.table, chart)?;
     Ok(pace.exit_code(true))
 }

@@ -195,7 +195,7 @@ fn ballistic_limit(scene: &Scene, pace: &mut Pace) -> Result<Vec<Block>, CliErro
     lines.extend(load.map(|load| format!("at the limit: {load}")));
     lines.extend(report.closures.as_ref().map(words::closures));
     lines.extend(report.caution());
-    let chart = residual(&report).map(Picture::Chart).map(block);
+    let chart = residual(&report, None).map(Picture::Chart).map(block);
     Ok(std::iter::once(Block::List(lines)).chain(chart).collect())
 }
 

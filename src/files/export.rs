@@ -201,12 +201,15 @@ impl RunTable {
 
     /// The scene of each run, with what came out of it.
     pub fn scenes(&self) -> Vec<Beside<'_>> {
-        let beside = |(index, (name, run)): (usize, &'_ NamedRun)| Beside {
-            run: (index > 0).then_some(name.as_str()),
-            scene: &run.scene,
-            notes: Box::new(move |_| outcome(run, " =")),
-        };
-        self.runs.iter().enumerate().map(beside).collect()
+        let mut scenes = Vec::new();
+        for (index, (name, run)) in self.runs.iter().enumerate() {
+            scenes.push(Beside {
+                run: (index > 0).then_some(name.as_str()),
+                scene: &run.scene,
+                notes: Box::new(|_| outcome(run, " =")),
+            });
+        }
+        scenes
     }
 }
 

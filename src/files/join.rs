@@ -26,7 +26,7 @@ const PIECE: usize = 1 << 16;
 #[derive(Debug)]
 pub struct Whole {
     parts: Vec<PathBuf>,
-    whole: Part,
+    joined: Part,
     scene: Scene,
 }
 
@@ -68,8 +68,8 @@ impl Whole {
         }
         let parts = found.iter().map(|one| one.path.clone()).collect();
         let first = found.swap_remove(0);
-        let whole = Part { shard: Shard::WHOLE, ..first.part };
-        Ok(Self { parts, whole, scene: first.scene })
+        let joined = Part { shard: Shard::WHOLE, ..first.part };
+        Ok(Self { parts, joined, scene: first.scene })
     }
 
     /// How many parts there are.
@@ -102,7 +102,7 @@ impl Whole {
 
     /// The scene that one run would have written beside this table.
     pub fn beside(&self) -> Beside<'_> {
-        self.whole.beside(&self.scene, None)
+        self.joined.beside(&self.scene, None)
     }
 }
 

@@ -41,8 +41,11 @@ impl Part {
         }
         again += " --csv -";
         let missing = missing.map(|it| format!("not complete: {it}"));
-        let notes = missing.into_iter().chain(self.lines()).chain(warnings(scene));
-        notes.map(|note| format!("# {note}\n")).collect::<String>() + &export::again(&again)
+        let mut text = String::new();
+        for note in missing.into_iter().chain(self.lines()).chain(warnings(scene)) {
+            let _ = writeln!(text, "# {note}");
+        }
+        text + &export::again(&again)
     }
 
     /// Points and seed of a design that is no full grid.

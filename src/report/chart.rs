@@ -1,165 +1,301 @@
-//! Charts as plain data: axes with units, curves, lines to read them by.
+//! Charts as plain data: axes with units, curves, lines to read them by, and how a chart is shown. The terminal and SVG draw what is
+//! said here, and take ticks and bands from here.
 
-/// How values are spread over an axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Scale {
-    /// Evenly.
-    #[default]
-    Linear,
-    /// By decades; values that are not positive have no place.
-    Log10,
-}
+use std::borrow::Cow;
 
-impl Scale {
-    /// Whether a value has a place.
-    pub fn shows(self, value: f64) -> bool {
-        value.is_finite() && (self == Self::Linear || value > 0.0)
-    }
+pub mod levels;
+pub mod scale;
+pub mod ticks;
 
-    /// Where a value lies, as a number that grows evenly along the axis.
-    pub fn place(self, value: f64) -> f64 {
-        match self {
-            Self::Linear => value,
-            Self::Log10 => value.log10(),
-        }
-    }
-
-    /// The value at a place: the inverse of [`Scale::place`].
-    pub fn back(self, place: f64) -> f64 {
-        match self {
-            Self::Linear => place,
-            Self::Log10 => 10_f64.powf(place),
-        }
-    }
-
-    /// The other scale.
-    #[must_use]
-    pub fn toggled(self) -> Self {
-        match self {
-            Self::Linear => Self::Log10,
-            Self::Log10 => Self::Linear,
-        }
-    }
-}
+pub use crate::report::unit::Unit;
+pub use scale::{Mapping, Scale, ViewRange};
+use ticks::{Along, Ticks};
 
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Axis {
-    /// What it measures.
-    pub label: String,
-    /// The unit of the data; empty for a pure number.
-    pub unit: String,
+pub struct Axis<'a> {
+    /// What it measures: `t`. In a terminal the chart's title says it of the left axis.
+    pub label: Cow<'a, str>,
+    /// The unit numbers are shown in; points, views and lines stay in the unit of the data.
+    pub unit: Unit<'a>,
     /// How values are spread.
     pub scale: Scale,
-    /// The least value shown.
-    pub low: f64,
-    /// The greatest value shown, above `low`.
-    pub high: f64,
-    /// The value by which the prefix of the unit is chosen.
-    pub size: f64,
+    /// Which values are shown, in the unit of the data.
+    pub view: ViewRange,
+    /// Whether numbers stand at the ticks.
+    pub labels: Labels,
 }
 
-impl Axis {
+impl<'a> Axis<'a> {
+    /// A linear axis that shows numbers as they are, without a unit.
+    pub fn new(label: impl Into<Cow<'a, str>>, view: ViewRange) -> Self {
+        Self {
+            label: label.into(),
+            unit: Unit::new(""),
+            scale: Scale::Linear,
+            view,
+            labels: Labels::Shown,
+        }
+    }
+
     /// An axis over all of these values that have a place on it; `None` where there is none.
     pub fn over(
-        label: &str,
-        unit: &str,
+        label: impl Into<Cow<'a, str>>,
+        unit: &'a str,
         scale: Scale,
         values: impl IntoIterator<Item = f64>,
     ) -> Option<Self> {
-        let (low, high) = values.into_iter().filter(|value| scale.shows(*value)).fold(
-            None,
-            |found: Option<(f64, f64)>, value| {
-                let (low, high) = found.unwrap_or((value, value));
-                Some((low.min(value), high.max(value)))
-            },
-        )?;
-        let size = low.abs().max(high.abs());
-        // An axis of one value is widened to be an axis at all.
-        let room = if size > 0.0 { 0.05 * size } else { 1.0 };
-        let is_narrow = high - low <= 1e-12 * size || size <= 0.0;
-        let (low, high) = if is_narrow { (low - room, high + room) } else { (low, high) };
-        let low = if scale == Scale::Log10 && low <= 0.0 { 1e-6 * high } else { low };
-        Some(Self { label: label.to_owned(), unit: unit.to_owned(), scale, low, high, size })
+        let view = ViewRange::of(scale, values)?;
+        Some(Self::new(label, view).scale(scale).unit(Unit::with_prefix(view.size(), unit)))
+    }
+
+    /// With numbers in this unit.
+    #[must_use]
+    pub fn unit(mut self, unit: Unit<'a>) -> Self {
+        self.unit = unit;
+        self
+    }
+
+    /// With this scale.
+    #[must_use]
+    pub fn scale(mut self, scale: Scale) -> Self {
+        self.scale = scale;
+        self
     }
 
     /// With zero on it.
     #[must_use]
     pub fn with_zero(self) -> Self {
-        Self { low: self.low.min(0.0), high: self.high.max(0.0), ..self }
+        let (lo, hi) = (self.view.lo(), self.view.hi());
+        Self { view: ViewRange::new(lo.min(0.0), hi.max(0.0)), ..self }
     }
 
     /// With room at both ends: a part of its length.
     #[must_use]
     pub fn padded(self, part: f64) -> Self {
-        if self.scale == Scale::Log10 {
-            let room = (self.high / self.low).powf(part);
-            return Self { low: self.low / room, high: self.high * room, ..self };
+        Self { view: self.view.padded(self.scale, part), ..self }
+    }
+
+    /// The ticks that have room along so many cells, in the unit shown.
+    pub fn ticks(&self, cells: u16, along: Along) -> Ticks {
+        // Ticks are chosen in the unit shown; their cells are those of the values, because both ranges are the same.
+        let view = self.view.on(self.scale);
+        let shown = ViewRange::new(view.lo() * self.unit.factor, view.hi() * self.unit.factor);
+        ticks::ticks(Mapping::new(self.scale, shown, cells), along)
+    }
+
+    /// Its unit in brackets, with the power of ten that its numbers leave out.
+    pub fn unit_text(&self, exponent: i32) -> String {
+        let unit = &self.unit.name;
+        match (exponent, unit.is_empty()) {
+            (0, true) => String::new(),
+            (0, false) => format!("[{unit}]"),
+            (_, true) => format!("[1e{exponent}]"),
+            (_, false) => format!("[1e{exponent} {unit}]"),
         }
-        let room = part * (self.high - self.low);
-        Self { low: self.low - room, high: self.high + room, ..self }
+    }
+
+    /// What it measures and its unit.
+    pub fn text(&self, exponent: i32) -> String {
+        spaced(&self.label, &self.unit_text(exponent))
     }
 }
 
-/// A curve: points, with a gap at each that is not finite.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
-    /// Its name in the legend; may be empty where it is the only one.
-    pub name: String,
-    /// Its points, in the units of the axes.
-    pub points: Vec<(f64, f64)>,
-    /// Its letter in a terminal.
-    pub letter: char,
-    /// Dots instead of a line.
-    pub is_dotted: bool,
+/// Two texts with a blank between, where there are two.
+pub fn spaced(a: &str, b: &str) -> String {
+    let gap = if a.is_empty() || b.is_empty() { "" } else { " " };
+    format!("{a}{gap}{b}")
 }
 
-impl Curve {
-    /// A line without points yet.
-    pub fn new(name: &str, letter: char) -> Self {
-        Self { name: name.to_owned(), points: Vec::new(), letter, is_dotted: false }
-    }
+/// Whether the numbers of the horizontal axis are written: of charts stacked on one time axis only the lowest needs them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Labels {
+    /// Written.
+    #[default]
+    Shown,
+    /// Ticks only.
+    Hidden,
 }
 
-/// A line across the chart.
+/// A dotted line across the chart.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct Mark<'a> {
     /// Where, in the unit of its axis.
     pub at: f64,
-    /// What it means.
-    pub name: String,
-    /// The same in a letter or a word, for a terminal.
-    pub tag: String,
+    /// What it means; may be empty.
+    pub name: Cow<'a, str>,
+    /// The same in a letter or a word, for a terminal; may be empty.
+    pub tag: Cow<'a, str>,
 }
 
-impl Line {
+impl<'a> Mark<'a> {
     /// A line with one name everywhere.
-    pub fn new(at: f64, name: &str) -> Self {
-        Self { at, name: name.to_owned(), tag: name.to_owned() }
+    pub fn new(at: f64, name: impl Into<Cow<'a, str>>) -> Self {
+        let name = name.into();
+        Self { at, tag: name.clone(), name }
+    }
+
+    /// With this letter or word in a terminal.
+    #[must_use]
+    pub fn tag(self, tag: impl Into<Cow<'a, str>>) -> Self {
+        Self { tag: tag.into(), ..self }
     }
 }
 
-/// A chart.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Chart {
-    /// What it shows.
-    pub title: String,
-    /// The horizontal axis.
-    pub x: Axis,
-    /// The vertical axis.
-    pub y: Axis,
-    /// The curves.
-    pub curves: Vec<Curve>,
-    /// Vertical lines.
-    pub marks: Vec<Line>,
-    /// Horizontal lines.
-    pub levels: Vec<Line>,
+/// How a curve stands among the others.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Emphasis {
+    /// Of results that a newer computation is about to replace: faint, at the bottom, `(old)` in the legend.
+    Stale,
+    /// One of many, in the order given.
+    #[default]
+    Normal,
+    /// Drawn last, over the others.
+    Selected,
 }
 
-impl Chart {
-    /// A chart of one curve.
-    pub fn of(title: &str, x: Axis, y: Axis, points: Vec<(f64, f64)>) -> Self {
-        let curves = vec![Curve { points, ..Curve::new("", '*') }];
-        Self { title: title.to_owned(), x, y, curves, marks: Vec::new(), levels: Vec::new() }
+/// Which vertical axis a curve belongs to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The main one.
+    #[default]
+    Left,
+    /// The second one; the legend says `(right)`.
+    Right,
+}
+
+/// A curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve<'a> {
+    /// The character it is drawn with in ASCII, and marked with otherwise. One cell wide.
+    pub marker: char,
+    /// Its name in the legend; without one it is not in the legend.
+    pub label: Cow<'a, str>,
+    /// Its points, in the units of the axes' views, in drawing order; a gap where a number is not finite.
+    pub points: Cow<'a, [(f64, f64)]>,
+    /// Which colour of those of curves.
+    pub colour: usize,
+    /// How it stands among the others.
+    pub emphasis: Emphasis,
+    /// Which vertical axis it belongs to.
+    pub side: Side,
+}
+
+impl<'a> Curve<'a> {
+    /// A line through points.
+    pub fn new(
+        marker: char,
+        label: impl Into<Cow<'a, str>>,
+        points: impl Into<Cow<'a, [(f64, f64)]>>,
+    ) -> Self {
+        Self {
+            marker,
+            label: label.into(),
+            points: points.into(),
+            colour: 0,
+            emphasis: Emphasis::Normal,
+            side: Side::Left,
+        }
+    }
+
+    /// In this colour.
+    #[must_use]
+    pub fn colour(mut self, colour: usize) -> Self {
+        self.colour = colour;
+        self
+    }
+
+    /// With this emphasis.
+    #[must_use]
+    pub fn emphasis(mut self, emphasis: Emphasis) -> Self {
+        self.emphasis = emphasis;
+        self
+    }
+
+    /// On this axis.
+    #[must_use]
+    pub fn side(mut self, side: Side) -> Self {
+        self.side = side;
+        self
+    }
+
+    /// Whether it has no line: each point has gaps beside it.
+    pub fn is_dotted(&self) -> bool {
+        let is_point = |point: &(f64, f64)| point.0.is_finite() && point.1.is_finite();
+        !self.points.windows(2).any(|pair| pair.iter().all(is_point))
+    }
+}
+
+/// What is around a chart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Frame {
+    /// A box with the title in its top line.
+    #[default]
+    Boxed,
+    /// A box without its lower line, for charts stacked on each other.
+    OpenBelow,
+}
+
+/// Whether the curves are named.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Legend {
+    /// In the title line, or in a row above the plot where that is too short. Never over data.
+    #[default]
+    Shown,
+    /// Not: another chart names them.
+    Hidden,
+}
+
+/// A chart. Build it with [`Chart::new`] and set the rest: `Chart { crosshair: Some(t), ..Chart::new(title, x, y, curves) }`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart<'a> {
+    /// What it shows; the unit of the left axis is appended.
+    pub title: Cow<'a, str>,
+    /// The horizontal axis.
+    pub x: Axis<'a>,
+    /// The left axis.
+    pub y: Axis<'a>,
+    /// A second vertical axis, for the curves of [`Side::Right`].
+    pub right: Option<Axis<'a>>,
+    /// The curves, later ones over earlier ones.
+    pub curves: Vec<Curve<'a>>,
+    /// Vertical lines under the curves.
+    pub marks: Vec<Mark<'a>>,
+    /// Horizontal lines under the curves, by the left axis.
+    pub levels: Vec<Mark<'a>>,
+    /// Where the crosshair stands, in the unit of the data.
+    pub crosshair: Option<f64>,
+    /// What is around it.
+    pub frame: Frame,
+    /// Whether the curves are named.
+    pub legend: Legend,
+    /// Least columns for the labels of the left axis.
+    pub gutter: u16,
+    /// Whether it has the keys.
+    pub focused: bool,
+}
+
+impl<'a> Chart<'a> {
+    /// A chart with curves and axes and nothing else.
+    pub fn new(
+        title: impl Into<Cow<'a, str>>,
+        x: Axis<'a>,
+        y: Axis<'a>,
+        curves: Vec<Curve<'a>>,
+    ) -> Self {
+        Self {
+            title: title.into(),
+            x,
+            y,
+            right: None,
+            curves,
+            marks: Vec::new(),
+            levels: Vec::new(),
+            crosshair: None,
+            frame: Frame::Boxed,
+            legend: Legend::Shown,
+            gutter: 0,
+            focused: false,
+        }
     }
 }

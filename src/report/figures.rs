@@ -1,11 +1,13 @@
 //! The pictures of each study: what a run, a sweep, a limit and a map of the mass efficiency look like.
 
-use crate::report::chart::{Axis, Scale};
+use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::study::sweep::{self, Spacing};
 
+pub mod accuracy;
 pub mod efficiency;
 pub mod limit;
 pub mod run;
+pub mod stability;
 pub mod sweeps;
 
 /// Values of a list that are so many times apart stand on a logarithmic axis.
@@ -14,10 +16,16 @@ const WIDE: f64 = 30.0;
 const LIST_CELLS: u32 = 60;
 
 /// An axis of a sweep as one of a picture.
-fn axis_of(axis: &sweep::Axis) -> Option<Axis> {
+pub fn axis_of(axis: &sweep::Axis) -> Axis<'static> {
     let (from, to) = axis.ends();
-    let unit = axis.variable().unit().trim_matches('-');
-    Axis::over(axis.symbol(), unit, scale_of(axis), [from, to])
+    let view = ViewRange::new(from, to);
+    let unit = Unit::with_prefix(view.size(), axis.variable().unit().trim_matches('-'));
+    Axis::new(axis.symbol(), view).scale(scale_of(axis)).unit(unit)
+}
+
+/// The column of a map that shows a point of an axis.
+pub fn column_of(axis: &sweep::Axis, point: usize) -> Option<usize> {
+    places(axis).iter().position(|at| *at == point)
 }
 
 fn scale_of(axis: &sweep::Axis) -> Scale {
@@ -31,7 +39,7 @@ fn scale_of(axis: &sweep::Axis) -> Scale {
 
 /// The point that each cell of a map shows, from the least value of an axis to the greatest: the point itself, or the nearest one
 /// of a list.
-fn places(axis: &sweep::Axis) -> Vec<usize> {
+pub fn places(axis: &sweep::Axis) -> Vec<usize> {
     let index = |at: u64| usize::try_from(at).unwrap_or(usize::MAX);
     let (from, to) = axis.ends();
     if axis.spacing() != Spacing::Listed {

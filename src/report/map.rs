@@ -1,6 +1,24 @@
-//! Maps as plain data: a value at every point of a grid, bands of equal values, a contour.
+//! Maps as plain data: a value or a letter at every point of a grid, bands of equal values, a contour.
+
+use std::borrow::Cow;
 
 use crate::report::chart::Axis;
+use crate::report::chart::levels::Levels;
+
+/// How a letter stands out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tone {
+    /// Little: there is just no value.
+    Faint,
+    /// As other text.
+    Plain,
+    /// In a colour of its own.
+    Notable,
+    /// As a warning.
+    Warning,
+    /// As an error.
+    Error,
+}
 
 /// What is at a point of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -8,33 +26,70 @@ pub enum Cell {
     /// A value.
     Value(f64),
     /// No value, and the letter that says why.
-    Mark(char),
+    Mark(char, Tone),
     /// Not computed.
     Empty,
 }
 
-/// A map.
+/// A map. Points are spread evenly over both axes, from their lower to their upper bound.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Map {
+pub struct Map<'a> {
     /// What it shows.
-    pub title: String,
+    pub title: Cow<'a, str>,
     /// The unit of the values; empty for pure numbers.
-    pub unit: String,
+    pub unit: &'static str,
     /// The horizontal axis.
-    pub x: Axis,
+    pub x: Axis<'a>,
     /// The vertical axis.
-    pub y: Axis,
+    pub y: Axis<'a>,
     /// Points along them.
     pub counts: (usize, usize),
     /// The points, from the lower left one; the horizontal axis runs fastest.
     pub cells: Vec<Cell>,
+    /// The bands of the values; `None` where there is no value.
+    pub levels: Option<Levels>,
     /// A contour at this value, and what it means.
-    pub contour: Option<(f64, String)>,
+    pub contour: Option<(f64, Cow<'a, str>)>,
+    /// A line up through the map: in each row the column that it passes, where it does.
+    pub line: Vec<Option<usize>>,
+    /// A point to be seen, and its letter.
+    pub present: Option<((usize, usize), char)>,
     /// What the letters mean.
     pub marks: Vec<(char, String)>,
+    /// The point under the cursor.
+    pub cursor: Option<(usize, usize)>,
+    /// Whether it has the keys.
+    pub focused: bool,
 }
 
-impl Map {
+impl<'a> Map<'a> {
+    /// A map of points counted from the lower left one, with these bands of values.
+    pub fn new(
+        title: impl Into<Cow<'a, str>>,
+        (x, y): (Axis<'a>, Axis<'a>),
+        counts: (usize, usize),
+        levels: Option<Levels>,
+        cell: impl Fn(usize, usize) -> Cell,
+    ) -> Self {
+        let points = (0..counts.1).flat_map(|row| (0..counts.0).map(move |column| (column, row)));
+        let cells = points.map(|(column, row)| cell(column, row)).collect();
+        Self {
+            title: title.into(),
+            unit: "",
+            x,
+            y,
+            counts,
+            cells,
+            levels,
+            contour: None,
+            line: Vec::new(),
+            present: None,
+            marks: Vec::new(),
+            cursor: None,
+            focused: false,
+        }
+    }
+
     /// The point in a column and a row from the lower left one.
     pub fn cell(&self, column: usize, row: usize) -> Cell {
         self.cells.get(row * self.counts.0 + column).copied().unwrap_or(Cell::Empty)
@@ -44,7 +99,7 @@ impl Map {
     pub fn values(&self) -> impl Iterator<Item = f64> + '_ {
         self.cells.iter().filter_map(|cell| match cell {
             Cell::Value(value) => Some(*value).filter(|value| value.is_finite()),
-            Cell::Mark(_) | Cell::Empty => None,
+            Cell::Mark(..) | Cell::Empty => None,
         })
     }
 }

@@ -2,13 +2,11 @@
 
 use std::fmt::Write as _;
 
-use crate::report::chart::{Axis, Chart, Curve, Line};
+use crate::report::chart::ticks::Along;
+use crate::report::chart::{Axis, Chart, Curve, Mark};
 use crate::report::map::Map;
 
 mod bands;
-mod ticks;
-
-use ticks::{ticks, unit_of};
 
 /// Size of one picture.
 const WIDTH: f64 = 640.0;
@@ -23,8 +21,9 @@ const LEGEND_LINE: f64 = 18.0;
 const LETTER: f64 = 7.0;
 /// Marks that are nearer to each other share a name.
 const MARKS_NEAR: f64 = 13.0;
-/// Most ticks along the axes.
-const TICKS: (usize, usize) = (8, 7);
+/// Size of a cell, where ticks are chosen by the cells that their labels take; half rows between two labels above each other.
+const CELL: (f64, f64) = (LETTER, 16.0);
+const HALF_ROWS: u16 = 4;
 /// Colours of curves, to be told apart by the colour-blind too (Okabe and Ito).
 const COLOURS: [&str; 7] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
@@ -32,9 +31,9 @@ const COLOURS: [&str; 7] =
 #[derive(Clone, Debug, PartialEq)]
 pub enum Picture {
     /// A chart.
-    Chart(Chart),
+    Chart(Chart<'static>),
     /// A map.
-    Map(Map),
+    Map(Map<'static>),
 }
 
 /// A whole SVG file of some pictures, each under the other.
@@ -85,8 +84,8 @@ struct Plot<'a> {
     right: f64,
     top: f64,
     bottom: f64,
-    x: &'a Axis,
-    y: &'a Axis,
+    x: &'a Axis<'a>,
+    y: &'a Axis<'a>,
 }
 
 impl Plot<'_> {
@@ -117,13 +116,9 @@ struct Point {
 }
 
 /// How far along an axis a value lies; a little beyond its ends at the most.
-fn part(axis: &Axis, value: f64) -> f64 {
-    let (low, high) = (axis.scale.place(axis.low), axis.scale.place(axis.high));
+fn part(axis: &Axis<'_>, value: f64) -> f64 {
+    let (low, high) = (axis.scale.place(axis.view.lo()), axis.scale.place(axis.view.hi()));
     ((axis.scale.place(value) - low) / (high - low)).clamp(-10.0, 11.0)
-}
-
-fn title_of(axis: &Axis, unit: &str) -> String {
-    if unit.is_empty() { axis.label.clone() } else { format!("{} [{unit}]", axis.label) }
 }
 
 /// A number of a picture: no more digits than can be seen.
@@ -160,26 +155,28 @@ fn draw_frame(out: &mut String, plot: Plot<'_>, title: &str) {
     let (x, y) = (plot.x, plot.y);
     let middle = f64::midpoint(plot.left, plot.right);
     text(out, &Text { x: LEFT, y: 20.0, anchor: "start", rest: " font-weight=\"bold\"" }, title);
-    let (shown_x, shown_y) = (unit_of(x), unit_of(y));
+    let cells = |length: f64, cell: f64| format!("{:.0}", length / cell).parse().unwrap_or(0);
+    let across = x.ticks(cells(plot.right - plot.left, CELL.0), Along::Row);
+    let up = y.ticks(cells(plot.bottom - plot.top, CELL.1), Along::Column(HALF_ROWS));
     let grid = "stroke=\"#dddddd\"";
-    for (value, label) in ticks(x, &shown_x, TICKS.0) {
-        let place = plot.across(value);
+    for tick in &across.labelled {
+        let place = plot.across(tick.value / x.unit.factor);
         stroke(out, plot.upright(place), grid);
         let below = Text { x: place, y: plot.bottom + 17.0, anchor: "middle", rest: "" };
-        text(out, &below, &label);
+        text(out, &below, &tick.label);
     }
-    for (value, label) in ticks(y, &shown_y, TICKS.1) {
-        let place = plot.up(value);
+    for tick in &up.labelled {
+        let place = plot.up(tick.value / y.unit.factor);
         stroke(out, plot.level(place), grid);
         let beside = Text { x: plot.left - 6.0, y: place + 4.5, anchor: "end", rest: "" };
-        text(out, &beside, &label);
+        text(out, &beside, &tick.label);
     }
     let below = Text { x: middle, y: plot.bottom + 38.0, anchor: "middle", rest: "" };
-    text(out, &below, &title_of(x, &shown_x.name));
+    text(out, &below, &x.text(across.exponent));
     let centre = f64::midpoint(plot.top, plot.bottom);
     let turned = format!(" transform=\"rotate(-90 16 {})\"", at(centre));
     let beside = Text { x: 16.0, y: centre, anchor: "middle", rest: &turned };
-    text(out, &beside, &title_of(y, &shown_y.name));
+    text(out, &beside, &y.text(up.exponent));
 }
 
 fn frame(out: &mut String, plot: Plot<'_>) {
@@ -194,11 +191,11 @@ fn frame(out: &mut String, plot: Plot<'_>) {
 }
 
 /// The rows of a legend: which curves stand in each.
-fn legend_rows(curves: &[Curve]) -> Vec<Vec<usize>> {
+fn legend_rows(curves: &[Curve<'_>]) -> Vec<Vec<usize>> {
     let mut rows: Vec<Vec<usize>> = Vec::new();
     let mut used = f64::INFINITY;
-    for (number, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.name.is_empty()) {
-        let width = 40.0 + LETTER * curve.name.chars().count() as f64;
+    for (number, curve) in curves.iter().enumerate().filter(|(_, curve)| !curve.label.is_empty()) {
+        let width = 40.0 + LETTER * curve.label.chars().count() as f64;
         if used + width > WIDTH - LEFT - RIGHT {
             rows.push(Vec::new());
             used = 0.0;
@@ -215,7 +212,7 @@ fn colour(number: usize) -> &'static str {
     COLOURS[number % COLOURS.len()]
 }
 
-fn draw_chart(out: &mut String, chart: &Chart) {
+fn draw_chart(out: &mut String, chart: &Chart<'_>) {
     let rows = legend_rows(&chart.curves);
     let top = TOP + LEGEND_LINE * rows.len() as f64;
     let plot = Plot {
@@ -232,21 +229,21 @@ fn draw_chart(out: &mut String, chart: &Chart) {
         let mut x = LEFT;
         for number in numbers {
             let curve = &chart.curves[*number];
-            let ink = colour(*number);
-            if curve.is_dotted {
+            let ink = colour(curve.colour);
+            if curve.is_dotted() {
                 dot(out, Point { x: x + 11.0, y: y - 4.0 }, ink);
             } else {
                 let style = format!("stroke=\"{ink}\" stroke-width=\"2\"");
                 let y = y - 4.0;
                 stroke(out, [Point { x, y }, Point { x: x + 22.0, y }], &style);
             }
-            text(out, &Text { x: x + 28.0, y, anchor: "start", rest: "" }, &curve.name);
-            x += 40.0 + LETTER * curve.name.chars().count() as f64;
+            text(out, &Text { x: x + 28.0, y, anchor: "start", rest: "" }, &curve.label);
+            x += 40.0 + LETTER * curve.label.chars().count() as f64;
         }
     }
     draw_lines(out, plot, chart);
-    for (number, curve) in chart.curves.iter().enumerate() {
-        draw_curve(out, plot, curve, colour(number));
+    for curve in &chart.curves {
+        draw_curve(out, plot, curve, colour(curve.colour));
     }
     frame(out, plot);
 }
@@ -255,14 +252,14 @@ fn dot(out: &mut String, Point { x, y }: Point, ink: &str) {
     let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"3\" fill=\"{ink}\"/>", at(x), at(y));
 }
 
-fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve, ink: &str) {
+fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve<'_>, ink: &str) {
     let (x, y) = (plot.x, plot.y);
     let in_view = |value: f64| {
-        let slack = 1e-9 * (x.high - x.low);
-        value >= x.low - slack && value <= x.high + slack
+        let slack = 1e-9 * x.view.span();
+        value >= x.view.lo() - slack && value <= x.view.hi() + slack
     };
     let mut pieces: Vec<Vec<Point>> = vec![Vec::new()];
-    for (at_x, at_y) in &curve.points {
+    for (at_x, at_y) in curve.points.iter() {
         let is_shown = x.scale.shows(*at_x) && y.scale.shows(*at_y) && in_view(*at_x);
         if is_shown {
             if let Some(piece) = pieces.last_mut() {
@@ -273,7 +270,7 @@ fn draw_curve(out: &mut String, plot: Plot<'_>, curve: &Curve, ink: &str) {
         }
     }
     for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
-        if curve.is_dotted || piece.len() == 1 {
+        if piece.len() == 1 {
             for place in piece {
                 dot(out, *place, ink);
             }
@@ -307,19 +304,19 @@ fn seen(points: &[Point]) -> Vec<Point> {
 }
 
 /// Lines to read the curves by, with their names.
-fn draw_lines(out: &mut String, plot: Plot<'_>, chart: &Chart) {
+fn draw_lines(out: &mut String, plot: Plot<'_>, chart: &Chart<'_>) {
     let dashed = "stroke=\"#777777\" stroke-dasharray=\"4 3\"";
     let small = " font-size=\"11\" fill=\"#555555\"";
-    let mut marks: Vec<&Line> =
+    let mut marks: Vec<&Mark<'_>> =
         chart.marks.iter().filter(|it| chart.x.scale.shows(it.at)).collect();
     marks.retain(|mark| (0.0..=1.0).contains(&part(&chart.x, mark.at)));
     marks.sort_by(|a, b| a.at.total_cmp(&b.at));
-    let near = |a: &&Line, b: &&Line| plot.across(b.at) - plot.across(a.at) < MARKS_NEAR;
+    let near = |a: &&Mark<'_>, b: &&Mark<'_>| plot.across(b.at) - plot.across(a.at) < MARKS_NEAR;
     for group in marks.chunk_by(near) {
         for mark in group {
             stroke(out, plot.upright(plot.across(mark.at)), dashed);
         }
-        let names: Vec<&str> = group.iter().map(|mark| mark.name.as_str()).collect();
+        let names: Vec<&str> = group.iter().map(|mark| &*mark.name).collect();
         let x = plot.across(group.first().map_or(0.0, |mark| mark.at));
         // At the right edge the name stands before its line.
         let x = if x > plot.right - MARKS_NEAR { x - 5.0 } else { x + 11.0 };
@@ -343,20 +340,22 @@ mod tests {
     use super::*;
     use crate::report::chart::Scale;
 
-    fn axis(low: f64, high: f64, scale: Scale) -> Axis {
+    fn axis(low: f64, high: f64, scale: Scale) -> Axis<'static> {
         Axis::over("x", "m", scale, [low, high]).unwrap()
     }
 
     #[test]
     fn a_file_is_xml_whatever_the_texts_are() {
+        let points =
+            vec![(0.0, 0.0), (0.4, f64::NAN), (0.5, 0.5), (0.6, 0.7), (1.0, f64::INFINITY)];
         let chart = Chart {
-            marks: vec![Line::new(0.5, "a < b & \"c\"\u{1b}[2J")],
-            levels: vec![Line::new(0.5, "'yield'")],
-            ..Chart::of(
+            marks: vec![Mark::new(0.5, "a < b & \"c\"\u{1b}[2J")],
+            levels: vec![Mark::new(0.5, "'yield'")],
+            ..Chart::new(
                 "<b>title</b> & more",
                 axis(0.0, 1.0, Scale::Linear),
                 axis(0.0, 1.0, Scale::Linear),
-                vec![(0.0, 0.0), (0.4, f64::NAN), (0.5, 0.5), (0.6, 0.7), (1.0, f64::INFINITY)],
+                vec![Curve::new('*', "", points)],
             )
         };
         let text = file(&[Picture::Chart(chart)]);

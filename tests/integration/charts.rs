@@ -1,8 +1,6 @@
 //! Whole charts as pictures, in every glyph set.
 
-use cmra::tui::chart::{
-    Axis, Chart, Curve, Emphasis, EventLine, Level, Scale, Side, Unit, ViewRange,
-};
+use cmra::tui::chart::{Axis, Chart, Curve, Emphasis, Mark, Scale, Side, Unit, ViewRange};
 use cmra::tui::theme::{ColourDepth, GlyphSet, Theme};
 
 const SETS: [GlyphSet; 3] = [GlyphSet::Ascii, GlyphSet::Block, GlyphSet::Braille];
@@ -39,7 +37,7 @@ fn three_runs_with_events_and_a_crosshair() {
             Curve::new('+', "B gamma=1 d=0.5", &perforated).colour(2),
         ],
     );
-    chart.events = vec![EventLine { x: 101.2e-6, tag: "a".into() }];
+    chart.marks = vec![Mark::new(101.2e-6, "a")];
     chart.crosshair = Some(60e-6);
     for glyphs in SETS {
         let name = |size: &str| format!("three_runs_{size}_{glyphs}");
@@ -67,7 +65,7 @@ fn an_error_against_time_chart_on_logarithmic_axes() {
             Curve::new('E', "fourth order", &fourth).colour(1),
         ],
     );
-    chart.levels = vec![Level { y: 1e-9, tag: "wanted".into() }];
+    chart.levels = vec![Mark::new(1e-9, "wanted")];
     for glyphs in SETS {
         insta::assert_snapshot!(format!("log_log_{glyphs}"), text(&chart, 78, 15, glyphs));
     }

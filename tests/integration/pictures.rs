@@ -75,7 +75,10 @@ fn sweeps_limits_and_comparisons_are_drawn() {
     let map = svg_of(place.path(), "sweep --over gamma=1..7:7 --over k=1e4,1e5,1e6 --csv map.csv");
     check(&map, &["gamma", "k [MN/m^n]", "percent of baseline", "[%]", "max plate displacement"]);
     let limit = svg_of(place.path(), "limit --monte-carlo 0");
-    check(&limit, &["impact velocity [m/s]", "residual velocity [m/s]", "ballistic limit", "runs"]);
+    check(
+        &limit,
+        &["impact velocity [m/s]", "residual velocity [m/s]", "ballistic limit", "through"],
+    );
     let map = svg_of(place.path(), "compare --map v_i=10..90:5,gamma=0.5..7:5:log");
     check(&map, &["mass efficiency", "v_i [m/s]", "gamma"]);
     let colours: HashSet<&str> =

@@ -2,18 +2,19 @@
 
 use std::fmt::Write as _;
 
+use crate::cli::draw;
 use crate::cli::text::width;
 use crate::model::contact_phase::Ending;
 use crate::model::units::Engineering;
 use crate::report::accuracy::{Named, TARGETS, by, methods, seconds};
+use crate::report::figures::accuracy::error_over_time;
 use crate::report::table::{Cells, grid};
 use crate::study::accuracy::method::Method;
 use crate::study::accuracy::{MethodReport, Report};
-use crate::tui::chart::{Axis, Chart, Curve, Legend, Level, Scale, Unit, ViewRange};
 use crate::tui::theme::Theme;
 
-const WIDTH: u16 = 80;
-const HEIGHT: u16 = 20;
+/// Columns and rows of the chart.
+const SIZE: draw::Size = (80, 20);
 /// The columns of the table of methods.
 const KEYS: [&str; 7] = [
     "letter",
@@ -61,46 +62,12 @@ fn counts(page: &mut String, report: &Report) {
     );
 }
 
-/// Error over time, both logarithmic, a letter for each method.
+/// Error over time.
 fn chart(report: &Report) -> String {
-    let curves: Vec<(Method, Vec<(f64, f64)>)> = report
-        .methods
-        .iter()
-        .map(|method| {
-            let point = |(_, measured): (_, &crate::study::accuracy::Measured)| {
-                (measured.timing.min_s, measured.error())
-            };
-            (method.method, method.measured().map(point).collect())
-        })
-        .collect();
-    let points = || curves.iter().flat_map(|(_, points)| points);
-    let times = ViewRange::of(Scale::Log10, points().map(|point| point.0));
-    let errors = ViewRange::of(Scale::Log10, points().map(|point| point.1));
-    let (Some(times), Some(errors)) = (times, errors) else {
-        return "no method gave a result that could be judged\n".to_owned();
-    };
-    // The unit of the fast end: microseconds, of which a person thinks here.
-    let unit = Unit::with_prefix(30.0 * times.lo(), "s");
-    let x = Axis::new("run time", times.rounded(Scale::Log10)).scale(Scale::Log10).unit(unit);
-    let y = Axis::new("", errors.rounded(Scale::Log10)).scale(Scale::Log10);
-    let curves = curves
-        .iter()
-        .map(|(method, points)| Curve::new(method.letter(), method.name(), points))
-        .collect();
-    let title = "relative error, the greater of depth and time";
-    let floor = report.references.first().and_then(|reference| reference.uncertainty);
-    let level = floor.map(|y| Level { y, tag: "reference's floor".into() });
-    let chart = Chart {
-        legend: Legend::Hidden,
-        levels: level.into_iter().collect(),
-        ..Chart::new(title, x, y, curves)
-    };
-    let mut text = String::new();
-    for line in chart.to_lines(WIDTH, HEIGHT, Theme::PLAIN) {
-        text.push_str(&line);
-        text.push('\n');
-    }
-    text
+    error_over_time(report).map_or_else(
+        || "no method gave a result that could be judged\n".to_owned(),
+        |chart| draw::chart(&chart, SIZE, Theme::PLAIN),
+    )
 }
 
 /// A line for each method.

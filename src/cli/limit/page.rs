@@ -20,7 +20,7 @@ const INDENT: usize = 2;
 pub(super) fn text(name: &str, report: &Report) -> String {
     let mut page = format!("{name}: ballistic limit\n\n");
     head(&mut page, report);
-    if let Some(chart) = residual(report) {
+    if let Some(chart) = residual(report, None) {
         page.push_str(&draw::chart(&chart, (WIDTH, HEIGHT), Theme::PLAIN));
     }
     laws(&mut page, report);

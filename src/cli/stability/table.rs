@@ -2,10 +2,13 @@
 
 use std::fmt::Write as _;
 
-use crate::model::units::{Engineering, significant};
+use crate::cli::draw;
+use crate::model::units::Engineering;
+use crate::report::figures;
 use crate::report::stability::{HOW_IT_RAN, table};
-use crate::study::stability::map::{Cell, Map};
+use crate::study::stability::map::Map;
 use crate::study::stability::{Basis, ERROR_MAX, RESIDUAL_MAX, Row};
+use crate::tui::theme::Theme;
 
 /// From this width on there is room for what makes a scene hard.
 const WIDE: usize = 118;
@@ -61,49 +64,16 @@ fn summary(text: &mut String, rows: &[Row], took_s: f64) {
     }
 }
 
-/// The map, rows from the greatest value down, the analytic limit as `|`, the present point as `+`.
+/// The map, and the largest step of the scene.
 pub(super) fn map(map: &Map, scene: &str) -> String {
-    let mut text =
-        format!("{} on {scene}: time step against {}\n\n", map.method.name(), map.axis.symbol());
-    let columns = map.dt_s.len();
-    let present = map.present_at();
-    for row in (0..map.values.len()).rev() {
-        let limit = map.limit_column(row);
-        let _ = write!(text, "{:>9} ", significant(map.values[row], 2));
-        for column in 0..columns {
-            let here = present == (Some(row), Some(column));
-            text.push(if here {
-                '+'
-            } else if limit == Some(column) {
-                '|'
-            } else {
-                map.cell(row, column).letter()
-            });
-        }
-        text.push('\n');
-    }
-    let time = |value: f64| Engineering { value, unit: "s", digits: 2 }.to_string();
-    let (first, last) = (time(map.dt_s[0]), time(map.dt_s[columns - 1]));
-    let gap = columns.saturating_sub(first.len() + last.len());
-    let _ = writeln!(text, "{:>9} {first}{:gap$}{last}   dt\n", map.axis.symbol(), "");
-    let word = |cell: Cell| format!("{} {}", cell.letter(), cell.words());
-    let _ = writeln!(
-        text,
-        "{}, {}, {}, {},\n{}, {}",
-        word(Cell::Accurate),
-        word(Cell::Inaccurate),
-        word(Cell::Oscillating),
-        word(Cell::BlownUp),
-        word(Cell::TooManySteps),
-        word(Cell::Unknown),
+    let largest = map.largest_stable_dt_s.map_or_else(
+        || "nothing limits it".to_owned(),
+        |value| Engineering { value, unit: "s", digits: 3 }.to_string(),
     );
-    let _ = writeln!(text, "| analytic limit of stability, + the scene with dt = 1e-6 s");
-    let _ = match map.largest_stable_dt_s {
-        Some(value) => {
-            let largest = Engineering { value, unit: "s", digits: 3 };
-            writeln!(text, "largest stable dt of this scene: {largest}")
-        }
-        None => writeln!(text, "largest stable dt of this scene: nothing limits it"),
-    };
-    text
+    let picture = draw::map(&figures::stability::map(map), draw::MAP, Theme::PLAIN);
+    format!(
+        "{} on {scene}: time step against {}\n\n{picture}\nlargest stable dt of this scene: {largest}\n",
+        map.method.name(),
+        map.axis.symbol()
+    )
 }

@@ -1,34 +1,33 @@
 //! The map of the mass efficiency with the line of 1.
 
+use crate::report::chart::Scale;
+use crate::report::chart::levels::Levels;
 use crate::report::figures::{axis_of, places};
-use crate::report::map::{Cell, Map};
+use crate::report::map::{Cell, Map, Tone};
 use crate::study::compare::map::Map as Efficiency;
 
 /// What the line means.
 pub const LINE: &str = "line of 1: above 1 the armour is lighter than the solid plate";
 
-/// The map as a picture.
-pub fn map(found: &Efficiency) -> Option<Map> {
+/// The map as a picture; `None` where no point has a mass efficiency.
+pub fn map(found: &Efficiency) -> Option<Map<'static>> {
     let (across, up) = (places(found.x()), places(found.y()));
-    let cell = |x: usize, y: usize| match found.cell(x as u64, y as u64) {
+    let cell = |x: usize, y: usize| match found.cell(across[x] as u64, up[y] as u64) {
         Some(Ok(value)) => Cell::Value(value),
-        Some(Err(absence)) => Cell::Mark(absence.letter()),
+        Some(Err(absence)) => Cell::Mark(absence.letter(), Tone::Faint),
         None => Cell::Empty,
     };
-    let cells = up.iter().flat_map(|y| across.iter().map(move |x| (*x, *y)));
     let absences = found.cells.iter().filter_map(|cell| cell.err());
     let mut marks: Vec<(char, String)> =
         absences.map(|absence| (absence.letter(), absence.words())).collect();
     marks.sort();
     marks.dedup_by_key(|mark| mark.0);
+    let axes = (axis_of(found.x()), axis_of(found.y()));
+    let counts = (across.len(), up.len());
+    let levels = Levels::of(Scale::Linear, found.cells.iter().filter_map(|cell| cell.ok()))?;
     Some(Map {
-        title: "mass efficiency".to_owned(),
-        unit: String::new(),
-        x: axis_of(found.x())?,
-        y: axis_of(found.y())?,
-        counts: (across.len(), up.len()),
-        cells: cells.map(|(x, y)| cell(x, y)).collect(),
-        contour: Some((1.0, LINE.to_owned())),
+        contour: Some((1.0, LINE.into())),
         marks,
+        ..Map::new("mass efficiency", axes, counts, Some(levels), cell)
     })
 }

@@ -1,36 +1,65 @@
-//! The residual velocity over the impact velocity, with the limit and the fitted law.
+//! The residual velocity over the impact velocity, with the limit and the fitted laws.
 
-use crate::report::chart::{Axis, Chart, Curve, Line, Scale};
-use crate::study::limit::Report;
+use crate::report::chart::{Axis, Chart, Curve, Mark, Scale, Unit, ViewRange};
+use crate::study::limit::{Report, Shot};
 
 /// Points of a drawn law.
-const LAW_POINTS: u32 = 200;
+const LAW_POINTS: usize = 400;
+/// The scene's velocity is in view up to so many limits.
+const OWN_IN_VIEW: f64 = 4.0;
 
-/// The chart; `None` without a limit.
-pub fn residual(report: &Report) -> Option<Chart> {
-    let limit_m_s = report.limit.velocity_m_s()?;
-    let shots: Vec<(f64, f64)> = report
-        .shots
-        .iter()
-        .map(|shot| (shot.impact_m_s, shot.residual_m_s.unwrap_or(f64::NAN)))
-        .collect();
-    let impacts = shots.iter().map(|shot| shot.0);
-    let x = Axis::over("impact velocity", "m/s", Scale::Linear, impacts)?;
-    let residuals = shots.iter().map(|shot| shot.1).chain([0.0]);
-    let y = Axis::over("residual velocity", "m/s", Scale::Linear, residuals)?.padded(0.03);
-    let step = (x.high - x.low) / f64::from(LAW_POINTS);
-    let law = report.lambert_jonas.map(|law| {
-        let at = |point: u32| x.low + step * f64::from(point);
-        let points = (0..=LAW_POINTS).map(|point| (at(point), law.residual_m_s(at(point))));
-        Curve { points: points.collect(), ..Curve::new("Lambert-Jonas", '-') }
-    });
-    let runs = Curve { points: shots, is_dotted: true, ..Curve::new("runs", 'o') };
+/// The axes of impact and residual velocity; `None` where nothing goes through.
+pub fn axes(report: &Report) -> Option<(Axis<'static>, Axis<'static>)> {
+    let own = report.scene.projectile.velocity_m_s;
+    let limit = report.limit.velocity_m_s();
+    let impacts = report.shots.iter().map(|shot| shot.impact_m_s);
+    let own = limit.filter(|limit| own < OWN_IN_VIEW * limit).map(|_| own);
+    // Without a limit the shots cover decades.
+    let scale = if limit.is_some() { Scale::Linear } else { Scale::Log10 };
+    let x = Axis::over("impact velocity", "m/s", scale, impacts.chain(own))?;
+    let residuals = report.shots.iter().filter_map(|shot| shot.residual_m_s);
+    let y = Axis::over("residual velocity", "m/s", Scale::Linear, residuals)?;
+    let unit = || Unit::new("m/s");
+    Some((x.unit(unit()), y.with_zero().padded(0.04).unit(unit())))
+}
+
+/// Shots as points with gaps between.
+fn dots(shots: &[Shot], wanted: impl Fn(&Shot) -> Option<f64>) -> Vec<(f64, f64)> {
+    let dot = |shot: &Shot| Some([(shot.impact_m_s, wanted(shot)?), (f64::NAN, f64::NAN)]);
+    shots.iter().filter_map(dot).flatten().collect()
+}
+
+/// A law over the view; before its limit it is nothing.
+fn law(view: ViewRange, limit_m_s: f64, residual: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    let step = view.span() / LAW_POINTS as f64;
+    let at = |i: usize| view.lo() + step * i as f64;
+    let beyond = (0..=LAW_POINTS).map(at).filter(|v| *v > limit_m_s);
+    std::iter::once(limit_m_s).chain(beyond).map(|v| (v, residual(v))).collect()
+}
+
+/// The chart of the impact velocities in view, or of all; `None` where nothing goes through.
+pub fn residual(report: &Report, view: Option<ViewRange>) -> Option<Chart<'static>> {
+    let (x, y) = axes(report)?;
+    let x = Axis { view: view.unwrap_or(x.view), ..x };
+    let recht_ipson =
+        report.recht_ipson.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
+    let lambert_jonas =
+        report.lambert_jonas.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
+    let curves = [
+        ('+', "Recht-Ipson", recht_ipson.unwrap_or_default()),
+        ('x', "Lambert-Jonas", lambert_jonas.unwrap_or_default()),
+        ('o', "through", dots(&report.shots, |shot| shot.residual_m_s)),
+        ('s', "stopped", dots(&report.shots, |shot| shot.residual_m_s.is_none().then_some(0.0))),
+    ];
+    let curves = curves.into_iter().enumerate().filter(|(_, curve)| !curve.2.is_empty());
+    let curves = curves
+        .map(|(index, (marker, name, points))| Curve::new(marker, name, points).colour(index + 1));
+    let limit = report.limit.velocity_m_s();
+    let limit = limit.map(|at| Mark::new(at, "ballistic limit").tag("v_bl"));
+    let own = report.scene.projectile.velocity_m_s;
+    let own = x.view.contains(own).then(|| Mark::new(own, "scene"));
     Some(Chart {
-        title: "residual velocity".to_owned(),
-        x,
-        y,
-        curves: law.into_iter().chain([runs]).collect(),
-        marks: vec![Line { tag: "limit".to_owned(), ..Line::new(limit_m_s, "ballistic limit") }],
-        levels: Vec::new(),
+        marks: limit.into_iter().chain(own).collect(),
+        ..Chart::new("residual velocity", x, y, curves.collect())
     })
 }

@@ -3,7 +3,7 @@
 use crate::model::mechanism::{Mechanism, inertia, load};
 use crate::model::run::{Run, Sample};
 use crate::numerics::{larger, smaller};
-use crate::report::chart::{Axis, Chart, Line, Scale};
+use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
 
 /// A quantity to draw.
 #[derive(Clone, Copy)]
@@ -38,7 +38,7 @@ pub fn event_letter(index: usize) -> char {
 
 /// Penetration, displacement and force over time: during the contact, which is over in a fraction of a millisecond, then over
 /// the whole response, where there is more of it.
-pub fn response(run: &Run) -> Vec<Chart> {
+pub fn response(run: &Run) -> Vec<Chart<'static>> {
     let Some(end_s) = run.series.last().map(|row| row.t_s) else {
         return Vec::new();
     };
@@ -51,22 +51,21 @@ pub fn response(run: &Run) -> Vec<Chart> {
     charts
 }
 
-fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart> {
+fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart<'static>> {
     let chart = |quantity: &Quantity| {
         let points = points(&run.series, quantity);
         let shown = points.iter().filter(|point| point.0 <= end_s).map(|point| point.1);
         // A chart of one value would be a line along its own frame.
         let values = Axis::over("", quantity.unit, Scale::Linear, shown)?;
-        let y = Axis { label: quantity.title.to_owned(), ..values.with_zero().padded(0.05) };
+        let y = Axis { label: quantity.title.into(), ..values.with_zero().padded(0.05) };
         let x = Axis::over("t", "s", Scale::Linear, [0.0, end_s])?;
         let events = run.events.iter().enumerate().filter(|(_, event)| event.t_s <= end_s);
-        let marks = events.map(|(index, event)| Line {
-            at: event.t_s,
-            name: event.kind.words().to_owned(),
-            tag: event_letter(index).to_string(),
+        let marks = events.map(|(index, event)| {
+            Mark::new(event.t_s, event.kind.words()).tag(event_letter(index).to_string())
         });
         let title = format!("{}, {window}", quantity.title);
-        Some(Chart { marks: marks.collect(), ..Chart::of(&title, x, y, points) })
+        let curve = Curve::new('*', "", points);
+        Some(Chart { marks: marks.collect(), ..Chart::new(title, x, y, vec![curve]) })
     };
     if end_s > 0.0 { QUANTITIES.iter().filter_map(chart).collect() } else { Vec::new() }
 }
@@ -90,7 +89,7 @@ fn points(series: &[Sample], quantity: &Quantity) -> Vec<(f64, f64)> {
 
 /// Force, stiffness and stress of the mechanism over the plate's displacement, with what the run used of it; nothing without a
 /// mechanism.
-pub fn mechanism(run: &Run) -> Vec<Chart> {
+pub fn mechanism(run: &Run) -> Vec<Chart<'static>> {
     let scene = &run.scene;
     let own = Mechanism::of(scene);
     let reached = run.max_plate_displacement_m.or(run.at_least.plate_displacement_m);
@@ -113,30 +112,31 @@ pub fn mechanism(run: &Run) -> Vec<Chart> {
     let stiffness =
         |x: f64| Some(own.spring.tangent(x) + in_stop(x).map_or(0.0, |it| it.stiffness_n_m));
     let stress = |x: f64| load::stress_ratio(scene, x);
-    let mut marks = vec![Line::new(reached_m, "greatest displacement")];
-    marks.extend((start_m < 0.0).then(|| Line::new(start_m, "cocked")));
-    marks.extend(own.stop.map(|_| Line::new(own.stop_at_m, "stop")));
-    marks.extend(yields.map(|at| Line::new(at, "yield")));
-    let chart = |title: &str, unit: &str, get: &dyn Fn(f64) -> Option<f64>| {
+    let mut marks = vec![Mark::new(reached_m, "greatest displacement")];
+    marks.extend((start_m < 0.0).then(|| Mark::new(start_m, "cocked")));
+    marks.extend(own.stop.map(|_| Mark::new(own.stop_at_m, "stop")));
+    marks.extend(yields.map(|at| Mark::new(at, "yield")));
+    let chart = |title: &'static str, unit: &'static str, get: &dyn Fn(f64) -> Option<f64>| {
         let points = (0..=POINTS).map(at).map(|x| (x, get(x).unwrap_or(f64::NAN)));
         let points: Vec<(f64, f64)> = points.collect();
         let x = Axis::over("plate displacement x", "m", Scale::Linear, [low_m, end_m])?;
         let y = Axis::over(title, unit, Scale::Linear, points.iter().map(|point| point.1))?;
-        let chart = Chart::of(title, x, y.with_zero().padded(0.05), points);
+        let curve = Curve::new('*', "", points);
+        let chart = Chart::new(title, x, y.with_zero().padded(0.05), vec![curve]);
         Some(Chart { marks: marks.clone(), ..chart })
     };
-    let mut charts: Vec<Chart> = Vec::new();
+    let mut charts: Vec<Chart<'static>> = Vec::new();
     charts.extend(chart("force of the mechanism F(x)", "N", &force));
     charts.extend(chart("stiffness of the mechanism dF/dx", "N/m", &stiffness));
     if let Some(mut chart) = chart("greatest stress over yield strength", "", &stress) {
-        chart.levels.push(Line::new(1.0, "yield"));
+        chart.levels.push(Mark::new(1.0, "yield"));
         charts.push(chart);
     }
     charts
 }
 
 /// The pictures of a file: contact, the plate's whole way, the mechanism.
-pub fn selected(run: &Run) -> Vec<Chart> {
+pub fn selected(run: &Run) -> Vec<Chart<'static>> {
     let mut charts = response(run);
     if charts.len() > QUANTITIES.len() {
         // Displacement matters over the whole response, the others during the contact.

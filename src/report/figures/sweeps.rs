@@ -1,8 +1,9 @@
 //! The pictures of a sweep: a curve of each output over one axis, a map over two.
 
+use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Chart, Curve, Scale};
 use crate::report::figures::{axis_of, places};
-use crate::report::map::{Cell, Map};
+use crate::report::map::{Cell, Map, Tone};
 use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::tells;
@@ -40,18 +41,16 @@ pub fn picture(plan: &Plan, output: usize, rows: &[Row]) -> Option<Picture> {
 }
 
 /// The curve over one axis.
-fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option<Chart> {
+fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option<Chart<'static>> {
     let column = plan.outputs()[output];
     let value = |row: &Row| row.shown(output, column).unwrap_or(f64::NAN);
     let mut points: Vec<(f64, f64)> =
         (0..).map(|index| axis.value(index)).zip(rows.iter().map(value)).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let values = points.iter().map(|point| point.1);
-    let y = Axis::over(&column.title(), column.unit(), Scale::Linear, values)?.padded(0.05);
-    let curves = vec![Curve { points, ..Curve::new("", '*') }];
-    let title = column.title();
-    let x = axis_of(axis)?;
-    Some(Chart { title, x, y, curves, marks: Vec::new(), levels: Vec::new() })
+    let y = Axis::over(column.title(), column.unit(), Scale::Linear, values)?.padded(0.05);
+    let curve = Curve::new('*', "", points);
+    Some(Chart::new(column.title(), axis_of(axis), y, vec![curve]))
 }
 
 /// The map over two axes.
@@ -60,31 +59,37 @@ fn map(
     (x, y): (&sweep::Axis, &sweep::Axis),
     output: usize,
     rows: &[Row],
-) -> Option<Map> {
+) -> Option<Map<'static>> {
     let column = plan.outputs()[output];
     let (across, up) = (places(x), places(y));
     let height = usize::try_from(y.count()).ok()?;
     let cell = |at_x: usize, at_y: usize| {
-        rows.get(at_x * height + at_y).map_or(Cell::Empty, |row| {
-            row.shown(output, column).map_or_else(|| Cell::Mark(row.fate.letter()), Cell::Value)
+        rows.get(across[at_x] * height + up[at_y]).map_or(Cell::Empty, |row| {
+            let mark = || Cell::Mark(row.fate.letter(), tone(row.fate));
+            row.shown(output, column).map_or_else(mark, Cell::Value)
         })
     };
-    let cells = up.iter().flat_map(|y| across.iter().map(move |x| (*x, *y)));
     let absent = rows.iter().filter(|row| row.shown(output, column).is_none());
     let mut marks: Vec<(char, String)> =
         absent.map(|row| (row.fate.letter(), row.fate.without_value(column).to_owned())).collect();
     marks.sort_unstable();
     marks.dedup();
-    let map = Map {
-        title: column.title(),
-        unit: column.unit().to_owned(),
-        x: axis_of(x)?,
-        y: axis_of(y)?,
-        counts: (across.len(), up.len()),
-        cells: cells.map(|(x, y)| cell(x, y)).collect(),
-        contour: None,
+    let counts = (across.len(), up.len());
+    let axes = (axis_of(x), axis_of(y));
+    let values = rows.iter().filter_map(|row| row.shown(output, column));
+    let levels = Levels::of(Scale::Linear, values)?;
+    Some(Map {
+        unit: column.unit(),
         marks,
-    };
-    let has_values = map.values().next().is_some();
-    has_values.then_some(map)
+        ..Map::new(column.title(), axes, counts, Some(levels), cell)
+    })
+}
+
+/// How the letter of a point without a value stands out.
+pub fn tone(fate: Fate) -> Tone {
+    match fate {
+        Fate::Arrested | Fate::Separated => Tone::Faint,
+        Fate::Perforated | Fate::Failed(_) => Tone::Error,
+        Fate::Moving => Tone::Warning,
+    }
 }

@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use super::ticks::even;
 use super::{BOTTOM, HEIGHT, LEFT, Plot, RIGHT, TOP, Text, WIDTH, at, draw_frame, frame, text};
 use crate::model::units;
-use crate::report::chart::{Axis, Scale};
+use crate::report::chart::Axis;
+use crate::report::chart::levels::Levels;
 use crate::report::map::{Cell, Map};
 use crate::report::unit::Unit;
 
@@ -14,20 +14,6 @@ const SCALE_WIDTH: f64 = 92.0;
 /// Colours of a map from its least to its greatest value (viridis).
 const BANDS: [(u8, u8, u8); 6] =
     [(68, 1, 84), (65, 68, 135), (42, 120, 142), (34, 168, 132), (122, 209, 81), (253, 231, 37)];
-
-/// Bounds of the bands of a map: round values around all of its values.
-fn bands(map: &Map) -> Option<Vec<f64>> {
-    let axis = Axis::over("", &map.unit, Scale::Linear, map.values())?;
-    let inner = even(axis.low, axis.high, 9);
-    let step = match inner.as_slice() {
-        [first, second, ..] => second - first,
-        _ => axis.high - axis.low,
-    };
-    let first = (axis.low / step + 1e-9).floor() * step;
-    let bound = |number: u32| first + f64::from(number) * step;
-    let last = (1..=12).find(|number| bound(*number) >= axis.high - 1e-9 * step).unwrap_or(12);
-    Some((0..=last).map(bound).collect())
-}
 
 fn band_colour(number: usize, count: usize) -> String {
     let place = (number as f64 + 0.5) / count as f64 * (BANDS.len() - 1) as f64;
@@ -39,9 +25,12 @@ fn band_colour(number: usize, count: usize) -> String {
     format!("rgb({red:.0},{green:.0},{blue:.0})")
 }
 
-pub(super) fn draw_map(out: &mut String, map: &Map) {
-    // The first value lies in the middle of the first cell, the last one in the middle of the last.
-    let widened = |axis: &Axis, count: usize| axis.clone().padded(0.5 / (count.max(2) - 1) as f64);
+/// An axis with half a cell beyond both ends: the first value lies in the middle of the first cell, the last one in that of the last.
+fn widened<'a>(axis: &Axis<'a>, count: usize) -> Axis<'a> {
+    axis.clone().padded(0.5 / (count.max(2) - 1) as f64)
+}
+
+pub(super) fn draw_map(out: &mut String, map: &Map<'_>) {
     let plot = Plot {
         left: LEFT,
         right: WIDTH - RIGHT - SCALE_WIDTH,
@@ -51,8 +40,8 @@ pub(super) fn draw_map(out: &mut String, map: &Map) {
         y: &widened(&map.y, map.counts.1),
     };
     draw_frame(out, plot, &map.title);
-    let bounds = bands(map).unwrap_or_default();
-    let count = bounds.len().saturating_sub(1);
+    let levels = map.levels.as_ref();
+    let count = levels.map_or(0, Levels::bands);
     let (columns, rows) = map.counts;
     let width = (plot.right - plot.left) / columns.max(1) as f64;
     let height = (plot.bottom - plot.top) / rows.max(1) as f64;
@@ -60,10 +49,7 @@ pub(super) fn draw_map(out: &mut String, map: &Map) {
     for row in 0..rows {
         let bottom = plot.bottom - height * row as f64;
         let ink = |column: usize| match map.cell(column, row) {
-            Cell::Value(value) if value.is_finite() && count > 0 => {
-                let inner = &bounds[1..count];
-                Some(inner.iter().take_while(|bound| value >= **bound).count())
-            }
+            Cell::Value(value) if value.is_finite() => levels.map(|levels| levels.index(value)),
             _ => None,
         };
         let inks: Vec<(usize, Option<usize>)> =
@@ -92,21 +78,21 @@ pub(super) fn draw_map(out: &mut String, map: &Map) {
             &["stroke=\"#ffffff\" stroke-width=\"4\"", "stroke=\"#000000\" stroke-width=\"2\""],
         ),
         None => {
-            for bound in bounds.iter().take(count).skip(1) {
+            for bound in levels.into_iter().flat_map(|it| (1..count).map(|band| it.band(band).0)) {
                 draw_contour(
                     out,
-                    &contour(plot, map, *bound),
+                    &contour(plot, map, bound),
                     &["stroke=\"#ffffff\" stroke-width=\"0.7\""],
                 );
             }
         }
     }
     frame(out, plot);
-    draw_key(out, plot, map, &bounds);
+    draw_key(out, plot, map, levels);
 }
 
 /// Letters of points without a value, so many that they can be read.
-fn draw_letters(out: &mut String, plot: Plot<'_>, map: &Map) {
+fn draw_letters(out: &mut String, plot: Plot<'_>, map: &Map<'_>) {
     let (columns, rows) = map.counts;
     let width = (plot.right - plot.left) / columns.max(1) as f64;
     let height = (plot.bottom - plot.top) / rows.max(1) as f64;
@@ -117,7 +103,7 @@ fn draw_letters(out: &mut String, plot: Plot<'_>, map: &Map) {
     let grey = " font-size=\"10\" fill=\"#777777\"";
     for row in (0..rows).step_by(every(height)) {
         for column in (0..columns).step_by(every(width)) {
-            let Cell::Mark(letter) = map.cell(column, row) else { continue };
+            let Cell::Mark(letter, _) = map.cell(column, row) else { continue };
             let place = Text {
                 x: plot.left + width * (column as f64 + 0.5),
                 y: plot.bottom - height * (row as f64 + 0.5) + 3.5,
@@ -130,17 +116,23 @@ fn draw_letters(out: &mut String, plot: Plot<'_>, map: &Map) {
 }
 
 /// The bands with their bounds, what the letters mean, and the contour.
-fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map, bounds: &[f64]) {
-    let count = bounds.len().saturating_sub(1);
+fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map<'_>, levels: Option<&Levels>) {
+    let count = levels.map_or(0, Levels::bands);
     let (left, room) = (plot.right + 14.0, 16.0);
-    let size = bounds.iter().fold(0.0_f64, |size, bound| size.max(bound.abs()));
-    let Unit { factor, name: unit } = Unit::with_prefix(size, &map.unit);
+    let bands = levels.into_iter().flat_map(|it| (0..count).map(|band| it.band(band)));
+    let bands: Vec<(f64, f64)> = bands.collect();
+    let size = bands.iter().fold(0.0_f64, |size, band| size.max(band.0.abs()).max(band.1.abs()));
+    let Unit { factor, name: unit } = Unit::with_prefix(size, map.unit);
     let mut y = plot.top + 8.0;
     if !unit.is_empty() {
         text(out, &Text { x: left, y, anchor: "start", rest: "" }, &format!("[{unit}]"));
         y += 8.0;
     }
-    for band in (0..count).rev() {
+    let number = |out: &mut String, y: f64, bound: f64| {
+        let place = Text { x: left + 21.0, y: y + 4.0, anchor: "start", rest: " font-size=\"11\"" };
+        text(out, &place, &units::significant(bound * factor, 4));
+    };
+    for (band, (_, bound)) in bands.iter().enumerate().rev() {
         let ink = band_colour(band, count);
         let _ = writeln!(
             out,
@@ -148,15 +140,11 @@ fn draw_key(out: &mut String, plot: Plot<'_>, map: &Map, bounds: &[f64]) {
             at(left),
             at(y)
         );
-        let bound = units::significant(bounds[band + 1] * factor, 4);
-        let place = Text { x: left + 21.0, y: y + 4.0, anchor: "start", rest: " font-size=\"11\"" };
-        text(out, &place, &bound);
+        number(out, y, *bound);
         y += room;
     }
-    if let Some(first) = bounds.first() {
-        let bound = units::significant(first * factor, 4);
-        let place = Text { x: left + 21.0, y: y + 4.0, anchor: "start", rest: " font-size=\"11\"" };
-        text(out, &place, &bound);
+    if let Some((bound, _)) = bands.first() {
+        number(out, y, *bound);
     }
     y += 14.0;
     let mut notes: Vec<String> = Vec::new();
@@ -187,7 +175,7 @@ fn note_lines(note: &str) -> Vec<String> {
 }
 
 /// The line on which a map has a value: in each square of four points straight from side to side.
-fn contour(plot: Plot<'_>, map: &Map, value: f64) -> String {
+fn contour(plot: Plot<'_>, map: &Map<'_>, value: f64) -> String {
     let (columns, rows) = map.counts;
     let width = (plot.right - plot.left) / columns.max(1) as f64;
     let height = (plot.bottom - plot.top) / rows.max(1) as f64;
@@ -197,7 +185,7 @@ fn contour(plot: Plot<'_>, map: &Map, value: f64) -> String {
             let corners = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(right, up)| {
                 let over = match map.cell(column + right, row + up) {
                     Cell::Value(found) => found - value,
-                    Cell::Mark(_) | Cell::Empty => f64::NAN,
+                    Cell::Mark(..) | Cell::Empty => f64::NAN,
                 };
                 (column as f64 + right as f64 + 0.5, row as f64 + up as f64 + 0.5, over)
             });
@@ -233,26 +221,26 @@ fn draw_contour(out: &mut String, path: &str, inks: &[&str]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::chart::Scale;
+    use crate::report::map::Tone;
     use crate::report::svg::{Picture, file};
 
-    fn axis(low: f64, high: f64, scale: Scale) -> Axis {
+    fn axis(low: f64, high: f64, scale: Scale) -> Axis<'static> {
         Axis::over("x", "m", scale, [low, high]).unwrap()
     }
 
     #[test]
     fn a_map_has_its_bands_its_letters_and_its_contour() {
         // The value is the column: the contour at 1.5 is upright, between the second and the third column.
-        let cells = (0..12)
-            .map(|at| if at == 11 { Cell::Mark('P') } else { Cell::Value(f64::from(at % 4)) });
+        let cell = |column: usize, row: usize| match (column, row) {
+            (3, 2) => Cell::Mark('P', Tone::Error),
+            _ => Cell::Value(column as f64),
+        };
+        let axes = (axis(0.0, 3.0, Scale::Linear), axis(0.0, 2.0, Scale::Linear));
         let map = Map {
-            title: "map".to_owned(),
-            unit: String::new(),
-            x: axis(0.0, 3.0, Scale::Linear),
-            y: axis(0.0, 2.0, Scale::Linear),
-            counts: (4, 3),
-            cells: cells.collect(),
-            contour: Some((1.5, "line".to_owned())),
+            contour: Some((1.5, "line".into())),
             marks: vec![('P', "perforated".to_owned())],
+            ..Map::new("map", axes, (4, 3), Levels::of(Scale::Linear, [0.0, 3.0]), cell)
         };
         let text = file(&[Picture::Map(map.clone())]);
         let read = roxmltree::Document::parse(&text).unwrap();
@@ -265,6 +253,5 @@ mod tests {
             assert_eq!(place.split(' ').next(), Some(x.as_str()), "{text}");
         }
         assert!(text.contains(">P</text>") && text.contains(">P perforated</text>"));
-        assert_eq!(bands(&map).unwrap().first().copied(), Some(0.0));
     }
 }

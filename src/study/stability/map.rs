@@ -223,7 +223,7 @@ impl Map {
 }
 
 /// The nearest of rising values by ratio; `None` for a value outside them.
-fn nearest(values: &[f64], value: f64) -> Option<usize> {
+pub fn nearest(values: &[f64], value: f64) -> Option<usize> {
     let inside = value >= 0.99 * values.first()? && value <= 1.01 * values.last()?;
     let distance = |other: f64| (other / value).ln().abs();
     let all = 0..values.len();

@@ -2,7 +2,7 @@
 //!
 //! Coordinates run in dots, x to the right and y upward from the lower left corner of the lower left dot.
 
-use super::scale::whole_below;
+use crate::report::chart::scale::whole_below;
 use crate::tui::theme::GlyphSet;
 
 /// A grid of dots.

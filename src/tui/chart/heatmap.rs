@@ -17,8 +17,6 @@
 //! Colour is never the only channel: bands are told by characters wherever there are fewer than 256 colours, and the scale is
 //! written beside the map. Frame, axes and ticks are the chart's own.
 
-use std::borrow::Cow;
-
 /// Values nearer to each other, relative to the contour's, are the same.
 const NOISE: f64 = 1e-9;
 
@@ -26,48 +24,17 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
 
-use super::levels::Levels;
-use super::{Axis, Chart, Layout, buffer_lines};
-use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme, ascii_pass};
+use super::{Chart, Layout, lines_of};
+use crate::report::chart::levels::{BANDS_MAX, Levels};
+use crate::report::map::{Cell, Map, Tone};
+use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
 
+/// The character of a line up through a map.
+const LINE: char = '#';
 /// The bands in characters, least first.
-const RAMP: [char; super::levels::BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
+const RAMP: [char; BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
 
-/// What is at a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum HeatCell {
-    /// A value.
-    Value(f64),
-    /// No value, and the letter that says why.
-    Mark(char, Role),
-    /// Nothing yet.
-    Empty,
-}
-
-/// A heat map. Points are spread evenly over both axes, from their lower to their upper bound.
-#[derive(Clone)]
-pub struct Heatmap<'a> {
-    /// What it shows; the vertical axis's unit is appended.
-    pub title: Cow<'a, str>,
-    /// The horizontal axis.
-    pub x: Axis<'a>,
-    /// The vertical axis.
-    pub y: Axis<'a>,
-    /// Points along them.
-    pub counts: (usize, usize),
-    /// What is at a point, counted from the lower left one.
-    pub cell: &'a dyn Fn(usize, usize) -> HeatCell,
-    /// The bands.
-    pub levels: &'a Levels,
-    /// A contour at this value.
-    pub contour: Option<f64>,
-    /// The point under the cursor.
-    pub cursor: Option<(usize, usize)>,
-    /// Whether it has the keys.
-    pub focused: bool,
-}
-
-impl Heatmap<'_> {
+impl Map<'_> {
     /// Draw it into an area, and tell where everything lies.
     pub fn render(&self, area: Rect, buffer: &mut Buffer, theme: Theme) -> Layout {
         let chart = Chart {
@@ -78,33 +45,28 @@ impl Heatmap<'_> {
         if layout.plot.is_empty() {
             return layout;
         }
-        self.bands(layout.plot, buffer, theme);
-        self.contour(layout.plot, buffer, theme);
-        self.cursor(layout.plot, buffer, theme);
+        self.draw_bands(layout.plot, buffer, theme);
+        self.draw_contour(layout.plot, buffer, theme);
+        self.draw_line(layout.plot, buffer, theme);
+        self.draw_cursor(layout.plot, buffer, theme);
         layout
     }
 
     /// The map as lines of text, blanks at their ends removed.
     pub fn to_lines(&self, width: u16, height: u16, theme: Theme) -> Vec<String> {
-        let area = Rect::new(0, 0, width, height);
-        let mut buffer = Buffer::empty(area);
-        self.render(area, &mut buffer, theme);
-        if theme.glyphs == GlyphSet::Ascii {
-            ascii_pass(&mut buffer);
-        }
-        buffer_lines(&buffer)
+        lines_of(width, height, theme, |area, buffer| drop(self.render(area, buffer, theme)))
     }
 
-    fn bands(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-        let halves = halves(theme);
+    fn draw_bands(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+        let (halves, levels) = (halves(theme), self.levels.as_ref());
         for row in 0..plot.height {
             for column in 0..plot.width {
                 let x = spread(column, plot.width, self.counts.0);
-                let at = |half: Half| (self.cell)(x, half.spread(plot, row, self.counts.1));
+                let at = |half: Half| self.cell(x, half.spread(plot, row, self.counts.1));
                 let (symbol, style) = if halves {
-                    two(at(Half::Upper), at(Half::Lower), self.levels, theme)
+                    two(at(Half::Upper), at(Half::Lower), levels, theme)
                 } else {
-                    one(at(Half::Middle), self.levels, theme)
+                    one(at(Half::Middle), levels, theme)
                 };
                 put(buffer, (plot.x + column, plot.y + row), symbol, style);
             }
@@ -112,15 +74,15 @@ impl Heatmap<'_> {
     }
 
     /// Cells whose value and a neighbour's lie on different sides of the contour, on the nearer side.
-    fn contour(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
-        let Some(level) = self.contour else { return };
+    fn draw_contour(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+        let Some(level) = self.contour.as_ref().map(|contour| contour.0) else { return };
         // Where all values are the same but for rounding there is no line between them.
         let noise = NOISE * level.abs();
         let value = |column: u16, row: u16| {
             let x = spread(column, plot.width, self.counts.0);
-            match (self.cell)(x, Half::Middle.spread(plot, row, self.counts.1)) {
-                HeatCell::Value(value) => Some(value - level),
-                HeatCell::Mark(..) | HeatCell::Empty => None,
+            match self.cell(x, Half::Middle.spread(plot, row, self.counts.1)) {
+                Cell::Value(value) => Some(value - level),
+                Cell::Mark(..) | Cell::Empty => None,
             }
         };
         for row in 0..plot.height {
@@ -146,8 +108,23 @@ impl Heatmap<'_> {
         }
     }
 
+    /// The line, in every row, and the point to be seen.
+    fn draw_line(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+        let style = theme.style(Role::Event);
+        for row in 0..plot.height {
+            let up = Half::Middle.spread(plot, row, self.counts.1);
+            let Some(column) = self.line.get(up).copied().flatten() else { continue };
+            let (column, _) = place(plot, (column, up), self.counts);
+            put(buffer, (plot.x + column, plot.y + row), LINE, style);
+        }
+        if let Some((point, letter)) = self.present {
+            let (column, row) = place(plot, point, self.counts);
+            put(buffer, (plot.x + column, plot.y + row), letter, theme.style(Role::Title));
+        }
+    }
+
     /// Its row and column, every other cell, and a cross.
-    fn cursor(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
+    fn draw_cursor(&self, plot: Rect, buffer: &mut Buffer, theme: Theme) {
         let Some((x, y)) = self.cursor else { return };
         let (column, row) = place(plot, (x, y), self.counts);
         let lines = theme.lines();
@@ -211,12 +188,23 @@ fn rounded(numerator: usize, denominator: usize) -> usize {
     if denominator == 0 { 0 } else { (2 * numerator + denominator) / (2 * denominator) }
 }
 
+/// The role of a letter.
+pub fn role(tone: Tone) -> Role {
+    match tone {
+        Tone::Faint => Role::Dim,
+        Tone::Plain => Role::Text,
+        Tone::Notable => Role::Curve(1),
+        Tone::Warning => Role::Warning,
+        Tone::Error => Role::Error,
+    }
+}
+
 /// A cell of one value: the band's character, on its colour where there is one.
-fn one(cell: HeatCell, levels: &Levels, theme: Theme) -> (char, Style) {
-    match cell {
-        HeatCell::Value(value) => swatch(levels.index(value), levels.bands(), theme),
-        HeatCell::Mark(letter, role) => (letter, theme.style(role)),
-        HeatCell::Empty => (' ', Style::new()),
+fn one(cell: Cell, levels: Option<&Levels>, theme: Theme) -> (char, Style) {
+    match (cell, levels) {
+        (Cell::Value(value), Some(levels)) => swatch(levels.index(value), levels.bands(), theme),
+        (Cell::Mark(letter, tone), _) => (letter, theme.style(role(tone))),
+        (Cell::Value(_) | Cell::Empty, _) => (' ', Style::new()),
     }
 }
 
@@ -248,14 +236,16 @@ fn shade(band: usize, bands: usize) -> usize {
 }
 
 /// A cell of two values.
-fn two(upper: HeatCell, lower: HeatCell, levels: &Levels, theme: Theme) -> (char, Style) {
-    let colour = |cell: HeatCell| match cell {
-        HeatCell::Value(value) => theme.heat(shade(levels.index(value), levels.bands())),
-        HeatCell::Mark(..) | HeatCell::Empty => None,
+fn two(upper: Cell, lower: Cell, levels: Option<&Levels>, theme: Theme) -> (char, Style) {
+    let colour = |cell: Cell| match (cell, levels) {
+        (Cell::Value(value), Some(levels)) => {
+            theme.heat(shade(levels.index(value), levels.bands()))
+        }
+        (Cell::Value(_) | Cell::Mark(..) | Cell::Empty, _) => None,
     };
     match (upper, lower, colour(upper), colour(lower)) {
-        (HeatCell::Mark(letter, role), _, _, _) | (_, HeatCell::Mark(letter, role), _, _) => {
-            (letter, theme.style(role))
+        (Cell::Mark(letter, tone), _, _, _) | (_, Cell::Mark(letter, tone), _, _) => {
+            (letter, theme.style(role(tone)))
         }
         (_, _, Some(upper), Some(lower)) if upper.0 == lower.0 => (' ', Style::new().bg(upper.0)),
         (_, _, Some(upper), Some(lower)) => ('▀', Style::new().fg(upper.0).bg(lower.0)),
@@ -286,12 +276,12 @@ fn over(buffer: &mut Buffer, at: (u16, u16), symbol: char, theme: Theme) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::scale::{Scale, ViewRange};
+    use super::super::{Axis, Scale, ViewRange};
     use super::*;
 
     /// A slope that rises to the right, with a mark in the lower left corner.
-    fn slope(x: usize, y: usize) -> HeatCell {
-        if x < 3 && y < 2 { HeatCell::Mark('P', Role::Error) } else { HeatCell::Value(x as f64) }
+    fn slope(x: usize, y: usize) -> Cell {
+        if x < 3 && y < 2 { Cell::Mark('P', Tone::Error) } else { Cell::Value(x as f64) }
     }
 
     fn lines(theme: Theme, cursor: Option<(usize, usize)>) -> Vec<String> {
@@ -300,22 +290,17 @@ mod tests {
 
     /// A map of values up to `top`, with one contour.
     fn map(
-        (cell, top): (&dyn Fn(usize, usize) -> HeatCell, f64),
+        (cell, top): (&dyn Fn(usize, usize) -> Cell, f64),
         contour: f64,
         (theme, cursor): (Theme, Option<(usize, usize)>),
     ) -> Vec<String> {
-        let levels = Levels::of(Scale::Linear, [0.0, top]).unwrap();
         let axis = |label, hi| Axis::new(label, ViewRange::new(0.0, hi));
-        let map = Heatmap {
-            title: "height: y".into(),
-            x: axis("x", 10.0),
-            y: axis("y", 5.0),
-            counts: (11, 6),
-            cell,
-            levels: &levels,
-            contour: Some(contour),
+        let axes = (axis("x", 10.0), axis("y", 5.0));
+        let levels = Levels::of(Scale::Linear, [0.0, top]);
+        let map = Map {
+            contour: Some((contour, "".into())),
             cursor,
-            focused: false,
+            ..Map::new("height: y", axes, (11, 6), levels, cell)
         };
         map.to_lines(29, 10, theme)
     }
@@ -328,8 +313,7 @@ mod tests {
 
     #[test]
     fn no_contour_runs_through_what_differs_by_rounding_only() {
-        let flat =
-            |x: usize, y: usize| HeatCell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
+        let flat = |x: usize, y: usize| Cell::Value(100.0 + ((x * 7 + y * 3) % 5) as f64 * 2e-14);
         let text = map((&flat, 110.0), 100.0 + 3e-14, (Theme::PLAIN, None)).join("\n");
         assert!(!text.contains('O'), "{text}");
     }
@@ -356,21 +340,16 @@ mod tests {
     #[test]
     fn any_size_draws_inside_its_area() {
         let theme = Theme { glyphs: GlyphSet::Block, depth: ColourDepth::Ansi256 };
-        let levels = Levels::of(Scale::Linear, [0.0, 10.0]).unwrap();
+        let levels = Levels::of(Scale::Linear, [0.0, 10.0]);
         for width in 0..20 {
             for height in 0..12 {
                 for counts in [(2, 2), (11, 6), (300, 200)] {
                     let axis = Axis::new("x", ViewRange::new(0.0, 1.0));
-                    let map = Heatmap {
-                        title: "t".into(),
-                        x: axis.clone(),
-                        y: axis,
-                        counts,
-                        cell: &slope,
-                        levels: &levels,
-                        contour: Some(1.5),
+                    let map = Map {
+                        contour: Some((1.5, "".into())),
                         cursor: Some((1, 1)),
                         focused: true,
+                        ..Map::new("t", (axis.clone(), axis), counts, levels.clone(), slope)
                     };
                     let area = Rect::new(3, 2, width, height);
                     let mut buffer = Buffer::empty(Rect::new(0, 0, 26, 16));

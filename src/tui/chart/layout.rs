@@ -2,9 +2,8 @@
 
 use ratatui::layout::Rect;
 
-use super::scale::{Mapping, ViewRange};
-use super::ticks::{Along, Ticks, ticks};
-use super::{Axis, Chart, Labels};
+use super::{Axis, Chart, Labels, Mapping};
+use crate::report::chart::ticks::{Along, Ticks};
 
 /// Room kept at the left for labels, so that the plot does not jump when "9" becomes "10".
 const LEAST_GUTTER: u16 = 3;
@@ -55,12 +54,12 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let labels = u16::from(inner.height >= LABELS_FROM && chart.x.labels == Labels::Shown);
     let height = inner.height.saturating_sub(top + axis + labels);
 
-    let y = map(&chart.y, chart.y.view, height);
-    let right = chart.right.as_ref().map(|axis| map(axis, axis.view, height));
+    let y = map(&chart.y, height);
+    let right = chart.right.as_ref().map(|axis| map(axis, height));
     let along = Along::Column(half_rows_apart(height));
-    let y_ticks = axis_ticks(&chart.y, height, along);
+    let y_ticks = chart.y.ticks(height, along);
     let right_ticks =
-        chart.right.as_ref().map(|axis| axis_ticks(axis, height, along)).unwrap_or_default();
+        chart.right.as_ref().map(|axis| axis.ticks(height, along)).unwrap_or_default();
 
     let gutter = (y_ticks.width() + 1).max(LEAST_GUTTER).max(chart.gutter);
     let has_left = inner.width >= gutter.saturating_add(1 + LEAST_PLOT_WIDTH);
@@ -71,7 +70,7 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
         (true, _) => right_width,
         (false, true) => {
             let width = inner.width.saturating_sub(left + MARGIN);
-            let label = axis_ticks(&chart.x, width, Along::Row).width();
+            let label = chart.x.ticks(width, Along::Row).width();
             // Labels must not eat the plot: a quarter of it at most.
             (label.saturating_sub(1) / 2 + 1).clamp(MARGIN, MARGIN.max(width / 4))
         }
@@ -86,7 +85,7 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
     let below = plot.bottom();
     Layout {
         plot,
-        x: map(&chart.x, chart.x.view, plot.width),
+        x: map(&chart.x, plot.width),
         y,
         right,
         gutter,
@@ -96,7 +95,7 @@ pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout
         axis_right: has_right.then(|| plot.right()),
         axis_below: (axis == 1).then_some(below),
         labels_below: (labels == 1).then_some(below + 1),
-        x_ticks: axis_ticks(&chart.x, plot.width, Along::Row),
+        x_ticks: chart.x.ticks(plot.width, Along::Row),
         y_ticks,
         right_ticks,
     }
@@ -113,14 +112,6 @@ fn half_rows_apart(height: u16) -> u16 {
     }
 }
 
-fn map(axis: &Axis<'_>, view: ViewRange, cells: u16) -> Mapping {
-    Mapping::new(axis.scale, view, cells)
-}
-
-/// Ticks are chosen in the unit shown; their cells are those of the values, because both ranges are the same.
-fn axis_ticks(axis: &Axis<'_>, cells: u16, along: Along) -> Ticks {
-    let view = axis.view.on(axis.scale);
-    let factor = axis.unit.factor;
-    let shown = ViewRange::new(view.lo() * factor, view.hi() * factor);
-    ticks(map(axis, shown, cells), along)
+fn map(axis: &Axis<'_>, cells: u16) -> Mapping {
+    Mapping::new(axis.scale, axis.view, cells)
 }

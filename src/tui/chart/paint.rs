@@ -6,10 +6,9 @@ use ratatui::text::Span;
 
 use super::canvas::Canvas;
 use super::layout::Layout;
-use super::scale::{Mapping, Scale};
-use super::ticks::{Tick, label_start};
 use super::trace::trace;
-use super::{Chart, Curve, Emphasis, EventLine, Labels, Side};
+use super::{Chart, Curve, Emphasis, Labels, Mapping, Mark, Scale, Side};
+use crate::report::chart::ticks::{Tick, label_start};
 use crate::tui::theme::{GlyphSet, Role, Theme};
 
 /// Columns from one marker of a curve to its next where curves differ by colour.
@@ -127,7 +126,7 @@ impl Painter<'_> {
         let dotted = self.theme.lines().level;
         let step = if self.theme.glyphs == GlyphSet::Braille { 1 } else { 2 };
         for level in &self.chart.levels {
-            let Some(cell) = self.layout.y.cell(level.y) else {
+            let Some(cell) = self.layout.y.cell(level.at) else {
                 continue;
             };
             let y = self.row(cell);
@@ -135,7 +134,7 @@ impl Painter<'_> {
             let labelled = self.layout.y_ticks.labelled.iter().any(|tick| tick.cell == cell);
             if let (true, Some(axis)) = (labelled, self.layout.axis_left) {
                 let room = usize::from(axis - self.layout.inner.left());
-                let own = self.level_label(level.y, room);
+                let own = self.level_label(level.at, room);
                 let text = self.theme.style(Role::Text);
                 self.buffer.set_string(self.layout.inner.left(), y, format!("{own:>room$}"), text);
             }
@@ -167,7 +166,7 @@ impl Painter<'_> {
         let style = self.theme.style(Role::Event);
         let dotted = self.theme.lines().level;
         for level in self.chart.levels.iter().filter(|level| !level.tag.is_empty()) {
-            let Some(cell) = self.layout.y.cell(level.y) else {
+            let Some(cell) = self.layout.y.cell(level.at) else {
                 continue;
             };
             let y = self.row(cell);
@@ -192,8 +191,8 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         let dotted = self.theme.lines().event;
-        for event in &self.chart.events {
-            let Some(cell) = self.layout.x.cell(event.x) else {
+        for event in &self.chart.marks {
+            let Some(cell) = self.layout.x.cell(event.at) else {
                 continue;
             };
             for y in plot.top()..plot.bottom() {
@@ -207,8 +206,8 @@ impl Painter<'_> {
         let plot = self.layout.plot;
         let style = self.theme.style(Role::Event);
         let dotted = self.theme.lines().event;
-        let cell = |event: &EventLine<'_>| Some(plot.x + self.layout.x.cell(event.x)?);
-        let events = self.chart.events.iter().filter(|event| !event.tag.is_empty());
+        let cell = |event: &Mark<'_>| Some(plot.x + self.layout.x.cell(event.at)?);
+        let events = self.chart.marks.iter().filter(|event| !event.tag.is_empty());
         let mut tags: Vec<(u16, &str)> =
             events.filter_map(|event| Some((cell(event)?, &*event.tag))).collect();
         tags.sort_by_key(|(x, _)| *x);

@@ -128,9 +128,9 @@ fn where_curves_cross_the_later_or_the_selected_one_is_on_top() {
 #[test]
 fn event_lines_lie_under_curves_and_the_crosshair_over_them() {
     let mut chart = small(vec![Curve::new('*', "now", &RISING)]);
-    let event = |x, tag: &'static str| EventLine { x, tag: tag.into() };
-    chart.events = vec![event(15.0, "b"), event(5.0, "a"), event(99.0, "c")];
-    chart.levels = vec![Level { y: 3.0, tag: "max".into() }];
+    let event = |x, tag: &'static str| Mark::new(x, tag);
+    chart.marks = vec![event(15.0, "b"), event(5.0, "a"), event(99.0, "c")];
+    chart.levels = vec![Mark::new(3.0, "max")];
     chart.crosshair = Some(10.2);
     assert_eq!(
         picture(&chart)[1..8],
@@ -367,8 +367,8 @@ proptest! {
         let (x, y, right) = axes;
         let chart = Chart {
             right,
-            events: vec![EventLine { x: marks.0, tag: "arrest".into() }, EventLine { x: 1.0, tag: "日".into() }],
-            levels: vec![Level { y: marks.1, tag: "limit".into() }],
+            marks: vec![Mark::new(marks.0, "arrest"), Mark::new(1.0, "日")],
+            levels: vec![Mark::new(marks.1, "limit")],
             crosshair: Some(marks.2),
             frame,
             gutter,

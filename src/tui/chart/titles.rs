@@ -4,7 +4,8 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::layout::{self, Layout};
-use super::{Axis, Chart, Curve, Emphasis, Legend, Side, trace};
+use super::{Chart, Curve, Emphasis, Legend, Side, trace};
+use crate::report::chart::spaced;
 use crate::tui::theme::Theme;
 
 /// What goes where in the title line.
@@ -27,7 +28,7 @@ impl Chart<'_> {
         let inner = self.pane().inner(area);
         let room = usize::from(area.width.saturating_sub(8));
         let legend = self.legend_line(theme);
-        let axis = |layout: &Layout| axis_text(&self.x, layout.x_ticks.exponent);
+        let axis = |layout: &Layout| self.x.text(layout.x_ticks.exponent);
 
         let layout = layout::layout(self, inner, false);
         let title = self.title_text(&layout, left_out);
@@ -63,11 +64,11 @@ impl Chart<'_> {
     }
 
     fn title_text(&self, layout: &Layout, left_out: usize) -> String {
-        let unit = unit_text(&self.y, layout.y_ticks.exponent);
+        let unit = self.y.unit_text(layout.y_ticks.exponent);
         let mut text = spaced(&self.title, &unit);
         if let Some(axis) = &self.right {
             text += ", right: ";
-            text += &axis_text(axis, layout.right_ticks.exponent);
+            text += &axis.text(layout.right_ticks.exponent);
         }
         match left_out {
             0 => text,
@@ -81,7 +82,7 @@ impl Chart<'_> {
         if self.legend == Legend::Hidden {
             return Line::default();
         }
-        for curve in &self.curves {
+        for curve in self.curves.iter().filter(|curve| !curve.label.is_empty()) {
             if !spans.is_empty() {
                 spans.push(Span::raw("  "));
             }
@@ -99,25 +100,6 @@ impl Chart<'_> {
         }
         Line::from(spans)
     }
-}
-
-fn unit_text(axis: &Axis<'_>, exponent: i32) -> String {
-    let unit = &axis.unit.name;
-    match (exponent, unit.is_empty()) {
-        (0, true) => String::new(),
-        (0, false) => format!("[{unit}]"),
-        (_, true) => format!("[1e{exponent}]"),
-        (_, false) => format!("[1e{exponent} {unit}]"),
-    }
-}
-
-fn axis_text(axis: &Axis<'_>, exponent: i32) -> String {
-    spaced(&axis.label, &unit_text(axis, exponent))
-}
-
-fn spaced(a: &str, b: &str) -> String {
-    let gap = if a.is_empty() || b.is_empty() { "" } else { " " };
-    format!("{a}{gap}{b}")
 }
 
 fn join(mut legend: Line<'_>, axis: String) -> Line<'_> {

@@ -3,9 +3,10 @@
 //! Costs O(points + dots) and allocates nothing for a point; a spike of one sample among a hundred thousand is still drawn. A
 //! point without a place (not a number, infinite, not positive on a logarithmic axis) is a gap.
 
+use super::Mapping;
 use super::canvas::Canvas;
-use super::scale::{Mapping, whole_below};
 use super::{Curve, Scale};
+use crate::report::chart::scale::whole_below;
 
 /// The points of one column of dots.
 #[derive(Clone, Copy)]

@@ -14,6 +14,7 @@ use std::sync::Arc;
 
 use ratatui::layout::Rect;
 
+use crate::report::figures::axis_of;
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
@@ -150,7 +151,7 @@ impl Page for ExploreTab {
         if app.pane() != RESULTS || app.picture() != Picture::Line {
             return None;
         }
-        let x = curves::chart_axis(&grid.plan().axes()[0]);
+        let x = axis_of(&grid.plan().axes()[0]);
         let about = grid.coordinate(app.cursor_point(grid), 0);
         Some(Across::of(&mut app.sweeping.zoomed, x.view, x.scale, Some(about)))
     }

@@ -2,17 +2,17 @@
 
 pub mod comparison;
 pub(in crate::tui) mod draw;
-pub(in crate::tui) mod efficiency_map;
 pub(in crate::tui) mod keys;
 pub(in crate::tui) mod layout;
 pub mod state;
 
 use ratatui::layout::Rect;
 
+use crate::report::figures::limit::axes;
 use crate::report::{compare, limit};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::scale::Scale;
+use crate::tui::chart::Scale;
 use crate::tui::dialogs::ask;
 use crate::tui::keymap::Action as A;
 use crate::tui::keymap::{Action, Call, Command, Pane, PaneSpec, Part, key};
@@ -153,7 +153,7 @@ impl Page for LimitTab {
             return None;
         }
         let tab = &mut app.limit;
-        let (x, _) = draw::axes(tab.report.as_ref()?)?;
+        let (x, _) = axes(tab.report.as_ref()?)?;
         let scale = if tab.log.0 { Scale::Log10 } else { x.scale };
         let about = tab.shot().map(|shot| shot.impact_m_s);
         Some(Across::of(&mut tab.zoomed, x.view, scale, about))

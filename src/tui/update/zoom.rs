@@ -1,6 +1,6 @@
 //! Zooming and panning the axis across of a chart: one rule for every page.
 
-use crate::tui::chart::scale::{Scale, ViewRange};
+use crate::tui::chart::{Scale, ViewRange};
 use crate::tui::keymap::Action;
 
 /// One zoom step.

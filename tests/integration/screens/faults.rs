@@ -332,7 +332,7 @@ fn the_map_of_stability_grows_and_its_labels_are_regular() {
             .lines()
             .enumerate()
             .filter_map(|(row, line)| {
-                let first = line.trim_start_matches('|').split_whitespace().next()?;
+                let first = line.trim_start_matches('|').trim_start().split('+').next()?;
                 Some((row, first.strip_prefix("1e")?.parse().ok()?))
             })
             .collect();

@@ -192,15 +192,15 @@ fn a_click_in_the_map_of_stability_moves_the_crosshair_there() {
     let mut bench = stability::open(GlyphSet::Ascii, (120, 60));
     let (_, map) = bench.app.stability.map.clone().unwrap();
     let (rows, steps) = (map.values.len(), map.dt_s.len());
-    // The plot stands right of the values of its rows and above axis, steps and legend.
-    let corners = [((10, 3), (rows - 1, 0)), ((117, 3), (rows - 1, steps - 1)), ((10, 51), (0, 0))];
+    // The plot stands right of the values of its rows and above axis and steps.
+    let corners = [((7, 3), (rows - 1, 0)), ((116, 3), (rows - 1, steps - 1)), ((7, 51), (0, 0))];
     for (at, cell) in corners {
         assert_eq!(target(&bench.app, at), Some(Target::Cell(numerics::STABILITY, cell)), "{at:?}");
         click(&mut bench, at);
         assert_eq!(bench.app.stability.cursor, Some(cell));
     }
     let below = bench.app.stability.cursor;
-    bench.send(Message::Wheel(true, target(&bench.app, (10, 51))));
+    bench.send(Message::Wheel(true, target(&bench.app, (7, 51))));
     assert_eq!(bench.app.stability.cursor, below.map(|(row, step)| (row + 1, step)));
     bench.keys("<Tab>");
     stability::answer(&mut bench);

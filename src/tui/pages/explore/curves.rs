@@ -4,13 +4,12 @@
 use ratatui::layout::Rect;
 
 use crate::model::units::significant;
+use crate::report::figures::axis_of;
+use crate::study::sweep::Axis;
 use crate::study::sweep::grid::{Cell, Grid};
-use crate::study::sweep::{Axis, Spacing};
 use crate::tui::app::App;
 use crate::tui::app::status::wrap;
-use crate::tui::chart::{
-    self, Chart, Curve, Emphasis, Layout, Legend, MARKERS, Scale, Unit, ViewRange,
-};
+use crate::tui::chart::{self, Chart, Curve, Emphasis, Layout, MARKERS, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::explore::RESULTS;
 use crate::tui::pages::explore::layout::SweepPanes;
@@ -54,22 +53,10 @@ pub(in crate::tui) fn nothing(app: &App, title: &str, area: Rect, canvas: &mut C
     put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
 }
 
-/// An axis of the sweep as one of a chart.
-pub(in crate::tui) fn chart_axis(axis: &Axis) -> chart::Axis<'static> {
-    let (from, to) = axis.ends();
-    let view = ViewRange::new(from, to);
-    let scale = match axis.spacing() {
-        Spacing::Linear | Spacing::Listed => Scale::Linear,
-        Spacing::Log => Scale::Log10,
-    };
-    let unit = axis.variable().unit().trim_matches('-');
-    chart::Axis::new(axis.symbol(), view).scale(scale).unit(Unit::with_prefix(view.size(), unit))
-}
-
 /// An axis of the sweep of which a part is in view.
 fn zoomed_axis(axis: &Axis, view: ViewRange) -> chart::Axis<'static> {
     let unit = axis.variable().unit().trim_matches('-');
-    chart::Axis { view, ..chart_axis(axis) }.unit(Unit::with_prefix(view.size(), unit))
+    chart::Axis { view, ..axis_of(axis) }.unit(Unit::with_prefix(view.size(), unit))
 }
 
 /// The scale of values on the screen.
@@ -141,10 +128,9 @@ fn curves(
     });
     let along_axis = match app.sweeping.zoomed {
         Some(view) => zoomed_axis(&axes[0], view),
-        None => chart_axis(&axes[0]),
+        None => axis_of(&axes[0]),
     };
     let chart = Chart {
-        legend: if named.is_some() { Legend::Shown } else { Legend::Hidden },
         crosshair: Some(grid.coordinate((x, selected), 0)),
         focused: is_first && app.has_focus(RESULTS),
         ..Chart::new(title, along_axis, y, curves.collect())

@@ -3,20 +3,21 @@
 use ratatui::layout::Rect;
 
 use crate::model::units::significant;
+use crate::report::figures::sweeps::tone;
+use crate::report::figures::{axis_of, column_of, places};
+use crate::report::map::{Cell, Map, Tone};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
 use crate::study::sweep::Fate;
-use crate::study::sweep::grid::{Cell, Grid};
+use crate::study::sweep::grid::{self, Grid};
 use crate::study::sweep::quadratic::Quadratic;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, shortened};
-use crate::tui::chart::heatmap::{dot, swatch};
-use crate::tui::chart::{
-    self, Chart, Curve, HeatCell, Heatmap, Legend, Levels, Scale, Unit, ViewRange,
-};
+use crate::tui::chart::heatmap::{dot, role, swatch};
+use crate::tui::chart::{self, Chart, Curve, Levels, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::explore::RESULTS;
-use crate::tui::pages::explore::curves::{chart_axis, drawn, nothing, nothing_exists, value_scale};
+use crate::tui::pages::explore::curves::{drawn, nothing, nothing_exists, value_scale};
 use crate::tui::pages::explore::layout::SweepPanes;
 use crate::tui::pages::explore::state::{Contour, Picture, place, quadratic};
 use crate::tui::theme::{PaneFrame, Role};
@@ -84,21 +85,10 @@ impl<'a> ChartView<'a> {
         seen(self.grid, point, self.output, self.fit)
     }
 
-    /// The grid's index of a place counted from the lower left: axes may run downward.
-    fn index_of(&self, x: usize, y: usize) -> (usize, usize) {
-        let (along, up) = self.grid.counts();
-        let axes = self.grid.plan().axes();
-        let turn = |at: usize, count: usize, axis: usize| {
-            let (from, to) = axes[axis].ends();
-            if from > to { count - 1 - at } else { at }
-        };
-        (turn(x, along, 0), turn(y, up, 1))
-    }
-
     fn map(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let axes = self.grid.plan().axes();
         let old = app.sweep_is_old(Picture::Surface) && app.sweeping.computing.is_none();
-        let (across, upward) = (chart_axis(&axes[0]), chart_axis(&axes[1]));
+        let (across, upward) = (axis_of(&axes[0]), axis_of(&axes[1]));
         let title = self.title(old, (&across, &upward), area.width);
         let Some(levels) = &self.levels else {
             return nothing_exists(app, &title, (self.grid, self.output), area, canvas);
@@ -106,30 +96,27 @@ impl<'a> ChartView<'a> {
         if !self.grid.is_full() {
             return self.dots(app, title, levels, area, canvas);
         }
-        let cell = |x: usize, y: usize| {
-            let (x, y) = self.index_of(x, y);
+        let (columns, rows) = (places(&axes[0]), places(&axes[1]));
+        let cell = |column: usize, row: usize| {
+            let (x, y) = (columns[column], rows[row]);
             match self.grid.cell(x, y, self.output) {
-                Cell::Value(_) if scale_of(app).shows(self.value((x, y))) => {
-                    HeatCell::Value(self.value((x, y)))
+                grid::Cell::Value(_) if scale_of(app).shows(self.value((x, y))) => {
+                    Cell::Value(self.value((x, y)))
                 }
-                Cell::Value(_) => HeatCell::Mark('0', Role::Dim),
-                Cell::Fate(fate) => HeatCell::Mark(fate.letter(), role(fate)),
-                Cell::Waiting => HeatCell::Empty,
+                grid::Cell::Value(_) => Cell::Mark('0', Tone::Faint),
+                grid::Cell::Fate(fate) => Cell::Mark(fate.letter(), tone(fate)),
+                grid::Cell::Waiting => Cell::Empty,
             }
         };
         let (x, y) = app.cursor_point(self.grid);
         let here = self.value((x, y));
         let through = app.sweeping.contour == Contour::Cursor && here.is_finite();
-        let map = Heatmap {
-            title: title.into(),
-            x: across,
-            y: upward,
-            counts: self.grid.counts(),
-            cell: &cell,
-            levels,
-            contour: through.then_some(here),
-            cursor: Some(self.index_of(x, y)),
+        let counts = (columns.len(), rows.len());
+        let map = Map {
+            contour: through.then_some((here, "".into())),
+            cursor: column_of(&axes[0], x).zip(column_of(&axes[1], y)),
             focused: app.has_focus(RESULTS),
+            ..Map::new(title, (across, upward), counts, Some(levels.clone()), cell)
         };
         let layout = map.render(area, canvas, app.theme);
         canvas.plot(&layout, |x, y| {
@@ -163,9 +150,8 @@ impl<'a> ChartView<'a> {
     fn dots(&self, app: &App, title: String, levels: &Levels, area: Rect, canvas: &mut Canvas<'_>) {
         let axes = self.grid.plan().axes();
         let chart = Chart {
-            legend: Legend::Hidden,
             focused: app.has_focus(RESULTS),
-            ..Chart::new(title, chart_axis(&axes[0]), chart_axis(&axes[1]), Vec::new())
+            ..Chart::new(title, axis_of(&axes[0]), axis_of(&axes[1]), Vec::new())
         };
         let layout = chart.render(area, canvas, app.theme);
         let plot = layout.plot;
@@ -180,12 +166,12 @@ impl<'a> ChartView<'a> {
             let value = self.value((x, 0));
             let (symbol, style) = match self.grid.cell(x, 0, self.output) {
                 _ if x == cursor => ('X', app.theme.style(Role::Selection)),
-                Cell::Value(_) if scale_of(app).shows(value) => {
+                grid::Cell::Value(_) if scale_of(app).shows(value) => {
                     dot(levels.index(value), levels.bands(), app.theme)
                 }
-                Cell::Value(_) => ('0', app.theme.style(Role::Dim)),
-                Cell::Fate(fate) => (fate.letter(), app.theme.style(role(fate))),
-                Cell::Waiting => continue,
+                grid::Cell::Value(_) => ('0', app.theme.style(Role::Dim)),
+                grid::Cell::Fate(fate) => (fate.letter(), app.theme.style(role(tone(fate)))),
+                grid::Cell::Waiting => continue,
             };
             let place = (column, plot.height.saturating_sub(up + 1));
             put(canvas, plot, place, &symbol.to_string(), style);
@@ -223,7 +209,7 @@ impl<'a> ChartView<'a> {
             }
         }
         for (fate, words) in self.fates() {
-            let style = app.theme.style(role(fate));
+            let style = app.theme.style(role(tone(fate)));
             put(canvas, inner, (2, row), &fate.letter().to_string(), style);
             let words = clip(words, usize::from(inner.width.saturating_sub(5)));
             put(canvas, inner, (5, row), &words, app.theme.style(Role::Text));
@@ -249,7 +235,7 @@ impl<'a> ChartView<'a> {
         let (along, up) = self.grid.counts();
         let mut list: Vec<(Fate, &'static str)> = Vec::new();
         for (x, y) in (0..along).flat_map(|x| (0..up).map(move |y| (x, y))) {
-            if let Cell::Fate(fate) = self.grid.cell(x, y, self.output)
+            if let grid::Cell::Fate(fate) = self.grid.cell(x, y, self.output)
                 && !list.iter().any(|(other, _)| other.letter() == fate.letter())
             {
                 list.push((fate, fate.without_value(self.column)));
@@ -278,11 +264,10 @@ impl<'a> ChartView<'a> {
         let other = if along { y } else { x };
         let other = held.value(u64::try_from(other).unwrap_or(u64::MAX));
         let chart = Chart {
-            legend: Legend::Hidden,
             crosshair: Some(at(place)),
             ..Chart::new(
                 format!("at {} {}", held.symbol(), significant(other, 3)),
-                chart_axis(axis),
+                axis_of(axis),
                 vertical,
                 vec![Curve::new('*', "", &points)],
             )
@@ -299,11 +284,10 @@ impl<'a> ChartView<'a> {
             .collect();
         let over = &self.grid.plan().axes()[axis];
         let chart = Chart {
-            legend: Legend::Hidden,
             crosshair: Some(place(app.cursor_point(self.grid).0)),
             ..Chart::new(
                 format!("over {}", over.symbol()),
-                chart_axis(over),
+                axis_of(over),
                 self.value_axis(app),
                 vec![Curve::new('*', "", &points)],
             )
@@ -330,12 +314,4 @@ fn seen(grid: &Grid, point: (usize, usize), output: usize, fit: Option<Quadratic
 /// The scale of what is shown: what a fit leaves over has both signs.
 fn scale_of(app: &App) -> Scale {
     if app.sweeping.residuals { Scale::Linear } else { value_scale(app) }
-}
-
-fn role(fate: Fate) -> Role {
-    match fate {
-        Fate::Arrested | Fate::Separated => Role::Dim,
-        Fate::Perforated | Fate::Failed(_) => Role::Error,
-        Fate::Moving => Role::Warning,
-    }
 }

@@ -15,7 +15,7 @@ use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
 use crate::study::sweep::{Axis, Design, Fate, Plan, USUAL_OUTPUTS};
 use crate::tui::app::App;
-use crate::tui::chart::scale::ViewRange;
+use crate::tui::chart::ViewRange;
 
 pub use crate::tui::pages::explore::gaps::no_value;
 pub use crate::tui::pages::explore::setup::SetupRow;

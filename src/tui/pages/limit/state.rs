@@ -13,7 +13,7 @@ use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::{fitting, wrap};
-use crate::tui::chart::scale::ViewRange;
+use crate::tui::chart::ViewRange;
 use crate::tui::pages::Progress;
 use crate::tui::pages::limit::layout::panes;
 use crate::worker::searches::Comparison;

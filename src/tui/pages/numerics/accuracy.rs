@@ -14,7 +14,7 @@ use crate::study::accuracy::{Measured, MethodReport, Report};
 use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
+use crate::tui::chart::{Mapping, Scale, ViewRange};
 use crate::tui::pages::Progress;
 
 /// What a judge cannot tell from zero is shown where it is at least this part of the least error drawn.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::model::run::Run;
 use crate::tui::app::App;
-use crate::tui::chart::scale::{Mapping, Scale, ViewRange};
+use crate::tui::chart::{Mapping, Scale, ViewRange};
 use crate::tui::pages::run::layout::panes;
 use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs::RunView;

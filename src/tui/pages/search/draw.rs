@@ -2,6 +2,7 @@
 
 use ratatui::layout::Rect;
 
+use crate::report::figures::axis_of;
 use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Design};
 use crate::study::search::seek;
@@ -9,11 +10,8 @@ use crate::study::sweep::Fate;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
-use crate::tui::chart::{
-    Axis, Chart, Curve, Emphasis, EventLine, Legend, Level, Mapping, Scale, Unit, ViewRange,
-};
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mapping, Mark, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
-use crate::tui::pages::explore::curves::chart_axis;
 use crate::tui::pages::search::lines::LETTERS;
 use crate::tui::pages::search::setup::brief;
 use crate::tui::pages::search::state::{Page, Row, Searching};
@@ -185,22 +183,20 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
             canvas,
         );
     };
-    let x = chart_axis(&report.axis);
+    let x = axis_of(&report.axis);
     let x = Axis { view: app.searching.zoomed.unwrap_or(x.view), ..x };
     let old = app.search_is_old();
     let emphasis = if old { Emphasis::Stale } else { Emphasis::Normal };
     let curve = Curve::new('*', "", &points).emphasis(emphasis);
     let selected = report.solutions.get(app.searching.selected());
-    let lines =
-        report.solutions.iter().map(|found| EventLine { x: found.place.at, tag: "".into() });
+    let lines = report.solutions.iter().map(|found| Mark::new(found.place.at, ""));
     let chart = Chart {
-        legend: Legend::Hidden,
         focused,
-        events: lines.collect(),
-        levels: vec![Level {
-            y: report.target,
-            tag: format!("goal {}", report.measure.show(report.target, 4)).into(),
-        }],
+        marks: lines.collect(),
+        levels: vec![Mark::new(
+            report.target,
+            format!("goal {}", report.measure.show(report.target, 4)),
+        )],
         crosshair: selected.map(|found| found.place.at),
         ..Chart::new(report.measure.title(), x, y, vec![curve])
     };
@@ -222,7 +218,7 @@ pub(super) fn across(tab: &Searching) -> Option<(Axis<'static>, Option<f64>)> {
     match &tab.shown()?.answer {
         Answer::Seek(report) => {
             let about = report.solutions.get(tab.selected()).map(|it| it.place.at);
-            Some((chart_axis(&report.axis), about))
+            Some((axis_of(&report.axis), about))
         }
         Answer::Front(_) => {
             let (_, task) = tab.front()?;
@@ -259,12 +255,7 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let title = format!("{} designs: {}", found.designs.len(), brief(measures[up]));
     let title = if app.search_is_old() { format!("{title}, of another setup") } else { title };
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
-    let chart = Chart {
-        legend: Legend::Hidden,
-        focused,
-        crosshair: selected,
-        ..Chart::new(title, x, y, Vec::new())
-    };
+    let chart = Chart { focused, crosshair: selected, ..Chart::new(title, x, y, Vec::new()) };
     let layout = chart.render(area, canvas, app.theme);
     let plot = (layout.plot, layout.x, layout.y);
     let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
@@ -323,12 +314,11 @@ fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let Some((x, y)) = x.zip(y) else { return };
     let y = Axis::new("", y.padded(Scale::Linear, 0.04)).unit(Unit::new("%"));
     let at = |share: f64, tag: &'static str| {
-        summary.quantile(share).map(|quantile| EventLine { x: quantile.value, tag: tag.into() })
+        summary.quantile(share).map(|quantile| Mark::new(quantile.value, tag))
     };
     let chart = Chart {
-        legend: Legend::Hidden,
         focused,
-        events: [at(0.05, "5 %"), at(0.5, "median"), at(0.95, "95 %")]
+        marks: [at(0.05, "5 %"), at(0.5, "median"), at(0.95, "95 %")]
             .into_iter()
             .flatten()
             .collect(),

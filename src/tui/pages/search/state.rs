@@ -11,7 +11,7 @@ use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
 use crate::tui::app::layout::CHART_ROWS;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::scale::ViewRange;
+use crate::tui::chart::ViewRange;
 use crate::tui::pages::Progress;
 use crate::tui::pages::explore::state::copy_value;
 use crate::tui::pages::search::SETUP;

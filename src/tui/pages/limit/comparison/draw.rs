@@ -3,12 +3,13 @@
 use ratatui::layout::Rect;
 
 use crate::model::units::significant;
+use crate::report::figures::{column_of, efficiency};
+use crate::report::map::Map;
 use crate::study::sweep::Axis;
 use crate::tui::app::App;
-use crate::tui::chart::{Heatmap, heatmap};
+use crate::tui::chart::heatmap;
 use crate::tui::message::Target;
 use crate::tui::pages::limit::comparison::GOES_ON;
-use crate::tui::pages::limit::efficiency_map::{levels, with_heatmap};
 use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::search::lines::Line;
 use crate::tui::theme::{PaneFrame, Role};
@@ -62,11 +63,11 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
 pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     canvas.pane(area, EFFICIENCY_MAP);
     let focused = app.has_focus(EFFICIENCY_MAP);
-    let map = app.comparison().and_then(|found| found.map.as_ref());
-    let Some((map, levels)) = map.and_then(|map| Some((map, levels(map)?))) else {
+    let found = app.comparison().and_then(|found| found.map.as_ref());
+    let Some((found, map)) = found.and_then(|it| Some((it, efficiency::map(it)?))) else {
         let frame = PaneFrame::new("Mass efficiency").focused(focused);
         let inner = frame.render(area, canvas, app.theme);
-        let text = match (app.limit.comparing.is_some(), map) {
+        let text = match (app.limit.comparing.is_some(), found) {
             (true, _) => "computing the map",
             (false, Some(_)) => "no point has a mass efficiency",
             (false, None) => "no map: press r",
@@ -77,12 +78,15 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     };
     let above = Rect { height: area.height.saturating_sub(1), ..area };
     let cursor = app.efficiency_cursor();
-    let layout = with_heatmap(map, &levels, |drawn| {
-        Heatmap { cursor, focused, ..drawn.clone() }.render(above, canvas, app.theme)
-    });
+    let cursor =
+        cursor.and_then(|(x, y)| Some((column_of(found.x(), x)?, column_of(found.y(), y)?)));
+    let title = format!("mass efficiency, up: {}", found.y().symbol()).into();
+    let map = Map { title, cursor, focused, ..map };
+    let layout = map.render(above, canvas, app.theme);
     let mut column =
         put(canvas, area, (1, above.height), "O line of 1 ", app.theme.style(Role::Text));
-    for band in 0..levels.bands() {
+    let levels = map.levels.iter();
+    for (levels, band) in levels.flat_map(|it| (0..it.bands()).map(move |band| (it, band))) {
         let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
         let from = format!(" {}", significant(levels.band(band).0, 3));
         // Half a number would be another one.
@@ -94,6 +98,6 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     }
     canvas.plot(&layout, |x, y| {
         let nearest = |axis: &Axis, value: f64| usize::try_from(axis.nearest(value)).ok();
-        Some(Target::Cell(EFFICIENCY_MAP, (nearest(map.x(), x)?, nearest(map.y(), y)?)))
+        Some(Target::Cell(EFFICIENCY_MAP, (nearest(found.x(), x)?, nearest(found.y(), y)?)))
     });
 }

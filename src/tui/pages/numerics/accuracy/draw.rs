@@ -8,7 +8,7 @@ use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
 use crate::tui::app::layout::{WIDE, split_bottom, split_left};
 use crate::tui::app::status::{clip, wrap};
-use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend, Level, Scale, Unit, ViewRange};
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Legend, Mark, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::numerics::ACCURACY;
 use crate::tui::theme::{PaneFrame, Role};
@@ -121,10 +121,10 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let x = Axis::new("run time", times).scale(tab.view.time_scale).unit(Unit::scaled(1e6, "µs"));
     let y = Axis::new("", errors).scale(tab.view.error_scale);
     let title = if old { "Relative error, of another scene" } else { title };
-    let targets = TARGETS.iter().map(|y| Level { y: *y, tag: "".into() });
+    let targets = TARGETS.iter().map(|y| Mark::new(*y, ""));
     // In a small chart the curves would run through the words.
     let floor = if area.width < 44 { "floor" } else { "reference's floor" };
-    let floor = tab.floor().map(|y| Level { y, tag: floor.into() });
+    let floor = tab.floor().map(|y| Mark::new(y, floor));
     let chart = Chart {
         legend: Legend::Hidden,
         levels: targets.chain(floor).collect(),

@@ -8,7 +8,7 @@ use crate::study::accuracy::Effort;
 use crate::study::accuracy::method::Method;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::scale::Scale;
+use crate::tui::chart::Scale;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::update::{edit, jobs};

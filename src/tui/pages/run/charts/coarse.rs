@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(app.charts.coarse.len(), 1);
         app.shown = Some(Shown { run, took: None });
         for zoom_s in [(0.0_f64, 3e6_f64), (1e6, 2e6), (0.0, 100.0), (1e6, 1.1e6), (-5.0, -1.0)] {
-            app.charts.zoom_s = Some(crate::tui::chart::scale::ViewRange::new(zoom_s.0, zoom_s.1));
+            app.charts.zoom_s = Some(crate::tui::chart::ViewRange::new(zoom_s.0, zoom_s.1));
             let curves = app.curves(Quantity::PlateDisplacement);
             let points = &curves[0].points;
             let most = STRETCHES_SEEN_MIN * 3_000_000usize.div_ceil(STRETCHES);

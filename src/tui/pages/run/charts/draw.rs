@@ -8,8 +8,8 @@ use crate::model::run::Run;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, short_name, value_at};
 use crate::tui::chart::{
-    self, Axis, Chart, Curve, Emphasis, EventLine, Frame, Labels, Legend, MARKERS, Scale, Side,
-    Unit, ViewRange, align_gutters,
+    self, Axis, Chart, Curve, Emphasis, Frame, Labels, Legend, MARKERS, Mark, Scale, Side, Unit,
+    ViewRange, align_gutters,
 };
 use crate::tui::message::Target;
 use crate::tui::pages::log::state::event_tag;
@@ -142,13 +142,13 @@ fn chart<'a>(app: &'a App, index: usize, (data, second): Drawn<'a>) -> Chart<'a>
             .emphasis(if curve.old { Emphasis::Stale } else { Emphasis::Normal })
             .side(Side::Right)
     });
-    let events = app
+    let marks = app
         .shown
         .iter()
         .filter(|_| app.current_visible)
         .flat_map(|shown| event_lines(&shown.run, (from, to)));
     Chart {
-        events: events.collect(),
+        marks: marks.collect(),
         crosshair: app.charts.cursor_s,
         right,
         ..Chart::new(title(app, quantity), x, y, overlay.into_iter().chain(curves).collect())
@@ -165,10 +165,8 @@ fn force_over_displacement<'a>(app: &'a App, data: &'a [Data]) -> Chart<'a> {
     let x = ViewRange::of(Scale::Linear, points().map(|point| point.0)).unwrap_or_default();
     let y = ViewRange::of(Scale::Linear, points().map(|point| point.1).chain([0.0]));
     let (x, y) = (x.padded(Scale::Linear, 0.04), y.unwrap_or_default().padded(Scale::Linear, 0.04));
-    let marks: Vec<EventLine<'static>> = marks
-        .filter(|(at, _)| x.contains(*at))
-        .map(|(at, tag)| EventLine { x: at, tag: tag.into() })
-        .collect();
+    let marks: Vec<Mark<'static>> =
+        marks.filter(|(at, _)| x.contains(*at)).map(|(at, tag)| Mark::new(at, tag)).collect();
     let views = app.visible_runs();
     let curves = data.iter().zip(&views).map(|(curve, view)| {
         Curve::new(MARKERS[curve.index % MARKERS.len()], label(view), &curve.points)
@@ -181,7 +179,7 @@ fn force_over_displacement<'a>(app: &'a App, data: &'a [Data]) -> Chart<'a> {
         .and_then(|(run, t_s)| Quantity::PlateDisplacement.at(run, t_s));
     let x = Axis::new("x", x).unit(Unit::with_prefix(x.size(), "m"));
     let y = Axis::new("", y).unit(Unit::with_prefix(y.size(), quantity.unit()));
-    Chart { events: marks, crosshair, ..Chart::new(title(app, quantity), x, y, curves.collect()) }
+    Chart { marks, crosshair, ..Chart::new(title(app, quantity), x, y, curves.collect()) }
 }
 
 /// A vertical axis that shows all of some curves.
@@ -201,11 +199,10 @@ fn value_axis(app: &App, data: &[Data], (quantity, scale): (Quantity, Scale)) ->
 }
 
 /// The events in view with their letters; of very many (a plate rattling on its stop) only the first ones.
-fn event_lines(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = EventLine<'static>> + '_ {
+fn event_lines(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = Mark<'static>> + '_ {
     let events = run.events.iter().enumerate();
     let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
-    seen.take(EVENT_LINES)
-        .map(|(index, event)| EventLine { x: event.t_s, tag: event_tag(index).into() })
+    seen.take(EVENT_LINES).map(|(index, event)| Mark::new(event.t_s, event_tag(index)))
 }
 
 /// `now`, or letter and name of a pin, kept short.

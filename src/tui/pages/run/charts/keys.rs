@@ -2,7 +2,7 @@
 
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
-use crate::tui::chart::scale::Scale;
+use crate::tui::chart::Scale;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::run::charts::{Fit, Window};

@@ -19,7 +19,7 @@ use crate::tui::widgets::text::{columns, paint_row, put};
 
 /// Columns of marker, letter and a blank before the name.
 const LEAD: u16 = 5;
-const NAME_LEAST: usize = 5;
+const NAME_LEAST: usize = 12;
 /// The columns; those at the right go first when there is little room.
 const KEYS: [&str; 7] = [
     "name",

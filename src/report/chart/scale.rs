@@ -4,7 +4,6 @@
 //! The first value of a range lies in the middle of the first cell, the last one in the middle of the last, whatever the glyph
 //! set: a tick, a curve and the crosshair at the same value are always in the same column.
 
-pub use crate::report::chart::Scale;
 use crate::report::steps::{Step, decade, power};
 
 /// Positions are kept within this many cells of the view: far enough that the direction of a line is right, near enough that
@@ -20,6 +19,48 @@ const GREATEST: f64 = 1e300;
 const NARROWEST_ABSOLUTE: f64 = 1e-280;
 /// A logarithmic axis whose lower bound is not positive starts this fraction below its upper bound.
 const LOG_FLOOR: f64 = 1e-6;
+
+/// How values are spread over an axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Scale {
+    /// Evenly.
+    #[default]
+    Linear,
+    /// By decades; values that are not positive have no place.
+    Log10,
+}
+
+impl Scale {
+    /// Whether a value has a place.
+    pub fn shows(self, value: f64) -> bool {
+        value.is_finite() && (self == Self::Linear || value > 0.0)
+    }
+
+    /// Where a value lies, as a number that grows evenly along the axis.
+    pub fn place(self, value: f64) -> f64 {
+        match self {
+            Self::Linear => value,
+            Self::Log10 => value.log10(),
+        }
+    }
+
+    /// The value at a place: the inverse of [`Scale::place`].
+    pub fn back(self, place: f64) -> f64 {
+        match self {
+            Self::Linear => place,
+            Self::Log10 => 10_f64.powf(place),
+        }
+    }
+
+    /// The other scale.
+    #[must_use]
+    pub fn toggled(self) -> Self {
+        match self {
+            Self::Linear => Self::Log10,
+            Self::Log10 => Self::Linear,
+        }
+    }
+}
 
 /// The range of values an axis shows. Always finite, never empty, never reversed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -269,7 +310,7 @@ impl Mapping {
     clippy::cast_sign_loss,
     reason = "the value is checked to be in 0..count first; NaN fails the check"
 )]
-pub(super) fn whole_below(position: f64, count: usize) -> Option<usize> {
+pub fn whole_below(position: f64, count: usize) -> Option<usize> {
     (position >= 0.0 && position < count as f64).then_some(position as usize)
 }
 

@@ -20,27 +20,29 @@ const TICKS_LOOKED_AT: usize = 512;
 
 /// One tick.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Tick {
+pub struct Tick {
     /// Cell from the start of the axis.
-    pub(super) cell: u16,
+    pub cell: u16,
+    /// Its value, in the unit shown.
+    pub value: f64,
     /// What is written at it.
-    pub(super) label: String,
+    pub label: String,
 }
 
 /// The ticks of an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Ticks {
+pub struct Ticks {
     /// In order of value.
-    pub(super) labelled: Vec<Tick>,
+    pub labelled: Vec<Tick>,
     /// Cells of the smaller ticks between them, without labels.
-    pub(super) minor: Vec<u16>,
+    pub minor: Vec<u16>,
     /// Power of ten the labels are to be multiplied by.
-    pub(super) exponent: i32,
+    pub exponent: i32,
 }
 
 impl Ticks {
     /// Width of the widest label.
-    pub(super) fn width(&self) -> u16 {
+    pub fn width(&self) -> u16 {
         let widest = self.labelled.iter().map(|tick| tick.label.len()).max();
         widest.and_then(|width| u16::try_from(width).ok()).unwrap_or(0)
     }
@@ -48,7 +50,7 @@ impl Ticks {
 
 /// How labels stand to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Along {
+pub enum Along {
     /// Side by side: widths decide.
     Row,
     /// One above the other: so many half rows apart on average, and no two nearer than the whole rows in that.
@@ -56,7 +58,7 @@ pub(super) enum Along {
 }
 
 /// The ticks of an axis, as many as fit.
-pub(super) fn ticks(map: Mapping, along: Along) -> Ticks {
+pub fn ticks(map: Mapping, along: Along) -> Ticks {
     if map.cells() == 0 {
         return Ticks::default();
     }
@@ -67,7 +69,7 @@ pub(super) fn ticks(map: Mapping, along: Along) -> Ticks {
 }
 
 /// The first span of cells a label of this length takes when centred on a cell: the one rule for placing labels.
-pub(super) fn label_start(cell: i32, length: i32) -> i32 {
+pub fn label_start(cell: i32, length: i32) -> i32 {
     cell - length / 2
 }
 
@@ -132,7 +134,8 @@ fn multiples(map: Mapping, step: Step, exponent: i32) -> Vec<Tick> {
     while count <= last && found.len() < TICKS_LOOKED_AT {
         if let Some(cell) = map.cell(count * size) {
             let units = count * f64::from(step.mantissa);
-            found.push(Tick { cell, label: label(units, step.exponent - exponent) });
+            let label = label(units, step.exponent - exponent);
+            found.push(Tick { cell, value: count * size, label });
         }
         count += 1.0;
     }
@@ -168,9 +171,11 @@ fn decades(map: Mapping, along: Along) -> Option<Ticks> {
             .filter(|(mantissa, exponent)| in_view(map, *mantissa, *exponent))
             .any(|(_, exponent)| !(-3..=4).contains(exponent));
         let tick = |(mantissa, exponent): (u8, i32)| {
-            let cell = map.cell(f64::from(mantissa) * power(exponent))?;
+            let value = f64::from(mantissa) * power(exponent);
+            let cell = map.cell(value)?;
             in_view(map, mantissa, exponent).then(|| Tick {
                 cell,
+                value,
                 label: if spelled {
                     format!("{mantissa}e{exponent}")
                 } else {

@@ -1,0 +1,29 @@
+//! The error of every method over its run time, both logarithmic, a letter for each method.
+
+use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
+use crate::study::accuracy::{Measured, Report};
+
+/// The chart; `None` where no result could be judged.
+pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
+    let point = |measured: &Measured| (measured.timing.min_s, measured.error());
+    let curve = |(number, method): (usize, &crate::study::accuracy::MethodReport)| {
+        let points: Vec<(f64, f64)> = method.measured().map(|(_, it)| point(it)).collect();
+        Curve::new(method.method.letter(), method.method.name(), points).colour(number)
+    };
+    let curves: Vec<Curve<'static>> = report.methods.iter().enumerate().map(curve).collect();
+    let points = || curves.iter().flat_map(|curve| curve.points.iter());
+    let times = ViewRange::of(Scale::Log10, points().map(|point| point.0))?;
+    let errors = ViewRange::of(Scale::Log10, points().map(|point| point.1))?;
+    // The unit of the fast end: microseconds, of which a person thinks here.
+    let unit = Unit::with_prefix(30.0 * times.lo(), "s");
+    let x = Axis::new("run time", times.rounded(Scale::Log10)).scale(Scale::Log10).unit(unit);
+    let y = Axis::new("relative error", errors.rounded(Scale::Log10)).scale(Scale::Log10);
+    let floor = report.references.first().and_then(|reference| reference.uncertainty);
+    let title = "relative error, the greater of depth and time";
+    Some(Chart {
+        // The table of methods has their letters.
+        legend: Legend::Hidden,
+        levels: floor.map(|at| Mark::new(at, "reference's floor")).into_iter().collect(),
+        ..Chart::new(title, x, y, curves)
+    })
+}
