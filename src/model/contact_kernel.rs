@@ -89,6 +89,13 @@ pub struct Contact {
 const SPRING_POWERS: usize = 3;
 const DAMPER_POWERS: usize = 2;
 
+/// Which of the laws are singular where the contact starts.
+#[derive(Clone, Copy)]
+struct Singular {
+    spring: bool,
+    damper: bool,
+}
+
 /// Whether a law is linear, or none at all.
 fn is_linear(law: PowerLaw) -> bool {
     matches!(law.kind(), PowerKind::Absent | PowerKind::Linear)
@@ -228,12 +235,12 @@ impl Contact {
     /// Plain steps from first contact.
     fn start(&self, tolerance: f64, terms: usize) -> InitialPhase {
         let starts = self.start_m == 0.0;
-        let singular = (
-            starts && is_singular(self.spring, SPRING_POWERS),
-            is_singular(self.damper, DAMPER_POWERS),
-        );
+        let singular = Singular {
+            spring: starts && is_singular(self.spring, SPRING_POWERS),
+            damper: is_singular(self.damper, DAMPER_POWERS),
+        };
         if starts
-            && (singular.0 || singular.1)
+            && (singular.spring || singular.damper)
             && let Some(initial_phase) = self.early(tolerance, terms)
         {
             return initial_phase;
@@ -241,9 +248,9 @@ impl Contact {
         self.first_step(singular, tolerance, terms).map_or(InitialPhase::Left, InitialPhase::Steps)
     }
 
-    fn first_step(&self, singular: (bool, bool), tolerance: f64, terms: usize) -> Option<Plan> {
-        let track = if singular.0 || singular.1 {
-            if singular.0 && self.spring.exponent < MANIFOLD_BELOW && tolerance < MANIFOLD_TO {
+    fn first_step(&self, singular: Singular, tolerance: f64, terms: usize) -> Option<Plan> {
+        let track = if singular.spring || singular.damper {
+            if singular.spring && self.spring.exponent < MANIFOLD_BELOW && tolerance < MANIFOLD_TO {
                 return None;
             }
             let (t_s, state) = self.moved(singular, tolerance)?;
@@ -260,7 +267,7 @@ impl Contact {
     }
 
     /// The state a moment after a singular start.
-    fn moved(&self, singular: (bool, bool), tolerance: f64) -> Option<(f64, [f64; 4])> {
+    fn moved(&self, singular: Singular, tolerance: f64) -> Option<(f64, [f64; 4])> {
         let Constants { plate_mobility, cos, velocity_m_s: v, .. } = self.constants;
         let keep = |law: PowerLaw, is: bool| PowerLaw {
             coefficient: if is { law.coefficient } else { 0.0 },
@@ -268,8 +275,8 @@ impl Contact {
         };
         let growth_n_s = self.growth_n_s()?;
         let start = Start {
-            spring: keep(self.spring, singular.0),
-            damper: keep(self.damper, singular.1),
+            spring: keep(self.spring, singular.spring),
+            damper: keep(self.damper, singular.damper),
             force_n: 0.0 - self.spring.force(self.start_m),
             growth_n_s: growth_n_s * cos,
             plate_kg: 1.0 / plate_mobility,
@@ -314,8 +321,10 @@ impl Contact {
         let manifold =
             DamperManifold { damper_n_s_m: damper.coefficient, spring_n_m: spring.coefficient };
         let contact_s = self.scale_s?;
-        let size = (contact_s, contact_s * self.constants.velocity_m_s);
-        manifold.follows(&self.constants, size, (self.growth_n_s()?, tolerance)).then_some(manifold)
+        let travel_m = contact_s * self.constants.velocity_m_s;
+        manifold
+            .follows(&self.constants, contact_s, travel_m, self.growth_n_s()?, tolerance)
+            .then_some(manifold)
     }
 
     /// How fast the contact force grows at first contact, N/s.

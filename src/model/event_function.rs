@@ -144,70 +144,78 @@ impl EventFunction {
             }
         }
         sum[1] += self.time * e.unit_s;
-        let forces_n = (e.contact[0], e.mechanism[0], e.damper[0]);
-        sum[0] += self.offset + self.time * e.t_s + self.spared(motion, &e.start(), forces_n);
+        let forces =
+            Forces { contact_n: e.contact[0], mechanism_n: e.mechanism[0], damper_n: e.damper[0] };
+        sum[0] += self.offset + self.time * e.t_s + self.spared(motion, &e.start(), forces);
         sum
     }
 
     /// The form at a state, as it is watched: positions and speeds are put exactly on their event, but one of forces has fallen
     /// only where it is below zero by more than rounding. Forces that have died down, or hold each other, are of either sign.
     pub(super) fn watched(&self, motion: &Motion<'_>, state: &State) -> f64 {
-        let forces_n = self.forces_n(motion, state);
-        self.value(state, forces_n) + self.spared(motion, state, forces_n)
+        let forces = self.forces(motion, state);
+        self.value(state, forces) + self.spared(motion, state, forces)
     }
 
     /// By how much it may be below zero without having fallen.
-    fn spared(&self, motion: &Motion<'_>, state: &State, forces_n: (f64, f64, f64)) -> f64 {
+    fn spared(&self, motion: &Motion<'_>, state: &State, forces: Forces) -> f64 {
         let has_force = self.contact != 0.0 || self.mechanism != 0.0;
-        if has_force { self.rounding_of(motion, state, forces_n) } else { 0.0 }
+        if has_force { self.rounding_of(motion, state, forces) } else { 0.0 }
     }
 
     /// What rounding may leave of the form at a state where it is zero.
     pub(super) fn rounding(&self, motion: &Motion<'_>, state: &State) -> f64 {
-        self.rounding_of(motion, state, self.forces_n(motion, state))
+        self.rounding_of(motion, state, self.forces(motion, state))
     }
 
     /// The same where contact, mechanism and damper hold with these forces, N.
-    fn rounding_of(
-        &self,
-        motion: &Motion<'_>,
-        state: &State,
-        (contact_n, mechanism_n, damper_n): (f64, f64, f64),
-    ) -> f64 {
-        let mechanism_n = motion.mechanism_size(state, (mechanism_n, damper_n));
+    fn rounding_of(&self, motion: &Motion<'_>, state: &State, forces: Forces) -> f64 {
+        let mechanism_n = motion.mechanism_size(state, forces.mechanism_n, forces.damper_n);
         let size = self.offset.abs()
             + (self.time * state.t_s).abs()
             + (self.travel * state.travel_m).abs()
             + (self.slip * state.slip_m_s).abs()
             + (self.plate * state.plate_m).abs()
             + (self.plate_speed * state.plate_m_s).abs()
-            + (self.contact * contact_n).abs()
+            + (self.contact * forces.contact_n).abs()
             + (self.mechanism * mechanism_n).abs();
         8.0 * f64::EPSILON * size
     }
 
     /// The form at a state.
     pub(super) fn at(&self, motion: &Motion<'_>, state: &State) -> f64 {
-        self.value(state, self.forces_n(motion, state))
+        self.value(state, self.forces(motion, state))
     }
 
-    fn value(&self, state: &State, (contact_n, mechanism_n, _): (f64, f64, f64)) -> f64 {
+    fn value(&self, state: &State, forces: Forces) -> f64 {
         self.offset
             + self.time * state.t_s
             + self.travel * state.travel_m
             + self.slip * state.slip_m_s
             + self.plate * state.plate_m
             + self.plate_speed * state.plate_m_s
-            + self.contact * contact_n
-            + self.mechanism * mechanism_n
+            + self.contact * forces.contact_n
+            + self.mechanism * forces.mechanism_n
     }
 
-    /// The forces of contact, mechanism and damper at a state, N, as far as they are in the form; else zero.
-    fn forces_n(&self, motion: &Motion<'_>, state: &State) -> (f64, f64, f64) {
-        let contact_n = if self.contact == 0.0 { 0.0 } else { motion.contact_force(state) };
-        if self.mechanism == 0.0 {
-            return (contact_n, 0.0, 0.0);
+    /// The forces at a state, as far as they are in the form; else zero.
+    fn forces(&self, motion: &Motion<'_>, state: &State) -> Forces {
+        let mut forces = Forces::default();
+        if self.contact != 0.0 {
+            forces.contact_n = motion.contact_force(state);
         }
-        (contact_n, motion.mechanism_force(state), motion.damper.force(state.plate_m_s))
+        if self.mechanism != 0.0 {
+            forces.mechanism_n = motion.mechanism_force(state);
+            forces.damper_n = motion.damper.force(state.plate_m_s);
+        }
+        forces
     }
+}
+
+/// The forces that an event function may contain, N.
+#[derive(Clone, Copy, Default)]
+struct Forces {
+    contact_n: f64,
+    mechanism_n: f64,
+    damper_n: f64,
 }

@@ -162,7 +162,7 @@ impl Motion<'_> {
 
     /// The amounts of what makes up the mechanism's force at a state, together, N: the force is known to the rounding of this. Of
     /// the forces there the whole and the damper's are given, N; the spring's is the rest.
-    pub fn mechanism_size(&self, state: &State, (mechanism_n, damper_n): (f64, f64)) -> f64 {
+    pub fn mechanism_size(&self, state: &State, mechanism_n: f64, damper_n: f64) -> f64 {
         let StopForce { stiffness_n_m, damping_n_s_m, position_m } = self.stop;
         let stop_n = stiffness_n_m * (state.plate_m.abs() + position_m.abs())
             + damping_n_s_m * state.plate_m_s.abs();

@@ -20,7 +20,7 @@ const GOLDEN: f64 = 0.381_966_011_250_105_1;
 /// The greatest value of `f` between `from` and `to`, where it has no more than one maximum in each of eight cells. Maxima are
 /// located only if they may exceed `known`.
 pub fn greatest(from: f64, to: f64, known: f64, f: impl Fn(f64) -> f64) -> f64 {
-    greatest_by((from, to), known, &f, |a, b| f(in_bracket(a, b, LOCATED, &f)))
+    greatest_by(from, to, known, &f, |a, b| f(in_bracket(a, b, LOCATED, &f)))
 }
 
 /// The same of a function that is costly within the interval: its maxima are looked for where a `rough` one has them, which equals
@@ -32,14 +32,15 @@ pub fn greatest_of(
     rough: impl Fn(f64) -> f64,
     exact: impl Fn(f64) -> f64,
 ) -> f64 {
-    greatest_by((from, to), known, &rough, |a, b| {
-        refined((a, b), in_bracket(a, b, ROUGHLY, &rough), &exact)
+    greatest_by(from, to, known, &rough, |a, b| {
+        refined(a, b, in_bracket(a, b, ROUGHLY, &rough), &exact)
     })
 }
 
 /// The greatest value by samples of `f`; `top` gives the value of a maximum between two places.
 fn greatest_by(
-    (from, to): (f64, f64),
+    from: f64,
+    to: f64,
     known: f64,
     rough: impl Fn(f64) -> f64,
     top: impl Fn(f64, f64) -> f64,
@@ -68,7 +69,7 @@ fn greatest_by(
 
 /// The value of a costly function at its maximum between `a` and `b`, near `at`: the vertex of the parabola through three places
 /// close by, twice.
-fn refined((a, b): (f64, f64), at: f64, f: impl Fn(f64) -> f64) -> f64 {
+fn refined(a: f64, b: f64, at: f64, f: impl Fn(f64) -> f64) -> f64 {
     let (mut x, mut reach) = (at, NEAR * (b - a));
     let mut best = f(x);
     for _ in 0..2 {

@@ -33,8 +33,10 @@ impl DamperManifold {
     pub(super) fn follows(
         &self,
         constants: &Constants,
-        (contact_s, travel_m): (f64, f64),
-        (growth_n_s, tolerance): (f64, f64),
+        contact_s: f64,
+        travel_m: f64,
+        growth_n_s: f64,
+        tolerance: f64,
     ) -> bool {
         let rate = self.damper_n_s_m * constants.plate_mobility;
         rate * contact_s >= RATES_MIN

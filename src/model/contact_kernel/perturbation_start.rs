@@ -100,7 +100,7 @@ impl Contact {
                 None => InitialPhase::Steps(Plan { track, tolerance, reach_m: None, terms: N }),
             });
         }
-        self.put_in(&series, &left_out, (smaller(span, until), tolerance), track)
+        self.put_in(&series, &left_out, smaller(span, until), tolerance, track)
             .map(|track| InitialPhase::Steps(Plan { track, tolerance, reach_m: None, terms: N }))
     }
 
@@ -143,7 +143,8 @@ impl Contact {
         &self,
         series: &Series<N>,
         left_out: &[Option<LeftOut>; 2],
-        (mut span, tolerance): (f64, f64),
+        mut span: f64,
+        tolerance: f64,
         track: Track,
     ) -> Option<Track> {
         let Constants { plate_mobility, cos, velocity_m_s, .. } = self.constants;
@@ -186,7 +187,7 @@ impl Contact {
 mod tests {
     use super::*;
     use crate::model::contact_kernel::tests::scene;
-    use crate::model::contact_kernel::{TERMS, TERMS_TIGHT};
+    use crate::model::contact_kernel::{Singular, TERMS, TERMS_TIGHT};
 
     fn contact(pairs: &str) -> Contact {
         Contact::of(&scene(pairs))
@@ -204,7 +205,8 @@ mod tests {
     fn it_ends_where_the_start_by_balance_ends_and_begins_its_steps_later() {
         for pairs in ["k=1e5 n=1.4", "k=1e6 n=1.5", "k=1e9 n=2.5 gamma=3", "b=50 m=1.3 k=1e5"] {
             let contact = contact(pairs);
-            let singular = (contact.spring.exponent > 1.0, contact.damper.exponent > 1.0);
+            let (spring, damper) = (contact.spring.exponent > 1.0, contact.damper.exponent > 1.0);
+            let singular = Singular { spring, damper };
             for tolerance in [1e-6, 1e-8, 1e-10] {
                 let early = track(contact.early(tolerance, TERMS).as_ref());
                 let other = contact.first_step(singular, 1e-12, TERMS_TIGHT).unwrap();

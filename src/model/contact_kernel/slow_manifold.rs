@@ -155,7 +155,7 @@ impl ManifoldRun {
         let change = larger(attempt.moved, (old_m_s - new_m_s).abs() * clock.rates()[0] / x);
         // The first has no inertia yet, and agrees with a step before that had none.
         if attempt.passes > 0 && change <= AGREE * tolerance {
-            let keeps = self.manifold.keeps_to((attempt.balance, new_m_s), state, tolerance);
+            let keeps = self.manifold.keeps_to(attempt.balance, new_m_s, state, tolerance);
             return if keeps { PassResult::Settled } else { PassResult::Failed };
         }
         if attempt.passes >= SETTLED && change > GAIN * attempt.change {

@@ -113,12 +113,7 @@ impl SpringManifold {
     }
 
     /// Whether the plate comes in on the slow motion: not at all if it is yet to start.
-    pub(super) fn keeps_to(
-        &self,
-        (at, w): (Balance, f64),
-        state: [f64; 4],
-        tolerance: f64,
-    ) -> bool {
+    pub(super) fn keeps_to(&self, at: Balance, w: f64, state: [f64; 4], tolerance: f64) -> bool {
         let x = at.plate_m;
         let (dx, dw) = (x - state[2], w - state[3]);
         let tangent = self.spring.exponent * at.force_n / x;

@@ -26,9 +26,7 @@ impl Track<'_> {
         if self.record.push_ratio.is_none() && !self.body.is_still() && self.body.problem.flows() {
             let motion = self.body.motion();
             let force = motion.mechanism_force(&self.body.state);
-            let mut record = std::mem::take(&mut self.record);
-            record.carried(&self.body.setting(&motion), force, -force);
-            self.record = record;
+            self.record.carried(&self.body.setting(&motion), force, -force);
         }
         self.termination.swing = match self.termination.swing {
             Swing::Back if self.body.state.plate_m_s > 0.0 => Swing::Forward,

@@ -10,7 +10,6 @@ use crate::model::impact::singular_crossing::Crossed;
 use crate::model::impact::track::Track;
 use crate::model::mechanism::{PowerKind, PowerLaw};
 use crate::model::motion::{Expansion, Motion};
-use crate::model::run::Mode;
 use crate::numerics::{larger, smaller};
 
 /// Radians (or time constants) of the mechanism within the starting time from which on it is stiff.
@@ -119,7 +118,7 @@ impl Track<'_> {
         while is_early(4.0 * t_s) && 4.0 * t_s < LATEST * scale_s {
             t_s *= 4.0;
         }
-        self.place(&motion, t_s, (spring_singular, damper_singular));
+        self.place(&motion, t_s, spring_singular, damper_singular);
     }
 
     /// Put the state at the early time `t_s`.
@@ -127,7 +126,8 @@ impl Track<'_> {
         &mut self,
         motion: &Motion<'_>,
         t_s: f64,
-        (spring_singular, damper_singular): (bool, bool),
+        spring_singular: bool,
+        damper_singular: bool,
     ) {
         let mechanism = &self.body.problem.mechanism;
         let e: Expansion<17> = motion.expand(&self.body.state, t_s);
@@ -149,19 +149,12 @@ impl Track<'_> {
         let radians = larger(rate, decay) * t_s;
         // NaN (an infinite tangent at zero) is stiff, too.
         self.control.stiff = radians.is_nan() || radians >= STIFF_FROM || state.plate_m == 0.0;
-        let mut record = std::mem::take(&mut self.record);
-        let setting = self.body.setting(motion);
-        if !self.control.stiff {
-            record.step(&setting, &e, 1.0);
-        }
-        self.record = record;
+        self.control.unit_s = t_s;
         if self.control.stiff {
             // The implicit method starts from the very beginning: it has no trouble with zero.
-            self.control.unit_s = t_s;
             return;
         }
-        debug_assert!(self.body.mode == Mode::Penetrating, "a run starts by penetrating");
-        self.control.unit_s = t_s;
+        self.record.step(&self.body.setting(motion), &e, 1.0);
         self.arrive(state, motion, None);
         self.control.steps += 1;
     }

@@ -305,7 +305,7 @@ impl Track<'_> {
     /// Work by the method's own quadrature, extremes of its dense output, points to draw.
     fn write_down(&mut self, system: &Unknowns<'_>, y: &[f64; 4], solved: &Step<4>, h: f64) {
         let motion = system.motion;
-        let mut record = std::mem::take(&mut self.record);
+        let record = &mut self.record;
         let setting = self.body.setting(motion);
         for ((stage, weight), node) in solved.stages.iter().zip(WEIGHTS).zip(NODES) {
             let state = system.state(stage, node * h);
@@ -336,7 +336,6 @@ impl Track<'_> {
                 record.point(&setting, &state, false);
             }
         }
-        self.record = record;
     }
 }
 

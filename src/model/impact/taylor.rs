@@ -85,9 +85,7 @@ impl Track<'_> {
             self.control.unit_s = RESUME * self.body.state.t_s;
             return ControlFlow::Continue(None);
         }
-        let mut record = std::mem::take(&mut self.record);
-        record.step(&self.body.setting(&motion), &e, span);
-        self.record = record;
+        self.record.step(&self.body.setting(&motion), &e, span);
         self.control.unit_s = h * if fired.is_some() { trusted } else { span };
         self.control.steps += 1;
         self.control.stretch_steps += 1;
@@ -220,7 +218,7 @@ impl Track<'_> {
 
 /// What one rounding of the forces on the plate is worth at the start of an expansion, m/s².
 fn plate_noise<const N: usize>(motion: &Motion<'_>, e: &Expansion<N>) -> f64 {
-    let mechanism_n = motion.mechanism_size(&e.start(), (e.mechanism[0], e.damper[0]));
+    let mechanism_n = motion.mechanism_size(&e.start(), e.mechanism[0], e.damper[0]);
     let contact_n = motion.coupling * e.contact[0].abs();
     f64::EPSILON * motion.plate_mobility * (mechanism_n + contact_n)
 }

@@ -202,9 +202,7 @@ impl<'a> Track<'a> {
     /// Records the present state.
     pub(super) fn point(&mut self) {
         let motion = self.body.motion();
-        let mut record = std::mem::take(&mut self.record);
-        record.point(&self.body.setting(&motion), &self.body.state, true);
-        self.record = record;
+        self.record.point(&self.body.setting(&motion), &self.body.state, true);
     }
 
     /// The state at the end of a step, put exactly on the event that ended it.
@@ -222,10 +220,8 @@ impl<'a> Track<'a> {
         let (x, w) = (self.body.state.plate_m.abs(), self.body.state.plate_m_s.abs());
         self.body.plate_scale_m = larger(x, self.body.plate_scale_m);
         self.body.speed_scale_m_s = larger(w, self.body.speed_scale_m_s);
-        let mut record = std::mem::take(&mut self.record);
-        record.reach(&self.body.state);
-        record.point(&self.body.setting(motion), &self.body.state, true);
-        self.record = record;
+        self.record.reach(&self.body.state);
+        self.record.point(&self.body.setting(motion), &self.body.state, true);
     }
 }
 
