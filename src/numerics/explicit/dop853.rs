@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 
 use super::landing::{Ends, land};
-use super::tableau::{DENSE, ERROR_3, ERROR_5, NODES, STAGES};
+use super::tableau::{DENSE, ERRORS, NODES, STAGES};
 use super::{Count, Limits, Reached, Start, Stop, System, is_finite};
 
 /// Stages of a step.
@@ -144,8 +144,8 @@ fn error<const N: usize>(trial: &Trial<N>, y: &[f64; N], h: f64, tolerance: f64)
         let scale = tolerance * (1.0 + size);
         let (mut five, mut three) = (0.0, 0.0);
         for (j, k) in trial.k.iter().enumerate() {
-            five += ERROR_5[j] * k[i];
-            three += ERROR_3[j] * k[i];
+            five += ERRORS[1][j] * k[i];
+            three += ERRORS[0][j] * k[i];
         }
         fifth += (five / scale) * (five / scale);
         third += (three / scale) * (three / scale);
@@ -281,8 +281,8 @@ mod tests {
         // The embedded formulas: of order 3 and 5, so that the differences vanish on lower powers.
         for q in 1..=5 {
             let moment = |w: &[f64; S]| (0..S).map(|j| w[j] * NODES[j].powi(q - 1)).sum::<f64>();
-            assert!(moment(&ERROR_5).abs() < 1e-14, "{q}");
-            assert!(q > 3 || moment(&ERROR_3).abs() < 1e-14, "{q}");
+            assert!(moment(&ERRORS[1]).abs() < 1e-14, "{q}");
+            assert!(q > 3 || moment(&ERRORS[0]).abs() < 1e-14, "{q}");
         }
     }
 
