@@ -213,15 +213,9 @@ impl Contact {
         if let Some(end) = self.closed(tolerance) {
             return InitialPhase::Ended(end);
         }
-        let terms = if tolerance >= LOOSE {
-            TERMS_LOOSE
-        } else if tolerance >= TIGHT {
-            TERMS
-        } else {
-            TERMS_TIGHT
-        };
+        let terms = self.terms(tolerance);
         if let Some(manifold) = self.damper_manifold(tolerance) {
-            let end = by_terms!(terms, N => self.run_on_damper_manifold::<N>(manifold, tolerance));
+            let end = self.run_on_damper_manifold(manifold, tolerance);
             return end.map_or(InitialPhase::Left, InitialPhase::Ended);
         }
         if let Some(manifold) = self.spring_manifold()
@@ -230,6 +224,17 @@ impl Contact {
             return InitialPhase::OnManifold(manifold_run);
         }
         self.start(tolerance, terms)
+    }
+
+    /// Terms of the expansion.
+    fn terms(&self, tolerance: f64) -> usize {
+        if !self.has_common_laws() || (TIGHT..LOOSE).contains(&tolerance) {
+            TERMS
+        } else if tolerance >= LOOSE {
+            TERMS_LOOSE
+        } else {
+            TERMS_TIGHT
+        }
     }
 
     /// Plain steps from first contact.
@@ -292,7 +297,7 @@ impl Contact {
     }
 
     /// A damper so strong that the plate follows at once.
-    fn run_on_damper_manifold<const N: usize>(
+    fn run_on_damper_manifold(
         &self,
         manifold: DamperManifold,
         tolerance: f64,
@@ -302,10 +307,10 @@ impl Contact {
         let state = [-constants.cos * ahead_m, constants.velocity_m_s, ahead_m, 0.0];
         let clock = Clock::Even { unit_s: 0.5 * self.scale_s? };
         let expand = |track: &Track, piece| {
-            manifold.expand::<N>(&constants, track.state, track.clock.rates()[0], piece)
+            manifold.expand::<TERMS>(&constants, track.state, track.clock.rates()[0], piece)
         };
         let track = self.begin(0.0, state, clock);
-        self.go_on(expand, (true, true), &Plan { track, tolerance, reach_m: None, terms: N })
+        self.go_on(expand, (true, true), &Plan { track, tolerance, reach_m: None, terms: TERMS })
     }
 
     /// The damper and spring of a plate that follows the forces at once, if they are such.

@@ -6,13 +6,36 @@ use crate::model::contact_kernel::expansion::Clock;
 use crate::model::contact_kernel::integration::{Plan, Track};
 use crate::model::contact_kernel::lane_buffer::has_lanes;
 use crate::model::contact_kernel::law::{Law, Linear, Power, Whole};
-use crate::model::contact_kernel::{Contact, ContactEnd, TERMS};
+use crate::model::contact_kernel::{
+    Contact, ContactEnd, SPRING_POWERS, TERMS, is_linear, is_singular,
+};
 use crate::model::mechanism::PowerKind;
 
 impl Contact {
     /// Go on by plain steps to the end; `None` where the simulation is needed.
     pub(super) fn plan(&self, plan: &Plan) -> Option<ContactEnd> {
-        by_terms!(plan.terms, N => self.with_spring::<N>(plan))
+        if !self.has_common_laws() {
+            return self.with_spring::<TERMS>(plan);
+        }
+        let damper = Linear(self.damper.coefficient);
+        by_terms!(plan.terms, N => match (is_linear(self.spring), plan.track.clock) {
+            (true, _) => {
+                self.with_laws::<N, false>((Linear(self.spring.coefficient), damper), plan)
+            }
+            (false, Clock::Graded { .. }) => {
+                self.with_laws::<N, true>((Power::<N>::of(self.spring), damper), plan)
+            }
+            (false, Clock::Even { .. }) => {
+                self.with_laws::<N, false>((Power::<N>::of(self.spring), damper), plan)
+            }
+        })
+    }
+
+    /// Whether the laws are those of most scenes: a linear damper, and a spring that is linear or a power compiled as any other.
+    /// They are compiled for each number of terms, the rest for one.
+    pub(super) fn has_common_laws(&self) -> bool {
+        is_linear(self.damper)
+            && (is_linear(self.spring) || is_singular(self.spring, SPRING_POWERS))
     }
 
     fn with_spring<const N: usize>(&self, plan: &Plan) -> Option<ContactEnd> {

@@ -16,8 +16,7 @@ use crate::model::contact_kernel::integration::{
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::law::{Law, Linear, Power};
 use crate::model::contact_kernel::slow_manifold::{ManifoldJob, run_manifold_batch};
-use crate::model::contact_kernel::{Contact, ContactEnd, SPRING_POWERS, is_linear, is_singular};
-use crate::model::mechanism::PowerKind;
+use crate::model::contact_kernel::{Contact, ContactEnd, is_linear};
 use crate::numerics::wide::Wide;
 
 const ROWS: usize = 24;
@@ -112,16 +111,12 @@ struct Job<'c> {
 impl Contact {
     /// Among which its plain steps are; `None` where they have no lanes.
     fn class(&self, plan: &Plan) -> Option<Class> {
-        if !is_linear(self.damper) {
-            return None;
-        }
-        let spring = match (is_singular(self.spring, SPRING_POWERS), plan.track.clock) {
-            (true, Clock::Graded { .. }) => SpringClass::GradedPower,
-            (true, Clock::Even { .. }) => SpringClass::Power,
-            (false, _) if matches!(self.spring.kind(), PowerKind::Whole(_)) => return None,
-            (false, _) => SpringClass::Linear,
+        let spring = match (is_linear(self.spring), plan.track.clock) {
+            (true, _) => SpringClass::Linear,
+            (false, Clock::Graded { .. }) => SpringClass::GradedPower,
+            (false, Clock::Even { .. }) => SpringClass::Power,
         };
-        Some(Class { terms: plan.terms, spring })
+        self.has_common_laws().then_some(Class { terms: plan.terms, spring })
     }
 }
 
