@@ -18,7 +18,7 @@ use crate::model::scene::{ContactModel, Mount, Scene};
 use crate::numerics::{larger, smaller};
 use damper_manifold::DamperManifold;
 use expansion::{Clock, Constants};
-use integration::{InitialPhase, Plan, Track};
+use integration::{InitialPhase, Plan, Sides, Track};
 pub use simd_batch::run_batch;
 use similarity_start::Start;
 use slow_manifold_series::MANIFOLD_BELOW;
@@ -310,7 +310,8 @@ impl Contact {
             manifold.expand::<TERMS>(&constants, track.state, track.clock.rates()[0], piece)
         };
         let track = self.begin(0.0, state, clock);
-        self.go_on(expand, (true, true), &Plan { track, tolerance, reach_m: None, terms: TERMS })
+        let sides = Sides { spring: true, damper: true };
+        self.go_on(expand, sides, &Plan { track, tolerance, reach_m: None, terms: TERMS })
     }
 
     /// The damper and spring of a plate that follows the forces at once, if they are such.

@@ -293,7 +293,7 @@ impl Phase {
             let mut reached = match scheme {
                 Scheme::Rk4 { dt_s, crossing } => {
                     let h = dt_s / self.unit_s;
-                    rk4::integrate(&mut stretch, start, (h, crossing), limits, &mut count)
+                    rk4::integrate(&mut stretch, start, h, crossing, limits, &mut count)
                 }
                 Scheme::Dop853 { tolerance } => {
                     dop853::integrate(&mut stretch, start, tolerance, limits, &mut count)

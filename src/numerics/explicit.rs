@@ -68,6 +68,14 @@ pub struct Start<const N: usize> {
     pub step: Option<f64>,
 }
 
+/// Time, state and rate where a step begins.
+#[derive(Clone, Copy)]
+struct Point<'a, const N: usize> {
+    t: f64,
+    y: &'a [f64; N],
+    f: &'a [f64; N],
+}
+
 /// When to give up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
@@ -179,7 +187,7 @@ mod tests {
             let mut count = Count::default();
             let mut system = swing(&[HALF]);
             let rule = rk4::Crossing::Locate;
-            let end = rk4::integrate(&mut system, START, (h, rule), limits(9.0), &mut count);
+            let end = rk4::integrate(&mut system, START, h, rule, limits(9.0), &mut count);
             assert_eq!(end.stop, Stop::Boundary(0));
             assert_eq!(count.evaluations, system.calls);
             (end.t - exact).abs()
@@ -193,7 +201,7 @@ mod tests {
     fn without_location_the_stretch_ends_with_the_step_that_crossed() {
         let (mut system, mut count) = (swing(&[HALF]), Count::default());
         let rule = rk4::Crossing::Notice;
-        let end = rk4::integrate(&mut system, START, (0.1, rule), limits(9.0), &mut count);
+        let end = rk4::integrate(&mut system, START, 0.1, rule, limits(9.0), &mut count);
         assert_eq!(end.stop, Stop::Boundary(0));
         assert!((end.t - 1.1).abs() < 1e-15);
     }
@@ -256,8 +264,8 @@ mod tests {
         let end = dop853::integrate(&mut Cliff, start, 1e-6, limits(2.0), &mut count);
         assert_eq!(end.stop, Stop::NonFinite);
         assert!(end.y[0] <= 1.0 && end.y[0] > 0.999, "{}", end.y[0]);
-        let rule = (0.1, rk4::Crossing::Locate);
-        let end = rk4::integrate(&mut Cliff, start, rule, limits(2.0), &mut Count::default());
+        let rule = rk4::Crossing::Locate;
+        let end = rk4::integrate(&mut Cliff, start, 0.1, rule, limits(2.0), &mut Count::default());
         assert_eq!(end.stop, Stop::NonFinite);
         assert!(end.y[0] <= 1.0);
 
@@ -270,8 +278,8 @@ mod tests {
         let late = Start { t: 1e9, y: [1.0, 0.0], step: None };
         let end = dop853::integrate(&mut Fast, late, 1e-6, limits(2e9), &mut Count::default());
         assert_eq!(end.stop, Stop::StepUnderflow);
-        let tiny = (1e-9, rk4::Crossing::Locate);
-        let end = rk4::integrate(&mut Fast, late, tiny, limits(2e9), &mut Count::default());
+        let mut count = Count::default();
+        let end = rk4::integrate(&mut Fast, late, 1e-9, rule, limits(2e9), &mut count);
         assert_eq!(end.stop, Stop::StepUnderflow);
     }
 }

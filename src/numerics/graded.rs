@@ -38,8 +38,8 @@ struct Rule<const N: usize> {
 /// A solution at the points of the finer rule and at the end to which it goes.
 #[derive(Clone, Debug)]
 pub struct Graded<const D: usize> {
-    /// (z, weight of dz there, y), in the order in which they are passed. The weights add up to the way from start to end.
-    pub points: [(f64, f64, [f64; D]); POINTS],
+    /// In the order in which they are passed. The weights add up to the way from start to end.
+    pub points: [Point<D>; POINTS],
     /// y at the end.
     pub end: [f64; D],
     /// The greatest difference between the two rules at the end, relative to the scales.
@@ -55,7 +55,8 @@ static FEWER_RULE: LazyLock<Rule<FEWER>> = LazyLock::new(Rule::new);
 ///
 /// `None` when Picard's iteration does not settle, or meets what is not finite: the way is too long.
 pub fn solve<const D: usize>(
-    (from, to): (f64, f64),
+    from: f64,
+    to: f64,
     y: &[f64; D],
     scale: &[f64; D],
     rate: impl Fn(f64, &[f64; D]) -> [f64; D],
@@ -107,7 +108,7 @@ impl<const D: usize> Graded<D> {
         known: f64,
         value: impl Fn(f64, &[f64; D]) -> f64,
     ) -> Option<(f64, f64)> {
-        let values = self.points.map(|(z, _, y)| value(z, &y));
+        let values = self.points.map(|Point { z, y, .. }| value(z, &y));
         let mut top = 0;
         for (place, value) in values.iter().enumerate() {
             top = if *value > values[top] { place } else { top };
@@ -135,7 +136,7 @@ impl<const D: usize> Graded<D> {
     pub fn between(&self, s: f64) -> (f64, [f64; D]) {
         let (mut above, mut below, mut sign) = ([0.0; D], 0.0, 1.0);
         let nodes = RULE.node.iter().zip(&RULE.weight);
-        for ((node, weight), (_, _, y)) in nodes.zip(&self.points) {
+        for ((node, weight), Point { y, .. }) in nodes.zip(&self.points) {
             if s.to_bits() == node.to_bits() {
                 return (self.way.at(s).0, *y);
             }
@@ -149,8 +150,16 @@ impl<const D: usize> Graded<D> {
     }
 }
 
-/// A point of a rule: z, the weight of dz there, y.
-type Point<const D: usize> = (f64, f64, [f64; D]);
+/// A point of a rule.
+#[derive(Clone, Copy, Debug)]
+pub struct Point<const D: usize> {
+    /// z.
+    pub z: f64,
+    /// The weight of dz there.
+    pub dz: f64,
+    /// y.
+    pub y: [f64; D],
+}
 
 impl<const N: usize> Rule<N> {
     /// The points are the zeros of the Legendre polynomial of degree N, by Newton's method; the integrals follow from
@@ -219,7 +228,10 @@ impl<const N: usize> Rule<N> {
         let end = std::array::from_fn(|d| {
             y[d] + self.weight.iter().zip(&slopes).map(|(w, slope)| w * slope[d]).sum::<f64>()
         });
-        let points = std::array::from_fn(|i| (at[i].0, self.weight[i] * at[i].1, stages[i]));
+        let points = std::array::from_fn(|i| {
+            let (z, dz) = at[i];
+            Point { z, dz: self.weight[i] * dz, y: stages[i] }
+        });
         Some((end, points))
     }
 }
@@ -260,14 +272,14 @@ mod tests {
         for p in [0.05f64, 0.3, 0.5, 0.7, 1.4, 2.3] {
             let exact = (0.5f64.powf(p + 1.0) / (p + 1.0)).exp();
             let rate = |z: f64, y: &[f64; 1]| [z.abs().powf(p) * y[0]];
-            let out = solve((0.0, 0.5), &[1.0], &[1.0], rate).unwrap();
+            let out = solve(0.0, 0.5, &[1.0], &[1.0], rate).unwrap();
             let error = (out.end[0] / exact - 1.0).abs();
             assert!(
                 error < 1e-13 && out.difference < 1e-11,
                 "{p}: {error:e}, {:e}",
                 out.difference
             );
-            let back = solve((0.5, 0.0), &[exact], &[1.0], rate).unwrap();
+            let back = solve(0.5, 0.0, &[exact], &[1.0], rate).unwrap();
             assert!((back.end[0] - 1.0).abs() < 1e-13, "{p}: {}", back.end[0]);
         }
     }
@@ -275,10 +287,10 @@ mod tests {
     #[test]
     fn the_points_are_in_order_and_their_weights_add_up_to_the_way() {
         let rate = |_: f64, _: &[f64; 1]| [1.0];
-        let back = solve((-2.0, 0.0), &[0.0], &[1.0], rate).unwrap();
+        let back = solve(-2.0, 0.0, &[0.0], &[1.0], rate).unwrap();
         assert!((back.end[0] - 2.0).abs() < 1e-14);
-        assert!(back.points.windows(2).all(|pair| pair[0].0 < pair[1].0));
-        let way: f64 = back.points.iter().map(|point| point.1).sum();
+        assert!(back.points.windows(2).all(|pair| pair[0].z < pair[1].z));
+        let way: f64 = back.points.iter().map(|point| point.dz).sum();
         assert!((way - 2.0).abs() < 1e-14);
     }
 
@@ -286,13 +298,13 @@ mod tests {
     #[test]
     fn the_greatest_value_is_found_between_the_points() {
         for (from, to) in [(0.0, 1.0), (1.0, 0.0), (0.01, 1.0)] {
-            let solved = solve((from, to), &[from], &[1.0], |_, _| [1.0]).unwrap();
+            let solved = solve(from, to, &[from], &[1.0], |_, _| [1.0]).unwrap();
             let z = 0.3f64.powf(1.0 / 0.7);
             let (at, most) =
                 solved.greatest_at(f64::NEG_INFINITY, |z, y| z.powf(0.3) - y[0]).unwrap();
             assert!((at - z).abs() < 1e-6 && (most - z.powf(0.3) + z).abs() < 1e-12, "{at}");
             let (_, [at_point]) = solved.between(part_at(7));
-            assert_eq!(at_point.to_bits(), solved.points[7].2[0].to_bits());
+            assert_eq!(at_point.to_bits(), solved.points[7].y[0].to_bits());
             let (rising, _) = solved.greatest_at(f64::NEG_INFINITY, |z, _| z).unwrap();
             assert!((rising - 1.0).abs() < 1e-12);
             assert_eq!(solved.greatest_at(1.1, |z, _| z), None);
@@ -302,8 +314,8 @@ mod tests {
     #[test]
     fn what_does_not_settle_is_refused() {
         let explodes = |_: f64, y: &[f64; 1]| [y[0] * y[0]];
-        assert!(solve((0.0, 2.0), &[1.0], &[1.0], explodes).is_none());
+        assert!(solve(0.0, 2.0, &[1.0], &[1.0], explodes).is_none());
         let broken = |_: f64, _: &[f64; 1]| [f64::NAN];
-        assert!(solve((0.0, 1.0), &[1.0], &[1.0], broken).is_none());
+        assert!(solve(0.0, 1.0, &[1.0], &[1.0], broken).is_none());
     }
 }

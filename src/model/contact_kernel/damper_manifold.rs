@@ -5,7 +5,7 @@
 //! Ordinary Differential Equations II*, section VI.3: the slow manifold of a singular perturbation). The transient at first
 //! contact, over within some 1/lambda, leaves the plate where `delay` says.
 
-use crate::model::contact_kernel::expansion::{Constants, Series};
+use crate::model::contact_kernel::expansion::{Area, Constants, Series};
 use crate::model::contact_kernel::law::{product_at, square_at};
 
 /// Passes: each gains three digits and more where this expansion is used.
@@ -56,16 +56,16 @@ impl DamperManifold {
         constants: &Constants,
         state: [f64; 4],
         unit_s: f64,
-        piece: (f64, [f64; 3]),
+        area: Area,
     ) -> Series<N> {
         let mut inertia = [0.0; N];
-        let mut series = self.pass(constants, state, (unit_s, piece), &inertia);
+        let mut series = self.pass(constants, state, unit_s, area, &inertia);
         for _ in 1..PASSES {
             let per_rate = 1.0 / (self.damper_n_s_m * constants.plate_mobility * unit_s);
             for (j, (inertia, next)) in inertia.iter_mut().zip(&series.speed[1..]).enumerate() {
                 *inertia = per_rate * (j + 1) as f64 * next;
             }
-            series = self.pass(constants, state, (unit_s, piece), &inertia);
+            series = self.pass(constants, state, unit_s, area, &inertia);
         }
         series
     }
@@ -75,7 +75,8 @@ impl DamperManifold {
         &self,
         constants: &Constants,
         state: [f64; 4],
-        (unit_s, (origin_m, a)): (f64, (f64, [f64; 3])),
+        unit_s: f64,
+        Area { origin_m, a }: Area,
         inertia: &[f64; N],
     ) -> Series<N> {
         let Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, .. } =

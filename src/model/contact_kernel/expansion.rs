@@ -83,6 +83,25 @@ impl Constants {
     }
 }
 
+/// The area on a piece of the travel: a0 + a1 (q - origin) + a2 (q - origin)².
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Area<R = f64> {
+    pub(super) origin_m: R,
+    pub(super) a: [R; 3],
+}
+
+impl<R: Copy> Area<R> {
+    /// Its numbers for the lanes, and back.
+    pub(super) fn numbers(self) -> [R; 4] {
+        [self.origin_m, self.a[0], self.a[1], self.a[2]]
+    }
+
+    #[inline(always)]
+    pub(super) fn of([origin_m, a0, a1, a2]: [R; 4]) -> Self {
+        Self { origin_m, a: [a0, a1, a2] }
+    }
+}
+
 /// Time along a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Clock {
@@ -143,14 +162,15 @@ impl Clock {
 }
 
 impl<R: Real> Constants<R> {
-    /// Expand from `state` = (travel, slip, plate, speed) on a piece whose area is a0 + a1 (q - origin) + a2 (q - origin)².
+    /// Expand from `state` = (travel, slip, plate, speed) on a piece of this area.
     #[inline(always)]
     pub(super) fn expand<const N: usize, const GRADED: bool>(
         &self,
-        (mut spring, mut damper): (impl Law<N, R>, impl Damping<N, R>),
+        mut spring: impl Law<N, R>,
+        mut damper: impl Damping<N, R>,
         state: [R; 4],
         rates: [R; 3],
-        (origin_m, a): (R, [R; 3]),
+        Area { origin_m, a }: Area<R>,
     ) -> Series<N, R> {
         let zero = [origin_m.alike(0.0); N];
         let mut s = Series { travel: zero, slip: zero, plate: zero, speed: zero };

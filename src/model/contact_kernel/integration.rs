@@ -4,7 +4,7 @@
 use std::borrow::Borrow;
 
 use crate::model::contact::AreaLaw;
-use crate::model::contact_kernel::expansion::{Clock, Series, trusted};
+use crate::model::contact_kernel::expansion::{Area, Clock, Series, trusted};
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
 use crate::model::contact_kernel::slow_manifold_series::eased;
 use crate::model::contact_kernel::{Contact, ContactEnd};
@@ -79,6 +79,13 @@ impl Next {
     }
 }
 
+/// Which laws are one analytic function on both sides of zero.
+#[derive(Clone, Copy)]
+pub(super) struct Sides {
+    pub(super) spring: bool,
+    pub(super) damper: bool,
+}
+
 /// A step as far as it is trusted.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StepEnd {
@@ -122,8 +129,8 @@ impl Contact {
     #[inline(always)]
     pub(super) fn go_on<const N: usize>(
         &self,
-        expand: impl Fn(&Track, (f64, [f64; 3])) -> Series<N>,
-        sides: (bool, bool),
+        expand: impl Fn(&Track, Area) -> Series<N>,
+        sides: Sides,
         plan: &Plan,
     ) -> Option<ContactEnd> {
         let Plan { mut track, tolerance, reach_m, .. } = *plan;
@@ -141,10 +148,10 @@ impl Contact {
         None
     }
 
-    /// Origin and coefficients of the area on a piece; `None` where it is no polynomial.
-    pub(super) fn area_law(&self, piece: usize) -> Option<(f64, [f64; 3])> {
+    /// The area on a piece; `None` where it is no polynomial.
+    pub(super) fn area_law(&self, piece: usize) -> Option<Area> {
         match self.geometry.pieces().get(piece)?.law {
-            AreaLaw::Quadratic { origin_m, a } => Some((origin_m, a)),
+            AreaLaw::Quadratic { origin_m, a } => Some(Area { origin_m, a }),
             _ => None,
         }
     }
@@ -153,7 +160,7 @@ impl Contact {
     pub(super) fn advance<const N: usize, S: Borrow<Series<N>>>(
         &self,
         track: &mut Track,
-        sides: (bool, bool),
+        sides: Sides,
         end_of_step: &StepEnd,
         series: impl Fn() -> S,
     ) -> Option<Next> {
@@ -208,9 +215,9 @@ impl Contact {
     }
 
     /// Whether the plate is still where its laws hold: on the side of zero on which it started, and going forward.
-    fn passes(&self, sides: (bool, bool), state: &[f64; 4]) -> bool {
+    fn passes(&self, sides: Sides, state: &[f64; 4]) -> bool {
         let on_its_side = if self.start_m < 0.0 { state[2] < 0.0 } else { state[2] > 0.0 };
-        (sides.0 || on_its_side) && (sides.1 || state[3] > 0.0)
+        (sides.spring || on_its_side) && (sides.damper || state[3] > 0.0)
     }
 
     /// The end, there.

@@ -7,7 +7,7 @@
 //! smooth as the rest, and belongs into the expansion (`law.rs`).
 
 use crate::model::contact_kernel::expansion::{Clock, Constants, Series, trusted};
-use crate::model::contact_kernel::integration::{InitialPhase, Plan, StepEnd, Track, minded_m};
+use crate::model::contact_kernel::integration::{InitialPhase, Plan, Sides, StepEnd, Track, minded_m};
 use crate::model::contact_kernel::law::{Damping, Linear, RootFromRest};
 use crate::model::contact_kernel::similarity_start;
 use crate::model::contact_kernel::{Contact, GRADED_UNIT, is_linear};
@@ -35,6 +35,13 @@ struct LeftOut {
     argument: f64,
 }
 
+/// How far its argument has come, and with which power of time it grows there.
+#[derive(Clone, Copy)]
+struct Growth {
+    z: f64,
+    power: f64,
+}
+
 /// What it has taken from the plate by some time.
 #[derive(Clone, Copy)]
 struct Taken {
@@ -52,12 +59,11 @@ impl LeftOut {
         self.law.exponent * self.argument
     }
 
-    /// What it takes by `t_s`, where its argument has come to `z` with that power of time, from a plate of this mass whose velocity
-    /// there would be `w_m_s`.
-    fn taken(self, (z, argument): (f64, f64), t_s: f64, (plate_kg, w_m_s): (f64, f64)) -> Taken {
-        let power = self.law.exponent * argument;
-        let taken = self.law.force(z) * t_s / ((power + 1.0) * plate_kg);
-        let bent = BENT * (argument - self.argument).abs();
+    /// What it takes by `t_s`, where its argument has grown so far, from a plate of this mass whose velocity there would be `w_m_s`.
+    fn taken(self, at: Growth, t_s: f64, plate_kg: f64, w_m_s: f64) -> Taken {
+        let power = self.law.exponent * at.power;
+        let taken = self.law.force(at.z) * t_s / ((power + 1.0) * plate_kg);
+        let bent = BENT * (at.power - self.argument).abs();
         Taken {
             w_m_s: taken,
             x_m: taken * t_s / (power + 2.0),
@@ -94,7 +100,8 @@ impl Contact {
         track.steps = 1;
         if left_out.iter().all(Option::is_none) {
             let end_of_step = StepEnd::of(&series, span);
-            return Some(match self.advance(&mut track, (true, false), &end_of_step, || &series) {
+            let sides = Sides { spring: true, damper: false };
+            return Some(match self.advance(&mut track, sides, &end_of_step, || &series) {
                 Some(next) => next.ended().map_or(InitialPhase::Left, InitialPhase::Ended),
                 None if track.t_s == 0.0 => return None,
                 None => InitialPhase::Steps(Plan { track, tolerance, reach_m: None, terms: N }),
@@ -112,8 +119,8 @@ impl Contact {
         track: &Track,
     ) -> Option<Series<N>> {
         let (rates, area) = (track.clock.rates(), self.area_law(track.piece)?);
-        let laws = (Linear(spring_n_m), damping);
-        Some(self.constants.expand::<N, false>(laws, track.state, rates, area))
+        let spring = Linear(spring_n_m);
+        Some(self.constants.expand::<N, false>(spring, damping, track.state, rates, area))
     }
 
     /// In units of the clock, when the laws that are left out begin to matter, by the powers of time of first contact; `None` where
@@ -131,7 +138,8 @@ impl Contact {
             if power <= VANISHES_ABOVE {
                 return None;
             }
-            let by = left_out.taken((z, left_out.argument), scale_s, (1.0 / plate_mobility, w_m_s));
+            let growth = Growth { z, power: left_out.argument };
+            let by = left_out.taken(growth, scale_s, 1.0 / plate_mobility, w_m_s);
             part = smaller(part, (left_m_s / by.doubt_m_s).powf(0.5 / power));
         }
         let by_balance = similarity_start::part(tolerance, 2.0);
@@ -157,12 +165,12 @@ impl Contact {
                 continue;
             }
             let argument = w * t_s / x;
-            let at = [(x, argument), (w, argument - 1.0)];
+            let at = [Growth { z: x, power: argument }, Growth { z: w, power: argument - 1.0 }];
             let mut sum = Taken { w_m_s: 0.0, x_m: 0.0, doubt_m_s: 0.0 };
             let mut power = f64::INFINITY;
             for (left_out, at) in left_out.iter().zip(at) {
                 let Some(left_out) = left_out else { continue };
-                let taken = left_out.taken(at, t_s, (1.0 / plate_mobility, w));
+                let taken = left_out.taken(at, t_s, 1.0 / plate_mobility, w);
                 sum.w_m_s += taken.w_m_s;
                 sum.x_m += taken.x_m;
                 sum.doubt_m_s += taken.doubt_m_s;

@@ -3,7 +3,7 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::model::contact_kernel::expansion::Clock;
-use crate::model::contact_kernel::integration::{Plan, Track};
+use crate::model::contact_kernel::integration::{Plan, Sides, Track};
 use crate::model::contact_kernel::lane_buffer::has_lanes;
 use crate::model::contact_kernel::law::{Law, Linear, Power, Whole};
 use crate::model::contact_kernel::{
@@ -20,13 +20,13 @@ impl Contact {
         let damper = Linear(self.damper.coefficient);
         by_terms!(plan.terms, N => match (is_linear(self.spring), plan.track.clock) {
             (true, _) => {
-                self.with_laws::<N, false>((Linear(self.spring.coefficient), damper), plan)
+                self.with_laws::<N, false>(Linear(self.spring.coefficient), damper, plan)
             }
             (false, Clock::Graded { .. }) => {
-                self.with_laws::<N, true>((Power::<N>::of(self.spring), damper), plan)
+                self.with_laws::<N, true>(Power::<N>::of(self.spring), damper, plan)
             }
             (false, Clock::Even { .. }) => {
-                self.with_laws::<N, false>((Power::<N>::of(self.spring), damper), plan)
+                self.with_laws::<N, false>(Power::<N>::of(self.spring), damper, plan)
             }
         })
     }
@@ -71,32 +71,34 @@ impl Contact {
         let law = self.damper;
         match law.kind() {
             PowerKind::Absent | PowerKind::Linear => {
-                self.with_laws::<N, GRADED>((spring, Linear(law.coefficient)), plan)
+                self.with_laws::<N, GRADED>(spring, Linear(law.coefficient), plan)
             }
             // From rest the plate only goes forward.
             PowerKind::Whole(2) => {
-                self.with_laws::<N, GRADED>((spring, Whole::<N, 2>::new(law, 1.0)), plan)
+                self.with_laws::<N, GRADED>(spring, Whole::<N, 2>::new(law, 1.0), plan)
             }
             PowerKind::Whole(_) | PowerKind::General => {
-                self.with_laws::<N, true>((spring, Power::<N>::of(law)), plan)
+                self.with_laws::<N, true>(spring, Power::<N>::of(law), plan)
             }
         }
     }
 
     fn with_laws<const N: usize, const GRADED: bool>(
         &self,
-        laws: (impl Law<N>, impl Law<N>),
+        spring: impl Law<N>,
+        damper: impl Law<N>,
         plan: &Plan,
     ) -> Option<ContactEnd> {
         debug_assert!(GRADED || matches!(plan.track.clock, Clock::Even { .. }));
-        Arch::new().dispatch(Single::<N, GRADED, _, _> { contact: self, laws, plan })
+        Arch::new().dispatch(Single::<N, GRADED, _, _> { contact: self, spring, damper, plan })
     }
 }
 
 /// A contact by itself, compiled for the instructions of the machine.
 struct Single<'c, const N: usize, const GRADED: bool, K, D> {
     contact: &'c Contact,
-    laws: (K, D),
+    spring: K,
+    damper: D,
     plan: &'c Plan,
 }
 
@@ -113,9 +115,11 @@ impl<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>> WithSimd
         }
         let expand = |track: &Track, area| {
             let rates = track.clock.rates();
-            self.contact.constants.expand::<N, GRADED>(self.laws, track.state, rates, area)
+            let (spring, damper) = (self.spring, self.damper);
+            self.contact.constants.expand::<N, GRADED>(spring, damper, track.state, rates, area)
         };
-        self.contact.go_on(expand, (K::TWO_SIDED, D::TWO_SIDED), self.plan)
+        let sides = Sides { spring: K::TWO_SIDED, damper: D::TWO_SIDED };
+        self.contact.go_on(expand, sides, self.plan)
     }
 }
 

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::model::contact_kernel::expansion::{Clock, trusted};
+use crate::model::contact_kernel::expansion::{Area, Clock, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Next, Plan, STEPS_MAX, StepEnd, minded_m,
+    InitialPhase, Next, Plan, STEPS_MAX, Sides, StepEnd, minded_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::law::{Law, Linear, Power};
@@ -160,10 +160,10 @@ impl LaneBuffer<ROWS> {
     /// What changes from step to step; `None` where the area is no polynomial.
     fn place(&mut self, lane: usize, job: &Job<'_>) -> Option<()> {
         let Plan { track, reach_m, .. } = &job.plan;
-        let (origin_m, [a0, a1, a2]) = job.contact.area_law(track.piece)?;
+        let area = job.contact.area_law(track.piece)?;
         self.put(lane, STATE, track.state);
         self.put(lane, RATES, track.clock.rates());
-        self.put(lane, PIECE, [origin_m, a0, a1, a2]);
+        self.put(lane, PIECE, area.numbers());
         self.put(lane, MINDED, [minded_m(track.state[2], *reach_m)]);
         Some(())
     }
@@ -185,12 +185,12 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
         *lane_job = next(&mut waiting, &mut buffer, lane);
     }
     while lanes.iter().any(Option::is_some) {
-        let [origin_m, a0, a1, a2] = buffer.wides(simd, PIECE);
-        let laws = (spring(&buffer), Linear(buffer.wide(simd, DAMPER)));
+        let (spring, damper) = (spring(&buffer), Linear(buffer.wide(simd, DAMPER)));
         let state: [Wide<S>; 4] = buffer.wides(simd, STATE);
         let constants = buffer.constants(simd, FIXED);
-        let area = (origin_m, [a0, a1, a2]);
-        let series = constants.expand::<N, GRADED>(laws, state, buffer.wides(simd, RATES), area);
+        let rates = buffer.wides(simd, RATES);
+        let area = Area::of(buffer.wides(simd, PIECE));
+        let series = constants.expand::<N, GRADED>(spring, damper, state, rates, area);
         buffer.store(SIZE, [constants.last_terms(&series, buffer.wide(simd, MINDED))]);
         for (lane, job) in lanes.iter().enumerate() {
             let tolerance = job.as_ref().map_or(1.0, |job| job.plan.tolerance);
@@ -209,7 +209,7 @@ fn run<S: Simd, const N: usize, const GRADED: bool, K: Law<N, Wide<S>>>(
                 speed_m_s: speeds[lane],
             };
             job.plan.track.steps += 1;
-            let sides = (K::TWO_SIDED, true);
+            let sides = Sides { spring: K::TWO_SIDED, damper: true };
             let track = &mut job.plan.track;
             let ending = job.contact.advance(track, sides, &end_of_step, || series.lane(lane));
             let goes_on =

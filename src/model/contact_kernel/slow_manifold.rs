@@ -6,13 +6,13 @@
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
 use crate::model::contact_kernel::Contact;
-use crate::model::contact_kernel::expansion::{Constants, Series, trusted};
+use crate::model::contact_kernel::expansion::{Area, Constants, Series, trusted};
 use crate::model::contact_kernel::integration::{
-    InitialPhase, Next, STEPS_MAX, StepEnd, Track, minded_m,
+    InitialPhase, Next, STEPS_MAX, Sides, StepEnd, Track, minded_m,
 };
 use crate::model::contact_kernel::lane_buffer::{CONSTANTS, LANES_MAX, LaneBuffer, has_lanes};
 use crate::model::contact_kernel::slow_manifold_series::{
-    Balance, Lag, Spring, SpringManifold, eased,
+    About, Balance, Guess, Lag, Spring, SpringManifold, eased,
 };
 use crate::numerics::larger;
 use crate::numerics::wide::Wide;
@@ -51,7 +51,7 @@ pub(super) struct ManifoldRun {
     /// From where another method goes on: a step earlier than where this one was seen to fail.
     before: Track,
     /// The area law of the piece that the last step ended with.
-    joint: Option<(f64, [f64; 3])>,
+    joint: Option<Area>,
     /// How far steps are trusted after failures.
     reach_factor: f64,
     /// Of the expansion.
@@ -61,7 +61,7 @@ pub(super) struct ManifoldRun {
 /// An expansion about where the track is.
 #[derive(Clone, Copy, Debug)]
 struct Attempt {
-    law: (f64, [f64; 3]),
+    area: Area,
     /// Only asked with the law of the piece before: is it the next one that sets the plate swinging?
     asked_back: bool,
     /// Passes done.
@@ -104,25 +104,26 @@ impl ManifoldRun {
         if self.track.steps >= STEPS_MAX {
             return Err(Next::Left);
         }
-        let law = contact.area_law(self.track.piece).ok_or(Next::Left)?;
+        let area = contact.area_law(self.track.piece).ok_or(Next::Left)?;
         self.track.steps += 1;
-        self.attempt(contact, law, false)
+        self.attempt(contact, area, false)
     }
 
     fn attempt(
         &mut self,
         contact: &Contact,
-        law: (f64, [f64; 3]),
+        area: Area,
         asked_back: bool,
     ) -> Result<Attempt, Next> {
         let Track { state, .. } = self.track;
-        let from = self.manifold.at(state[2]);
-        let found = self.manifold.balance(&contact.constants, state, law, (from, 0.0, state[3]));
+        let guess =
+            Guess { balance: self.manifold.at(state[2]), lag_n: 0.0, speed_m_s: state[3] };
+        let found = self.manifold.balance(&contact.constants, state, area, &guess);
         let change = f64::INFINITY;
         match found {
             Some(balance) => {
                 let moved = (balance.plate_m - state[2]).abs() / balance.plate_m;
-                Ok(Attempt { law, asked_back, passes: 0, balance, moved, change })
+                Ok(Attempt { area, asked_back, passes: 0, balance, moved, change })
             }
             None => self.failed(contact, asked_back),
         }
@@ -130,8 +131,8 @@ impl ManifoldRun {
 
     /// What to try where an attempt has failed.
     fn failed(&mut self, contact: &Contact, asked_back: bool) -> Result<Attempt, Next> {
-        if let (Some(law), false) = (self.joint, asked_back) {
-            return self.attempt(contact, law, true);
+        if let (Some(area), false) = (self.joint, asked_back) {
+            return self.attempt(contact, area, true);
         }
         if self.track.piece != self.before.piece || self.reach_factor < SHORTEST {
             return Err(Next::Handed(self.before));
@@ -147,7 +148,8 @@ impl ManifoldRun {
         &self,
         contact: &Contact,
         attempt: &mut Attempt,
-        ([old_m_s, new_m_s], lag_n): ([f64; 2], f64),
+        [old_m_s, new_m_s]: [f64; 2],
+        lag_n: f64,
     ) -> PassResult {
         let Track { state, clock, .. } = self.track;
         let tolerance = self.tolerance * eased(state[2], self.manifold.reach_m);
@@ -161,8 +163,8 @@ impl ManifoldRun {
         if attempt.passes >= SETTLED && change > GAIN * attempt.change {
             return PassResult::Failed;
         }
-        let from = (attempt.balance, lag_n, new_m_s);
-        let next = self.manifold.balance(&contact.constants, state, attempt.law, from);
+        let guess = Guess { balance: attempt.balance, lag_n, speed_m_s: new_m_s };
+        let next = self.manifold.balance(&contact.constants, state, attempt.area, &guess);
         let Some(balance) = next.filter(|_| attempt.passes + 1 < PASSES_MAX) else {
             return PassResult::Failed;
         };
@@ -177,7 +179,8 @@ impl ManifoldRun {
         &mut self,
         contact: &Contact,
         attempt: &Attempt,
-        (end_of_step, series): (StepEnd, impl Fn() -> Series<N>),
+        end_of_step: &StepEnd,
+        series: impl Fn() -> Series<N>,
     ) -> Result<Attempt, Next> {
         if attempt.asked_back {
             // Fine up to the joint; the next piece sets the plate swinging.
@@ -185,14 +188,15 @@ impl ManifoldRun {
         }
         self.joint = None;
         let here = self.track;
-        if let Some(next) = contact.advance(&mut self.track, (false, true), &end_of_step, series) {
+        let sides = Sides { spring: false, damper: true };
+        if let Some(next) = contact.advance(&mut self.track, sides, end_of_step, series) {
             return Err(next);
         }
         if self.track.t_s > here.t_s {
             self.before = here;
         }
         if self.track.piece > here.piece {
-            self.joint = Some(attempt.law);
+            self.joint = Some(attempt.area);
         }
         self.step(contact)
     }
@@ -306,10 +310,9 @@ impl<'c, const N: usize> Lanes<'_, 'c, N> {
     /// The first pass of an attempt: no inertia yet, and the plate's velocity as it is.
     fn begin(&mut self, lane: usize, lane_job: &Lane<'_>) {
         let Track { state, clock, .. } = lane_job.job.manifold_run.track;
-        let (origin_m, [a0, a1, a2]) = lane_job.attempt.law;
         self.buffer.put(lane, STATE, state);
         self.buffer.put(lane, UNIT, [clock.rates()[0]]);
-        self.buffer.put(lane, PIECE, [origin_m, a0, a1, a2]);
+        self.buffer.put(lane, PIECE, lane_job.attempt.area.numbers());
         self.force.put(lane, 0, [0.0; N]);
         self.speed.put(lane, 0, [0.0; N]);
         self.speed.put(lane, 0, [state[3]]);
@@ -393,11 +396,12 @@ fn run<S: Simd, const N: usize>(
         let spring = Spring { coefficient, exponent, damper_n_s_m, plate_kg };
         let constants = buffer.constants(simd, FIXED);
         let unit_s = buffer.wide(simd, UNIT);
-        let [origin_m, a0, a1, a2] = buffer.wides(simd, PIECE);
-        let scale = (unit_s, (origin_m, [a0, a1, a2]));
+        let area = Area::of(buffer.wides(simd, PIECE));
         let lag = Lag { force: all.force.wides(simd, 0), speed: all.speed.wides(simd, 0) };
-        let from = (buffer.wides(simd, BALANCE), &lag);
-        let mut series = spring.pass::<N>(&constants, buffer.wides(simd, STATE), scale, from);
+        let [plate_m, held_n] = buffer.wides(simd, BALANCE);
+        let about = About { plate_m, held_n, lag: &lag };
+        let state = buffer.wides(simd, STATE);
+        let mut series = spring.pass::<N>(&constants, state, unit_s, area, &about);
         let next = spring.lag(&series, unit_s);
         all.buffer.store(SPEEDS, [lag.speed[0], next.speed[0]]);
         all.force.store(0, next.force);
@@ -405,9 +409,9 @@ fn run<S: Simd, const N: usize>(
         let mut results = [PassResult::Again; LANES_MAX];
         for (lane, (lane_job, result)) in lanes.iter_mut().zip(&mut results).enumerate() {
             let Some(lane_job) = lane_job else { continue };
-            let speeds = (all.buffer.of(lane, SPEEDS), all.force.0[0][lane]);
+            let (speeds, lag_n) = (all.buffer.of(lane, SPEEDS), all.force.0[0][lane]);
             let ManifoldJob { contact, manifold_run, .. } = &lane_job.job;
-            *result = manifold_run.assess(contact, &mut lane_job.attempt, speeds);
+            *result = manifold_run.assess(contact, &mut lane_job.attempt, speeds, lag_n);
             if *result == PassResult::Again {
                 all.balance(lane, lane_job);
             }
@@ -435,7 +439,7 @@ fn run<S: Simd, const N: usize>(
                     rises: all.buffer.0[SLOPE][lane] > 0.0,
                     speed_m_s: all.buffer.0[SPEEDS + 1][lane],
                 };
-                manifold_run.take(contact, &lane_job.attempt, (end_of_step, || series.lane(lane)))
+                manifold_run.take(contact, &lane_job.attempt, &end_of_step, || series.lane(lane))
             };
             *place = all.go_on(lane, lane_job, next);
         }

@@ -7,7 +7,7 @@
 //! agree, the contact goes on by plain steps from there.
 
 use crate::model::closed_form::Passage;
-use crate::model::contact_kernel::expansion::{Clock, Constants, Series};
+use crate::model::contact_kernel::expansion::{Area, Clock, Constants, Series};
 use crate::model::contact_kernel::integration::{Plan, Track};
 use crate::model::contact_kernel::law::{Law as _, Power, product_before, square_before};
 use crate::model::contact_kernel::slow_manifold::ManifoldRun;
@@ -29,7 +29,7 @@ const SWING: f64 = 1.0;
 /// Part of the tolerance of what the plate has moved at the start, against its displacement in the contact.
 const START: f64 = 0.1;
 
-/// The spring that is ridden on.
+/// The spring of the manifold.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SpringManifold {
     /// k and n.
@@ -49,6 +49,15 @@ pub(super) struct Balance {
     pub(super) plate_m: f64,
     /// Spring force there, N.
     pub(super) force_n: f64,
+}
+
+/// What a balance is looked for from.
+pub(super) struct Guess {
+    pub(super) balance: Balance,
+    /// What plate inertia and damper hold, N.
+    pub(super) lag_n: f64,
+    /// Plate velocity, m/s.
+    pub(super) speed_m_s: f64,
 }
 
 /// What a coefficient adds to another of the same order.
@@ -75,7 +84,16 @@ pub(super) struct Lag<const N: usize, R = f64> {
     pub(super) speed: [R; N],
 }
 
-/// A spring that is ridden on, or several side by side.
+/// What a pass is made about: a balance, and what the pass before leaves.
+pub(super) struct About<'a, const N: usize, R> {
+    /// Plate displacement, m.
+    pub(super) plate_m: R,
+    /// Spring force there, N.
+    pub(super) held_n: R,
+    pub(super) lag: &'a Lag<N, R>,
+}
+
+/// The spring of the manifold, or several side by side.
 #[derive(Clone, Copy)]
 pub(super) struct Spring<R> {
     pub(super) coefficient: R,
@@ -131,24 +149,23 @@ impl SpringManifold {
         Balance { plate_m, force_n: self.spring.force(plate_m) }
     }
 
-    /// The balance from `guess` where the projectile is at `state` and plate inertia and damper hold `lag_n` at this plate
-    /// velocity: Newton's method on the logarithm of both sides, where powers are lines. `None` where nothing pushes.
+    /// The balance from a guess where the projectile is at `state`: Newton's method on the logarithm of both sides, where powers are lines. `None` where nothing pushes.
     pub(super) fn balance(
         &self,
         constants: &Constants,
         state: [f64; 4],
-        (origin_m, a): (f64, [f64; 3]),
-        (guess, lag_n, speed_m_s): (Balance, f64, f64),
+        Area { origin_m, a }: Area,
+        guess: &Guess,
     ) -> Option<Balance> {
         let Constants { strength_pa, drag_kg_m3, cos, .. } = *constants;
         let (own_m, own_m_s) = (state[0] + cos * state[2], state[1] + cos * state[3]);
-        let slip = own_m_s - cos * speed_m_s;
+        let slip = own_m_s - cos * guess.speed_m_s;
         let pressure = strength_pa + drag_kg_m3 * slip * slip;
         let n = self.spring.exponent;
-        let Balance { plate_m: mut x, force_n: mut force } = guess;
+        let Balance { plate_m: mut x, force_n: mut force } = guess.balance;
         for _ in 0..NEWTON_MAX {
             let q = own_m - cos * x - origin_m;
-            let pushes = cos * (a[0] + q * (a[1] + a[2] * q)) * pressure - lag_n;
+            let pushes = cos * (a[0] + q * (a[1] + a[2] * q)) * pressure - guess.lag_n;
             let slope = -cos * cos * (a[1] + 2.0 * a[2] * q) * pressure;
             if !(pushes > 0.0 && x > 0.0) {
                 return None;
@@ -172,8 +189,9 @@ impl<R: Real> Spring<R> {
         &self,
         constants: &Constants<R>,
         state: [R; 4],
-        (unit_s, (origin_m, a)): (R, (R, [R; 3])),
-        ([plate_m, held_n], lag): ([R; 2], &Lag<N, R>),
+        unit_s: R,
+        Area { origin_m, a }: Area<R>,
+        &About { plate_m, held_n, lag }: &About<'_, N, R>,
     ) -> Series<N, R> {
         let Constants { strength_pa, drag_kg_m3, slip_mobility, plate_mobility, cos, .. } =
             *constants;

@@ -235,9 +235,8 @@ impl Track<'_> {
         }
         let rate = |z: f64, y: &Unknowns| variable.rate(&variable.state(z, y));
         self.control.worked(SOLVING);
-        let graded = solve((from, to), &[0.0; 4], &scale, rate)?;
-        let states =
-            std::array::from_fn(|i| variable.state(graded.points[i].0, &graded.points[i].2));
+        let graded = solve(from, to, &[0.0; 4], &scale, rate)?;
+        let states = graded.points.each_ref().map(|point| variable.state(point.z, &point.y));
         let end = variable.state(to, &graded.end);
         let allowed = larger(FINER * self.body.local_tolerance(), DIFFERENCE_ROUNDING);
         let took_s = graded.end[0];
@@ -334,8 +333,8 @@ impl Track<'_> {
         let motion = variable.motion;
         let mut record = std::mem::take(&mut self.record);
         let setting = self.body.setting(motion);
-        for (place, ((_, dz, _), state)) in graded.points.iter().zip(states).enumerate() {
-            record.worked(&setting, state, variable.rate(state)[0] * dz);
+        for (place, (point, state)) in graded.points.iter().zip(states).enumerate() {
+            record.worked(&setting, state, variable.rate(state)[0] * point.dz);
             if place % DRAWN == DRAWN / 2 {
                 record.point(&setting, state, false);
             }

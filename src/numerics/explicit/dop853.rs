@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 use super::landing::{Ends, land};
 use super::tableau::{DENSE, ERRORS, NODES, STAGES};
-use super::{Count, Limits, Reached, Start, Stop, System, is_finite};
+use super::{Count, Limits, Point, Reached, Start, Stop, System, is_finite};
 
 /// Stages of a step.
 const S: usize = 12;
@@ -38,7 +38,8 @@ pub fn integrate<const N: usize>(
     let (mut t, mut y) = (start.t, start.y);
     let mut f = system.rate(t, &y);
     count.evaluations += 1;
-    let mut h = start.step.unwrap_or_else(|| first_step(system, (t, &y, &f), tolerance, count));
+    let from = Point { t, y: &y, f: &f };
+    let mut h = start.step.unwrap_or_else(|| first_step(system, from, tolerance, count));
     let (mut error_before, mut was_rejected, mut was_nan) = (1e-4, false, false);
     loop {
         let ended = |stop: Stop| Reached { t, y, stop, step: h };
@@ -54,7 +55,8 @@ pub fn integrate<const N: usize>(
         if (t + length).partial_cmp(&t) != Some(Ordering::Greater) {
             return ended(if was_nan { Stop::NonFinite } else { Stop::StepUnderflow });
         }
-        let trial = step(system, (t, &y, &f), length, count);
+        let from = Point { t, y: &y, f: &f };
+        let trial = step(system, from, length, count);
         let error = error(&trial, &y, length, tolerance);
         let f_next = system.rate(t_next, &trial.y);
         count.evaluations += 1;
@@ -68,12 +70,12 @@ pub fn integrate<const N: usize>(
         count.steps += 1;
         let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f_next };
         if ends.may_cross(system.boundaries()) {
-            let dense = Dense::of(system, (t, &ends, length), &trial, count);
+            let dense = Dense::of(system, t, length, &ends, &trial, count);
             let crossed = ends.first(system.boundaries(), |s| dense.at(s));
             if let Some((index, guess)) = crossed {
                 let boundary = system.boundaries()[index];
                 let landed = land(&boundary, &y, guess, |s| {
-                    let y = step(system, (t, &y, &f), s * length, count).y;
+                    let y = step(system, from, s * length, count).y;
                     count.evaluations += 1;
                     (y, system.rate(t + s * length, &y).map(|f| f * length))
                 });
@@ -115,7 +117,7 @@ fn stage<const I: usize, const N: usize>(y: &[f64; N], h: f64, k: &[[f64; N]]) -
 
 fn step<const N: usize>(
     system: &mut impl System<N>,
-    (t, y, f): (f64, &[f64; N], &[f64; N]),
+    Point { t, y, f }: Point<'_, N>,
     h: f64,
     count: &mut Count,
 ) -> Trial<N> {
@@ -157,7 +159,7 @@ fn error<const N: usize>(trial: &Trial<N>, y: &[f64; N], h: f64, tolerance: f64)
 /// Hairer's starting step: an Euler step shows the second derivative.
 fn first_step<const N: usize>(
     system: &mut impl System<N>,
-    (t, y, f): (f64, &[f64; N], &[f64; N]),
+    Point { t, y, f }: Point<'_, N>,
     tolerance: f64,
     count: &mut Count,
 ) -> f64 {
@@ -187,7 +189,9 @@ impl<const N: usize> Dense<N> {
     /// Costs three evaluations.
     fn of(
         system: &mut impl System<N>,
-        (t, ends, h): (f64, &Ends<'_, N>, f64),
+        t: f64,
+        h: f64,
+        ends: &Ends<'_, N>,
         trial: &Trial<N>,
         count: &mut Count,
     ) -> Self {
@@ -255,10 +259,10 @@ mod tests {
         let (mut system, mut count) = (Bell(0), Count::default());
         let (t, y) = (0.3, [bell(0.3)]);
         let f = system.rate(t, &y);
-        let trial = step(&mut system, (t, &y, &f), h, &mut count);
+        let trial = step(&mut system, Point { t, y: &y, f: &f }, h, &mut count);
         let f1 = system.rate(t + h, &trial.y);
         let ends = Ends { y0: &y, f0: &f, y1: &trial.y, f1: &f1 };
-        let dense = Dense::of(&mut system, (t, &ends, h), &trial, &mut count);
+        let dense = Dense::of(&mut system, t, h, &ends, &trial, &mut count);
         let inside = (dense.at(0.37)[0] - bell(t + 0.37 * h)).abs();
         assert!((dense.at(1.0)[0] - trial.y[0]).abs() < 1e-15);
         assert!((dense.at(0.0)[0] - y[0]).abs() < f64::MIN_POSITIVE);
@@ -311,7 +315,7 @@ mod tests {
             let mut count = Count::default();
             for _ in 0..steps {
                 let f = Growth.rate(t, &y);
-                y = step(&mut Growth, (t, &y, &f), h, &mut count).y;
+                y = step(&mut Growth, Point { t, y: &y, f: &f }, h, &mut count).y;
                 t += h;
             }
             (y[0] / 6f64.exp() - 1.0).abs()

@@ -4,7 +4,7 @@
 //! the step that crossed them, as a program without event location does.
 
 use super::landing::{Ends, land};
-use super::{Count, Limits, Reached, Start, Stop, System, is_finite};
+use super::{Count, Limits, Point, Reached, Start, Stop, System, is_finite};
 
 /// What happens at a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,11 +15,12 @@ pub enum Crossing {
     Notice,
 }
 
-/// Integrate from `start` with steps of `(length, what to do at a boundary)` until a boundary or a limit.
+/// Integrate from `start` with steps of length `h` until a boundary or a limit.
 pub fn integrate<const N: usize>(
     system: &mut impl System<N>,
     start: Start<N>,
-    (h, crossing): (f64, Crossing),
+    h: f64,
+    crossing: Crossing,
     limits: Limits,
     count: &mut Count,
 ) -> Reached<N> {
@@ -39,7 +40,8 @@ pub fn integrate<const N: usize>(
         if t_next <= t {
             return ended(t, y, Stop::StepUnderflow);
         }
-        let y_next = step(system, (t, &y, &f), h, count);
+        let from = Point { t, y: &y, f: &f };
+        let y_next = step(system, from, h, count);
         let f_next = system.rate(t_next, &y_next);
         count.evaluations += 1;
         count.steps += 1;
@@ -55,7 +57,7 @@ pub fn integrate<const N: usize>(
                 }
                 let boundary = system.boundaries()[index];
                 let landed = land(&boundary, &y, guess, |s| {
-                    let y = step(system, (t, &y, &f), s * h, count);
+                    let y = step(system, from, s * h, count);
                     count.evaluations += 1;
                     (y, system.rate(t + s * h, &y).map(|f| f * h))
                 });
@@ -69,10 +71,10 @@ pub fn integrate<const N: usize>(
     ended(t, y, Stop::StepBudget)
 }
 
-/// One step of length `h` from (t, y, f).
+/// One step of length `h`.
 fn step<const N: usize>(
     system: &mut impl System<N>,
-    (t, y, f): (f64, &[f64; N], &[f64; N]),
+    Point { t, y, f }: Point<'_, N>,
     h: f64,
     count: &mut Count,
 ) -> [f64; N] {
@@ -113,7 +115,7 @@ mod tests {
             let mut count = Count::default();
             let start = Start { t: 0.0, y: [1.0], step: None };
             let limits = Limits { until: 1.0 - 0.5 * h, steps: 10_000 };
-            let end = integrate(&mut Bell, start, (h, Crossing::Locate), limits, &mut count);
+            let end = integrate(&mut Bell, start, h, Crossing::Locate, limits, &mut count);
             assert_eq!((count.steps, count.evaluations), (steps, 4 * steps + 1));
             (end.y[0] - 0.5).abs()
         };
