@@ -339,18 +339,20 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
+    use crate::model::impact::body::Body;
     use crate::model::impact::problem::Problem;
     use crate::model::scene::Scene;
     use crate::model::units::Bare;
     use crate::model::variables::set_by_name;
 
-    /// Mode, slip and plate velocity after an event, and what is noted of it. The hole is 5 mm of travel deep.
-    fn after(
+    /// What is seen of a run after an event. The hole is 5 mm of travel deep.
+    fn look<T>(
         pairs: &str,
         mode: Mode,
         event: EventId,
         [q, u, x, w]: [f64; 4],
-    ) -> (Mode, f64, f64, Vec<EventKind>) {
+        look: impl Fn(&Track<'_>) -> T,
+    ) -> T {
         let mut scene = Scene::default();
         for pair in pairs.split_whitespace() {
             let (name, value) = pair.split_once('=').unwrap();
@@ -362,9 +364,24 @@ mod tests {
         (body.mode, body.deepest_m) = (mode, 5e-3);
         body.state = State { t_s: 1e-4, travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w };
         track.apply_transition(event);
-        let State { slip_m_s, plate_m_s, .. } = track.body.state;
-        let noted = track.record.events.iter().map(|event| event.kind).collect();
-        (track.body.mode, slip_m_s, plate_m_s, noted)
+        look(&track)
+    }
+
+    fn noted(track: &Track<'_>) -> Vec<EventKind> {
+        track.record.events.iter().map(|event| event.kind).collect()
+    }
+
+    /// Mode, slip and plate velocity after an event, and what is noted of it.
+    fn after(
+        pairs: &str,
+        mode: Mode,
+        event: EventId,
+        state: [f64; 4],
+    ) -> (Mode, f64, f64, Vec<EventKind>) {
+        look(pairs, mode, event, state, |track| {
+            let State { slip_m_s, plate_m_s, .. } = track.body.state;
+            (track.body.mode, slip_m_s, plate_m_s, noted(track))
+        })
     }
 
     type Transition = (&'static str, Mode, EventId, [f64; 4], Mode, EventKind);
@@ -373,8 +390,9 @@ mod tests {
 
     /// Scene, mode, event and state (q, u, x, w), and the mode and the note after it.
     #[rustfmt::skip]
-    const TRANSITIONS: [Transition; 13] = [
+    const TRANSITIONS: [Transition; 14] = [
         ("k=1e5", Mode::Penetrating, EventId::SlipZero, [5e-3, 0.0, 0.0, 20.0], Mode::Fused, EventKind::FirstArrest),
+        ("k=1e5", Mode::Penetrating, EventId::SlipHeld, [5e-3, 0.0, 0.0, 20.0], Mode::Fused, EventKind::Arrest),
         ("k=1e5", Mode::Closing, EventId::HoleBottom, [5e-3, 9.0, 0.0, 1.0], Mode::Penetrating, EventKind::Resumption),
         ("k=1e5", Mode::Withdrawing, EventId::PieceStart, [0.0, -9.0, 0.0, 1.0], Mode::FreeFlight, EventKind::Separation),
         ("k=1e5", Mode::FreeFlight, EventId::Recontact, [0.0, 9.0, 0.0, 1.0], Mode::Closing, EventKind::Recontact),
@@ -394,6 +412,54 @@ mod tests {
         for (pairs, mode, event, state, expected, noted) in TRANSITIONS {
             let found = after(pairs, mode, event, state);
             assert_eq!((found.0, found.3), (expected, vec![noted]), "{pairs} {mode:?} {event:?}");
+        }
+    }
+
+    type Change = (&'static str, EventId, [f64; 4], fn(&Body<'_>) -> bool, &'static [EventKind]);
+
+    /// Scene, event and state (q, u, x, w) of joined bodies whose plate starts forward from 0, what holds afterwards, and the notes.
+    #[rustfmt::skip]
+    const CHANGES: [Change; 12] = [
+        ("k=1e5 n=2", EventId::PlateZero, [5e-3, 0.0, 0.0, -3.0], |body| body.x_zero.side < 0.0, &[]),
+        ("k=1e5 n=0.5", EventId::PlateZero, [5e-3, 0.0, 1e-9, -3.0], |body| body.x_zero.omitted, &[]),
+        ("k=1e5 n=0.5", EventId::PlateClear, [5e-3, 0.0, -1e-6, -3.0], |body| !body.x_zero.omitted && body.x_zero.side < 0.0, &[]),
+        ("k=1e5", EventId::PlateSpeedZero, [5e-3, 0.0, 1e-3, 0.0], |body| body.w_zero.side < 0.0, &[EventKind::GreatestDisplacement]),
+        ("k=1e5 b=9 m=0.5", EventId::PlateSpeedZero, [5e-3, 0.0, 1e-3, 1e-9], |body| body.w_zero.omitted, &[EventKind::GreatestDisplacement]),
+        ("k=1e5 b=9 m=0.5", EventId::PlateSpeedClear, [5e-3, 0.0, 1e-3, -1e-3], |body| !body.w_zero.omitted && body.w_zero.side < 0.0, &[]),
+        ("spring=bistable", EventId::KnotAhead, [5e-3, 0.0, 1e-3, 1.0], |body| body.region == Body::new(body.problem, 1e-9).region + 1, &[]),
+        ("spring=bistable", EventId::KnotBehind, [5e-3, 0.0, 1e-3, -1.0], |body| body.region + 1 == Body::new(body.problem, 1e-9).region, &[]),
+        (ELASTIC_STOP, EventId::StopReached, [5e-3, 0.0, 1e-3, 2.0], |body| body.stop_touches && !body.rests_on_stop, &[EventKind::StopHit]),
+        (ELASTIC_STOP, EventId::StopCleared, [5e-3, 0.0, 1e-3, -2.0], |body| !body.stop_touches, &[]),
+        (ELASTIC_STOP, EventId::StopPressed, [5e-3, 0.0, 2e-3, -2.0], |body| body.stop_touches, &[]),
+        ("k=1e5 x_stop=0.001 e=0", EventId::StopRelease, [5e-3, 0.0, 1e-3, 0.0], |body| body.released && !body.rests_on_stop, &[EventKind::StopRelease]),
+    ];
+
+    const ELASTIC_STOP: &str = "k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e6 b_stop=0";
+
+    #[test]
+    fn an_event_of_the_plate_changes_its_law_or_its_side_and_leaves_the_mode() {
+        for (pairs, event, state, holds, notes) in CHANGES {
+            look(pairs, Mode::Fused, event, state, |track| {
+                assert!(holds(&track.body), "{pairs} {event:?}");
+                assert_eq!(track.body.mode, Mode::Fused, "{pairs} {event:?}");
+                assert_eq!(noted(track), notes, "{pairs} {event:?}");
+            });
+        }
+    }
+
+    /// The ends of pieces that are no exit: the nose is in, then its front is at the rear face; a dent that is left changes nothing.
+    #[test]
+    fn an_end_of_a_piece_is_noted_by_its_place() {
+        let radius_m = 0.00635;
+        for (pairs, mode, event, travel_m, notes) in [
+            ("k=1e5 dishing=off", Mode::Penetrating, EventId::PieceEnd, radius_m, vec![EventKind::NoseBuried]),
+            ("k=1e5 dishing=off", Mode::Penetrating, EventId::PieceEnd, 0.0254, vec![EventKind::RearFace]),
+            ("k=1e5 dishing=off", Mode::Closing, EventId::PieceEnd, radius_m, vec![]),
+            ("k=1e5 model=lumped", Mode::FreeFlight, EventId::DentLeft, 4e-3, vec![]),
+        ] {
+            let state = [travel_m, 9.0, 0.0, 1.0];
+            let found = after(pairs, mode, event, state);
+            assert_eq!((found.0, found.3), (mode, notes), "{pairs} {event:?} {travel_m}");
         }
     }
 

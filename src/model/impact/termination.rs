@@ -192,3 +192,98 @@ impl Track<'_> {
         self.record.work.penetration_j += lost;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::model::impact::problem::Problem;
+    use crate::model::motion::State;
+    use crate::model::scene::Scene;
+    use crate::model::units::Bare;
+    use crate::model::variables::set_by_name;
+
+    fn problem(pairs: &str) -> Problem {
+        let mut scene = Scene::default();
+        for pair in pairs.split_whitespace() {
+            let (name, value) = pair.split_once('=').unwrap();
+            set_by_name(&mut scene, name, value, Bare::Si).unwrap();
+        }
+        Problem::of(&Arc::new(scene))
+    }
+
+    /// A run at 0.1 ms in a hole 5 mm of travel deep.
+    fn track(problem: &Problem, mode: Mode, [q, u, x, w]: [f64; 4]) -> Track<'_> {
+        let mut track = Track::new(problem, 1e-9, false);
+        (track.body.mode, track.body.deepest_m) = (mode, 5e-3);
+        track.body.state = State { t_s: 1e-4, travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w };
+        track.body.speed_scale_m_s = w.abs();
+        track
+    }
+
+    /// Scene, mode and state (q, u, x, w), and why the run is over, if it is.
+    #[rustfmt::skip]
+    const ENDS: [(&str, Mode, [f64; 4], Option<EndReason>); 9] = [
+        ("k=1e5", Mode::Penetrating, [3e-3, 50.0, 0.0, 10.0], None),
+        // Perforated, and nothing stops the plate: its greatest displacement is known not to exist.
+        ("k=0", Mode::Perforated, [0.1, 50.0, 0.0, 10.0], Some(EndReason::Decided)),
+        // Its spring is yet to be loaded most.
+        ("k=1e5", Mode::Perforated, [0.1, 50.0, 1e-4, 10.0], None),
+        ("k=1e5", Mode::Fused, [5e-3, 0.0, 1e-4, 10.0], None),
+        ("k=1e5", Mode::Fused, [5e-3, 0.0, 0.0, 0.0], Some(EndReason::Decided)),
+        // A damper alone: the greatest displacement is a closed form, and the load only falls.
+        ("k=0 b=100", Mode::Perforated, [0.1, 50.0, 1e-4, 10.0], Some(EndReason::Decided)),
+        // A spring with a damper: the greatest displacement is not known before it is reached.
+        ("k=1e5 b=100", Mode::Perforated, [0.1, 50.0, 1e-4, 10.0], None),
+        ("k=1e5 horizon=1e-4", Mode::Penetrating, [3e-3, 50.0, 0.0, 10.0], Some(EndReason::Horizon)),
+        ("k=0 horizon=1e-4", Mode::Perforated, [0.1, 50.0, 0.0, 10.0], Some(EndReason::Decided)),
+    ];
+
+    #[test]
+    fn a_run_is_over_when_its_outcome_and_greatest_displacement_are_known_or_at_its_horizon() {
+        for (pairs, mode, state, expected) in ENDS {
+            let problem = problem(pairs);
+            assert_eq!(track(&problem, mode, state).finished(), expected, "{pairs} {mode:?}");
+        }
+    }
+
+    #[test]
+    fn a_run_that_is_drawn_goes_on_for_a_quarter_of_its_contact_and_one_with_a_horizon_up_to_it() {
+        let problem_of = problem;
+        let problem = problem_of("k=0");
+        let mut drawn = track(&problem, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        drawn.record.keep_series = true;
+        drawn.record.exit = Some((1e-4, 60.0));
+        assert_eq!(drawn.finished(), None);
+        assert!((drawn.until_s() / 1.25e-4 - 1.0).abs() < 1e-12, "{}", drawn.until_s());
+        drawn.body.state.t_s = 1.25e-4;
+        assert_eq!(drawn.finished(), Some(EndReason::Decided));
+        let problem = problem_of("k=0 horizon=1e-3");
+        let mut asked = track(&problem, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        assert_eq!(asked.finished(), None);
+        assert!((asked.until_s() / 1e-3 - 1.0).abs() < 1e-12);
+    }
+
+    /// Both bodies weigh 29.5 g: the interface carries half of the spring's force, whose peak is sqrt(2 E k). Along the cylinder,
+    /// behind the nose, A S stays what it is: the slips take all energy above 2 (A S)²/k, over the path q = E/(A S).
+    #[test]
+    fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
+        let problem = problem("k=1e7 interface=plastic grip=2");
+        let mut track = track(&problem, Mode::Fused, [0.012, 0.0, 0.0, 0.0]);
+        track.body.deepest_m = 0.012;
+        let strength_n = track.body.interface_n();
+        let holding_j = 2.0 * strength_n * strength_n / 1e7;
+        let energy_j = 1.01 * 1.01 * holding_j;
+        track.body.state.plate_m_s = (2.0 * energy_j / problem.joined_kg).sqrt();
+        track.yield_to_the_end();
+        let slipped_m = track.body.state.travel_m - 0.012;
+        let expected_m = (energy_j - holding_j) / strength_n;
+        assert!((slipped_m / expected_m - 1.0).abs() < 1e-6, "{slipped_m} {expected_m}");
+        assert_eq!(track.body.deepest_m.to_bits(), track.body.state.travel_m.to_bits());
+        let left_j = track.body.energy_j();
+        assert!((energy_j - left_j - track.record.work.penetration_j).abs() < 1e-12 * energy_j);
+        let load = track.body.push_at(left_j) / track.body.interface_n();
+        assert!((load - 1.0).abs() < 1e-7, "{load}");
+    }
+}
