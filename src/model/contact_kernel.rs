@@ -355,6 +355,7 @@ impl Contact {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::run::Run;
     use crate::model::simulate::{Settings, simulate};
     use crate::model::units::Bare;
     use crate::model::variables::set_by_name;
@@ -371,11 +372,15 @@ mod tests {
         scene
     }
 
-    /// (time, depth) by the simulation.
-    fn full(scene: &Scene) -> (f64, f64) {
+    fn simulated(scene: &Scene) -> Run {
         let settings = Settings { series: false, estimate: false };
         let go_on = &mut |_: f64| ControlFlow::Continue(());
-        let run = simulate(&Arc::new(scene.clone()), &settings, go_on).unwrap();
+        simulate(&Arc::new(scene.clone()), &settings, go_on).unwrap()
+    }
+
+    /// (time, depth) by the simulation.
+    fn full(scene: &Scene) -> (f64, f64) {
+        let run = simulated(scene);
         let arrest = run.first_arrest.map(|arrest| (arrest.t_s, arrest.penetration_m));
         arrest.unwrap_or_else(|| (run.exit_time_s.unwrap(), run.final_penetration_m.unwrap()))
     }
@@ -457,10 +462,7 @@ mod tests {
                     errors.iter().all(|e| e.abs() < tolerance),
                     "{pairs} {tolerance:e} {errors:?}"
                 );
-                let settings = Settings { series: false, estimate: false };
-                let go_on = &mut |_: f64| ControlFlow::Continue(());
-                let run = simulate(&Arc::new(scene.clone()), &settings, go_on).unwrap();
-                let Some(arrest) = run.first_arrest else { continue };
+                let Some(arrest) = simulated(&scene).first_arrest else { continue };
                 let error = end.plate_displacement_m / arrest.plate_displacement_m - 1.0;
                 assert!(error.abs() < 30.0 * tolerance + 1e-7, "{pairs} {tolerance:e} {error:e}");
             }
@@ -474,10 +476,7 @@ mod tests {
             let mut scene = scene("k=1.725e6 n=0.332");
             scene.run.tolerance = tolerance;
             let lean = Contact::of(&scene).run(1e-9).unwrap().farthest_m;
-            let settings = Settings { series: false, estimate: false };
-            let go_on = &mut |_: f64| ControlFlow::Continue(());
-            let run = simulate(&Arc::new(scene), &settings, go_on).unwrap();
-            let full = run.max_plate_displacement_m.unwrap();
+            let full = simulated(&scene).max_plate_displacement_m.unwrap();
             assert!((full / lean - 1.0).abs() < 1e-6, "{tolerance:e}: {full} {lean}");
         }
     }

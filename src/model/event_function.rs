@@ -125,6 +125,16 @@ impl EventFunction {
         Self { slip: sign, ..Self::default() }
     }
 
+    /// A place plus or minus the plate's displacement.
+    pub(super) fn plate(offset: f64, plate: f64) -> Self {
+        Self { offset, plate, ..Self::default() }
+    }
+
+    /// A velocity plus or minus the plate's.
+    pub(super) fn plate_speed(offset: f64, plate_speed: f64) -> Self {
+        Self { offset, plate_speed, ..Self::default() }
+    }
+
     /// The form along an expansion, as it is watched.
     pub(super) fn along<const N: usize>(&self, motion: &Motion<'_>, e: &Expansion<N>) -> [f64; N] {
         let mut sum = [0.0; N];
@@ -145,7 +155,7 @@ impl EventFunction {
         }
         sum[1] += self.time * e.unit_s;
         let forces =
-            Forces { contact_n: e.contact[0], mechanism_n: e.mechanism[0], damper_n: e.damper[0] };
+            Forces { contact: e.contact[0], mechanism: e.mechanism[0], damper: e.damper[0] };
         sum[0] += self.offset + self.time * e.t_s + self.spared(motion, &e.start(), forces);
         sum
     }
@@ -170,14 +180,14 @@ impl EventFunction {
 
     /// The same where contact, mechanism and damper hold with these forces, N.
     fn rounding_of(&self, motion: &Motion<'_>, state: &State, forces: Forces) -> f64 {
-        let mechanism_n = motion.mechanism_size(state, forces.mechanism_n, forces.damper_n);
+        let mechanism_n = motion.mechanism_size(state, forces.mechanism, forces.damper);
         let size = self.offset.abs()
             + (self.time * state.t_s).abs()
             + (self.travel * state.travel_m).abs()
             + (self.slip * state.slip_m_s).abs()
             + (self.plate * state.plate_m).abs()
             + (self.plate_speed * state.plate_m_s).abs()
-            + (self.contact * forces.contact_n).abs()
+            + (self.contact * forces.contact).abs()
             + (self.mechanism * mechanism_n).abs();
         8.0 * f64::EPSILON * size
     }
@@ -194,19 +204,19 @@ impl EventFunction {
             + self.slip * state.slip_m_s
             + self.plate * state.plate_m
             + self.plate_speed * state.plate_m_s
-            + self.contact * forces.contact_n
-            + self.mechanism * forces.mechanism_n
+            + self.contact * forces.contact
+            + self.mechanism * forces.mechanism
     }
 
     /// The forces at a state, as far as they are in the form; else zero.
     fn forces(&self, motion: &Motion<'_>, state: &State) -> Forces {
         let mut forces = Forces::default();
         if self.contact != 0.0 {
-            forces.contact_n = motion.contact_force(state);
+            forces.contact = motion.contact_force(state);
         }
         if self.mechanism != 0.0 {
-            forces.mechanism_n = motion.mechanism_force(state);
-            forces.damper_n = motion.damper.force(state.plate_m_s);
+            forces.mechanism = motion.mechanism_force(state);
+            forces.damper = motion.damper.force(state.plate_m_s);
         }
         forces
     }
@@ -215,7 +225,7 @@ impl EventFunction {
 /// The forces that an event function may contain, N.
 #[derive(Clone, Copy, Default)]
 struct Forces {
-    contact_n: f64,
-    mechanism_n: f64,
-    damper_n: f64,
+    contact: f64,
+    mechanism: f64,
+    damper: f64,
 }

@@ -173,12 +173,16 @@ impl Record<'_> {
             self.work.stop_j += integral(&force, &e.plate_speed, span) * h;
         }
         self.note_extremes(setting, |force, known| {
-            let arc = Arc { span, known, value: |s: f64| setting.motion.force(force, &e.state(s)) };
-            match force {
-                Force::Contact => arc.greatest(&e.contact),
-                Force::Push => arc.greatest(&e.mechanism),
-                Force::Pull => arc.greatest(&e.mechanism.map(|c| -c)),
-            }
+            let backwards;
+            let series = match force {
+                Force::Contact => &e.contact,
+                Force::Push => &e.mechanism,
+                Force::Pull => {
+                    backwards = e.mechanism.map(|c| -c);
+                    &backwards
+                }
+            };
+            greatest(series, span, known, |s| setting.motion.force(force, &e.state(s)))
         });
         if let Some(window) = self.window.filter(|_| self.keep_series) {
             let at = |t_s: f64| setting.sample(&State { t_s, ..e.state((t_s - e.t_s) / h) }, false);
@@ -285,36 +289,32 @@ const RECIPROCALS: [f64; TERMS_MAX] = {
     reciprocals
 };
 
-/// A quantity along a step of an expansion, as a function of the time, in time units.
-struct Arc<F> {
+/// The greatest value of a quantity on the first `span` of the time unit, as far as it exceeds what is known: at an end, or where the
+/// slope of its series falls through zero. The series only shows where: the value there is that of the state. A series that has not
+/// converged, although those of the state have, says nothing.
+fn greatest<const N: usize>(
+    series: &[f64; N],
     span: f64,
-    /// What it must exceed to matter.
     known: f64,
-    value: F,
-}
-
-impl<F: Fn(f64) -> f64> Arc<F> {
-    /// The greatest value: at an end, or where the slope of its series falls through zero. The series only shows where: the value
-    /// there is that of the state. A series that has not converged, although those of the state have, says nothing.
-    fn greatest<const N: usize>(&self, series: &[f64; N]) -> f64 {
-        let (start, end) = (series[0], (self.value)(self.span));
-        let best = larger(start, end);
-        // The most by which series and slope may vary.
-        let (mut size, mut bend, mut power) = (0.0, 0.0, 1.0);
-        for (j, c) in series.iter().enumerate().skip(1) {
-            bend += if j > 1 { j as f64 * (c * power).abs() } else { 0.0 };
-            power *= self.span;
-            size += (c * power).abs();
-        }
-        let off = (evaluate(series, self.span) - end).abs();
-        if off <= CONVERGED * size {
-            if bend <= series[1].abs() || start + size <= self.known {
-                return best;
-            }
-            let mut most = best;
-            each_fall(&slope(series), self.span, |s| most = larger((self.value)(s), most));
-            return most;
-        }
-        larger(maximum::greatest(0.0, self.span, self.known, &self.value), best)
+    value: impl Fn(f64) -> f64,
+) -> f64 {
+    let (start, end) = (series[0], value(span));
+    let best = larger(start, end);
+    // The most by which series and slope may vary.
+    let (mut size, mut bend, mut power) = (0.0, 0.0, 1.0);
+    for (j, c) in series.iter().enumerate().skip(1) {
+        bend += if j > 1 { j as f64 * (c * power).abs() } else { 0.0 };
+        power *= span;
+        size += (c * power).abs();
     }
+    let is_converged = (evaluate(series, span) - end).abs() <= CONVERGED * size;
+    if !is_converged {
+        return larger(maximum::greatest(0.0, span, known, &value), best);
+    }
+    let does_not_matter = bend <= series[1].abs() || start + size <= known;
+    let mut most = best;
+    if !does_not_matter {
+        each_fall(&slope(series), span, |s| most = larger(value(s), most));
+    }
+    most
 }

@@ -92,30 +92,26 @@ pub struct Listing {
 
 impl Default for Listing {
     fn default() -> Self {
-        Self {
-            step_s: 1e-6,
-            coupling: Reading::Printed,
-            damper: Reading::Printed,
-            stopping: Reading::Printed,
-            afterwards: Reading::Printed,
-            scheme: Reading::Printed,
-            obliquity: Reading::Printed,
-            jumps: Jumps::Meant,
-        }
+        Self::read(1e-6, Reading::Printed)
     }
 }
 
 impl Listing {
     /// Everything put right that can be, with the same step.
     pub fn corrected(step_s: f64) -> Self {
+        Self::read(step_s, Reading::Corrected)
+    }
+
+    /// Every place read alike.
+    fn read(step_s: f64, reading: Reading) -> Self {
         Self {
             step_s,
-            coupling: Reading::Corrected,
-            damper: Reading::Corrected,
-            stopping: Reading::Corrected,
-            afterwards: Reading::Corrected,
-            scheme: Reading::Corrected,
-            obliquity: Reading::Corrected,
+            coupling: reading,
+            damper: reading,
+            stopping: reading,
+            afterwards: reading,
+            scheme: reading,
+            obliquity: reading,
             jumps: Jumps::Meant,
         }
     }

@@ -73,10 +73,7 @@ impl Body<'_> {
         if self.stop_touches {
             events.watch(EventId::StopCleared, self.stop_force(1.0));
         } else if at.is_finite() {
-            events.watch(
-                EventId::StopReached,
-                EventFunction { offset: at, plate: -1.0, ..EventFunction::default() },
-            );
+            events.watch(EventId::StopReached, EventFunction::plate(at, -1.0));
             if self.is_beyond_stop() {
                 events.watch(EventId::StopPressed, self.stop_force(-1.0));
             }
@@ -110,12 +107,10 @@ impl Body<'_> {
     fn watch_knots(&self, events: &mut ActiveEvents) {
         let (behind, ahead) = self.spring_ends();
         if ahead.is_finite() {
-            let form = EventFunction { offset: ahead, plate: -1.0, ..EventFunction::default() };
-            events.watch(EventId::KnotAhead, form);
+            events.watch(EventId::KnotAhead, EventFunction::plate(ahead, -1.0));
         }
         if behind.is_finite() {
-            let form = EventFunction { offset: -behind, plate: 1.0, ..EventFunction::default() };
-            events.watch(EventId::KnotBehind, form);
+            events.watch(EventId::KnotBehind, EventFunction::plate(-behind, 1.0));
         }
     }
 
@@ -123,16 +118,12 @@ impl Body<'_> {
         let near = if self.x_zero.omitted { self.x_zero.clear } else { self.near_zero_m() };
         if self.x_zero.omitted {
             for side in [1.0, -1.0] {
-                let form = EventFunction { offset: near, plate: -side, ..EventFunction::default() };
-                events.watch(EventId::PlateClear, form);
+                events.watch(EventId::PlateClear, EventFunction::plate(near, -side));
             }
         } else if !self.spring().is_smooth_at_zero() {
             let singular = self.problem.mechanism.spring.is_singular();
             let offset = if singular { -near } else { 0.0 };
-            events.watch(
-                EventId::PlateZero,
-                EventFunction { offset, plate: self.x_zero.side, ..EventFunction::default() },
-            );
+            events.watch(EventId::PlateZero, EventFunction::plate(offset, self.x_zero.side));
         }
     }
 
@@ -140,15 +131,12 @@ impl Body<'_> {
         let near = if self.w_zero.omitted { self.w_zero.clear } else { self.near_zero_m_s() };
         if self.w_zero.omitted {
             for side in [1.0, -1.0] {
-                let form =
-                    EventFunction { offset: near, plate_speed: -side, ..EventFunction::default() };
-                events.watch(EventId::PlateSpeedClear, form);
+                events.watch(EventId::PlateSpeedClear, EventFunction::plate_speed(near, -side));
             }
             return;
         }
         let offset = if singular { -near } else { 0.0 };
-        let form =
-            EventFunction { offset, plate_speed: self.w_zero.side, ..EventFunction::default() };
+        let form = EventFunction::plate_speed(offset, self.w_zero.side);
         events.watch(EventId::PlateSpeedZero, form);
     }
 }
