@@ -7,7 +7,7 @@
 
 use crate::model::contact_phase::section::Faces;
 use crate::model::contact_phase::{Answer, Ending, Refusal};
-use crate::model::mechanism::sign;
+use crate::model::mechanism::{damper_law_of, sign};
 use crate::model::scene::{Jumps, Listing, Mount, Reading, Scene};
 
 pub mod listing;
@@ -301,7 +301,7 @@ pub fn contact(
 }
 
 fn plate_of(scene: &Scene, damper_reading: Reading) -> Plate {
-    let (spring, damper) = (&scene.mechanism.spring, scene.mechanism.damper);
+    let (spring, damper) = (&scene.mechanism.spring, damper_law_of(&scene.mechanism.damper));
     Plate {
         mass_kg: scene.plate_mass_kg(),
         spring: (spring.coefficient, spring.exponent),

@@ -13,7 +13,7 @@
 
 use std::sync::Arc;
 
-use crate::model::mechanism::{self, Mechanism, curve::Curve, moving_plate_kg};
+use crate::model::mechanism::{self, Mechanism, curve::Curve, damper_law_of, moving_plate_kg};
 use crate::model::scene::{Mount, Scene};
 use crate::model::worded::worded;
 use crate::numerics::explicit::rk4::Crossing;
@@ -257,7 +257,7 @@ impl Phase {
         let rigid = scene.plate.mount == Mount::Rigid;
         // Forces in units of m_p v²/R.
         let unit_n = m_p * v * v / r;
-        let damper = scene.mechanism.damper;
+        let damper = damper_law_of(&scene.mechanism.damper);
         Self {
             faces: Faces::of(scene),
             radius_m: r,

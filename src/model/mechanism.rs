@@ -8,6 +8,7 @@ use crate::model::scene::{Mount, Scene, Stop, StopKind};
 
 mod combine;
 pub mod curve;
+mod damper;
 pub mod inertia;
 mod kinds;
 pub mod load;
@@ -15,6 +16,7 @@ pub mod piece;
 mod spring;
 pub(super) mod stop;
 
+pub use damper::law as damper_law_of;
 pub use inertia::{Inertia, moving_plate_kg};
 pub use kinds::{curve as curve_of, power_law as power_law_of};
 pub use spring::{Elastic, Spring};
@@ -151,14 +153,11 @@ impl Mechanism {
     pub fn of(scene: &Scene) -> Self {
         let laws = &scene.mechanism;
         let sprung = scene.plate.mount == Mount::Sprung;
-        let law = |coefficient: f64, exponent: f64| PowerLaw {
-            coefficient: if sprung { coefficient } else { 0.0 },
-            exponent,
-        };
+        let damper = damper::law(&laws.damper);
         let stop = laws.stop.position_m.filter(|_| sprung);
         Self {
             spring: if sprung { Spring::of(laws) } else { Spring::NONE },
-            damper: law(laws.damper.coefficient, laws.damper.exponent),
+            damper: if sprung { damper } else { PowerLaw { coefficient: 0.0, ..damper } },
             stop: stop.map(|_| laws.stop),
             stop_at_m: stop.unwrap_or(f64::INFINITY),
         }

@@ -295,6 +295,13 @@ impl Default for Plate {
     }
 }
 
+impl Damper {
+    /// Whether there is none.
+    pub fn is_absent(&self) -> bool {
+        self.coefficient == 0.0
+    }
+}
+
 impl Default for Damper {
     fn default() -> Self {
         Self { coefficient: 0.0, exponent: 1.0 }
@@ -355,7 +362,7 @@ impl Mechanism {
     pub fn is_nothing(&self) -> bool {
         self.is_plain()
             && self.spring.coefficient == 0.0
-            && self.damper.coefficient == 0.0
+            && self.damper.is_absent()
             && self.stop.position_m.is_none()
     }
 }

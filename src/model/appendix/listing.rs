@@ -252,7 +252,7 @@ impl Work<'_> {
         let body = plate.joined(projectile_kg);
         let mode = if parted { Mode::Perforated } else { Mode::Fused };
         let mechanism = &self.scene.mechanism;
-        let is_free = mechanism.spring.coefficient == 0.0 && mechanism.damper.coefficient == 0.0;
+        let is_free = mechanism.spring.coefficient == 0.0 && mechanism.damper.is_absent();
         let contact_s = self.t_s;
         let asked_s = self.scene.run.horizon_s;
         let until_s = asked_s.or_else(|| is_free.then_some(contact_s * (1.0 + TAIL)));

@@ -7,7 +7,9 @@
 //! smooth as the rest, and belongs into the expansion (`law.rs`).
 
 use crate::model::contact_kernel::expansion::{Clock, Constants, Series, trusted};
-use crate::model::contact_kernel::integration::{InitialPhase, Plan, Sides, StepEnd, Track, minded_m};
+use crate::model::contact_kernel::integration::{
+    InitialPhase, Plan, Sides, StepEnd, Track, minded_m,
+};
 use crate::model::contact_kernel::law::{Damping, Linear, RootFromRest};
 use crate::model::contact_kernel::similarity_start;
 use crate::model::contact_kernel::{Contact, GRADED_UNIT, is_linear};

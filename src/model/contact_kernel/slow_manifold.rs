@@ -116,8 +116,7 @@ impl ManifoldRun {
         asked_back: bool,
     ) -> Result<Attempt, Next> {
         let Track { state, .. } = self.track;
-        let guess =
-            Guess { balance: self.manifold.at(state[2]), lag_n: 0.0, speed_m_s: state[3] };
+        let guess = Guess { balance: self.manifold.at(state[2]), lag_n: 0.0, speed_m_s: state[3] };
         let found = self.manifold.balance(&contact.constants, state, area, &guess);
         let change = f64::INFINITY;
         match found {

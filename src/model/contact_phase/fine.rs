@@ -8,6 +8,7 @@
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
 use crate::model::contact_phase::{Answer, Ending, Refusal};
+use crate::model::mechanism::damper_law_of;
 use crate::model::scene::{Mount, Scene};
 use series::{Number, Series, TERMS, at, product, root, trusted};
 
@@ -284,6 +285,7 @@ impl Problem {
     fn of(scene: &Scene) -> Self {
         let number = Number::from;
         let (r, h) = (number(scene.projectile.tip_radius_m), number(scene.target.thickness_m));
+        let damper = damper_law_of(&scene.mechanism.damper);
         let two = number(2.0);
         let lag_m = if scene.target.dishing { two * r } else { Number::ZERO };
         let mut problem = Self {
@@ -301,7 +303,7 @@ impl Problem {
                 }
             },
             spring: Law::of(scene.mechanism.spring.coefficient, scene.mechanism.spring.exponent),
-            damper: Law::of(scene.mechanism.damper.coefficient, scene.mechanism.damper.exponent),
+            damper: Law::of(damper.coefficient, damper.exponent),
             thickness_m: h,
             lag_m,
         };

@@ -452,8 +452,20 @@ mod tests {
     fn an_end_of_a_piece_is_noted_by_its_place() {
         let radius_m = 0.00635;
         for (pairs, mode, event, travel_m, notes) in [
-            ("k=1e5 dishing=off", Mode::Penetrating, EventId::PieceEnd, radius_m, vec![EventKind::NoseBuried]),
-            ("k=1e5 dishing=off", Mode::Penetrating, EventId::PieceEnd, 0.0254, vec![EventKind::RearFace]),
+            (
+                "k=1e5 dishing=off",
+                Mode::Penetrating,
+                EventId::PieceEnd,
+                radius_m,
+                vec![EventKind::NoseBuried],
+            ),
+            (
+                "k=1e5 dishing=off",
+                Mode::Penetrating,
+                EventId::PieceEnd,
+                0.0254,
+                vec![EventKind::RearFace],
+            ),
             ("k=1e5 dishing=off", Mode::Closing, EventId::PieceEnd, radius_m, vec![]),
             ("k=1e5 model=lumped", Mode::FreeFlight, EventId::DentLeft, 4e-3, vec![]),
         ] {

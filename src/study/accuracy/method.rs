@@ -224,7 +224,7 @@ impl Job {
         own.interface.law = InterfaceLaw::Fused;
         // Without a damper energy says what follows the contact; with one it would be integrated.
         let horizon_s = Some(BEYOND_CONTACT * end_s).filter(|horizon_s| horizon_s.is_finite());
-        own.run.horizon_s = horizon_s.filter(|_| scene.mechanism.damper.coefficient > 0.0);
+        own.run.horizon_s = horizon_s.filter(|_| !scene.mechanism.damper.is_absent());
         if let Knob::Tolerance(tolerance) = knob {
             own.run.tolerance = tolerance;
         }

@@ -169,7 +169,7 @@ pub(in crate::study) fn decides(scene: &Scene, wanted: Wanted) -> bool {
     let stays = scene.contact.model == ContactModel::Hydrodynamic
         && scene.interface.law == InterfaceLaw::Fused;
     let is_free = !(sprung && mechanism.stop.position_m.is_some()) && scene.run.horizon_s.is_none();
-    let is_damped = sprung && mechanism.damper.coefficient > 0.0;
+    let is_damped = sprung && !mechanism.damper.is_absent();
     stays
         && match wanted {
             Wanted::Passage => scene.stack.base_thickness_m.is_none(),

@@ -20,7 +20,7 @@ pub(super) const DAMPER: &[Variable] = &[
     number!(Number, Allowed::Positive, mechanism.damper.exponent)
         .named("m", "damper exponent")
         .log()
-        .used_when(|scene| is_sprung(scene) && scene.mechanism.damper.coefficient > 0.0)
+        .used_when(|scene| is_sprung(scene) && !scene.mechanism.damper.is_absent())
         .means("damper exponent")
         .from("thesis section 9.2.2: 1"),
 ];

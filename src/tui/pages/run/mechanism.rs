@@ -50,7 +50,7 @@ pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let spring = if held { "/\\".repeat(gap.div_ceil(2)) } else { "=".repeat(gap) };
     let spring: String = spring.chars().take(gap).collect();
     put(canvas, inner, (face, 0), &spring, style(Role::Text));
-    if held && scene.mechanism.damper.coefficient > 0.0 && rows > 1 {
+    if held && !scene.mechanism.damper.is_absent() && rows > 1 {
         let piston = format!("{:-^gap$}", "[=]");
         put(canvas, inner, (face, 1), &piston, style(Role::Text));
     }
