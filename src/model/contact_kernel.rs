@@ -85,10 +85,6 @@ pub struct Contact {
     left_to_others: bool,
 }
 
-/// Powers of a spring and of a damper that are compiled as products; above them a whole exponent is as any other.
-const SPRING_POWERS: usize = 3;
-const DAMPER_POWERS: usize = 2;
-
 /// Which of the laws are singular where the contact starts.
 #[derive(Clone, Copy)]
 struct Singular {
@@ -101,13 +97,9 @@ fn is_linear(law: PowerLaw) -> bool {
     matches!(law.kind(), PowerKind::Absent | PowerKind::Linear)
 }
 
-/// Whether a law, compiled as products up to that power, cannot be expanded at its zero.
-fn is_singular(law: PowerLaw, powers: usize) -> bool {
-    match law.kind() {
-        PowerKind::Absent | PowerKind::Linear => false,
-        PowerKind::Whole(n) => n > powers,
-        PowerKind::General => true,
-    }
+/// Whether a damper cannot be expanded at rest: any but a linear one and a square.
+fn is_singular(damper: PowerLaw) -> bool {
+    !is_linear(damper) && damper.kind() != PowerKind::Whole(2)
 }
 
 /// The contact of a valid scene to the relative accuracy `tolerance`, prepared no further than it needs; `None` where the full
@@ -226,9 +218,9 @@ impl Contact {
         self.start(tolerance, terms)
     }
 
-    /// Terms of the expansion.
+    /// Terms of the expansion. Dampers that are not linear are rare, and compiled for one number.
     fn terms(&self, tolerance: f64) -> usize {
-        if !self.has_common_laws() || (TIGHT..LOOSE).contains(&tolerance) {
+        if !is_linear(self.damper) || (TIGHT..LOOSE).contains(&tolerance) {
             TERMS
         } else if tolerance >= LOOSE {
             TERMS_LOOSE
@@ -241,8 +233,8 @@ impl Contact {
     fn start(&self, tolerance: f64, terms: usize) -> InitialPhase {
         let starts = self.start_m == 0.0;
         let singular = Singular {
-            spring: starts && is_singular(self.spring, SPRING_POWERS),
-            damper: is_singular(self.damper, DAMPER_POWERS),
+            spring: starts && !is_linear(self.spring),
+            damper: is_singular(self.damper),
         };
         if starts
             && (singular.spring || singular.damper)

@@ -71,31 +71,21 @@ impl<const N: usize, R: Real> Law<N, R> for Linear<R> {
     }
 }
 
-/// coefficient · z^K, on the side of zero where z starts.
+/// coefficient · z², where z is positive.
 #[derive(Clone, Copy)]
-pub(super) struct Whole<const N: usize, const K: usize> {
-    coefficient: f64,
-    /// z², z³, ...
-    powers: [[f64; N]; K],
-}
+pub(super) struct Square<const N: usize>(f64);
 
-impl<const N: usize, const K: usize> Whole<N, K> {
-    /// The law on the side of zero on which its argument is.
-    pub(super) fn new(law: PowerLaw, side: f64) -> Self {
-        let coefficient = if K % 2 == 1 { law.coefficient } else { law.coefficient * side };
-        Self { coefficient, powers: [[0.0; N]; K] }
+impl<const N: usize> Square<N> {
+    pub(super) fn of(law: PowerLaw) -> Self {
+        Self(law.coefficient)
     }
 }
 
-impl<const N: usize, const K: usize> Law<N> for Whole<N, K> {
-    const TWO_SIDED: bool = K % 2 == 1;
+impl<const N: usize> Law<N> for Square<N> {
+    const TWO_SIDED: bool = false;
     #[inline(always)]
     fn term<const J: usize>(&mut self, z: &[f64; N]) -> f64 {
-        self.powers[0][J] = z[J];
-        for k in 1..K {
-            self.powers[k][J] = product_at::<N, J, f64>(&self.powers[k - 1], z);
-        }
-        self.coefficient * self.powers[K - 1][J]
+        self.0 * square_at::<N, J, f64>(z)
     }
 }
 

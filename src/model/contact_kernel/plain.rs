@@ -5,81 +5,44 @@ use pulp::{Arch, Simd, WithSimd};
 use crate::model::contact_kernel::expansion::Clock;
 use crate::model::contact_kernel::integration::{Plan, Sides, Track};
 use crate::model::contact_kernel::lane_buffer::has_lanes;
-use crate::model::contact_kernel::law::{Law, Linear, Power, Whole};
-use crate::model::contact_kernel::{
-    Contact, ContactEnd, SPRING_POWERS, TERMS, is_linear, is_singular,
-};
+use crate::model::contact_kernel::law::{Law, Linear, Power, Square};
+use crate::model::contact_kernel::{Contact, ContactEnd, TERMS, is_linear};
 use crate::model::mechanism::PowerKind;
 
 impl Contact {
     /// Go on by plain steps to the end; `None` where the simulation is needed.
     pub(super) fn plan(&self, plan: &Plan) -> Option<ContactEnd> {
-        if !self.has_common_laws() {
-            return self.with_spring::<TERMS>(plan);
-        }
-        let damper = Linear(self.damper.coefficient);
-        by_terms!(plan.terms, N => match (is_linear(self.spring), plan.track.clock) {
-            (true, _) => {
-                self.with_laws::<N, false>(Linear(self.spring.coefficient), damper, plan)
-            }
-            (false, Clock::Graded { .. }) => {
-                self.with_laws::<N, true>(Power::<N>::of(self.spring), damper, plan)
-            }
-            (false, Clock::Even { .. }) => {
-                self.with_laws::<N, false>(Power::<N>::of(self.spring), damper, plan)
-            }
-        })
-    }
-
-    /// Whether the laws are those of most scenes: a linear damper, and a spring that is linear or a power compiled as any other.
-    /// They are compiled for each number of terms, the rest for one.
-    pub(super) fn has_common_laws(&self) -> bool {
-        is_linear(self.damper)
-            && (is_linear(self.spring) || is_singular(self.spring, SPRING_POWERS))
-    }
-
-    fn with_spring<const N: usize>(&self, plan: &Plan) -> Option<ContactEnd> {
-        let law = self.spring;
-        let side = if self.start_m < 0.0 { -1.0 } else { 1.0 };
-        match law.kind() {
-            PowerKind::Absent | PowerKind::Linear => {
-                self.with_damper::<N, false>(Linear(law.coefficient), plan)
-            }
-            PowerKind::Whole(2) => {
-                self.with_damper::<N, false>(Whole::<N, 2>::new(law, side), plan)
-            }
-            PowerKind::Whole(3) => {
-                self.with_damper::<N, false>(Whole::<N, 3>::new(law, side), plan)
-            }
-            // The singular start serves them, too: a high power of a small displacement is next to nothing.
-            PowerKind::Whole(_) | PowerKind::General => {
-                let spring = Power::<N>::of(law);
-                match plan.track.clock {
-                    Clock::Graded { .. } => self.with_damper::<N, true>(spring, plan),
-                    Clock::Even { .. } => self.with_damper::<N, false>(spring, plan),
-                }
-            }
-        }
-    }
-
-    /// `GRADED` tells the clock, unless the damper does: a singular one always starts on a graded clock.
-    fn with_damper<const N: usize, const GRADED: bool>(
-        &self,
-        spring: impl Law<N>,
-        plan: &Plan,
-    ) -> Option<ContactEnd> {
         let law = self.damper;
         match law.kind() {
             PowerKind::Absent | PowerKind::Linear => {
-                self.with_laws::<N, GRADED>(spring, Linear(law.coefficient), plan)
+                by_terms!(plan.terms, N => self.with_linear_damper::<N>(plan))
             }
             // From rest the plate only goes forward.
-            PowerKind::Whole(2) => {
-                self.with_laws::<N, GRADED>(spring, Whole::<N, 2>::new(law, 1.0), plan)
-            }
+            PowerKind::Whole(2) => self.with_damper::<TERMS, false>(Square::<TERMS>::of(law), plan),
             PowerKind::Whole(_) | PowerKind::General => {
-                self.with_laws::<N, true>(spring, Power::<N>::of(law), plan)
+                self.with_damper::<TERMS, true>(Power::<TERMS>::of(law), plan)
             }
+        }
+    }
+
+    fn with_linear_damper<const N: usize>(&self, plan: &Plan) -> Option<ContactEnd> {
+        self.with_damper::<N, false>(Linear(self.damper.coefficient), plan)
+    }
+
+    /// `GRADED` tells the clock, unless the spring does: a singular damper always starts on a graded clock.
+    fn with_damper<const N: usize, const GRADED: bool>(
+        &self,
+        damper: impl Law<N>,
+        plan: &Plan,
+    ) -> Option<ContactEnd> {
+        if is_linear(self.spring) {
+            return self.with_laws::<N, GRADED>(Linear(self.spring.coefficient), damper, plan);
+        }
+        // The singular start serves whole powers, too: a high power of a small displacement is next to nothing.
+        let spring = Power::<N>::of(self.spring);
+        match plan.track.clock {
+            Clock::Graded { .. } => self.with_laws::<N, true>(spring, damper, plan),
+            Clock::Even { .. } => self.with_laws::<N, GRADED>(spring, damper, plan),
         }
     }
 
@@ -109,9 +72,10 @@ impl<const N: usize, const GRADED: bool, K: Law<N>, D: Law<N>> WithSimd
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) -> Option<ContactEnd> {
-        // Each number of terms is compiled in full: processors without vectors have one, which serves every tolerance.
+        // Each number of terms is compiled in full: processors without vectors have one, as rare laws have, which serves every
+        // tolerance.
         if const { !has_lanes::<S>() && N != TERMS } {
-            return self.contact.with_spring::<TERMS>(self.plan);
+            return self.contact.with_linear_damper::<TERMS>(self.plan);
         }
         let expand = |track: &Track, area| {
             let rates = track.clock.rates();
@@ -140,7 +104,7 @@ mod tests {
                 panic!("no plain steps")
             };
             numbers.push(plan.terms);
-            let depth_m = contact.with_spring::<TERMS>(&plan).unwrap().penetration_m;
+            let depth_m = contact.with_linear_damper::<TERMS>(&plan).unwrap().penetration_m;
             let error = (depth_m / 0.004_571_788_754_106_379 - 1.0).abs();
             assert!(error < tolerance, "{tolerance:e}: {error:e}");
         }

@@ -116,7 +116,7 @@ impl Contact {
             (false, Clock::Graded { .. }) => SpringClass::GradedPower,
             (false, Clock::Even { .. }) => SpringClass::Power,
         };
-        self.has_common_laws().then_some(Class { terms: plan.terms, spring })
+        is_linear(self.damper).then_some(Class { terms: plan.terms, spring })
     }
 }
 
