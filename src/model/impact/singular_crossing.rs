@@ -196,7 +196,7 @@ impl Track<'_> {
             let landed = self.unbroken(variable, aim)?;
             let last = POINTS - 1;
             let (at_end, at_last) = (value(&landed.end), value(&landed.states[last]));
-            let next = aim - at_end * (aim - landed.graded.points[last].0) / (at_end - at_last);
+            let next = aim - at_end * (aim - landed.graded.points[last].z) / (at_end - at_last);
             if best.as_ref().is_some_and(|best| at_end.abs() >= best.0) {
                 break;
             }
