@@ -16,7 +16,7 @@ use crate::cli::table::TableArguments;
 use crate::report::figures::limit::residual;
 use crate::report::limit;
 use crate::report::svg::Picture;
-use crate::study::limit::monte_carlo::{ModelError, Scattering};
+use crate::study::limit::monte_carlo::{ModelError, Sampling};
 use crate::study::limit::{Criterion, Effort, find};
 use crate::study::validity;
 
@@ -58,7 +58,7 @@ fn criterion(text: &str) -> Result<Criterion, String> {
 }
 
 impl LimitArguments {
-    fn scattering(&self) -> Result<Option<Scattering>, CliError> {
+    fn sampling(&self) -> Result<Option<Sampling>, CliError> {
         let deviation = self.monte_carlo;
         if !(0.0..=0.5).contains(&deviation) {
             let text =
@@ -79,7 +79,7 @@ impl LimitArguments {
             let text = format!("--model-spread {} is outside 0..0.5", model.spread);
             return Err(CliError::Option(text));
         }
-        Ok((deviation > 0.0).then_some(Scattering { deviation, samples, seed, model }))
+        Ok((deviation > 0.0).then_some(Sampling { deviation, samples, seed, model }))
     }
 }
 
@@ -99,7 +99,7 @@ fn part(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &LimitArguments) -> Result<ExitCode, CliError> {
     arguments.table.check_beside()?;
     arguments.pictures.check(&arguments.table)?;
-    let effort = Effort { criterion: arguments.criterion, scattering: arguments.scattering()? };
+    let effort = Effort { criterion: arguments.criterion, sampling: arguments.sampling()? };
     let preset = arguments.scene.load()?;
     let mut pace = Pace::begin();
     let scene = Arc::new(preset.scene);

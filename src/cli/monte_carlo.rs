@@ -14,7 +14,7 @@ use crate::cli::{CliError, output};
 use crate::model::scene::Scene;
 use crate::report::monte_carlo;
 use crate::study::monte_carlo::{
-    Task, Tolerance, USUAL_DEVIATION, field, sample, usual_tolerances,
+    Task, Tolerance, USUAL_DEVIATION, sample, space, usual_tolerances,
 };
 use crate::study::quantities;
 use crate::study::validity;
@@ -84,7 +84,7 @@ pub(super) fn run(arguments: &MonteCarloArguments) -> Result<ExitCode, CliError>
     let task = arguments.task(&preset.scene)?;
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
-    say_if_long(&field(&preset.scene, &task)?, task.samples, threads);
+    say_if_long(&space(&preset.scene, &task)?, task.samples, threads);
     let report = pace.study(threads, "runs", |context| sample(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);

@@ -14,7 +14,7 @@ use crate::cli::table::TableArguments;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::report::front;
 use crate::study::quantities::named;
-use crate::study::search::field::Field;
+use crate::study::search::design_space::DesignSpace;
 use crate::study::search::front::{Constraint, STEPS_MAX, Task, feasibility, objectives, optimise};
 use crate::study::search::nsga::Effort;
 use crate::study::validity;
@@ -142,10 +142,10 @@ pub(super) fn run(arguments: &OptimiseArguments) -> Result<ExitCode, CliError> {
     // The slower law stands for both.
     let mut slowest = preset.scene.clone();
     slowest.interface.law = task.laws.last().copied().unwrap_or(InterfaceLaw::Fused);
-    let field = Field::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
+    let space = DesignSpace::new(&slowest, task.axes.clone(), &names)?.limited(STEPS_MAX);
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
-    say_if_long(&field, task.runs(), threads);
+    say_if_long(&space, task.runs(), threads);
     let fronts = pace.study(threads, "runs", |context| optimise(&preset.scene, &task, context))?;
     let name = preset.name.as_str();
     let mut warnings = Vec::new();

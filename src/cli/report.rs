@@ -179,7 +179,7 @@ fn results(document: &mut Document, run: &Run) {
 
 /// The ballistic limit with its curve.
 fn ballistic_limit(scene: &Scene, pace: &mut Pace) -> Result<Vec<Block>, CliError> {
-    let effort = Effort { criterion: Criterion::Passage, scattering: None };
+    let effort = Effort { criterion: Criterion::Passage, sampling: None };
     let scene = Arc::new(scene.clone());
     let report = pace.study(1, "shots or so", |context| limit::find(&scene, effort, context))?;
     let mut lines = Vec::new();

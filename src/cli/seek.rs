@@ -14,7 +14,7 @@ use crate::cli::table::TableArguments;
 use crate::cli::{CliError, output};
 use crate::report::seek;
 use crate::study::quantities::named;
-use crate::study::search::field::Field;
+use crate::study::search::design_space::DesignSpace;
 use crate::study::search::seek::{Goal, SCAN, SCAN_USUAL, seek as solve};
 use crate::study::validity;
 
@@ -64,10 +64,10 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     let goal = arguments.goal()?;
     let mut preset = arguments.scene.load()?;
     let law = be_cautious(&arguments.scene, &mut preset.scene);
-    let field = Field::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
+    let space = DesignSpace::new(&preset.scene, vec![goal.axis.clone()], &[&goal.measure])?;
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
-    say_if_long(&field, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), threads);
+    say_if_long(&space, usize::try_from(goal.axis.count()).unwrap_or(usize::MAX), threads);
     let report = pace.study(threads, "runs", |context| solve(&preset.scene, &goal, context))?;
     let name = preset.name.as_str();
     let page = || page::text(name, &report);
@@ -77,8 +77,8 @@ pub(super) fn run(arguments: &SeekArguments) -> Result<ExitCode, CliError> {
     }
     let mut warnings = validity::of_axes(&preset.scene, std::slice::from_ref(&goal.axis));
     for solution in &report.solutions {
-        let scene = field.scene(&[solution.place.at]);
-        warnings.extend(validity::of_design("solution", &scene, field.axes(), &warnings));
+        let scene = space.scene(&[solution.place.at]);
+        warnings.extend(validity::of_design("solution", &scene, space.axes(), &warnings));
     }
     arguments.table.of(&arguments.scene, &preset.scene).deliver_warned(
         &warnings,

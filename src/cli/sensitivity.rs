@@ -12,7 +12,7 @@ use crate::cli::scene::SceneArguments;
 use crate::cli::search::{Random, Threads, bounds, say_if_long};
 use crate::cli::table::TableArguments;
 use crate::report::sensitivity;
-use crate::study::search::field::Field;
+use crate::study::search::design_space::DesignSpace;
 use crate::study::sensitivity::{Effort, study};
 use crate::study::validity;
 
@@ -70,8 +70,8 @@ pub(super) fn run(arguments: &SensitivityArguments) -> Result<ExitCode, CliError
     let axes = bounds(&arguments.over, &preset.scene)?;
     let mut pace = Pace::begin();
     let threads = arguments.threads.count();
-    if let Ok(field) = Field::new(&preset.scene, axes.clone(), &[&arguments.output]) {
-        say_if_long(&field, effort.runs(axes.len()), threads);
+    if let Ok(space) = DesignSpace::new(&preset.scene, axes.clone(), &[&arguments.output]) {
+        say_if_long(&space, effort.runs(axes.len()), threads);
     }
     let report = pace.study(threads, "runs", |context| {
         study(&preset.scene, axes, &arguments.output, effort, context)

@@ -314,7 +314,7 @@ impl Job<'_> {
                     if stop.load(Ordering::Relaxed) {
                         return 0;
                     }
-                    let start = points.start + scattered(number.start, count - piece + 1);
+                    let start = points.start + spread(number.start, count - piece + 1);
                     evaluator.rows(start..start + piece).len() as u64
                 }
             };
@@ -332,7 +332,7 @@ impl Job<'_> {
 }
 
 /// The number `at` of places below `count` that are spread over all of it.
-fn scattered(at: u64, count: u64) -> u64 {
+fn spread(at: u64, count: u64) -> u64 {
     // The golden section of 2^64: multiples of it fill the range evenly.
     let place = at.wrapping_mul(0x9E37_79B9_7F4A_7C15);
     u64::try_from((u128::from(place) * u128::from(count)) >> 64).unwrap_or(0)

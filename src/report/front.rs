@@ -45,7 +45,7 @@ fn design(front: &Front, at: usize) -> Row<'_> {
         kind: "front",
         values: design.values.iter().copied().map(Some).collect(),
         measures: &design.measures,
-        outcome: design.fate.word(),
+        outcome: design.outcome.word(),
     }
 }
 

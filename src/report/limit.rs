@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::report::table::{Table, pretty};
 use crate::study::limit::fit::{LambertJonas, RechtIpson};
-use crate::study::limit::monte_carlo::Scatter;
+use crate::study::limit::monte_carlo::SampledLimit;
 use crate::study::limit::{Limit, Report, Shot};
 
 /// The shots, in order of velocity, with what each fitted law says and the limit or what it lies between.
@@ -36,8 +36,8 @@ fn lambert_jonas(law: LambertJonas) -> Value {
 }
 
 /// What the sampled shots come down to.
-fn monte_carlo(found: Scatter) -> Value {
-    let asked = found.scattering;
+fn monte_carlo(found: SampledLimit) -> Value {
+    let asked = found.sampling;
     json!({
         "input_deviation": asked.deviation,
         "model_error": { "bias": asked.model.bias, "spread": asked.model.spread },
@@ -87,7 +87,7 @@ pub fn json(name: &str, report: &Report) -> String {
         "closures": closures,
         "recht_ipson": report.recht_ipson.map(recht_ipson),
         "lambert_jonas": report.lambert_jonas.map(lambert_jonas),
-        "scatter": report.scatter.map(monte_carlo),
+        "scatter": report.sampled.map(monte_carlo),
         "shots": shots(name, report).objects(|key| own.contains(&key)),
     }))
 }

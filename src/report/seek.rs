@@ -4,7 +4,7 @@ use serde_json::json;
 
 use crate::report::table::{Table, pretty};
 use crate::study::search::seek::{Place, Report};
-use crate::study::sweep::{Fate, Spacing};
+use crate::study::sweep::{PointOutcome, Spacing};
 
 /// One line of the answer.
 #[derive(Clone, Copy)]
@@ -15,7 +15,7 @@ pub struct Line {
     until: Option<f64>,
     value: Option<f64>,
     /// What becomes of the design.
-    fate: Option<Fate>,
+    outcome: Option<PointOutcome>,
 }
 
 fn lines(report: &Report) -> Vec<Line> {
@@ -28,28 +28,28 @@ fn lines(report: &Report) -> Vec<Line> {
         at: found.place.at,
         until: found.until,
         value: Some(found.place.value),
-        fate: found.fate,
+        outcome: found.outcome,
     });
     let jumps = report.jumps.iter().map(|jump| Line {
         kind: "jump",
         at: jump.before.at,
         until: Some(jump.after.at),
         value: Some(jump.before.value),
-        fate: None,
+        outcome: None,
     });
     let nearest = report.nearest.map(|Place { at, value }| Line {
         kind: "nearest",
         at,
         until: None,
         value: Some(value),
-        fate: None,
+        outcome: None,
     });
     let gaps = report.gaps.iter().map(|gap| Line {
         kind: "gap",
         at: gap.from,
         until: Some(gap.to),
         value: None,
-        fate: Some(gap.fate),
+        outcome: Some(gap.outcome),
     });
     solutions.chain(jumps).chain(nearest).chain(gaps).collect()
 }
@@ -66,7 +66,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, Line> {
         .with("output", "quantity", "", |_| report.measure.name)
         .with("target", "goal", "", |_| report.target)
         .with("value", "value", "", |line| line.value)
-        .with("outcome", "outcome", "", |line| line.fate.map(Fate::word))
+        .with("outcome", "outcome", "", |line| line.outcome.map(PointOutcome::word))
 }
 
 /// Everything, as one object; null for what does not exist.

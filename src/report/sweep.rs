@@ -14,7 +14,7 @@ use crate::model::scene::{Scene, Sweep};
 use crate::model::{units, variables};
 use crate::report::table::Table;
 use crate::study::sweep::grid::Grid;
-use crate::study::sweep::{Axis, Evaluator, Fate, Plan, Rows, Shard, Spacing};
+use crate::study::sweep::{Axis, Evaluator, Plan, PointOutcome, Rows, Shard, Spacing};
 use crate::study::validity;
 
 /// Which columns stand after the axes.
@@ -118,7 +118,7 @@ impl Sheet<'_> {
                 .with("model", "", "", move |_| word("contact.model"))
                 .with("interface", "", "", move |_| word("interface.law"));
         }
-        table = table.with("outcome", "", "", |row| rows.fate(*row).word());
+        table = table.with("outcome", "", "", |row| rows.outcome(*row).word());
         if is_all {
             table = table.with("end", "", "", move |row| Some(run(row)?.end.words()));
         }
@@ -135,9 +135,12 @@ impl Sheet<'_> {
                     Some(envelope::warnings(run(row)?).join("; "))
                 });
         }
-        table.with("error", "", "", |row| match rows.fate(*row) {
-            Fate::Failed(failure) => Some(failure.words()),
-            Fate::Arrested | Fate::Perforated | Fate::Separated | Fate::Moving => None,
+        table.with("error", "", "", |row| match rows.outcome(*row) {
+            PointOutcome::Failed(failure) => Some(failure.words()),
+            PointOutcome::Arrested
+            | PointOutcome::Perforated
+            | PointOutcome::Separated
+            | PointOutcome::Moving => None,
         })
     }
 

@@ -15,7 +15,7 @@ use crate::model::variables::{self, VariableError};
 use crate::study::compare::Load;
 use crate::study::context::{Context, to_its_end};
 use fit::{LambertJonas, RechtIpson};
-use monte_carlo::{Scatter, Scattering};
+use monte_carlo::{SampledLimit, Sampling};
 use search::{BESIDE, Range};
 
 mod at_limit;
@@ -191,7 +191,7 @@ pub struct Effort {
     /// What counts as a perforation.
     pub criterion: Criterion,
     /// Scatter of the inputs; `None`: not asked for.
-    pub scattering: Option<Scattering>,
+    pub sampling: Option<Sampling>,
 }
 
 /// The limit of a scene and all that goes with it.
@@ -214,7 +214,7 @@ pub struct Report {
     /// Lambert and Jonas's law through the curve.
     pub lambert_jonas: Option<LambertJonas>,
     /// The limit under scatter of the inputs.
-    pub scatter: Option<Scatter>,
+    pub sampled: Option<SampledLimit>,
     /// Whether it was done to its end.
     pub is_complete: bool,
 }
@@ -242,7 +242,7 @@ pub fn find(
     context: &mut Context<'_>,
 ) -> Result<Report, VariableError> {
     variables::validate(scene)?;
-    let samples = effort.scattering.map_or(0, |scattering| scattering.samples);
+    let samples = effort.sampling.map_or(0, |sampling| sampling.samples);
     context.expect(SCAN + 40 + 2 * BESIDE.len() + BELOW + ABOVE + samples);
     let mut range = Range { scene, criterion: effort.criterion, context };
     let limit = range.whole_limit();
@@ -255,7 +255,7 @@ pub fn find(
         shots: range.curve(limit),
         recht_ipson: None,
         lambert_jonas: None,
-        scatter: None,
+        sampled: None,
         is_complete: true,
     };
     if let Some(velocity_m_s) = limit.velocity_m_s() {
@@ -268,10 +268,9 @@ pub fn find(
             .collect();
         report.recht_ipson = RechtIpson::through(&perforated, velocity_m_s);
         report.lambert_jonas = LambertJonas::through(&perforated);
-        if let Some(scattering) = effort.scattering {
+        if let Some(sampling) = effort.sampling {
             let criterion = effort.criterion;
-            report.scatter =
-                monte_carlo::sample(scene, scattering, velocity_m_s, criterion, context);
+            report.sampled = monte_carlo::sample(scene, sampling, velocity_m_s, criterion, context);
         }
     }
     report.is_complete = !context.is_stopped();

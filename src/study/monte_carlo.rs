@@ -11,9 +11,9 @@ use crate::numerics::random::Random;
 use crate::numerics::statistics::{Z95, moments, quantile, wilson};
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
-use crate::study::search::field::Field;
+use crate::study::search::design_space::DesignSpace;
 use crate::study::sweep::summary::OutcomeCounts;
-use crate::study::sweep::{Axis, Fate, Spacing, SweepError};
+use crate::study::sweep::{Axis, PointOutcome, Spacing, SweepError};
 pub use tolerance::{Distribution, Tolerance};
 
 mod tolerance;
@@ -84,7 +84,7 @@ pub struct Report {
     /// How they ended.
     pub outcomes: OutcomeCounts,
     /// What becomes of the scene itself.
-    pub nominal: Option<Fate>,
+    pub nominal: Option<PointOutcome>,
     /// Part of the samples that perforate, of those that came to an end, and its 95 % interval (Wilson's); `None` without any.
     pub perforated: Option<(f64, (f64, f64))>,
     /// Measure by measure.
@@ -186,7 +186,7 @@ pub fn sample(
     task: &Task,
     context: &mut Context<'_>,
 ) -> Result<Report, MonteCarloError> {
-    let field = field(scene, task)?;
+    let space = space(scene, task)?;
     let mut draw = Draw::new(scene, &task.tolerances, task.seed);
     let mut report = Report {
         tolerances: task.tolerances.clone(),
@@ -201,13 +201,13 @@ pub fn sample(
     };
     let own: Vec<f64> = task.tolerances.iter().map(|it| it.nominal(scene)).collect();
     context.expect(task.samples);
-    let nominal = context.uncounted(|context| field.evaluate(&[own], context)).into_iter().next();
-    let mut values: Vec<Vec<f64>> = vec![Vec::new(); field.measures().len()];
+    let nominal = context.uncounted(|context| space.evaluate(&[own], context)).into_iter().next();
+    let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.measures().len()];
     draw.each_batch(task.samples, context, |designs, context| {
-        let found = field.evaluate(designs, context);
+        let found = space.evaluate(designs, context);
         report.samples += found.len();
         for found in found {
-            report.outcomes.add(found.fate);
+            report.outcomes.add(found.outcome);
             for (list, value) in values.iter_mut().zip(found.values) {
                 list.extend(value);
             }
@@ -216,13 +216,13 @@ pub fn sample(
     report.is_complete = !context.is_stopped();
     report.redrawn = draw.redrawn;
     report.perforated = perforated(report.outcomes);
-    report.nominal = nominal.as_ref().map(|found| found.fate);
+    report.nominal = nominal.as_ref().map(|found| found.outcome);
     report.summaries = values
         .into_iter()
         .enumerate()
         .map(|(at, values)| {
             let nominal = nominal.as_ref().and_then(|found| found.values[at]);
-            Summary::of(field.measures()[at], nominal, values)
+            Summary::of(space.measures()[at], nominal, values)
         })
         .collect();
     Ok(report)
@@ -232,7 +232,7 @@ pub fn sample(
 ///
 /// # Errors
 /// As [`sample`].
-pub fn field(scene: &Scene, task: &Task) -> Result<Field, MonteCarloError> {
+pub fn space(scene: &Scene, task: &Task) -> Result<DesignSpace, MonteCarloError> {
     if task.tolerances.is_empty() {
         return Err(MonteCarloError::Nothing);
     }
@@ -246,7 +246,7 @@ pub fn field(scene: &Scene, task: &Task) -> Result<Field, MonteCarloError> {
     }
     let axes = task.tolerances.iter().map(|tolerance| tolerance.axis(scene));
     let axes = axes.collect::<Result<Vec<Axis>, SweepError>>()?;
-    Ok(Field::new(scene, axes, &task.measures)?)
+    Ok(DesignSpace::new(scene, axes, &task.measures)?)
 }
 
 /// The stream of samples: the one random source of every Monte Carlo study.

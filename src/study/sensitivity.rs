@@ -8,7 +8,7 @@ use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::{self, Kind, VARIABLES};
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
-use crate::study::search::field::{Field, Found};
+use crate::study::search::design_space::{DesignSpace, Found};
 use crate::study::sweep::{Axis, Spacing, SweepError};
 use effects::{Effect, morris};
 use indices::{Sobol, sobol};
@@ -126,16 +126,16 @@ pub fn study(
     if axes.len() > indices::INPUTS_MAX {
         return Err(SweepError::TooManyAxes { count: axes.len(), most: indices::INPUTS_MAX });
     }
-    let field = Field::new(scene, axes, &[output])?;
-    let axes = field.axes().to_vec();
-    let output = field.measures()[0];
+    let space = DesignSpace::new(scene, axes, &[output])?;
+    let axes = space.axes().to_vec();
+    let output = space.measures()[0];
     let inputs = axes.len();
     let here = |axis: &Axis| (axis.number().get)(scene).unwrap_or(f64::NAN);
     let own: Vec<f64> = axes.iter().map(here).collect();
     context.expect(effort.runs(inputs));
     // The result for each design, NaN where it has none; `None` when stopped.
     let mut values = |designs: &[Vec<f64>]| {
-        let found = field.evaluate(designs, context);
+        let found = space.evaluate(designs, context);
         let value = |found: &Found| found.values[0].unwrap_or(f64::NAN);
         (!context.is_stopped()).then(|| found.iter().map(value).collect::<Vec<_>>())
     };

@@ -26,7 +26,7 @@ pub use axis::{Axis, COUNTS, Spacing};
 pub use design::Design;
 pub(in crate::study) use design::sequence;
 pub use error::SweepError;
-pub use evaluate::{Evaluator, Failure, Fate, Rows};
+pub use evaluate::{Evaluator, Failure, PointOutcome, Rows};
 pub use summary::Summary;
 
 /// The most points of a sweep: what a count in floating point still tells apart.

@@ -33,7 +33,7 @@ pub enum Request {
         effort: sensitivity::Effort,
     },
     /// How results scatter when inputs do.
-    Scatter(monte_carlo::Task),
+    MonteCarlo(monte_carlo::Task),
     /// The comparison at equal areal mass, and its map.
     Compare,
 }
@@ -48,7 +48,7 @@ pub enum Answer {
     /// See [`Request::Sensitivity`].
     Sensitivity(Arc<sensitivity::Report>),
     /// See [`Request::Scatter`].
-    Scatter(Arc<monte_carlo::Report>),
+    MonteCarlo(Arc<monte_carlo::Report>),
     /// See [`Request::Compare`].
     Compare(Arc<Comparison>),
 }
@@ -93,9 +93,9 @@ pub(super) fn make(
                 .map(|report| Answer::Sensitivity(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
-        Request::Scatter(task) => {
+        Request::MonteCarlo(task) => {
             monte_carlo::sample(scene, task, &mut Context::new(threads, &mut plain))
-                .map(|report| Answer::Scatter(Arc::new(report)))
+                .map(|report| Answer::MonteCarlo(Arc::new(report)))
                 .map_err(|error| error.to_string())
         }
         Request::Compare => compared(scene, threads, tell),

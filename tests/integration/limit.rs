@@ -78,8 +78,8 @@ fn the_same_seed_gives_the_same_page_and_bad_options_are_refused() {
     let seeded = |seed: &str| output(&["--seed", seed, "--samples", "20"]);
     assert_eq!(seeded("3"), seeded("3"));
     assert_ne!(seeded("3"), seeded("4"));
-    let scattered = |part: &str| output(&["--scatter", part, "--samples", "20"]);
-    assert_eq!(scattered("3%"), scattered("0.03"));
+    let sampled = |part: &str| output(&["--scatter", part, "--samples", "20"]);
+    assert_eq!(sampled("3%"), sampled("0.03"));
     for (option, value, told) in [
         ("--scatter", "2", "outside 0..0.5"),
         ("--scatter", "wide", "a number like 0.02, or 2%"),

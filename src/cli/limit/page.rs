@@ -24,7 +24,7 @@ pub(super) fn text(name: &str, report: &Report) -> String {
         page.push_str(&draw::chart(&chart, (WIDTH, HEIGHT), Theme::PLAIN));
     }
     laws(&mut page, report);
-    scatter(&mut page, report);
+    sampled(&mut page, report);
     page
 }
 
@@ -98,9 +98,9 @@ fn laws(page: &mut String, report: &Report) {
     }
 }
 
-fn scatter(page: &mut String, report: &Report) {
-    let Some(found) = report.scatter else { return };
-    let asked = found.scattering;
+fn sampled(page: &mut String, report: &Report) {
+    let Some(found) = report.sampled else { return };
+    let asked = found.sampling;
     let mut line = |text: &str| *page += &hanging("", text, INDENT);
     line("");
     line(&format!(

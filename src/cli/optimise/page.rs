@@ -100,12 +100,12 @@ fn stands(page: &mut String, task: &Task, candidate: &Candidate) {
             format!("off the front: design {} is better throughout", by + 1)
         }
         Standing::Breaks(at) => format!("breaks {}", task.constraints[*at].words()),
-        Standing::NoValue(fate) => match missing(task, candidate) {
+        Standing::NoValue(outcome) => match missing(task, candidate) {
             Some(column) if column.name == "peak_mount_force_n" => {
                 "off the front: a rigid stop is hit, the force has no bound".to_owned()
             }
-            Some(column) => format!("off the front: {}", fate.without_value(column)),
-            None => format!("off the front: {}", fate.word()),
+            Some(column) => format!("off the front: {}", outcome.without_value(column)),
+            None => format!("off the front: {}", outcome.word()),
         },
         Standing::Impossible => "cannot be made of this scene".to_owned(),
     };

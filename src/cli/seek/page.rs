@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::model::units::significant;
 use crate::study::search::seek::{Place, Report};
-use crate::study::sweep::{Axis, Fate, Spacing};
+use crate::study::sweep::{Axis, PointOutcome, Spacing};
 
 /// The page.
 pub(super) fn text(name: &str, report: &Report) -> String {
@@ -27,9 +27,9 @@ pub(super) fn text(name: &str, report: &Report) -> String {
             .until
             .map_or_else(String::new, |until| format!(" to {}, all of it", value(axis, until)));
         let touch = if solution.touches { ", a least or greatest value" } else { "" };
-        let fate = solution.fate.map_or("", Fate::word);
+        let outcome = solution.outcome.map_or("", PointOutcome::word);
         let reached = report.measure.show(solution.place.value, 6);
-        let _ = writeln!(page, "  {} = {at}{until}   {reached}, {fate}{touch}", axis.symbol());
+        let _ = writeln!(page, "  {} = {at}{until}   {reached}, {outcome}{touch}", axis.symbol());
     }
     for jump in &report.jumps {
         let _ = writeln!(
@@ -55,7 +55,7 @@ pub(super) fn text(name: &str, report: &Report) -> String {
                 gap.points
             )
         };
-        let why = gap.fate.without_value(report.measure);
+        let why = gap.outcome.without_value(report.measure);
         let _ = writeln!(page, "  no value {range}: {why}");
     }
     if let Some(solution) = report.solutions.first() {

@@ -144,7 +144,7 @@ fn table(page: &mut String, plan: &Plan, axis: &Axis, rows: &[Row]) {
             page,
             "{:>12}  {:<10}",
             units::significant(axis.value(index), 6),
-            row.fate.word()
+            row.outcome.word()
         );
         for value in &row.values {
             let text = value.map_or_else(|| "-".to_owned(), |value| units::significant(value, 6));

@@ -7,13 +7,13 @@ use crate::report::map::{Cell, Map, Tone};
 use crate::report::svg::Picture;
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::tells;
-use crate::study::sweep::{self, Fate, Plan, Rows};
+use crate::study::sweep::{self, Plan, PointOutcome, Rows};
 
 /// What became of a point, and its outputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// What became of it.
-    pub fate: Fate,
+    pub outcome: PointOutcome,
     /// The outputs of the plan.
     pub values: Vec<Option<f64>>,
 }
@@ -22,12 +22,12 @@ impl Row {
     /// The rows that came out of a sweep.
     pub fn all(rows: &Rows) -> impl Iterator<Item = Self> {
         let values = |row| (0..rows.outputs()).map(|output| rows.value(row, output)).collect();
-        (0..rows.len()).map(move |row| Self { fate: rows.fate(row), values: values(row) })
+        (0..rows.len()).map(move |row| Self { outcome: rows.outcome(row), values: values(row) })
     }
 
     /// The number to draw, if one tells anything.
     pub fn shown(&self, output: usize, column: &Quantity) -> Option<f64> {
-        self.values[output].filter(|_| tells(column, self.fate))
+        self.values[output].filter(|_| tells(column, self.outcome))
     }
 }
 
@@ -65,13 +65,14 @@ fn map(
     let height = usize::try_from(y.count()).ok()?;
     let cell = |at_x: usize, at_y: usize| {
         rows.get(across[at_x] * height + up[at_y]).map_or(Cell::Empty, |row| {
-            let mark = || Cell::Mark(row.fate.letter(), tone(row.fate));
+            let mark = || Cell::Mark(row.outcome.letter(), tone(row.outcome));
             row.shown(output, column).map_or_else(mark, Cell::Value)
         })
     };
     let absent = rows.iter().filter(|row| row.shown(output, column).is_none());
-    let mut marks: Vec<(char, String)> =
-        absent.map(|row| (row.fate.letter(), row.fate.without_value(column).to_owned())).collect();
+    let mut marks: Vec<(char, String)> = absent
+        .map(|row| (row.outcome.letter(), row.outcome.without_value(column).to_owned()))
+        .collect();
     marks.sort_unstable();
     marks.dedup();
     let counts = (across.len(), up.len());
@@ -86,10 +87,10 @@ fn map(
 }
 
 /// How the letter of a point without a value stands out.
-pub fn tone(fate: Fate) -> Tone {
-    match fate {
-        Fate::Arrested | Fate::Separated => Tone::Faint,
-        Fate::Perforated | Fate::Failed(_) => Tone::Error,
-        Fate::Moving => Tone::Warning,
+pub fn tone(outcome: PointOutcome) -> Tone {
+    match outcome {
+        PointOutcome::Arrested | PointOutcome::Separated => Tone::Faint,
+        PointOutcome::Perforated | PointOutcome::Failed(_) => Tone::Error,
+        PointOutcome::Moving => Tone::Warning,
     }
 }

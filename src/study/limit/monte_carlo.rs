@@ -35,7 +35,7 @@ impl ModelError {
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scattering {
+pub struct Sampling {
     /// Relative standard deviation of every scattered input, > 0.
     pub deviation: f64,
     /// Number of samples, >= 2.
@@ -48,9 +48,9 @@ pub struct Scattering {
 
 /// What was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scatter {
+pub struct SampledLimit {
     /// What was asked for.
-    pub scattering: Scattering,
+    pub sampling: Sampling,
     /// Samples with a limit near the nominal one.
     pub found: usize,
     /// Samples without.
@@ -71,14 +71,14 @@ pub struct Scatter {
 /// have a limit.
 pub(super) fn sample(
     scene: &Arc<Scene>,
-    scattering: Scattering,
+    sampling: Sampling,
     nominal_m_s: f64,
     criterion: Criterion,
     context: &mut Context<'_>,
-) -> Option<Scatter> {
-    let mut tolerances = usual_tolerances(scene, scattering.deviation);
+) -> Option<SampledLimit> {
+    let mut tolerances = usual_tolerances(scene, sampling.deviation);
     tolerances.retain(|tolerance| tolerance.symbol() != "v_i");
-    let mut errors = Random::new(!scattering.seed);
+    let mut errors = Random::new(!sampling.seed);
     let mut limits = Vec::new();
     let (mut without, mut through) = (0, 0_usize);
     let own_m_s = scene.projectile.velocity_m_s;
@@ -102,11 +102,11 @@ pub(super) fn sample(
         let limit = Range { scene: &Arc::new(own), criterion, context }.limit(scan);
         (!context.is_stopped() && limit != Limit::Unknown).then_some(limit)
     };
-    let mut draw = Draw::new(scene, &tolerances, scattering.seed);
-    let drawn = draw.each_batch(scattering.samples, context, |samples, context| {
+    let mut draw = Draw::new(scene, &tolerances, sampling.seed);
+    let drawn = draw.each_batch(sampling.samples, context, |samples, context| {
         let limit_of = |sample: &Vec<f64>| limit_of(sample);
         for limit in context.map_items(samples, &stop, limit_of, |context, _| context.goes_on()) {
-            let factor = scattering.model.factor(&mut errors);
+            let factor = sampling.model.factor(&mut errors);
             match limit {
                 Limit::Found { velocity_m_s, .. } => {
                     through += usize::from(factor * velocity_m_s < own_m_s);
@@ -126,10 +126,10 @@ pub(super) fn sample(
     }
     limits.sort_by(f64::total_cmp);
     let (_, deviation_m_s) = moments(&limits)?;
-    let samples = scattering.samples as f64;
+    let samples = sampling.samples as f64;
     let perforated = through as f64 / samples;
-    Some(Scatter {
-        scattering,
+    Some(SampledLimit {
+        sampling,
         found: limits.len(),
         without,
         v50_m_s: quantile(&limits, 0.5),

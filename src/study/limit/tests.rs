@@ -10,7 +10,7 @@ use crate::model::simulate::{Settings, simulate};
 use crate::model::units::Bare;
 use crate::study::context::{Progress, to_its_end, until};
 
-const PLAIN: Effort = Effort { criterion: Criterion::Passage, scattering: None };
+const PLAIN: Effort = Effort { criterion: Criterion::Passage, sampling: None };
 
 fn scene(pairs: &str) -> Arc<Scene> {
     let mut scene = Scene::default();
@@ -153,14 +153,14 @@ fn a_stopped_search_keeps_what_it_has() {
 
 #[test]
 fn scatter_of_the_strength_alone_moves_the_limit_as_its_law_says() {
-    let scattering =
-        Scattering { deviation: 0.03, samples: 300, seed: 1, model: ModelError::default() };
-    let effort = Effort { scattering: Some(scattering), ..PLAIN };
+    let sampling =
+        Sampling { deviation: 0.03, samples: 300, seed: 1, model: ModelError::default() };
+    let effort = Effort { sampling: Some(sampling), ..PLAIN };
     let rigid = scene("mount=rigid v_i=232.295378");
     let run = || find(&rigid, effort, &mut Context::new(1, &mut to_its_end)).unwrap();
     let (first, second) = (run(), run());
     assert_eq!(first, second, "the same seed gives the same digits");
-    let found = first.scatter.unwrap();
+    let found = first.sampled.unwrap();
     assert_eq!((found.found, found.without), (300, 0));
     assert!((found.v50_m_s / 232.295_378 - 1.0).abs() < 0.01, "{found:?}");
     // Half the shots at the limit itself go through, within three standard errors.

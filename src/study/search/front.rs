@@ -12,10 +12,10 @@ use crate::model::run::EndReason;
 use crate::model::scene::{InterfaceLaw, Scene};
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
-use crate::study::search::field::{Field, Found};
+use crate::study::search::design_space::{DesignSpace, Found};
 use crate::study::search::nsga::{self, Effort, Individual, Judged};
 use crate::study::search::recommended::{self, RECOMMENDED};
-use crate::study::sweep::{Axis, Failure, Fate, SweepError};
+use crate::study::sweep::{Axis, Failure, PointOutcome, SweepError};
 pub use constraint::{Constraint, feasibility};
 use polish::{Trial, polish};
 
@@ -103,7 +103,7 @@ pub struct Design {
     /// Its measures, in the order of [`Task::measures`].
     pub measures: Vec<Option<f64>>,
     /// What becomes of it.
-    pub fate: Fate,
+    pub outcome: PointOutcome,
 }
 
 /// How a design stands against a front.
@@ -119,7 +119,7 @@ pub enum Standing {
     /// It breaks this constraint, by its place.
     Breaks(usize),
     /// A measure does not exist: what became of it.
-    NoValue(Fate),
+    NoValue(PointOutcome),
     /// It cannot be made of this scene.
     Impossible,
 }
@@ -134,7 +134,7 @@ pub struct Candidate {
     /// Its scene.
     pub scene: Option<Scene>,
     /// What becomes of it; `None` where it cannot be made of this scene.
-    pub fate: Option<Fate>,
+    pub outcome: Option<PointOutcome>,
     /// Its measures, in the order of [`Task::measures`].
     pub measures: Vec<Option<f64>>,
     /// How it stands.
@@ -189,12 +189,12 @@ pub fn optimise(
         let mut own = scene.clone();
         own.interface.law = *law;
         let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
-        let field = Field::new(&own, task.axes.clone(), &names)?.limited(STEPS_MAX);
-        fields.push((own, field));
+        let space = DesignSpace::new(&own, task.axes.clone(), &names)?.limited(STEPS_MAX);
+        fields.push((own, space));
     }
     let mut fronts: Vec<Front> = Vec::new();
-    for (own, field) in fields {
-        let search = Search { task, field: &field, scene: &own };
+    for (own, space) in fields {
+        let search = Search { task, space: &space, scene: &own };
         fronts.push(search.run(context));
         if context.is_stopped() {
             break;
@@ -214,7 +214,7 @@ struct State<'s, 'w> {
 /// The search on one law.
 struct Search<'a> {
     task: &'a Task,
-    field: &'a Field,
+    space: &'a DesignSpace,
     scene: &'a Scene,
 }
 
@@ -299,11 +299,11 @@ impl Search<'_> {
             return None;
         }
         let designs: Vec<Vec<f64>> = points.iter().map(|shares| self.place(shares)).collect();
-        let found = self.field.evaluate(&designs, *context);
+        let found = self.space.evaluate(&designs, *context);
         front.is_complete = !context.is_stopped();
         front.runs += found.len();
-        let budget = Fate::Failed(Failure::Early(EndReason::StepBudget));
-        front.given_up += found.iter().filter(|found| found.fate == budget).count();
+        let budget = PointOutcome::Failed(Failure::Early(EndReason::StepBudget));
+        front.given_up += found.iter().filter(|found| found.outcome == budget).count();
         for ((shares, values), found) in points.iter().zip(designs).zip(&found) {
             known.insert(bits(shares), Self::design(values, found.clone()));
         }
@@ -320,25 +320,25 @@ impl Search<'_> {
 
     /// The values of a point of the unit cube.
     fn place(&self, shares: &[f64]) -> Vec<f64> {
-        let axes = self.field.axes().iter();
+        let axes = self.space.axes().iter();
         axes.zip(shares).map(|(axis, share)| axis.at_share(*share)).collect()
     }
 
     /// Where a scene lies, if within the bounds and like the scene in everything else.
     fn shares_of(&self, scene: &Scene) -> Option<Vec<f64>> {
         let mut held = scene.clone();
-        for axis in self.field.axes() {
+        for axis in self.space.axes() {
             (axis.number().set)(&mut held, (axis.number().get)(self.scene));
         }
         if held != *self.scene {
             return None;
         }
         let share = |axis: &Axis| axis.share((axis.number().get)(scene)?);
-        self.field.axes().iter().map(share).collect()
+        self.space.axes().iter().map(share).collect()
     }
 
     fn design(values: Vec<f64>, found: Found) -> Design {
-        Design { values, measures: found.values, fate: found.fate }
+        Design { values, measures: found.values, outcome: found.outcome }
     }
 
     fn designs(best: &[Individual], known: &HashMap<Vec<u64>, Design>) -> Vec<Design> {
@@ -379,13 +379,13 @@ impl Search<'_> {
             if scene.is_some() && found.is_none() && !whole {
                 return None;
             }
-            let none = || vec![None; self.field.measures().len()];
-            let (scene, fate, measures) = match found {
-                Some(found) => (scene, Some(found.fate), found.values),
+            let none = || vec![None; self.space.measures().len()];
+            let (scene, outcome, measures) = match found {
+                Some(found) => (scene, Some(found.outcome), found.values),
                 None => (None, None, none()),
             };
             let standing = Standing::Impossible;
-            Some(Candidate { name, source, scene, fate, measures, standing })
+            Some(Candidate { name, source, scene, outcome, measures, standing })
         })
         .collect()
     }
@@ -429,7 +429,7 @@ impl Search<'_> {
     }
 
     fn standing(&self, front: &[Design], candidate: &Candidate) -> Standing {
-        let Some(fate) = candidate.fate else { return Standing::Impossible };
+        let Some(outcome) = candidate.outcome else { return Standing::Impossible };
         let judged = self.judge(&candidate.measures);
         let broken = self.task.constraints.iter().position(|constraint| {
             let value = candidate.measures[self.task.place(constraint.measure)];
@@ -438,7 +438,7 @@ impl Search<'_> {
         let beats = |design: &Design| self.judge(&design.measures).dominates(&judged);
         match (broken, judged.is_feasible()) {
             (Some(constraint), _) => Standing::Breaks(constraint),
-            (None, false) => Standing::NoValue(fate),
+            (None, false) => Standing::NoValue(outcome),
             (None, true) => {
                 let by = front.iter().position(beats);
                 by.map_or(Standing::OnFront, |by| Standing::Dominated { by })
@@ -448,14 +448,14 @@ impl Search<'_> {
 
     /// The measures of any scene, by a field of one point.
     fn evaluate(&self, scene: &Scene, whole: bool) -> Option<Found> {
-        let axis = self.field.axes().first()?;
-        let names: Vec<&str> = self.field.measures().iter().map(|column| column.name).collect();
-        let field = Field::new(scene, vec![axis.clone()], &names).ok()?;
+        let axis = self.space.axes().first()?;
+        let names: Vec<&str> = self.space.measures().iter().map(|column| column.name).collect();
+        let space = DesignSpace::new(scene, vec![axis.clone()], &names).ok()?;
         let value = (axis.number().get)(scene).unwrap_or(f64::NAN);
         let mut watch = |_, _: Option<&()>| {
             if whole { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         };
-        field.evaluate(&[vec![value]], &mut Context::new(1, &mut watch)).into_iter().next()
+        space.evaluate(&[vec![value]], &mut Context::new(1, &mut watch)).into_iter().next()
     }
 }
 

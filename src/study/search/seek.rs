@@ -9,8 +9,8 @@ use std::ops::RangeInclusive;
 use crate::model::scene::Scene;
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
-use crate::study::search::field::Field;
-use crate::study::sweep::{Axis, Fate, SweepError};
+use crate::study::search::design_space::DesignSpace;
+use crate::study::sweep::{Axis, PointOutcome, SweepError};
 use roots::{Kind, RootScan};
 
 pub mod roots;
@@ -50,7 +50,7 @@ pub struct Solution {
     /// The goal is met up to here as well, and all between: the measure does not depend on the variable.
     pub until: Option<f64>,
     /// What becomes of the design.
-    pub fate: Option<Fate>,
+    pub outcome: Option<PointOutcome>,
 }
 
 /// The measure jumps over the goal.
@@ -70,7 +70,7 @@ pub struct Gap {
     /// See `from`.
     pub to: f64,
     /// What becomes of the designs there.
-    pub fate: Fate,
+    pub outcome: PointOutcome,
     /// Points of the scan in it.
     pub points: usize,
 }
@@ -108,18 +108,18 @@ pub struct Report {
 /// A [`SweepError`] when bounds, name or scene make no sense: then nothing has run.
 pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Report, SweepError> {
     let axis = &goal.axis;
-    let field = Field::new(scene, vec![axis.clone()], &[goal.measure.as_str()])?;
+    let space = DesignSpace::new(scene, vec![axis.clone()], &[goal.measure.as_str()])?;
     let scan = usize::try_from(axis.count()).unwrap_or(usize::MAX);
     let mut runs = 0;
-    let mut fates: Vec<(f64, Fate)> = Vec::new();
+    let mut outcomes: Vec<(f64, PointOutcome)> = Vec::new();
     let mut function = |shares: &[f64]| {
         let designs: Vec<Vec<f64>> =
             shares.iter().map(|share| vec![axis.at_share(*share)]).collect();
         // A guess that is right for one solution or two.
         context.expect(if runs < scan { scan + 40 } else { 40 });
-        let found = field.evaluate(&designs, context);
+        let found = space.evaluate(&designs, context);
         runs += found.len();
-        fates.extend(shares.iter().zip(&found).map(|(share, found)| (*share, found.fate)));
+        outcomes.extend(shares.iter().zip(&found).map(|(share, found)| (*share, found.outcome)));
         (!context.is_stopped()).then(|| found.iter().map(|found| found.values[0]).collect())
     };
     let mut root_scan = RootScan::new(goal.target, &mut function);
@@ -127,11 +127,14 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     let RootScan { crossings, seen, scan: scanned, .. } = root_scan;
     let place = |(share, value): (f64, f64)| Place { at: axis.at_share(share), value };
     let fate_at = |share: f64| {
-        fates.iter().find(|(other, _)| other.to_bits() == share.to_bits()).map(|(_, fate)| *fate)
+        outcomes
+            .iter()
+            .find(|(other, _)| other.to_bits() == share.to_bits())
+            .map(|(_, outcome)| *outcome)
     };
     let mut report = Report {
         axis: axis.clone(),
-        measure: field.measures()[0],
+        measure: space.measures()[0],
         target: goal.target,
         solutions: Vec::new(),
         jumps: Vec::new(),
@@ -145,8 +148,8 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     for crossing in crossings {
         let (a, b) = (place(crossing.from), place(crossing.to));
         let solution = |touches, until| {
-            let fate = fate_at(crossing.from.0);
-            Solution { place: a, touches, until, fate }
+            let outcome = fate_at(crossing.from.0);
+            Solution { place: a, touches, until, outcome }
         };
         match crossing.kind {
             Kind::Root => report.solutions.push(solution(false, None)),
@@ -163,26 +166,26 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     Ok(report)
 }
 
-/// Neighbouring points of the scan without a value and with the same fate.
+/// Neighbouring points of the scan without a value and with the same outcome.
 fn gaps(
     scan: &[(f64, Option<f64>)],
     axis: &Axis,
-    fate_at: impl Fn(f64) -> Option<Fate>,
+    fate_at: impl Fn(f64) -> Option<PointOutcome>,
 ) -> Vec<Gap> {
     let mut gaps: Vec<Gap> = Vec::new();
     let mut goes_on = false;
     for (share, value) in scan {
-        let Some(fate) = fate_at(*share).filter(|_| value.is_none()) else {
+        let Some(outcome) = fate_at(*share).filter(|_| value.is_none()) else {
             goes_on = false;
             continue;
         };
         let at = axis.at_share(*share);
-        match gaps.last_mut().filter(|gap| goes_on && gap.fate == fate) {
+        match gaps.last_mut().filter(|gap| goes_on && gap.outcome == outcome) {
             Some(gap) => {
                 gap.to = at;
                 gap.points += 1;
             }
-            None => gaps.push(Gap { from: at, to: at, fate, points: 1 }),
+            None => gaps.push(Gap { from: at, to: at, outcome, points: 1 }),
         }
         goes_on = true;
     }

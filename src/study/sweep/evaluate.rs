@@ -17,7 +17,7 @@ use crate::study::sweep::kernel::Kernel;
 
 /// What became of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fate {
+pub enum PointOutcome {
     /// The projectile stays in the plate.
     Arrested,
     /// The nose passed the rear face.
@@ -52,7 +52,7 @@ impl Failure {
     }
 }
 
-impl Fate {
+impl PointOutcome {
     /// The word used in files and on screens.
     pub fn word(self) -> &'static str {
         match self {
@@ -84,7 +84,7 @@ impl Fate {
         }
     }
 
-    /// The fate of a run.
+    /// The outcome of a run.
     pub fn of(run: &Run) -> Self {
         if !run.end.is_complete() {
             return Self::Failed(Failure::Early(run.end));
@@ -102,7 +102,7 @@ impl Fate {
 #[derive(Clone, Debug, Default)]
 pub struct Rows {
     outputs: usize,
-    fates: Vec<Fate>,
+    outcomes: Vec<PointOutcome>,
     values: Vec<f64>,
 }
 
@@ -114,7 +114,7 @@ impl Rows {
 
     /// How many rows there are.
     pub fn len(&self) -> usize {
-        self.fates.len()
+        self.outcomes.len()
     }
 
     /// How many outputs a row has.
@@ -124,12 +124,12 @@ impl Rows {
 
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
-        self.fates.is_empty()
+        self.outcomes.is_empty()
     }
 
     /// What became of a row's point.
-    pub fn fate(&self, row: usize) -> Fate {
-        self.fates[row]
+    pub fn outcome(&self, row: usize) -> PointOutcome {
+        self.outcomes[row]
     }
 
     /// An output of a row; `None` where it does not exist.
@@ -138,11 +138,15 @@ impl Rows {
         (!value.is_nan()).then_some(value)
     }
 
-    pub(super) fn push(&mut self, fate: Fate, values: impl Iterator<Item = Option<f64>>) {
-        self.fates.push(fate);
+    pub(super) fn push(
+        &mut self,
+        outcome: PointOutcome,
+        values: impl Iterator<Item = Option<f64>>,
+    ) {
+        self.outcomes.push(outcome);
         self.values.extend(values.take(self.outputs).map(|value| value.unwrap_or(f64::NAN)));
         // Rows stay whole whatever was handed in.
-        self.values.resize(self.fates.len() * self.outputs, f64::NAN);
+        self.values.resize(self.outcomes.len() * self.outputs, f64::NAN);
     }
 }
 
@@ -195,7 +199,7 @@ impl<'p> Evaluator<'p> {
         }
         let mut rows = Rows::new(plan.outputs().len());
         for (place, index) in points.iter().enumerate() {
-            if let Some((fate, answer)) =
+            if let Some((outcome, answer)) =
                 self.kernel.as_ref().and_then(|kernel| kernel.found(place))
             {
                 if self.kernel.as_ref().is_some_and(Kernel::needs_scene) {
@@ -203,7 +207,7 @@ impl<'p> Evaluator<'p> {
                 }
                 let scene = &self.scene;
                 rows.push(
-                    *fate,
+                    *outcome,
                     plan.outputs().iter().map(|output| output.of_contact(answer, scene)),
                 );
                 continue;
@@ -216,25 +220,29 @@ impl<'p> Evaluator<'p> {
     }
 
     /// The full simulation of a point, its outputs added to `rows`; `None` when it was stopped.
-    pub fn one(&mut self, index: u64, rows: &mut Rows) -> Option<(Fate, Result<Run, Failure>)> {
+    pub fn one(
+        &mut self,
+        index: u64,
+        rows: &mut Rows,
+    ) -> Option<(PointOutcome, Result<Run, Failure>)> {
         if self.stop.load(Ordering::Relaxed) {
             return None;
         }
         let run = self.run(index);
-        let fate = match &run {
+        let outcome = match &run {
             Ok(run) if run.end == EndReason::Cancelled => {
                 if self.stop.load(Ordering::Relaxed) {
                     return None;
                 }
-                Fate::Failed(Failure::Early(EndReason::StepBudget))
+                PointOutcome::Failed(Failure::Early(EndReason::StepBudget))
             }
-            Ok(run) => Fate::of(run),
-            Err(failure) => Fate::Failed(*failure),
+            Ok(run) => PointOutcome::of(run),
+            Err(failure) => PointOutcome::Failed(*failure),
         };
-        let told = run.as_ref().ok().filter(|_| !matches!(fate, Fate::Failed(_)));
+        let told = run.as_ref().ok().filter(|_| !matches!(outcome, PointOutcome::Failed(_)));
         let value = |output: &&Quantity| told.and_then(|run| output.value(run));
-        rows.push(fate, self.plan.outputs().iter().map(value));
-        Some((fate, run))
+        rows.push(outcome, self.plan.outputs().iter().map(value));
+        Some((outcome, run))
     }
 
     /// The full simulation of a point, without a series.

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::study::context::{Context, Work};
 use crate::study::quantities::{Needs, Quantity};
 use crate::study::sweep::summary::OutcomeCounts;
-use crate::study::sweep::{Design, Evaluator, Fate, Plan, Rows, SweepError};
+use crate::study::sweep::{Design, Evaluator, Plan, PointOutcome, Rows, SweepError};
 
 /// The most points a grid may have: some tens of megabytes.
 pub const GRID_MAX: u64 = 1_000_000;
@@ -40,7 +40,7 @@ pub enum Cell {
     /// The output's value.
     Value(f64),
     /// It was computed, and the output does not exist; or a number would mislead.
-    Fate(Fate),
+    Outcome(PointOutcome),
     /// Not computed yet.
     Waiting,
 }
@@ -51,7 +51,7 @@ pub struct Grid {
     plan: Arc<Plan>,
     /// Points along the first axis and the second (1 without one).
     counts: (usize, usize),
-    fates: Vec<Option<Fate>>,
+    outcomes: Vec<Option<PointOutcome>>,
     values: Vec<f64>,
     /// The stride that is filled everywhere; 0: not even the coarsest.
     stride: usize,
@@ -73,7 +73,7 @@ impl Grid {
         let points = counts.0 * counts.1;
         Some(Self {
             counts,
-            fates: vec![None; points],
+            outcomes: vec![None; points],
             values: vec![f64::NAN; points * plan.outputs().len()],
             stride: 0,
             done: 0,
@@ -103,17 +103,17 @@ impl Grid {
 
     /// Points done, and in all.
     pub fn progress(&self) -> (usize, usize) {
-        (self.done, self.fates.len())
+        (self.done, self.outcomes.len())
     }
 
     /// Whether every point is there.
     pub fn is_complete(&self) -> bool {
-        self.done == self.fates.len()
+        self.done == self.outcomes.len()
     }
 
     /// What became of a point; `None` where it is not computed yet.
-    pub fn fate(&self, x: usize, y: usize) -> Option<Fate> {
-        *self.fates.get(x * self.counts.1 + y)?
+    pub fn outcome(&self, x: usize, y: usize) -> Option<PointOutcome> {
+        *self.outcomes.get(x * self.counts.1 + y)?
     }
 
     /// An output at a point; `None` where it is not there yet or does not exist.
@@ -126,9 +126,9 @@ impl Grid {
     pub fn rows(&self) -> (Vec<u64>, Rows) {
         let outputs = self.plan.outputs().len();
         let mut rows = Rows::new(outputs);
-        let there = self.fates.iter().enumerate().filter_map(|(at, fate)| {
+        let there = self.outcomes.iter().enumerate().filter_map(|(at, outcome)| {
             let values = &self.values[at * outputs..(at + 1) * outputs];
-            rows.push((*fate)?, values.iter().copied().map(Some));
+            rows.push((*outcome)?, values.iter().copied().map(Some));
             Some(at as u64)
         });
         (there.collect(), rows)
@@ -139,11 +139,11 @@ impl Grid {
         let mut stride = 1;
         loop {
             let (x, y) = (x - x % stride, y - y % stride);
-            if let Some(fate) = self.fate(x, y) {
-                let shown = tells(self.plan.outputs()[output], fate);
+            if let Some(outcome) = self.outcome(x, y) {
+                let shown = tells(self.plan.outputs()[output], outcome);
                 return match self.value(x, y, output).filter(|_| shown) {
                     Some(value) => Cell::Value(value),
-                    None => Cell::Fate(fate),
+                    None => Cell::Outcome(outcome),
                 };
             }
             if stride >= COARSEST || !self.is_full() {
@@ -156,7 +156,7 @@ impl Grid {
     /// How the points ended.
     pub fn outcomes(&self) -> OutcomeCounts {
         let mut counts = OutcomeCounts::default();
-        self.fates.iter().flatten().for_each(|fate| counts.add(*fate));
+        self.outcomes.iter().flatten().for_each(|outcome| counts.add(*outcome));
         counts
     }
 
@@ -165,7 +165,7 @@ impl Grid {
     pub fn fill(mut self, at_once: u64, context: &mut Context<'_, Self>) -> Self {
         let plan = Arc::clone(&self.plan);
         let stop = AtomicBool::new(false);
-        context.expect(self.fates.len());
+        context.expect(self.outcomes.len());
         for stride in self.strides() {
             let points = self.pass(stride);
             let slice = |piece: &Range<u64>| {
@@ -212,7 +212,7 @@ impl Grid {
         for x in (0..along_x).step_by(stride) {
             for y in (0..along_y).step_by(stride) {
                 let index = x * along_y + y;
-                if self.fates[index].is_none() {
+                if self.outcomes[index].is_none() {
                     points.push(index as u64);
                 }
             }
@@ -224,8 +224,8 @@ impl Grid {
         let outputs = self.plan.outputs().len();
         for (row, index) in points.iter().take(rows.len()).enumerate() {
             let Ok(index) = usize::try_from(*index) else { continue };
-            self.done += usize::from(self.fates[index].is_none());
-            self.fates[index] = Some(rows.fate(row));
+            self.done += usize::from(self.outcomes[index].is_none());
+            self.outcomes[index] = Some(rows.outcome(row));
             for output in 0..outputs {
                 let value = rows.value(row, output).unwrap_or(f64::NAN);
                 self.values[index * outputs + output] = value;
@@ -235,11 +235,11 @@ impl Grid {
 }
 
 /// Whether a number means something where a point ended like this: the depth of a perforation does not.
-pub fn tells(output: &Quantity, fate: Fate) -> bool {
-    match fate {
-        Fate::Arrested | Fate::Separated => true,
-        Fate::Perforated => output.tells_of_perforation(),
-        Fate::Moving => matches!(output.needs(), Needs::Scene | Needs::Limit),
-        Fate::Failed(_) => false,
+pub fn tells(output: &Quantity, outcome: PointOutcome) -> bool {
+    match outcome {
+        PointOutcome::Arrested | PointOutcome::Separated => true,
+        PointOutcome::Perforated => output.tells_of_perforation(),
+        PointOutcome::Moving => matches!(output.needs(), Needs::Scene | Needs::Limit),
+        PointOutcome::Failed(_) => false,
     }
 }

@@ -16,7 +16,7 @@ use crate::numerics::larger;
 use crate::study::compare::load::holds_still;
 use crate::study::quantities::{FromContact, turn_tells_force};
 use crate::study::sweep::Plan;
-use crate::study::sweep::evaluate::Fate;
+use crate::study::sweep::evaluate::PointOutcome;
 
 /// Fraction of the scene's tolerance that the contact may use up.
 pub(in crate::study) const TOLERANCE_FRACTION: f64 = 0.3;
@@ -63,7 +63,7 @@ pub(super) struct Kernel<'p> {
     /// The contacts of the piece that have to be integrated, and their places.
     contacts: Vec<Contact>,
     places: Vec<usize>,
-    answers: Vec<Option<(Fate, Answer)>>,
+    answers: Vec<Option<(PointOutcome, Answer)>>,
 }
 
 impl<'p> Kernel<'p> {
@@ -100,7 +100,7 @@ impl<'p> Kernel<'p> {
     }
 
     /// The answer at a place of the piece computed last, if there is one.
-    pub(super) fn found(&self, place: usize) -> Option<&(Fate, Answer)> {
+    pub(super) fn found(&self, place: usize) -> Option<&(PointOutcome, Answer)> {
         self.answers.get(place)?.as_ref()
     }
 
@@ -137,7 +137,7 @@ impl<'p> Kernel<'p> {
     }
 
     /// The answer, from the end of the contact.
-    fn finish(&self, scene: &Scene, end: ContactEnd) -> (Fate, Answer) {
+    fn finish(&self, scene: &Scene, end: ContactEnd) -> (PointOutcome, Answer) {
         let baseline_m = match self.baseline {
             Baseline::Fixed(depth_m) => depth_m,
             Baseline::ByPoint => baseline_m(scene, &Geometry::of(scene)),
@@ -146,8 +146,8 @@ impl<'p> Kernel<'p> {
         let start_m = if sprung { 0.0 - scene.plate.cocking_m } else { 0.0 };
         let max_displacement_m =
             if self.displacement { max_displacement_m(scene, &end) } else { None };
-        let fate = if end.arrested { Fate::Arrested } else { Fate::Perforated };
-        (fate, Answer { end, baseline_m, max_displacement_m, start_m })
+        let outcome = if end.arrested { PointOutcome::Arrested } else { PointOutcome::Perforated };
+        (outcome, Answer { end, baseline_m, max_displacement_m, start_m })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::study::sweep::{Fate, Rows};
+use crate::study::sweep::{PointOutcome, Rows};
 
 /// The least and the greatest value of an output and the points where they were found first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,13 +39,13 @@ pub struct OutcomeCounts {
 
 impl OutcomeCounts {
     /// Count a point.
-    pub fn add(&mut self, fate: Fate) {
-        *match fate {
-            Fate::Arrested => &mut self.arrested,
-            Fate::Perforated => &mut self.perforated,
-            Fate::Separated => &mut self.separated,
-            Fate::Moving => &mut self.moving,
-            Fate::Failed(_) => &mut self.failed,
+    pub fn add(&mut self, outcome: PointOutcome) {
+        *match outcome {
+            PointOutcome::Arrested => &mut self.arrested,
+            PointOutcome::Perforated => &mut self.perforated,
+            PointOutcome::Separated => &mut self.separated,
+            PointOutcome::Moving => &mut self.moving,
+            PointOutcome::Failed(_) => &mut self.failed,
         } += 1;
     }
 
@@ -94,9 +94,10 @@ impl Summary {
     /// Add rows, the first of which is point `first`.
     pub fn add(&mut self, first: u64, rows: &Rows) {
         for (row, point) in (0..rows.len()).zip(first..) {
-            self.outcomes.add(rows.fate(row));
+            self.outcomes.add(rows.outcome(row));
             for output in 0..self.extremes.len() {
-                let told = matches!(rows.fate(row), Fate::Arrested | Fate::Separated);
+                let told =
+                    matches!(rows.outcome(row), PointOutcome::Arrested | PointOutcome::Separated);
                 if let Some(value) = rows.value(row, output).filter(|_| told) {
                     self.consider(output, value, point);
                 }

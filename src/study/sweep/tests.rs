@@ -121,14 +121,14 @@ fn great_designs_are_enumerated_without_memory() {
 }
 
 /// The value of an output by a single full simulation.
-fn single(scene: &Scene, name: &str) -> (Fate, Option<f64>) {
+fn single(scene: &Scene, name: &str) -> (PointOutcome, Option<f64>) {
     let mut scene = scene.clone();
     // A tenth of what is asked of the sweep: the contact kernel is to be judged, not this one.
     scene.run.tolerance *= 0.1;
     let settings = Settings { series: false, estimate: false };
     let go_on = &mut |_: f64| ControlFlow::Continue(());
     let run = simulate(&Arc::new(scene), &settings, go_on).unwrap();
-    (Fate::of(&run), named(name).unwrap().value(&run))
+    (PointOutcome::of(&run), named(name).unwrap().value(&run))
 }
 
 /// Surfaces that between them take every way through the evaluator.
@@ -172,8 +172,8 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
         for (row, index) in (0..plan.points()).enumerate() {
             let scene = plan.scene(index);
             for (output, name) in names.iter().enumerate() {
-                let (fate, exact) = single(&scene, name);
-                assert_eq!(rows.fate(row), fate, "{:?} {index}", plan.axes());
+                let (outcome, exact) = single(&scene, name);
+                assert_eq!(rows.outcome(row), outcome, "{:?} {index}", plan.axes());
                 let found = rows.value(row, output);
                 assert_eq!(found.is_some(), exact.is_some(), "{:?} {index} {name}", plan.axes());
                 let Some((found, exact)) = found.zip(exact) else { continue };
@@ -189,7 +189,7 @@ fn valid_every_point_of_every_surface_is_what_a_single_run_gives() {
 }
 
 /// Every bit of what threads make of a plan.
-fn by_threads(plan: &Plan, parallel: Parallel, shard: Shard) -> Vec<(Fate, u64)> {
+fn by_threads(plan: &Plan, parallel: Parallel, shard: Shard) -> Vec<(PointOutcome, u64)> {
     let stop = AtomicBool::new(false);
     let mut all = Vec::new();
     let worker = || {
@@ -201,7 +201,7 @@ fn by_threads(plan: &Plan, parallel: Parallel, shard: Shard) -> Vec<(Fate, u64)>
         for row in 0..rows.len() {
             for output in 0..plan.outputs().len() {
                 let value = rows.value(row, output).unwrap_or(f64::NAN);
-                all.push((rows.fate(row), value.to_bits()));
+                all.push((rows.outcome(row), value.to_bits()));
             }
         }
         ControlFlow::Continue(())
@@ -245,7 +245,7 @@ fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
     assert!(grid.is_complete());
     for x in 0..33 {
         for y in 0..20 {
-            assert_eq!(grid.fate(x, y), Some(direct.fate(x * 20 + y)));
+            assert_eq!(grid.outcome(x, y), Some(direct.outcome(x * 20 + y)));
             for output in 0..2 {
                 let (a, b) = (grid.value(x, y, output), direct.value(x * 20 + y, output));
                 assert_eq!(a.map(f64::to_bits), b.map(f64::to_bits));
@@ -253,7 +253,7 @@ fn a_grid_is_filled_coarse_first_and_ends_as_if_it_were_not() {
         }
     }
     // k = 0: nothing stops the plate.
-    assert_eq!(grid.cell(3, 0, 1), Cell::Fate(Fate::Arrested));
+    assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Arrested));
 }
 
 #[test]
@@ -277,10 +277,10 @@ fn a_perforation_is_never_a_number() {
     let grid = empty.fill(64, &mut Context::new(1, &mut to_its_end));
     // The limit is 232.295 m/s (model page): 230 is stopped, 240 is not.
     assert!(matches!(grid.cell(3, 0, 0), Cell::Value(_)));
-    assert_eq!(grid.cell(4, 0, 0), Cell::Fate(Fate::Perforated));
-    assert_eq!(grid.cell(4, 0, 2), Cell::Fate(Fate::Perforated));
+    assert_eq!(grid.cell(4, 0, 0), Cell::Outcome(PointOutcome::Perforated));
+    assert_eq!(grid.cell(4, 0, 2), Cell::Outcome(PointOutcome::Perforated));
     assert!(matches!(grid.cell(4, 0, 1), Cell::Value(_)));
-    assert_eq!(grid.cell(3, 0, 1), Cell::Fate(Fate::Arrested));
+    assert_eq!(grid.cell(3, 0, 1), Cell::Outcome(PointOutcome::Arrested));
 }
 
 /// A design other than the full grid is kept point by point, with the values of a sweep over it.

@@ -131,9 +131,9 @@ fn an_impossible_scene_is_refused_in_words() {
 #[test]
 fn a_limit_is_found_and_a_stopped_one_says_so() {
     let (worker, reports) = spawned();
-    let passage = |scattering| {
+    let passage = |sampling| {
         let criterion = limit::Criterion::Passage;
-        StudyKind::Limit(limit::Effort { criterion, scattering })
+        StudyKind::Limit(limit::Effort { criterion, sampling })
     };
     let found = || match ended(&reports).1 {
         Some(Finding::Limit(found)) => found,
@@ -146,13 +146,13 @@ fn a_limit_is_found_and_a_stopped_one_says_so() {
     worker.submit(Task { id: 1, threads: 1, work });
     let limit_m_s = found().limit.velocity_m_s().expect("a limit");
     assert!((limit_m_s - 232.295_378).abs() < 5e-7, "{limit_m_s}");
-    let scattering = limit::monte_carlo::Scattering {
+    let sampling = limit::monte_carlo::Sampling {
         deviation: 0.02,
         samples: 1_000_000,
         seed: 1,
         model: limit::monte_carlo::ModelError::default(),
     };
-    worker.submit(study(2, passage(Some(scattering))));
+    worker.submit(study(2, passage(Some(sampling))));
     while !matches!(
         reports.recv_timeout(PATIENCE).expect("a report in time").body,
         ReportBody::Progress { .. }
@@ -181,7 +181,7 @@ fn a_limit_does_not_wait_for_the_battery() {
     let (worker, reports) = spawned();
     worker.submit(study(1, StudyKind::Battery));
     let criterion = limit::Criterion::Passage;
-    let kind = StudyKind::Limit(limit::Effort { criterion, scattering: None });
+    let kind = StudyKind::Limit(limit::Effort { criterion, sampling: None });
     worker.submit(study(2, kind));
     assert_eq!(ended(&reports).0, 2);
     worker.cancel(1);

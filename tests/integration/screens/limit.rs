@@ -7,10 +7,10 @@ use cmra::files::atomic::Existing;
 use cmra::model::run::Outcome;
 use cmra::model::scene::Scene;
 use cmra::study::limit::fit::{LambertJonas, RechtIpson};
-use cmra::study::limit::monte_carlo::Scatter;
+use cmra::study::limit::monte_carlo::SampledLimit;
 use cmra::study::limit::{Basis, Effort, Limit, Report, Shot};
 use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask, Message};
-use cmra::tui::pages::limit::state::SCATTERING;
+use cmra::tui::pages::limit::state::SAMPLING;
 use cmra::tui::theme::GlyphSet;
 use cmra::worker::Finding;
 use cmra::worker::studies::StudyKind;
@@ -29,8 +29,8 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
         outcome: if times > 1.0 { Outcome::Perforated } else { Outcome::Arrested },
         residual_m_s: (times > 1.0).then(|| law(times * V_BL)),
     };
-    let scatter = effort.scattering.map(|scattering| Scatter {
-        scattering,
+    let sampled = effort.sampling.map(|sampling| SampledLimit {
+        sampling,
         found: 200,
         without: 0,
         v50_m_s: 232.5,
@@ -48,13 +48,13 @@ fn found(scene: &Arc<Scene>, effort: Effort) -> Report {
         shots: below.chain(above).map(shot).collect(),
         recht_ipson: Some(RechtIpson { a: 0.9412, limit_m_s: V_BL, misfit_m_s: 4.321 }),
         lambert_jonas: Some(LambertJonas { a: 0.92, p: 2.2, limit_m_s: V_BL, misfit_m_s: 0.0123 }),
-        scatter,
+        sampled,
         is_complete: true,
     }
 }
 
 fn plain() -> Effort {
-    Effort { criterion: cmra::study::limit::Criterion::Passage, scattering: None }
+    Effort { criterion: cmra::study::limit::Criterion::Passage, sampling: None }
 }
 
 fn end(bench: &mut Bench, change: impl Fn(&mut Report)) {
@@ -157,7 +157,7 @@ fn v_asks_for_the_scatter_and_takes_it_away_again() {
     let mut bench = open(GlyphSet::Ascii, (120, 36));
     bench.keys("v");
     let asked = bench.studies().remove(0).kind;
-    assert_eq!(asked, StudyKind::Limit(Effort { scattering: Some(SCATTERING), ..plain() }));
+    assert_eq!(asked, StudyKind::Limit(Effort { sampling: Some(SAMPLING), ..plain() }));
     bench.keys("v");
     let asked = bench.studies().remove(0).kind;
     assert_eq!(asked, StudyKind::Limit(plain()));

@@ -10,7 +10,7 @@ use cmra::study::compare::{self, Hardware};
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::search::front::{Candidate, Design, Front, Standing, Task};
 use cmra::study::sensitivity;
-use cmra::study::sweep::Fate;
+use cmra::study::sweep::PointOutcome;
 use cmra::study::{monte_carlo, search::seek};
 use cmra::tui::message::{Content, Effect, FileTask};
 use cmra::tui::pages::Tab;
@@ -29,13 +29,13 @@ fn front(scene: &Scene, task: &Task) -> Front {
     let design = |i: u8| Design {
         values: task.axes.iter().map(|axis| axis.at_share(f64::from(i) / 40.0)).collect(),
         measures: measures(f64::from(i)),
-        fate: Fate::Arrested,
+        outcome: PointOutcome::Arrested,
     };
     let candidate = |(name, i, standing): (&'static str, f64, Standing)| Candidate {
         name,
         source: "made up",
         scene: Some(scene.clone()),
-        fate: Some(Fate::Arrested),
+        outcome: Some(PointOutcome::Arrested),
         measures: measures(i),
         standing,
     };
@@ -67,9 +67,9 @@ fn made(scene: &Arc<Scene>, request: &Request) -> Answer {
             let report = sensitivity::study(scene, axes.clone(), output, effort, context);
             Answer::Sensitivity(Arc::new(report.unwrap()))
         }
-        Request::Scatter(task) => {
+        Request::MonteCarlo(task) => {
             let task = monte_carlo::Task { samples: 500, ..task.clone() };
-            Answer::Scatter(Arc::new(monte_carlo::sample(scene, &task, context).unwrap()))
+            Answer::MonteCarlo(Arc::new(monte_carlo::sample(scene, &task, context).unwrap()))
         }
         Request::Compare => {
             let hardware = Hardware::default();

@@ -6,7 +6,7 @@ use cmra::files::preset;
 use cmra::model::scene::Scene;
 use cmra::study::context::{Context, to_its_end};
 use cmra::study::sweep::grid::{Grid, PIECE};
-use cmra::study::sweep::{Fate, Plan};
+use cmra::study::sweep::{Plan, PointOutcome};
 
 fn scene(figure: u32) -> Scene {
     preset::resolve(&format!("figure-9.{figure}"), None).unwrap().scene
@@ -235,7 +235,7 @@ fn valid_9_11_a_little_cocking_makes_a_stiff_spring_useful() {
     let travel = across(&grid, TRAVEL, 8);
     assert!(span(&travel[1..]) < 0.05 * 0.5 + 0.05, "{travel:?}");
     assert_eq!(grid.outcomes().arrested, 81);
-    assert_eq!(grid.fate(0, 0), Some(Fate::Arrested));
+    assert_eq!(grid.outcome(0, 0), Some(PointOutcome::Arrested));
 }
 
 #[test]

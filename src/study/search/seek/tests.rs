@@ -42,7 +42,7 @@ fn valid_velocity_for_a_depth_on_a_rigid_mount() {
         let report = found(&scene, &goal("v_i", (5.0, 150.0), "final_penetration_m", depth_m));
         assert_eq!(report.solutions.len(), 1, "{depth_m}");
         close(report.solutions[0].place.at, exact, 1e-9);
-        assert_eq!(report.solutions[0].fate, Some(Fate::Arrested));
+        assert_eq!(report.solutions[0].outcome, Some(PointOutcome::Arrested));
         assert!(report.jumps.is_empty() && report.gaps.is_empty() && report.is_complete);
     }
 }
@@ -85,7 +85,7 @@ fn perforations_are_a_gap_and_not_a_number() {
     let report = found(&scene, &goal("v_i", (100.0, 400.0), "final_penetration_m", 0.02));
     assert_eq!(report.solutions.len(), 1);
     let gap = report.gaps.last().unwrap();
-    assert_eq!((gap.fate, gap.to), (Fate::Perforated, 400.0));
+    assert_eq!((gap.outcome, gap.to), (PointOutcome::Perforated, 400.0));
     assert!(gap.from > 232.295_378 && report.solutions[0].place.at < 232.295_378);
 }
 

@@ -68,7 +68,7 @@ pub(in crate::tui) fn value_scale(app: &App) -> Scale {
 pub(in crate::tui) fn drawn(grid: &Grid, (x, y): (usize, usize), output: usize) -> f64 {
     match grid.cell(x, y, output) {
         Cell::Value(value) => value,
-        Cell::Fate(_) | Cell::Waiting => f64::NAN,
+        Cell::Outcome(_) | Cell::Waiting => f64::NAN,
     }
 }
 
@@ -169,14 +169,14 @@ fn marks(
     let (_, selected) = app.cursor_point(grid);
     for x in 0..along {
         let gap = match grid.cell(x, selected, output) {
-            Cell::Fate(fate) => Some(fate),
+            Cell::Outcome(outcome) => Some(outcome),
             Cell::Value(_) | Cell::Waiting => None,
         };
-        let Some((fate, cell)) = gap.zip(map.cell(grid.coordinate((x, selected), 0))) else {
+        let Some((outcome, cell)) = gap.zip(map.cell(grid.coordinate((x, selected), 0))) else {
             continue;
         };
         let place = (cell, plot.height.saturating_sub(1));
-        let letter = fate.letter().to_string();
+        let letter = outcome.letter().to_string();
         put(canvas, plot, place, &letter, app.theme.style(Role::Warning));
     }
 }

@@ -1,6 +1,6 @@
 //! Why a picture is empty, in words: no point has a value of the output shown.
 
-use crate::study::sweep::Fate;
+use crate::study::sweep::PointOutcome;
 use crate::study::sweep::grid::{Cell, Grid};
 
 /// Why no point of a picture has a value of an output that can be drawn, and what to do about it, in a few lines.
@@ -27,7 +27,7 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
     if counts.arrested + counts.separated == all {
         let why = match column.name {
             "residual_velocity_m_s" | "exit_time_s" => "every point is stopped",
-            _ => Fate::Arrested.without_value(column),
+            _ => PointOutcome::Arrested.without_value(column),
         };
         return lines(&format!("no {name}: {why}"), &[other]);
     }
@@ -48,14 +48,16 @@ pub fn no_value(grid: &Grid, output: usize) -> Vec<String> {
 pub(in crate::tui) fn at_rest(grid: &Grid, output: usize) -> Option<String> {
     let (along, up) = grid.counts();
     let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-    let rested = |(x, y): (usize, usize)| match grid.fate(x, y)? {
-        fate @ (Fate::Arrested | Fate::Separated) => Some((fate, grid.value(x, y, output))),
-        Fate::Perforated | Fate::Moving | Fate::Failed(_) => None,
+    let rested = |(x, y): (usize, usize)| match grid.outcome(x, y)? {
+        outcome @ (PointOutcome::Arrested | PointOutcome::Separated) => {
+            Some((outcome, grid.value(x, y, output)))
+        }
+        PointOutcome::Perforated | PointOutcome::Moving | PointOutcome::Failed(_) => None,
     };
     let mut without = points.filter_map(rested).filter(|point| point.1.is_none());
-    let (fate, _) = without.next()?;
-    let why = fate.without_value(grid.plan().outputs()[output]);
-    Some(format!("{} {}: {why}", 1 + without.count(), fate.letter()))
+    let (outcome, _) = without.next()?;
+    let why = outcome.without_value(grid.plan().outputs()[output]);
+    Some(format!("{} {}: {why}", 1 + without.count(), outcome.letter()))
 }
 
 /// The reason, then what to do about it.

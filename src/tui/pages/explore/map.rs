@@ -8,7 +8,7 @@ use crate::report::figures::{axis_of, column_of, places};
 use crate::report::map::{Cell, Map, Tone};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
-use crate::study::sweep::Fate;
+use crate::study::sweep::PointOutcome;
 use crate::study::sweep::grid::{self, Grid};
 use crate::study::sweep::quadratic::Quadratic;
 use crate::tui::app::App;
@@ -104,7 +104,7 @@ impl<'a> ChartView<'a> {
                     Cell::Value(self.value((x, y)))
                 }
                 grid::Cell::Value(_) => Cell::Mark('0', Tone::Faint),
-                grid::Cell::Fate(fate) => Cell::Mark(fate.letter(), tone(fate)),
+                grid::Cell::Outcome(outcome) => Cell::Mark(outcome.letter(), tone(outcome)),
                 grid::Cell::Waiting => Cell::Empty,
             }
         };
@@ -170,7 +170,9 @@ impl<'a> ChartView<'a> {
                     dot(levels.index(value), levels.bands(), app.theme)
                 }
                 grid::Cell::Value(_) => ('0', app.theme.style(Role::Dim)),
-                grid::Cell::Fate(fate) => (fate.letter(), app.theme.style(role(tone(fate)))),
+                grid::Cell::Outcome(outcome) => {
+                    (outcome.letter(), app.theme.style(role(tone(outcome))))
+                }
                 grid::Cell::Waiting => continue,
             };
             let place = (column, plot.height.saturating_sub(up + 1));
@@ -208,9 +210,9 @@ impl<'a> ChartView<'a> {
                 row += 1;
             }
         }
-        for (fate, words) in self.fates() {
-            let style = app.theme.style(role(tone(fate)));
-            put(canvas, inner, (2, row), &fate.letter().to_string(), style);
+        for (outcome, words) in self.outcomes() {
+            let style = app.theme.style(role(tone(outcome)));
+            put(canvas, inner, (2, row), &outcome.letter().to_string(), style);
             let words = clip(words, usize::from(inner.width.saturating_sub(5)));
             put(canvas, inner, (5, row), &words, app.theme.style(Role::Text));
             row += 1;
@@ -230,15 +232,15 @@ impl<'a> ChartView<'a> {
         points.any(|point| drawn(self.grid, point, self.output) <= 0.0)
     }
 
-    /// The fates that stand in the map, each letter once.
-    fn fates(&self) -> Vec<(Fate, &'static str)> {
+    /// The outcomes that stand in the map, each letter once.
+    fn outcomes(&self) -> Vec<(PointOutcome, &'static str)> {
         let (along, up) = self.grid.counts();
-        let mut list: Vec<(Fate, &'static str)> = Vec::new();
+        let mut list: Vec<(PointOutcome, &'static str)> = Vec::new();
         for (x, y) in (0..along).flat_map(|x| (0..up).map(move |y| (x, y))) {
-            if let grid::Cell::Fate(fate) = self.grid.cell(x, y, self.output)
-                && !list.iter().any(|(other, _)| other.letter() == fate.letter())
+            if let grid::Cell::Outcome(outcome) = self.grid.cell(x, y, self.output)
+                && !list.iter().any(|(other, _)| other.letter() == outcome.letter())
             {
-                list.push((fate, fate.without_value(self.column)));
+                list.push((outcome, outcome.without_value(self.column)));
             }
         }
         list

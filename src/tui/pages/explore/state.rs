@@ -13,7 +13,7 @@ use crate::model::variables::{self, Kind as VariableKind};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::{Cell, Grid};
 use crate::study::sweep::quadratic::Quadratic;
-use crate::study::sweep::{Axis, Design, Fate, Plan, USUAL_OUTPUTS};
+use crate::study::sweep::{Axis, Design, Plan, PointOutcome, USUAL_OUTPUTS};
 use crate::tui::app::App;
 use crate::tui::chart::ViewRange;
 
@@ -223,7 +223,7 @@ pub fn quadratic(grid: &Grid, output: usize) -> Option<Quadratic> {
     Quadratic::through(points.map(|(x, y)| {
         let value = match grid.cell(x, y, output) {
             Cell::Value(value) => value,
-            Cell::Fate(_) | Cell::Waiting => f64::NAN,
+            Cell::Outcome(_) | Cell::Waiting => f64::NAN,
         };
         let (u, v) = place(grid, (x, y));
         (u, v, value)
@@ -371,10 +371,12 @@ impl App {
                 }
                 Cell::Value(value) => format!("{name} {}", output_value(output, value)),
                 // The whole point is so, whatever the output.
-                Cell::Fate(fate @ (Fate::Perforated | Fate::Moving | Fate::Failed(_))) => {
-                    fate.without_value(output).to_owned()
-                }
-                Cell::Fate(fate) => format!("{name}: {}", fate.without_value(output)),
+                Cell::Outcome(
+                    outcome @ (PointOutcome::Perforated
+                    | PointOutcome::Moving
+                    | PointOutcome::Failed(_)),
+                ) => outcome.without_value(output).to_owned(),
+                Cell::Outcome(outcome) => format!("{name}: {}", outcome.without_value(output)),
                 Cell::Waiting => "not computed yet".to_owned(),
             };
             if !parts.contains(&text) {

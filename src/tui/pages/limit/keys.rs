@@ -55,7 +55,7 @@ pub(in crate::tui) fn act(app: &mut App, action: Action) -> Option<Vec<Effect>> 
 fn in_curve(app: &mut App, action: Action) -> Option<Vec<Effect>> {
     match action {
         Action::View => {
-            app.limit.scattered = !app.limit.scattered;
+            app.limit.sampled = !app.limit.sampled;
             return Some(find(app));
         }
         Action::Down | Action::PageDown => turn(app, 1),

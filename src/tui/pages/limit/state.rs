@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::model::run::Outcome;
 use crate::model::scene::Scene;
 use crate::model::units::{fixed_significant, significant};
-use crate::study::limit::monte_carlo::{ModelError, Scatter, Scattering};
+use crate::study::limit::monte_carlo::{ModelError, SampledLimit, Sampling};
 use crate::study::limit::{Criterion, Effort, Limit, Report, Shot, words};
 use crate::tui::app::App;
 use crate::tui::app::jobs::Running;
@@ -19,7 +19,7 @@ use crate::tui::pages::limit::layout::panes;
 use crate::worker::searches::Comparison;
 
 /// The scatter of the inputs that is asked for here.
-pub const SCATTERING: Scattering = Scattering {
+pub const SAMPLING: Sampling = Sampling {
     deviation: 0.02,
     samples: 200,
     seed: 1,
@@ -41,7 +41,7 @@ pub struct Ballistic {
     /// What is being looked for.
     pub finding: Option<Running>,
     /// V50 and spread are asked for, too.
-    pub scattered: bool,
+    pub sampled: bool,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
     /// The part of the impact velocities in view; `None`: all of them.
@@ -68,7 +68,7 @@ pub type Fact = (&'static str, Severity, String);
 impl Ballistic {
     /// What is asked for.
     pub fn effort(&self) -> Effort {
-        Effort { criterion: Criterion::Passage, scattering: self.scattered.then_some(SCATTERING) }
+        Effort { criterion: Criterion::Passage, sampling: self.sampled.then_some(SAMPLING) }
     }
 
     /// The shots there are.
@@ -114,10 +114,10 @@ impl Ballistic {
             let (limit, misfit) = (velocity(law.limit_m_s), significant(law.misfit_m_s, 2));
             add("Lambert-Jonas", format!("a {a}, p {p}, v_bl {limit}; RMS error {misfit} m/s"));
         }
-        match report.scatter {
-            Some(found) => facts.extend(scattered(&found, report)),
+        match report.sampled {
+            Some(found) => facts.extend(sampled(&found, report)),
             None if report.limit.velocity_m_s().is_some() && report.is_complete => {
-                let percent = significant(100.0 * SCATTERING.deviation, 2);
+                let percent = significant(100.0 * SAMPLING.deviation, 2);
                 let text = format!("v: V50 and spread with every input scattered by {percent} %");
                 add("V50", text);
             }
@@ -156,8 +156,8 @@ fn lines(facts: &[Fact], width: u16, labels_before: bool) -> Vec<Fact> {
     lines
 }
 
-fn scattered(found: &Scatter, report: &Report) -> Vec<Fact> {
-    let asked = found.scattering;
+fn sampled(found: &SampledLimit, report: &Report) -> Vec<Fact> {
+    let asked = found.sampling;
     let percent = |part: f64| significant(100.0 * part, 3);
     let (low, high) = found.range90_m_s;
     let mut text = format!(
@@ -279,7 +279,7 @@ impl App {
             }
             parts.extend(report.caution());
             let severity = if parts.is_empty() { Severity::Note } else { Severity::Warning };
-            if let Some(found) = &report.scatter {
+            if let Some(found) = &report.sampled {
                 let (v50, spread) = (velocity(found.v50_m_s), velocity(found.deviation_m_s));
                 parts.push(format!("V50 {v50}, spread {spread}"));
             }

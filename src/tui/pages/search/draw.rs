@@ -6,7 +6,7 @@ use crate::report::figures::axis_of;
 use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Design};
 use crate::study::search::seek;
-use crate::study::sweep::Fate;
+use crate::study::sweep::PointOutcome;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
@@ -47,7 +47,7 @@ pub(in crate::tui) fn render(app: &App, (left, right): (Rect, Rect), canvas: &mu
     match &found.answer {
         Answer::Seek(report) => sought(app, report, top, focused, canvas),
         Answer::Front(_) => front(app, top, focused, canvas),
-        Answer::Scatter(_) => histogram(app, top, focused, canvas),
+        Answer::MonteCarlo(_) => histogram(app, top, focused, canvas),
         Answer::Sensitivity(_) | Answer::Compare(_) => {}
     }
     if below == 0 {
@@ -202,14 +202,21 @@ fn sought(app: &App, report: &seek::Report, area: Rect, focused: bool, canvas: &
     };
     let layout = chart.render(area, canvas, app.theme);
     for (x, value) in &report.scan {
-        let fate = report.gaps.iter().find(|gap| {
+        let outcome = report.gaps.iter().find(|gap| {
             let (a, b) = if gap.from < gap.to { (gap.from, gap.to) } else { (gap.to, gap.from) };
             (a..=b).contains(x)
         });
-        let fate: Option<Fate> = fate.map(|gap| gap.fate).filter(|_| value.is_none());
-        let Some((fate, cell)) = fate.zip(layout.x.cell(*x)) else { continue };
+        let outcome: Option<PointOutcome> =
+            outcome.map(|gap| gap.outcome).filter(|_| value.is_none());
+        let Some((outcome, cell)) = outcome.zip(layout.x.cell(*x)) else { continue };
         let foot = (cell, layout.plot.height.saturating_sub(1));
-        put(canvas, layout.plot, foot, &fate.letter().to_string(), app.theme.style(Role::Warning));
+        put(
+            canvas,
+            layout.plot,
+            foot,
+            &outcome.letter().to_string(),
+            app.theme.style(Role::Warning),
+        );
     }
 }
 
@@ -291,7 +298,7 @@ fn mark(
 
 /// How often a value falls into each of some bins, as steps.
 fn histogram(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
-    let Some((_, summary)) = app.scattered() else { return };
+    let Some((_, summary)) = app.sampled() else { return };
     let sorted = &summary.sorted;
     let (Some(least), Some(most)) = (sorted.first(), sorted.last()) else {
         let text = "no sample has this result: Tab, then another one under Show".to_owned();

@@ -8,7 +8,7 @@ use crate::report::table::Cells;
 use crate::study::quantities::Quantity;
 use crate::study::search::front::{Candidate, Front, Standing, Task};
 use crate::study::sensitivity;
-use crate::study::sweep::{Axis, Fate};
+use crate::study::sweep::{Axis, PointOutcome};
 use crate::study::{monte_carlo, search::seek};
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
@@ -47,13 +47,13 @@ impl App {
                 wrapped(matters(report, width), width)
             }
             (Answer::Sensitivity(report), _) => matters(report, width),
-            (Answer::Scatter(report), _) => scattered(report, self.searching.setup.output, width),
+            (Answer::MonteCarlo(report), _) => sampled(report, self.searching.setup.output, width),
         }
     }
 
     /// The measure that the scatter page draws, with its values.
-    pub fn scattered(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
-        let Some(Found { answer: Answer::Scatter(report), .. }) =
+    pub fn sampled(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
+        let Some(Found { answer: Answer::MonteCarlo(report), .. }) =
             self.searching.found[Page::MonteCarlo.index()].as_ref()
         else {
             return None;
@@ -116,9 +116,9 @@ fn sought(report: &seek::Report, selected: usize) -> Vec<Line> {
         let mark = if index == selected { ">" } else { " " };
         let touch = if found.touches { " (least or greatest)" } else { "" };
         let until = found.until.map_or_else(String::new, |until| format!(" to {}", at(until)));
-        let fate = found.fate.map_or("", Fate::word);
+        let outcome = found.outcome.map_or("", PointOutcome::word);
         let place = at(found.place.at);
-        lines.push(note(format!("{mark} {} = {place}{until}  {fate}{touch}", axis.symbol())));
+        lines.push(note(format!("{mark} {} = {place}{until}  {outcome}{touch}", axis.symbol())));
     }
     if report.solutions.is_empty() {
         let text = format!("nothing reaches {}", value(report.target));
@@ -134,7 +134,7 @@ fn sought(report: &seek::Report, selected: usize) -> Vec<Line> {
         lines.push((Severity::Warning, format!("a jump at {at}: {from} to {to}")));
     }
     for gap in &report.gaps {
-        let why = gap.fate.without_value(report.measure);
+        let why = gap.outcome.without_value(report.measure);
         lines.push(note(format!("no value, {} to {}: {why}", at(gap.from), at(gap.to))));
     }
     lines
@@ -169,10 +169,10 @@ fn standing(candidate: &Candidate, task: &Task) -> Line {
         Standing::Breaks(at) => {
             (Severity::Warning, format!("breaks {}", task.constraints[*at].words()))
         }
-        Standing::NoValue(Fate::Arrested | Fate::Separated) => {
+        Standing::NoValue(PointOutcome::Arrested | PointOutcome::Separated) => {
             (Severity::Warning, "hits its stop: force unbounded".to_owned())
         }
-        Standing::NoValue(fate) => (Severity::Warning, fate.word().to_owned()),
+        Standing::NoValue(outcome) => (Severity::Warning, outcome.word().to_owned()),
         Standing::Impossible => (Severity::Warning, "cannot be made of this scene".to_owned()),
     }
 }
@@ -212,7 +212,7 @@ fn matters(report: &sensitivity::Report, width: usize) -> Vec<Line> {
     lines
 }
 
-fn scattered(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line> {
+fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line> {
     let mut lines = Vec::new();
     if let Some((part, (low, high))) = report.perforated {
         let percent = |share: f64| significant(100.0 * share, 3);

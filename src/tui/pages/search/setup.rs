@@ -356,7 +356,7 @@ impl App {
                 output: setup.output.to_owned(),
                 effort: sensitivity::Effort { rows: 1024, trajectories: 100, seed: 1 },
             },
-            Page::MonteCarlo => Request::Scatter(monte_carlo::Task {
+            Page::MonteCarlo => Request::MonteCarlo(monte_carlo::Task {
                 tolerances: usual_tolerances(&self.scene, setup.percent / 100.0),
                 measures: quantities::usual().map(|it| it.name.to_owned()).collect(),
                 samples: setup.samples,

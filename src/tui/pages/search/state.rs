@@ -156,7 +156,7 @@ impl Searching {
         match self.shown().map(|found| &found.answer) {
             Some(Answer::Seek(report)) => report.solutions.len(),
             Some(Answer::Front(front)) => front.designs.len(),
-            Some(Answer::Sensitivity(_) | Answer::Scatter(_) | Answer::Compare(_)) | None => 0,
+            Some(Answer::Sensitivity(_) | Answer::MonteCarlo(_) | Answer::Compare(_)) | None => 0,
         }
     }
 
@@ -165,7 +165,7 @@ impl Searching {
         match self.shown().map(|found| &found.answer) {
             Some(Answer::Seek(report)) => report.scan.iter().any(|point| point.1.is_some()),
             Some(Answer::Front(front)) => !front.designs.is_empty(),
-            Some(Answer::Scatter(report)) => {
+            Some(Answer::MonteCarlo(report)) => {
                 let drawn = |it: &&Summary| it.measure.name == self.setup.output;
                 report.summaries.iter().find(drawn).is_some_and(|it| !it.sorted.is_empty())
             }
@@ -262,7 +262,7 @@ impl App {
             Request::Front(task) => {
                 task.axes.iter().for_each(|axis| copy_value(axis, &found.scene, &mut scene));
             }
-            Request::Sensitivity { .. } | Request::Scatter(_) | Request::Compare => {}
+            Request::Sensitivity { .. } | Request::MonteCarlo(_) | Request::Compare => {}
         }
         *found.scene != scene || request.as_ref() != Some(&*found.request)
     }
@@ -407,7 +407,7 @@ impl App {
             }
             (Answer::Front(_), _) => return None,
             (Answer::Sensitivity(it), _) => report::sensitivity::table(&name, it).csv(),
-            (Answer::Scatter(it), _) => report::monte_carlo::table(&name, it).csv(),
+            (Answer::MonteCarlo(it), _) => report::monte_carlo::table(&name, it).csv(),
             (Answer::Compare(found), _) => report::compare::table(&name, &found.report).csv(),
         })
     }
@@ -422,7 +422,7 @@ fn completeness(answer: &Answer) -> (bool, Option<String>) {
             (front.is_complete, Some(text))
         }
         Answer::Sensitivity(report) => (report.sobol.is_some(), None),
-        Answer::Scatter(report) => {
+        Answer::MonteCarlo(report) => {
             (report.is_complete, Some(format!("{} samples", report.samples)))
         }
         Answer::Compare(found) => (found.report.is_complete, None),

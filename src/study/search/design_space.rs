@@ -12,7 +12,7 @@ use crate::numerics::larger;
 use crate::study::context::{Context, Work};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::grid::tells;
-use crate::study::sweep::{Axis, Evaluator, Failure, Fate, Plan, SweepError};
+use crate::study::sweep::{Axis, Evaluator, Failure, Plan, PointOutcome, SweepError};
 
 /// Designs a thread takes at once; those that take a whole run each, whose costs differ by far, one by one.
 const PIECE: u64 = 16;
@@ -22,7 +22,7 @@ const PIECE_OF_RUNS: u64 = 1;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
     /// What became of it.
-    pub fate: Fate,
+    pub outcome: PointOutcome,
     /// Its measures, in the order asked for; `None` where one does not exist, or where a number would mislead (the depth of a
     /// perforation).
     pub values: Vec<Option<f64>>,
@@ -30,14 +30,14 @@ pub struct Found {
 
 /// A scene, the variables that are changed, and the measures.
 #[derive(Clone, Debug)]
-pub struct Field {
+pub struct DesignSpace {
     plan: Plan,
     /// Steps after which a run is given up.
     steps_max: Option<usize>,
 }
 
-impl Field {
-    /// A field over axes, for measures by their names.
+impl DesignSpace {
+    /// A space over axes, for measures by their names.
     ///
     /// # Errors
     /// A [`SweepError`] when bounds, names or the scene make no sense: then nothing has run.
@@ -53,7 +53,7 @@ impl Field {
         Ok(Self { plan, steps_max: None })
     }
 
-    /// A field whose runs are given up after so many steps: such a design fails with its step budget used up. A search looks at
+    /// A space whose runs are given up after so many steps: such a design fails with its step budget used up. A search looks at
     /// many designs; a few whose plate swings millions of times must not take all of its time.
     #[must_use]
     pub fn limited(self, steps: usize) -> Self {
@@ -126,7 +126,7 @@ impl Field {
                 Ok(found) if found.is_empty() => break,
                 Ok(found) => all.extend(found),
                 Err(_) => all.push(Found {
-                    fate: Fate::Failed(Failure::Panicked),
+                    outcome: PointOutcome::Failed(Failure::Panicked),
                     values: vec![None; self.measures().len()],
                 }),
             }
@@ -137,11 +137,11 @@ impl Field {
     fn rows(&self, evaluator: &mut Evaluator<'_>, points: Range<u64>) -> Vec<Found> {
         let rows = evaluator.rows(points);
         let found = |row: usize| {
-            let fate = rows.fate(row);
+            let outcome = rows.outcome(row);
             let value = |(place, column): (usize, &&'static Quantity)| {
-                rows.value(row, place).filter(|_| tells(column, fate))
+                rows.value(row, place).filter(|_| tells(column, outcome))
             };
-            Found { fate, values: self.measures().iter().enumerate().map(value).collect() }
+            Found { outcome, values: self.measures().iter().enumerate().map(value).collect() }
         };
         // What was stopped is not there: no later point counts.
         (0..rows.len()).map(found).collect()
@@ -179,8 +179,8 @@ mod tests {
         list.iter().map(axis).collect()
     }
 
-    fn whole(field: &Field, designs: &[Vec<f64>], threads: usize) -> Vec<Found> {
-        field.evaluate(designs, &mut Context::<()>::new(threads, &mut to_its_end))
+    fn whole(space: &DesignSpace, designs: &[Vec<f64>], threads: usize) -> Vec<Found> {
+        space.evaluate(designs, &mut Context::<()>::new(threads, &mut to_its_end))
     }
 
     const FOUR: [&str; 4] =
@@ -193,13 +193,13 @@ mod tests {
         let designs =
             [vec![1.0, 1e5, 0.0], vec![2.0, 1e6, 0.0], vec![1.0, 1e5, 50.0], vec![0.8, 7.5e6, 0.0]];
         let with = |threads| {
-            let field = Field::new(&Scene::default(), bounds.clone(), &FOUR).unwrap();
-            (whole(&field, &designs, threads), field)
+            let space = DesignSpace::new(&Scene::default(), bounds.clone(), &FOUR).unwrap();
+            (whole(&space, &designs, threads), space)
         };
-        let (found, field) = with(1);
+        let (found, space) = with(1);
         assert_eq!(found, with(3).0);
         for (design, found) in designs.iter().zip(&found) {
-            let scene = Arc::new(field.scene(design));
+            let scene = Arc::new(space.scene(design));
             let settings = Settings { series: true, estimate: false };
             let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
             let close = |value: Option<f64>, exact: Option<f64>| {
@@ -243,34 +243,35 @@ mod tests {
         // The second swings thousands of times on a spring of small exponent before it is decided.
         let designs =
             [vec![1.0, 1e5, 1.0, 0.0, 0.0], vec![4.2875, 3_281_250.0, 0.546_875, 0.406_25, 375.0]];
-        let field = Field::new(&scene, bounds, &["final_penetration_m", "stroke_m"]).unwrap();
-        let free = whole(&field, &designs, 1);
-        let found = whole(&field.limited(1000), &designs, 1);
+        let space = DesignSpace::new(&scene, bounds, &["final_penetration_m", "stroke_m"]).unwrap();
+        let free = whole(&space, &designs, 1);
+        let found = whole(&space.limited(1000), &designs, 1);
         assert_eq!(found[0], free[0]);
-        assert_eq!(free[1].fate, Fate::Arrested);
-        assert_eq!(found[1].fate, Fate::Failed(Failure::Early(EndReason::StepBudget)));
+        assert_eq!(free[1].outcome, PointOutcome::Arrested);
+        assert_eq!(found[1].outcome, PointOutcome::Failed(Failure::Early(EndReason::StepBudget)));
         assert_eq!(found[1].values, [None, None]);
     }
 
     #[test]
     fn what_perforates_has_no_depth_and_a_stop_keeps_what_is_done() {
-        let field = Field::new(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
-        let found = whole(&field, &[vec![100.0], vec![800.0]], 1);
-        assert_eq!(found[1].fate, Fate::Perforated);
+        let space =
+            DesignSpace::new(&Scene::default(), axes(&[("v_i", 50.0, 900.0)]), &FOUR).unwrap();
+        let found = whole(&space, &[vec![100.0], vec![800.0]], 1);
+        assert_eq!(found[1].outcome, PointOutcome::Perforated);
         assert!(found[1].values.iter().all(Option::is_none) && found[0].values[0].is_some());
         let many = vec![vec![100.0]; 200];
         let mut watch = until::<()>(40);
         let mut context = Context::new(1, &mut watch);
         context.expect(many.len());
-        let part = field.evaluate(&many, &mut context);
+        let part = space.evaluate(&many, &mut context);
         assert!(context.is_stopped() && part.len() > 40 && part.len() < 200, "{}", part.len());
     }
 
     #[test]
     fn bad_names_and_bounds_are_refused_before_anything_runs() {
         let scene = Scene::default();
-        let error = Field::new(&scene, axes(&[("k", 0.0, 1e5)]), &["mass"]).unwrap_err();
+        let error = DesignSpace::new(&scene, axes(&[("k", 0.0, 1e5)]), &["mass"]).unwrap_err();
         assert!(error.to_string().contains("system_mass_kg"), "{error}");
-        assert!(Field::new(&scene, Vec::new(), &["stroke_m"]).is_err());
+        assert!(DesignSpace::new(&scene, Vec::new(), &["stroke_m"]).is_err());
     }
 }
