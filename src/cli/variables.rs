@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::cli::CliError;
 use crate::cli::table::TableArguments;
+use crate::cli::text::hanging;
 use crate::model::scene::Scene;
 use crate::model::variables::{Group, Kind, VARIABLES, Variable, used_when};
 use crate::report::table::Table;
@@ -50,23 +51,25 @@ pub(super) fn thesis_range(variable: &Variable) -> Option<(f64, f64)> {
 /// Its default with the unit.
 pub(super) fn default_of(variable: &Variable) -> String {
     let value = variable.show(&Scene::default());
-    format!("{value} {}", variable.unit().trim_matches('-')).trim_end().to_owned()
+    // A word in the place of a number has no unit.
+    let unit = if value.parse::<f64>().is_ok() { variable.unit().trim_matches('-') } else { "" };
+    format!("{value} {unit}").trim_end().to_owned()
 }
 
 fn page() -> String {
     let mut page =
-        "symbol, name, default and meaning; `cmra explain NAME` tells all of one\n".to_owned();
+        "symbol, default and meaning; `cmra explain SYMBOL` tells all of one\n".to_owned();
     for group in Group::ALL {
+        let own: Vec<&Variable> = VARIABLES.iter().filter(|it| it.group == group).collect();
+        // As narrow as the group allows: the meaning has the rest of the line.
+        let widest = |text: fn(&Variable) -> String| {
+            own.iter().map(|it| text(it).chars().count()).max().unwrap_or(0)
+        };
+        let (symbols, defaults) = (widest(|it| it.symbol.to_owned()), widest(default_of));
         let _ = writeln!(page, "\n{}", group.title());
-        for variable in VARIABLES.iter().filter(|variable| variable.group == group) {
-            let _ = writeln!(
-                page,
-                "  {:<13} {:<26} {:<18} {}",
-                variable.symbol,
-                variable.name(),
-                default_of(variable),
-                variable.meaning
-            );
+        for it in own {
+            let lead = format!("  {:symbols$}  {:defaults$}  ", it.symbol, default_of(it));
+            page += &hanging(&lead, it.meaning, lead.chars().count());
         }
     }
     page
