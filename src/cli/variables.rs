@@ -56,9 +56,19 @@ pub(super) fn default_of(variable: &Variable) -> String {
     format!("{value} {unit}").trim_end().to_owned()
 }
 
+/// Its name, then its meaning, without the words of the name where it begins with them.
+fn named(variable: &Variable) -> String {
+    let (name, meaning) = (variable.name(), variable.meaning);
+    let rest = meaning.strip_prefix(&name.replace('_', " "));
+    match rest.filter(|rest| !rest.starts_with(char::is_alphanumeric)) {
+        Some(rest) => format!("{name}{rest}"),
+        None => format!("{name}: {meaning}"),
+    }
+}
+
 fn page() -> String {
     let mut page =
-        "symbol, default and meaning; `cmra explain SYMBOL` tells all of one\n".to_owned();
+        "symbol, default, name and meaning; `cmra explain SYMBOL` tells all of one\n".to_owned();
     for group in Group::ALL {
         let own: Vec<&Variable> = VARIABLES.iter().filter(|it| it.group == group).collect();
         // As narrow as the group allows: the meaning has the rest of the line.
@@ -69,7 +79,7 @@ fn page() -> String {
         let _ = writeln!(page, "\n{}", group.title());
         for it in own {
             let lead = format!("  {:symbols$}  {:defaults$}  ", it.symbol, default_of(it));
-            page += &hanging(&lead, it.meaning, lead.chars().count());
+            page += &hanging(&lead, &named(it), lead.chars().count());
         }
     }
     page
