@@ -16,6 +16,7 @@ pub mod monte_carlo;
 pub mod run;
 pub mod seek;
 pub mod sensitivity;
+pub mod series;
 pub mod stability;
 pub mod steps;
 pub mod svg;

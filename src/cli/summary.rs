@@ -11,6 +11,7 @@ use crate::model::run::{EstimateBasis, Outcome, Run};
 use crate::model::scene::{Mount, Scene};
 use crate::model::units::{self, Engineering};
 use crate::report::figures::run::event_letter;
+use crate::report::run::energy_terms;
 use crate::study::quantities;
 
 /// Width of the first column.
@@ -200,33 +201,21 @@ fn no_greatest_displacement(scene: &Scene) -> &'static str {
 }
 
 fn energy(page: &mut String, run: &Run) {
-    let ledger = &run.ledger;
-    let start = ledger.initial_j();
-    page.push_str("\nenergy at the start\n");
-    let row = |page: &mut String, label: &str, energy_j: f64| {
-        // What the scene does not have is not listed.
-        if energy_j != 0.0 {
+    let (start, end) = energy_terms(&run.ledger);
+    for (heading, terms) in [("\nenergy at the start", start), ("energy at the end", end)] {
+        let _ = writeln!(page, "{heading}");
+        for term in terms {
             let _ = writeln!(
                 page,
-                "  {label:<22}{:>12} J {:>8} %",
-                fixed(energy_j),
-                units::decimals(100.0 * energy_j / start, 2)
+                "  {:<22}{:>12} J {:>8} %",
+                term.label,
+                fixed(term.energy_j),
+                units::decimals(term.percent, 2)
             );
         }
-    };
-    row(page, "projectile", ledger.initial_kinetic_j);
-    row(page, "cocked spring", ledger.initial_spring_j);
-    page.push_str("energy at the end\n");
-    row(page, "penetration", ledger.penetration_j);
-    row(page, "projectile", ledger.projectile_j);
-    row(page, "plate", ledger.plate_j);
-    row(page, "rotation and springs", ledger.inertia_j);
-    row(page, "spring", ledger.spring_j);
-    row(page, "crushed absorber", ledger.crush_j);
-    row(page, "damper", ledger.damper_j);
-    row(page, "stop", ledger.stop_j);
-    let residual = units::scientific(ledger.residual(), 1);
-    let _ = writeln!(page, "  {:<22}{:>12} of the start", "residual", residual);
+    }
+    let residual = units::scientific(run.ledger.residual(), 1);
+    let _ = writeln!(page, "  {:<22}{residual:>12} of the start", "residual");
 }
 
 /// Joule with as many places for every size, so that the points stand in one column.

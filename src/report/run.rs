@@ -339,19 +339,49 @@ fn estimates(run: &Run) -> Value {
     Value::Object(rows.map(|error| (error.name.to_owned(), error.relative.into())).collect())
 }
 
+/// The terms of the energy ledger: their names in JSON, their labels on pages and screens, and their values.
+const ENERGY: [(&str, &str, fn(&EnergyLedger) -> f64); 10] = [
+    ("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
+    ("initial_spring", "cocked spring", |it| it.initial_spring_j),
+    ("projectile", "projectile", |it| it.projectile_j),
+    ("plate", "plate", |it| it.plate_j),
+    ("mechanism_inertia", "mechanism", |it| it.inertia_j),
+    ("spring", "spring", |it| it.spring_j),
+    ("crush", "crushed", |it| it.crush_j),
+    ("damper", "damper", |it| it.damper_j),
+    ("penetration", "penetration", |it| it.penetration_j),
+    ("stop", "stop", |it| it.stop_j),
+];
+/// How many of them were there at the start.
+const AT_START: usize = 2;
+
+/// A term of the energy ledger.
+pub struct EnergyTerm {
+    /// What has the energy.
+    pub label: &'static str,
+    /// The energy, J.
+    pub energy_j: f64,
+    /// The same in percent of the energy at the start.
+    pub percent: f64,
+}
+
+/// The terms of a ledger at the start and at the end; what has no energy is not listed.
+pub fn energy_terms(ledger: &EnergyLedger) -> (Vec<EnergyTerm>, Vec<EnergyTerm>) {
+    let start_j = ledger.initial_j();
+    let term = |(_, label, get): &(&str, &'static str, fn(&EnergyLedger) -> f64)| {
+        let energy_j = get(ledger);
+        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
+        (energy_j != 0.0).then_some(EnergyTerm { label, energy_j, percent })
+    };
+    let (start, end) = ENERGY.split_at(AT_START);
+    (start.iter().filter_map(term).collect(), end.iter().filter_map(term).collect())
+}
+
 fn energy(ledger: &EnergyLedger) -> Value {
-    json!({
-        "initial_kinetic": ledger.initial_kinetic_j,
-        "initial_spring": ledger.initial_spring_j,
-        "projectile": ledger.projectile_j,
-        "plate": ledger.plate_j,
-        "mechanism_inertia": ledger.inertia_j,
-        "spring": ledger.spring_j,
-        "crush": ledger.crush_j,
-        "damper": ledger.damper_j,
-        "penetration": ledger.penetration_j,
-        "stop": ledger.stop_j,
-    })
+    let entry = |(key, _, get): &(&str, &str, fn(&EnergyLedger) -> f64)| {
+        ((*key).to_owned(), Value::from(get(ledger)))
+    };
+    Value::Object(ENERGY.iter().map(entry).collect())
 }
 
 /// What was put in, by full key.

@@ -4,36 +4,21 @@ use crate::model::mechanism::{Mechanism, inertia, load};
 use crate::model::run::{Run, Sample};
 use crate::numerics::{larger, smaller};
 use crate::report::chart::{Axis, Chart, Curve, Mark, Scale};
+use crate::report::series::Quantity;
 
-/// A quantity to draw.
-#[derive(Clone, Copy)]
-struct Quantity {
-    title: &'static str,
-    unit: &'static str,
-    get: fn(&Sample) -> f64,
-    /// It jumps where the bodies begin to move otherwise.
-    jumps: bool,
-}
-
-const QUANTITIES: [Quantity; 3] = [
-    Quantity { title: "penetration p", unit: "m", get: |row| row.penetration_m, jumps: false },
-    Quantity {
-        title: "plate displacement x",
-        unit: "m",
-        get: |row| row.plate_displacement_m,
-        jumps: false,
-    },
-    Quantity { title: "contact force F", unit: "N", get: |row| row.contact_force_n, jumps: true },
-];
+/// What is drawn over time.
+const QUANTITIES: [Quantity; 3] =
+    [Quantity::Penetration, Quantity::PlateDisplacement, Quantity::ContactForce];
 /// How far beyond the greatest displacement the law of the mechanism is drawn, and up to which part of it a limit is still shown.
 const BEYOND: f64 = 1.15;
 const LIMIT_SHOWN: f64 = 2.5;
 /// Points of a drawn law.
 const POINTS: u32 = 400;
 
-/// The letter of an event, as in the list of events of the summary.
-pub fn event_letter(index: usize) -> char {
-    char::from(b'a' + u8::try_from(index % 26).unwrap_or(0))
+/// The letter an event goes by in charts and lists: `a` to `z`, later ones have none.
+pub fn event_letter(index: usize) -> &'static str {
+    const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
+    LETTERS.get(index..=index).unwrap_or("")
 }
 
 /// Penetration, displacement and force over time: during the contact, which is over in a fraction of a millisecond, then over
@@ -53,33 +38,36 @@ pub fn response(run: &Run) -> Vec<Chart<'static>> {
 
 fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart<'static>> {
     let chart = |quantity: &Quantity| {
-        let points = points(&run.series, quantity);
+        let points = points(&run.series, *quantity);
+        let name = format!("{} {}", quantity.title().to_lowercase(), quantity.symbol());
         let shown = points.iter().filter(|point| point.0 <= end_s).map(|point| point.1);
         // A chart of one value would be a line along its own frame.
-        let values = Axis::over("", quantity.unit, Scale::Linear, shown)?;
-        let y = Axis { label: quantity.title.into(), ..values.with_zero().padded(0.05) };
+        let values = Axis::over("", quantity.unit(), Scale::Linear, shown)?;
+        let y = Axis { label: name.clone().into(), ..values.with_zero().padded(0.05) };
         let x = Axis::over("t", "s", Scale::Linear, [0.0, end_s])?;
         let events = run.events.iter().enumerate().filter(|(_, event)| event.t_s <= end_s);
         let marks = events.map(|(index, event)| {
-            Mark::new(event.t_s, event.kind.words()).tag(event_letter(index).to_string())
+            Mark::new(event.t_s, event.kind.words()).tag(event_letter(index))
         });
-        let title = format!("{}, {window}", quantity.title);
+        let title = format!("{name}, {window}");
         let curve = Curve::new('*', "", points);
         Some(Chart { marks: marks.collect(), ..Chart::new(title, x, y, vec![curve]) })
     };
     if end_s > 0.0 { QUANTITIES.iter().filter_map(chart).collect() } else { Vec::new() }
 }
 
-/// A quantity over time. Where it jumps, the row of the event has the value before it: the one after it is carried back to the event
+/// A quantity over time. Where the force jumps, the row of the event has the value before it: the one after it is carried back to the event
 /// from the next two rows.
-fn points(series: &[Sample], quantity: &Quantity) -> Vec<(f64, f64)> {
-    let point = |row: &Sample| (row.t_s, (quantity.get)(row));
+fn points(series: &[Sample], quantity: Quantity) -> Vec<(f64, f64)> {
+    let point = |row: &Sample| (row.t_s, quantity.of(row));
     let mut points: Vec<(f64, f64)> = series.first().map(point).into_iter().collect();
     for (at, pair) in series.windows(2).enumerate() {
         let ((event_s, _), (t_s, value)) = (point(&pair[0]), point(&pair[1]));
         let next = series.get(at + 2).filter(|next| next.mode == pair[1].mode && next.t_s > t_s);
-        if let Some(next) = next.filter(|_| quantity.jumps && pair[0].mode != pair[1].mode) {
-            let slope = ((quantity.get)(next) - value) / (next.t_s - t_s);
+        if let Some(next) =
+            next.filter(|_| quantity == Quantity::ContactForce && pair[0].mode != pair[1].mode)
+        {
+            let slope = (quantity.of(next) - value) / (next.t_s - t_s);
             points.push((event_s, value - slope * (t_s - event_s)));
         }
         points.push((t_s, value));
@@ -167,7 +155,7 @@ mod tests {
         let scene = Arc::new(scene);
         let run = simulate(&scene, &settings, &mut |_| ControlFlow::Continue(())).unwrap();
         let arrest = run.first_arrest.unwrap();
-        let points = points(&run.series, &QUANTITIES[2]);
+        let points = points(&run.series, Quantity::ContactForce);
         let is_event = |point: &&(f64, f64)| point.0.to_bits() == arrest.t_s.to_bits();
         let at_event: Vec<f64> =
             points.iter().filter(|point| is_event(point)).map(|point| point.1).collect();

@@ -2,10 +2,10 @@
 
 use crate::model::run::{EndReason, EstimateBasis, Outcome, Run, Warning};
 use crate::model::variables::Kind;
+use crate::report::series::Quantity;
 use crate::tui::app::notice::{Severity, demand};
 use crate::tui::app::{App, show_duration};
 use crate::tui::pages::numerics::{ACCURACY, STABILITY};
-use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs::{RunView, engineering};
 use crate::tui::pages::{self, StatusPart, Tab};
 use crate::tui::theme::columns;

@@ -5,7 +5,6 @@ pub mod editor;
 pub(in crate::tui) mod keys;
 pub(in crate::tui) mod layout;
 pub(in crate::tui) mod mechanism;
-pub mod quantity;
 pub mod runs;
 pub(in crate::tui) mod side;
 pub mod steps;

@@ -67,6 +67,12 @@ pub(in crate::tui) fn put(
     end - area.x
 }
 
+/// Write a text in the middle of an area.
+pub(in crate::tui) fn put_centred(buffer: &mut Buffer, area: Rect, text: &str, style: Style) {
+    let column = area.width.saturating_sub(columns(text)) / 2;
+    put(buffer, area, (column, area.height / 2), text, style);
+}
+
 /// Write a line into a row of an area.
 pub(in crate::tui) fn put_line(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) {
     let area = area.intersection(buffer.area);

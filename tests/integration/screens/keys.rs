@@ -11,6 +11,7 @@ use cmra::files::style::Style;
 use cmra::model::run::{EndReason, Run};
 use cmra::model::scene::{InterfaceLaw, Mount, SpringKind};
 use cmra::report::run::Rows;
+use cmra::report::series::Quantity;
 use cmra::tui::app::notice::Severity;
 use cmra::tui::dialogs::{Dialog, List};
 use cmra::tui::keymap::LINES;
@@ -18,7 +19,6 @@ use cmra::tui::message::{Content, Effect, EffectReport, ExportOutcome, FileTask,
 use cmra::tui::pages::Tab;
 use cmra::tui::pages::all_panes;
 use cmra::tui::pages::run::charts::Window;
-use cmra::tui::pages::run::quantity::Quantity;
 use cmra::worker::{Progress, ReportBody};
 use crossterm::event::KeyEvent;
 

@@ -16,7 +16,7 @@ use crate::tui::pages::explore::layout::SweepPanes;
 use crate::tui::pages::explore::state::{Found, Picture, no_value};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, put};
+use crate::tui::widgets::text::{columns, put, put_centred};
 
 /// Draw the charts.
 pub(in crate::tui) fn render(app: &App, panes: &SweepPanes, canvas: &mut Canvas<'_>) {
@@ -49,8 +49,7 @@ pub(in crate::tui) fn nothing(app: &App, title: &str, area: Rect, canvas: &mut C
         (None, Some(_)) => "see the message below",
         (None, None) => "no results yet: press r",
     };
-    let column = inner.width.saturating_sub(columns(text)) / 2;
-    put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+    put_centred(canvas, inner, text, app.theme.style(Role::Dim));
 }
 
 /// An axis of the sweep of which a part is in view.

@@ -12,7 +12,7 @@ use crate::tui::pages::limit::RESIDUAL;
 use crate::tui::pages::limit::state::{BESIDE, FACTS, Fact, LABEL};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, put, text_role};
+use crate::tui::widgets::text::{put, put_centred, text_role};
 
 /// Draw the pane of the residual velocity.
 pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -69,8 +69,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         (None, Some(_)) => "no shot goes through: there is no curve",
         (None, None) => "no results yet: press r",
     };
-    let column = inner.width.saturating_sub(columns(text)) / 2;
-    put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+    put_centred(canvas, inner, text, app.theme.style(Role::Dim));
 }
 
 fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {

@@ -1,6 +1,8 @@
 //! What the Log tab says about the run on the screen and about this session, as lines with a meaning. No drawing.
 
 use crate::model::run::{EnergyLedger, EstimateBasis, Run, envelope};
+use crate::report::figures::run::event_letter;
+use crate::report::run::{EnergyTerm, energy_terms};
 use crate::tui::app::App;
 use crate::tui::app::notice::{Notice, Severity};
 use crate::tui::app::status::wrap;
@@ -148,19 +150,13 @@ fn events(lines: &mut Vec<LogLine>, run: &Run) {
     }
 }
 
-/// The letter an event goes by in charts and lists: `a` to `z`, later ones have none.
-pub fn event_tag(index: usize) -> &'static str {
-    const LETTERS: &str = "abcdefghijklmnopqrstuvwxyz";
-    LETTERS.get(index..=index).unwrap_or("")
-}
-
 /// The events with their times, one a line.
 pub fn event_lines(run: &Run) -> Vec<String> {
     run.events
         .iter()
         .enumerate()
         .map(|(index, event)| {
-            let (tag, time) = (event_tag(index), engineering(event.t_s, "s"));
+            let (tag, time) = (event_letter(index), engineering(event.t_s, "s"));
             format!("{tag:<2}{time:>10}  {}", event.kind.words())
         })
         .collect()
@@ -175,39 +171,26 @@ fn energy(lines: &mut Vec<LogLine>, ledger: &EnergyLedger) {
 
 /// The energy ledger, one term a line, with its share of the energy at the start.
 pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
-    let start = ledger.initial_j();
-    let term = |name: &str, value: f64| {
-        let percent = if start == 0.0 { 0.0 } else { 100.0 * value / start };
-        format!(
-            "{name:<13}{:>10}  {:>5} %",
-            engineering(value, "J"),
-            crate::model::units::decimals(percent, 1)
-        )
+    let line = |term: &EnergyTerm| {
+        let percent = crate::model::units::decimals(term.percent, 1);
+        format!("{:<13}{:>10}  {percent:>5} %", term.label, engineering(term.energy_j, "J"))
     };
+    let (start, end) = energy_terms(ledger);
     let residual = match ledger.residual() {
         0.0 => "0".to_owned(),
         other => crate::model::units::scientific(other, 1),
     };
-    let mut lines = vec![term("at the start", start)];
-    if ledger.initial_spring_j != 0.0 {
-        lines.push(term(" in motion", ledger.initial_kinetic_j));
-        lines.push(term(" in spring", ledger.initial_spring_j));
-    }
-    lines.extend([term("projectile", ledger.projectile_j), term("plate", ledger.plate_j)]);
-    if ledger.inertia_j != 0.0 {
-        lines.push(term("its mechanism", ledger.inertia_j));
-    }
-    lines.push(term("spring", ledger.spring_j));
-    if ledger.crush_j != 0.0 {
-        lines.push(term("crushed", ledger.crush_j));
-    }
-    lines.extend([
-        term("damper", ledger.damper_j),
-        term("penetration", ledger.penetration_j),
-        term("stop", ledger.stop_j),
-        term("at the end", ledger.final_j()),
-        format!("{:<13}{:>10}  of the start", "residual", residual),
-    ]);
+    let start_j = ledger.initial_j();
+    let total = |label, energy_j| {
+        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
+        line(&EnergyTerm { label, energy_j, percent })
+    };
+    let mut lines = vec![total("at the start", start_j)];
+    // One term alone is the whole.
+    lines.extend(start.iter().filter(|_| start.len() > 1).map(line));
+    lines.push(total("at the end", ledger.final_j()));
+    lines.extend(end.iter().map(line));
+    lines.push(format!("{:<13}{residual:>10}  of the start", "residual"));
     lines
 }
 

@@ -4,10 +4,10 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use crate::model::run::Run;
+use crate::report::series::Quantity;
 use crate::tui::app::App;
 use crate::tui::chart::{Mapping, Scale, ViewRange};
 use crate::tui::pages::run::layout::panes;
-use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs::RunView;
 use crate::tui::update::zoom::Across;
 use coarse::Coarse;

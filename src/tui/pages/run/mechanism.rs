@@ -4,8 +4,8 @@ use ratatui::layout::Rect;
 
 use crate::model::run::Run;
 use crate::model::scene::Mount;
+use crate::report::series::Quantity;
 use crate::tui::app::App;
-use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs::engineering;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;

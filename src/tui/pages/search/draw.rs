@@ -19,7 +19,7 @@ use crate::tui::pages::search::{RESULTS, SETUP};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::form::Form;
-use crate::tui::widgets::text::{columns, first_row, paint_row, put, text_role};
+use crate::tui::widgets::text::{columns, first_row, paint_row, put, put_centred, text_role};
 use crate::worker::searches::Answer;
 
 /// Where a row's label and value begin.
@@ -104,8 +104,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         (None, Some(_)) => "see the message below",
         (None, None) => "No results yet. Press r to search.",
     };
-    let column = inner.width.saturating_sub(columns(text)) / 2;
-    put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+    put_centred(canvas, inner, text, app.theme.style(Role::Dim));
 }
 
 fn lines_below(app: &App, lines: &[(Severity, String)], area: Rect, canvas: &mut Canvas<'_>) {

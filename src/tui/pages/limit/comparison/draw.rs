@@ -14,7 +14,7 @@ use crate::tui::pages::limit::{COMPARISON, EFFICIENCY_MAP};
 use crate::tui::pages::search::lines::Line;
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{columns, put, text_role};
+use crate::tui::widgets::text::{columns, put, put_centred, text_role};
 
 /// The verdict first, then the figures beside each other; scrolled by j and k.
 pub(in crate::tui) fn render(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -55,8 +55,7 @@ fn nothing(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         Some(_) => "comparing with a rigid mount and a solid plate of the same areal mass",
         None => "no results yet: press r",
     };
-    let column = area.width.saturating_sub(columns(text)) / 2;
-    put(canvas, area, (column, area.height / 2), text, app.theme.style(Role::Dim));
+    put_centred(canvas, area, text, app.theme.style(Role::Dim));
 }
 
 /// The map of mass efficiency with the line of 1, and below it what its colours mean.
@@ -72,8 +71,7 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             (false, Some(_)) => "no point has a mass efficiency",
             (false, None) => "no map: press r",
         };
-        let column = inner.width.saturating_sub(columns(text)) / 2;
-        put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+        put_centred(canvas, inner, text, app.theme.style(Role::Dim));
         return;
     };
     let above = Rect { height: area.height.saturating_sub(1), ..area };

@@ -15,7 +15,7 @@ use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{NEEDS_SINGLE, columns, put, text_role};
+use crate::tui::widgets::text::{NEEDS_SINGLE, put, put_centred, text_role};
 
 /// Columns of a method's letter before the table.
 const LETTER: u16 = 2;
@@ -91,8 +91,7 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             (None, None) if app.needs_single_plate() => NEEDS_SINGLE,
             (None, None) => "not measured yet: r measures",
         };
-        let column = inner.width.saturating_sub(columns(text)) / 2;
-        put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+        put_centred(canvas, inner, text, app.theme.style(Role::Dim));
         return;
     };
     let old = app.accuracy_is_old();

@@ -15,7 +15,7 @@ use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
 use crate::tui::widgets::list::List;
 use crate::tui::widgets::table::Grid;
-use crate::tui::widgets::text::{NEEDS_SINGLE, columns, put};
+use crate::tui::widgets::text::{NEEDS_SINGLE, columns, put, put_centred};
 
 /// Draw the map.
 pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
@@ -36,8 +36,7 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
             None if app.needs_single_plate() => NEEDS_SINGLE,
             None => "no results yet: press r",
         };
-        let column = inner.width.saturating_sub(columns(text)) / 2;
-        put(canvas, inner, (column, inner.height / 2), text, app.theme.style(Role::Dim));
+        put_centred(canvas, inner, text, app.theme.style(Role::Dim));
         return;
     };
     let cursor = tab.cursor().map(|(row, column)| (column, row));

@@ -7,7 +7,7 @@ use std::ops::Range;
 use std::sync::{Arc, Weak};
 
 use crate::model::run::Run;
-use crate::tui::pages::run::quantity::Quantity;
+use crate::report::series::Quantity;
 
 /// A series of fewer samples is always drawn from all of them.
 pub const SAMPLES_MIN: usize = 65_536;

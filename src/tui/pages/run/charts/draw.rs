@@ -5,6 +5,8 @@ use ratatui::text::{Line, Span};
 
 use crate::model::mechanism::load::yields_at_m;
 use crate::model::run::Run;
+use crate::report::figures::run::event_letter;
+use crate::report::series::Quantity;
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, short_name, value_at};
 use crate::tui::chart::{
@@ -12,14 +14,12 @@ use crate::tui::chart::{
     ViewRange, align_gutters,
 };
 use crate::tui::message::Target;
-use crate::tui::pages::log::state::event_tag;
 use crate::tui::pages::run::CHARTS;
 use crate::tui::pages::run::charts::{Curve as Data, Window};
-use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs::{RunView, engineering};
 use crate::tui::theme::{PaneFrame, Role};
 use crate::tui::widgets::Canvas;
-use crate::tui::widgets::text::{put, put_line};
+use crate::tui::widgets::text::{put_centred, put_line};
 
 /// Rows of readout below a single chart, without the line that closes the box.
 const READOUT_ROWS: u16 = 2;
@@ -103,8 +103,7 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         (None, Some(_)) => "running the first time",
         (None, None) => "no run yet: r runs the scene",
     };
-    let column = area.width.saturating_sub(crate::tui::widgets::text::columns(text)) / 2;
-    put(canvas, area, (column, area.height / 2), text, app.theme.style(Role::Dim));
+    put_centred(canvas, area, text, app.theme.style(Role::Dim));
 }
 
 /// The curves of a chart, and the quantity and curve of its second axis.
@@ -202,7 +201,7 @@ fn value_axis(app: &App, data: &[Data], (quantity, scale): (Quantity, Scale)) ->
 fn event_lines(run: &Run, (from, to): (f64, f64)) -> impl Iterator<Item = Mark<'static>> + '_ {
     let events = run.events.iter().enumerate();
     let seen = events.filter(move |(_, event)| (from..=to).contains(&event.t_s));
-    seen.take(EVENT_LINES).map(|(index, event)| Mark::new(event.t_s, event_tag(index)))
+    seen.take(EVENT_LINES).map(|(index, event)| Mark::new(event.t_s, event_letter(index)))
 }
 
 /// `now`, or letter and name of a pin, kept short.
@@ -273,7 +272,7 @@ fn events_in_view(app: &App, width: usize) -> String {
     let words: Vec<String> = events
         .filter(|(_, event)| (from..=to).contains(&event.t_s))
         .take(EVENT_LINES)
-        .map(|(index, event)| format!("{} {}", event_tag(index), event.kind.words()))
+        .map(|(index, event)| format!("{} {}", event_letter(index), event.kind.words()))
         .collect();
     let text = words.join("  ");
     let hint = match app.charts.window {

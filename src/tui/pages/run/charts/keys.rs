@@ -1,12 +1,12 @@
 //! Crosshair, zoom, axes and quantities.
 
+use crate::report::series::Quantity;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::chart::Scale;
 use crate::tui::keymap::Action;
 use crate::tui::message::Effect;
 use crate::tui::pages::run::charts::{Fit, Window};
-use crate::tui::pages::run::quantity::Quantity;
 use crate::tui::pages::run::runs;
 use crate::tui::view::plot_columns;
 

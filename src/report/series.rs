@@ -1,4 +1,4 @@
-//! What a chart can show: name, symbol, unit, and where it is found in a sample.
+//! What a chart of a run can show: name, symbol, unit, and where it is found in a sample.
 
 use crate::model::run::{Run, Sample};
 
@@ -25,6 +25,14 @@ pub enum Quantity {
     MountForce,
 }
 
+/// What is known of a quantity.
+struct Row {
+    title: &'static str,
+    symbol: &'static str,
+    unit: &'static str,
+    get: fn(&Sample) -> f64,
+}
+
 impl Quantity {
     /// All quantities, in the order `v` goes through them.
     pub const ALL: [Self; 9] = [
@@ -39,43 +47,43 @@ impl Quantity {
         Self::MountForce,
     ];
 
+    /// Its row of the table.
+    fn row(self) -> Row {
+        let row = |title, symbol, unit, get| Row { title, symbol, unit, get };
+        match self {
+            Self::Penetration => row("Penetration", "p", "m", |it| it.penetration_m),
+            Self::PlateDisplacement => {
+                row("Plate displacement", "x", "m", |it| it.plate_displacement_m)
+            }
+            Self::ContactForce => row("Contact force", "F", "N", |it| it.contact_force_n),
+            Self::ProjectileVelocity => {
+                row("Projectile velocity", "v", "m/s", |it| it.projectile_velocity_m_s)
+            }
+            Self::PlateVelocity => row("Plate velocity", "w", "m/s", |it| it.plate_velocity_m_s),
+            Self::SpringForce => row("Spring force", "F_spring", "N", |it| it.spring_force_n),
+            Self::DamperForce => row("Damper force", "F_damper", "N", |it| it.damper_force_n),
+            Self::ProjectileDisplacement => {
+                row("Projectile displacement", "s", "m", |it| it.projectile_displacement_m)
+            }
+            Self::MountForce => row("Mount force over displacement", "F(x)", "N", |it| {
+                it.spring_force_n + it.damper_force_n + it.stop_force_n
+            }),
+        }
+    }
+
     /// The name for chart titles.
     pub fn title(self) -> &'static str {
-        match self {
-            Self::Penetration => "Penetration",
-            Self::PlateDisplacement => "Plate displacement",
-            Self::ContactForce => "Contact force",
-            Self::ProjectileVelocity => "Projectile velocity",
-            Self::PlateVelocity => "Plate velocity",
-            Self::SpringForce => "Spring force",
-            Self::DamperForce => "Damper force",
-            Self::ProjectileDisplacement => "Projectile displacement",
-            Self::MountForce => "Mount force over displacement",
-        }
+        self.row().title
     }
 
     /// The symbol for readouts.
     pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Penetration => "p",
-            Self::PlateDisplacement => "x",
-            Self::ContactForce => "F",
-            Self::ProjectileVelocity => "v",
-            Self::PlateVelocity => "w",
-            Self::SpringForce => "F_spring",
-            Self::DamperForce => "F_damper",
-            Self::ProjectileDisplacement => "s",
-            Self::MountForce => "F(x)",
-        }
+        self.row().symbol
     }
 
     /// The SI unit.
     pub fn unit(self) -> &'static str {
-        match self {
-            Self::Penetration | Self::PlateDisplacement | Self::ProjectileDisplacement => "m",
-            Self::ContactForce | Self::SpringForce | Self::DamperForce | Self::MountForce => "N",
-            Self::ProjectileVelocity | Self::PlateVelocity => "m/s",
-        }
+        self.row().unit
     }
 
     /// The value to draw: as [`Quantity::of`], and a gap while the projectile is out of the plate and has no depth in it.
@@ -88,17 +96,7 @@ impl Quantity {
 
     /// The value in a sample, SI.
     pub fn of(self, sample: &Sample) -> f64 {
-        match self {
-            Self::Penetration => sample.penetration_m,
-            Self::PlateDisplacement => sample.plate_displacement_m,
-            Self::ContactForce => sample.contact_force_n,
-            Self::ProjectileVelocity => sample.projectile_velocity_m_s,
-            Self::PlateVelocity => sample.plate_velocity_m_s,
-            Self::SpringForce => sample.spring_force_n,
-            Self::DamperForce => sample.damper_force_n,
-            Self::ProjectileDisplacement => sample.projectile_displacement_m,
-            Self::MountForce => sample.spring_force_n + sample.damper_force_n + sample.stop_force_n,
-        }
+        (self.row().get)(sample)
     }
 
     /// The value in a run at a time, linear between samples; `None` outside the series. At a jump the value after it.
