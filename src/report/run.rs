@@ -339,18 +339,31 @@ fn estimates(run: &Run) -> Value {
     Value::Object(rows.map(|error| (error.name.to_owned(), error.relative.into())).collect())
 }
 
-/// The terms of the energy ledger: their names in JSON, their labels on pages and screens, and their values.
-const ENERGY: [(&str, &str, fn(&EnergyLedger) -> f64); 10] = [
-    ("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
-    ("initial_spring", "cocked spring", |it| it.initial_spring_j),
-    ("projectile", "projectile", |it| it.projectile_j),
-    ("plate", "plate", |it| it.plate_j),
-    ("mechanism_inertia", "mechanism", |it| it.inertia_j),
-    ("spring", "spring", |it| it.spring_j),
-    ("crush", "crushed", |it| it.crush_j),
-    ("damper", "damper", |it| it.damper_j),
-    ("penetration", "penetration", |it| it.penetration_j),
-    ("stop", "stop", |it| it.stop_j),
+/// A part of the energy ledger.
+struct LedgerPart {
+    /// Its name in JSON.
+    key: &'static str,
+    /// Its label on pages and screens.
+    label: &'static str,
+    get: fn(&EnergyLedger) -> f64,
+}
+
+const fn part(key: &'static str, label: &'static str, get: fn(&EnergyLedger) -> f64) -> LedgerPart {
+    LedgerPart { key, label, get }
+}
+
+/// The parts of the energy ledger.
+const ENERGY: [LedgerPart; 10] = [
+    part("initial_kinetic", "projectile", |it| it.initial_kinetic_j),
+    part("initial_spring", "cocked spring", |it| it.initial_spring_j),
+    part("projectile", "projectile", |it| it.projectile_j),
+    part("plate", "plate", |it| it.plate_j),
+    part("mechanism_inertia", "mechanism", |it| it.inertia_j),
+    part("spring", "spring", |it| it.spring_j),
+    part("crush", "crushed", |it| it.crush_j),
+    part("damper", "damper", |it| it.damper_j),
+    part("penetration", "penetration", |it| it.penetration_j),
+    part("stop", "stop", |it| it.stop_j),
 ];
 /// How many of them were there at the start.
 const AT_START: usize = 2;
@@ -368,19 +381,17 @@ pub struct EnergyTerm {
 /// The terms of a ledger at the start and at the end; what has no energy is not listed.
 pub fn energy_terms(ledger: &EnergyLedger) -> (Vec<EnergyTerm>, Vec<EnergyTerm>) {
     let start_j = ledger.initial_j();
-    let term = |(_, label, get): &(&str, &'static str, fn(&EnergyLedger) -> f64)| {
-        let energy_j = get(ledger);
+    let term = |part: &LedgerPart| {
+        let energy_j = (part.get)(ledger);
         let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
-        (energy_j != 0.0).then_some(EnergyTerm { label, energy_j, percent })
+        (energy_j != 0.0).then_some(EnergyTerm { label: part.label, energy_j, percent })
     };
     let (start, end) = ENERGY.split_at(AT_START);
     (start.iter().filter_map(term).collect(), end.iter().filter_map(term).collect())
 }
 
 fn energy(ledger: &EnergyLedger) -> Value {
-    let entry = |(key, _, get): &(&str, &str, fn(&EnergyLedger) -> f64)| {
-        ((*key).to_owned(), Value::from(get(ledger)))
-    };
+    let entry = |part: &LedgerPart| (part.key.to_owned(), Value::from((part.get)(ledger)));
     Value::Object(ENERGY.iter().map(entry).collect())
 }
 
