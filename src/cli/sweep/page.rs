@@ -4,10 +4,12 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use crate::cli::draw;
+use crate::cli::text::width;
 use crate::model::units::{self, Engineering};
 use crate::report::figures::sweeps::{Row, picture};
 use crate::report::svg::Picture;
 use crate::report::sweep::Columns;
+use crate::report::table::Table;
 use crate::study::sweep::{Axis, Design, Plan, Rows, Spacing, Summary, USUAL_OUTPUTS};
 
 /// Most rows of the table of one axis.
@@ -127,32 +129,24 @@ fn drawn(page: &mut String, plan: &Plan, output: usize, rows: &[Row]) {
 }
 
 fn table(page: &mut String, plan: &Plan, axis: &Axis, rows: &[Row]) {
-    let mut head = format!("{:>12}  {:<10}", axis.symbol(), "outcome");
-    for column in plan.outputs() {
-        let _ = write!(head, "  {:>24}", column.name);
-    }
-    let _ = writeln!(page, "{}", head.trim_end());
     let last = axis.count() - 1;
     // Evenly spread, where the number of points allows it.
     let even = (5..TABLE_ROWS).rev().find(|steps| last.is_multiple_of(*steps));
     let count = even.map_or_else(|| TABLE_ROWS.min(axis.count()), |steps| steps + 1);
-    for index in (0..count).map(|row| row * last / (count - 1)) {
-        let Some(row) = usize::try_from(index).ok().and_then(|index| rows.get(index)) else {
-            continue;
-        };
-        let _ = write!(
-            page,
-            "{:>12}  {:<10}",
-            units::significant(axis.value(index), 6),
-            row.outcome.word()
-        );
-        for value in &row.values {
-            let text = value.map_or_else(|| "-".to_owned(), |value| units::significant(value, 6));
-            let _ = write!(page, "  {text:>24}");
-        }
-        page.push('\n');
-    }
-    page.push('\n');
+    let places = (0..count).map(|row| row * last / (count - 1));
+    let shown = places.filter_map(|at| Some((at, rows.get(usize::try_from(at).ok()?)?)));
+    let unit = axis.variable().unit().trim_matches('-');
+    let table = Table::of(shown).with("axis", axis.symbol(), unit, |(at, _)| axis.value(*at)).with(
+        "outcome",
+        "outcome",
+        "",
+        |(_, row)| row.outcome.word(),
+    );
+    let outputs = plan.outputs().iter().enumerate();
+    let table = outputs.fold(table, |table, (at, column)| {
+        table.with(column.name, column.title(), column.unit(), move |(_, row)| row.values[at])
+    });
+    let _ = writeln!(page, "{}", table.page(&table.keys(), width()));
 }
 
 fn extremes(page: &mut String, plan: &Plan, summary: &Summary) {
