@@ -46,6 +46,14 @@ pub struct Layout {
     pub(super) right_ticks: Ticks,
 }
 
+impl Layout {
+    /// Column and row, within the plot, of a point by the left axis; `None` outside the view.
+    pub(in crate::tui) fn place(&self, x: f64, y: f64) -> Option<(u16, u16)> {
+        let (column, up) = self.x.cell(x).zip(self.y.cell(y))?;
+        Some((column, self.plot.height.saturating_sub(up + 1)))
+    }
+}
+
 /// Lays a chart out inside its frame; `legend_row` asks for a row of its own for the legend.
 pub(super) fn layout(chart: &Chart<'_>, inner: Rect, legend_row: bool) -> Layout {
     let with_legend = legend_row && inner.height >= LEGEND_ROW_FROM;

@@ -37,7 +37,7 @@ pub(in crate::tui) fn render(app: &App, panes: &SweepPanes, canvas: &mut Canvas<
             nothing(app, "", *area, canvas);
             continue;
         }
-        curves(app, found, (output, place == 0), *area, canvas);
+        curves(app, found, output, place == 0, *area, canvas);
     }
 }
 
@@ -78,7 +78,8 @@ fn at(axis: &Axis, index: usize) -> f64 {
 fn curves(
     app: &App,
     found: &Found,
-    (output, is_first): (usize, bool),
+    output: usize,
+    is_first: bool,
     area: Rect,
     canvas: &mut Canvas<'_>,
 ) {
@@ -100,7 +101,7 @@ fn curves(
     let values = || lines.iter().flatten().map(|point| point.1);
     let title = column.title() + if old { ", of another scene" } else { "" };
     let Some(range) = ViewRange::of(scale, values()) else {
-        return nothing_exists(app, &title, (grid, output), area, canvas);
+        return nothing_exists(app, &title, grid, output, area, canvas);
     };
     let view = match scale {
         Scale::Linear => range.padded(scale, 0.05),
@@ -135,7 +136,7 @@ fn curves(
         ..Chart::new(title, along_axis, y, curves.collect())
     };
     let layout = chart.render(area, canvas, app.theme);
-    marks(app, grid, output, (layout.plot, layout.x), canvas);
+    marks(app, grid, output, &layout, canvas);
     if grid.is_full() {
         canvas.plot(&layout, |x, _| {
             Some(Target::Cell(RESULTS, (usize::try_from(axes[0].nearest(x)).ok()?, selected)))
@@ -157,13 +158,7 @@ fn nearest_point(grid: &Grid, layout: &Layout, x: f64) -> Option<Target> {
 }
 
 /// A letter at the foot of the plot wherever the selected curve has a gap.
-fn marks(
-    app: &App,
-    grid: &Grid,
-    output: usize,
-    (plot, map): (Rect, chart::Mapping),
-    canvas: &mut Canvas<'_>,
-) {
+fn marks(app: &App, grid: &Grid, output: usize, layout: &Layout, canvas: &mut Canvas<'_>) {
     let (along, _) = grid.counts();
     let (_, selected) = app.cursor_point(grid);
     for x in 0..along {
@@ -171,12 +166,13 @@ fn marks(
             Cell::Outcome(outcome) => Some(outcome),
             Cell::Value(_) | Cell::Waiting => None,
         };
-        let Some((outcome, cell)) = gap.zip(map.cell(grid.coordinate((x, selected), 0))) else {
+        let Some((outcome, cell)) = gap.zip(layout.x.cell(grid.coordinate((x, selected), 0)))
+        else {
             continue;
         };
-        let place = (cell, plot.height.saturating_sub(1));
+        let place = (cell, layout.plot.height.saturating_sub(1));
         let letter = outcome.letter().to_string();
-        put(canvas, plot, place, &letter, app.theme.style(Role::Warning));
+        put(canvas, layout.plot, place, &letter, app.theme.style(Role::Warning));
     }
 }
 
@@ -184,7 +180,8 @@ fn marks(
 pub(in crate::tui) fn nothing_exists(
     app: &App,
     title: &str,
-    (grid, output): (&Grid, usize),
+    grid: &Grid,
+    output: usize,
     area: Rect,
     canvas: &mut Canvas<'_>,
 ) {

@@ -91,7 +91,7 @@ impl<'a> ChartView<'a> {
         let (across, upward) = (axis_of(&axes[0]), axis_of(&axes[1]));
         let title = self.title(old, (&across, &upward), area.width);
         let Some(levels) = &self.levels else {
-            return nothing_exists(app, &title, (self.grid, self.output), area, canvas);
+            return nothing_exists(app, &title, self.grid, self.output, area, canvas);
         };
         if !self.grid.is_full() {
             return self.dots(app, title, levels, area, canvas);
@@ -154,15 +154,12 @@ impl<'a> ChartView<'a> {
             ..Chart::new(title, axis_of(&axes[0]), axis_of(&axes[1]), Vec::new())
         };
         let layout = chart.render(area, canvas, app.theme);
-        let plot = layout.plot;
         let cursor = app.cursor_point(self.grid).0;
         // The cursor's point last: it lies over others in its cell.
         let points = (0..self.grid.counts().0).filter(|x| *x != cursor).chain([cursor]);
         for x in points {
             let at = |axis: usize| self.grid.coordinate((x, 0), axis);
-            let Some((column, up)) = layout.x.cell(at(0)).zip(layout.y.cell(at(1))) else {
-                continue;
-            };
+            let Some(place) = layout.place(at(0), at(1)) else { continue };
             let value = self.value((x, 0));
             let (symbol, style) = match self.grid.cell(x, 0, self.output) {
                 _ if x == cursor => ('X', app.theme.style(Role::Selection)),
@@ -175,8 +172,7 @@ impl<'a> ChartView<'a> {
                 }
                 grid::Cell::Waiting => continue,
             };
-            let place = (column, plot.height.saturating_sub(up + 1));
-            put(canvas, plot, place, &symbol.to_string(), style);
+            put(canvas, layout.plot, place, &symbol.to_string(), style);
         }
         let at = |x: usize, axis: usize| self.grid.coordinate((x, 0), axis);
         let places = (0..self.grid.counts().0).map(|x| Some((at(x, 0), at(x, 1))));

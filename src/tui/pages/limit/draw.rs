@@ -6,7 +6,7 @@ use crate::model::run::Outcome;
 use crate::report::figures::limit::residual;
 use crate::study::limit::Report;
 use crate::tui::app::App;
-use crate::tui::chart::{Emphasis, Mapping, Scale};
+use crate::tui::chart::{Emphasis, Layout, Scale};
 use crate::tui::message::Target;
 use crate::tui::pages::limit::RESIDUAL;
 use crate::tui::pages::limit::state::{BESIDE, FACTS, Fact, LABEL};
@@ -101,19 +101,14 @@ fn chart(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     chart.crosshair = tab.shot().map(|shot| shot.impact_m_s);
     chart.focused = app.has_focus(RESIDUAL);
     let layout = chart.render(area, canvas, app.theme);
-    marks(app, report, (layout.plot, layout.x, layout.y), canvas);
+    marks(app, report, &layout, canvas);
     let shots = report.shots.iter();
     let places = shots.map(|shot| Some((shot.impact_m_s, shot.residual_m_s.unwrap_or(0.0))));
     canvas.points(&layout, places, |shot| Target::Row(RESIDUAL, shot));
 }
 
 /// A letter for each shot, whatever the characters of curves: what became of it.
-fn marks(
-    app: &App,
-    report: &Report,
-    (plot, x, y): (Rect, Mapping, Mapping),
-    canvas: &mut Canvas<'_>,
-) {
+fn marks(app: &App, report: &Report, layout: &Layout, canvas: &mut Canvas<'_>) {
     for (index, shot) in report.shots.iter().enumerate() {
         let (letter, colour) = match shot.outcome {
             Outcome::Perforated => ("o", 3),
@@ -121,13 +116,12 @@ fn marks(
             Outcome::Moving => ("m", 4),
         };
         let height = shot.residual_m_s.unwrap_or(0.0);
-        let Some((column, row)) = x.cell(shot.impact_m_s).zip(y.cell(height)) else { continue };
+        let Some(place) = layout.place(shot.impact_m_s, height) else { continue };
         let role = match (app.limit.cursor == Some(index), app.limit_is_old()) {
             (true, _) => Role::Crosshair,
             (false, true) => Role::Dim,
             (false, false) => Role::Curve(colour),
         };
-        let row = plot.height.saturating_sub(row + 1);
-        put(canvas, plot, (column, row), letter, app.theme.style(role));
+        put(canvas, layout.plot, place, letter, app.theme.style(role));
     }
 }

@@ -10,7 +10,7 @@ use crate::study::sweep::PointOutcome;
 use crate::tui::app::App;
 use crate::tui::app::notice::Severity;
 use crate::tui::app::status::clip;
-use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Mapping, Mark, Scale, Unit, ViewRange};
+use crate::tui::chart::{Axis, Chart, Curve, Emphasis, Layout, Mark, Scale, Unit, ViewRange};
 use crate::tui::message::Target;
 use crate::tui::pages::search::lines::LETTERS;
 use crate::tui::pages::search::setup::brief;
@@ -263,19 +263,18 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let selected = designs.get(tab.selected()).and_then(|design| value(&design.measures, across));
     let chart = Chart { focused, crosshair: selected, ..Chart::new(title, x, y, Vec::new()) };
     let layout = chart.render(area, canvas, app.theme);
-    let plot = (layout.plot, layout.x, layout.y);
     let place = |list: &[Option<f64>]| Some((value(list, across)?, value(list, up)?));
     for design in &designs {
-        mark(app, place(&design.measures), ("o", Role::Curve(1)), plot, canvas);
+        mark(app, place(&design.measures), "o", Role::Curve(1), &layout, canvas);
     }
     for (letter, candidate) in LETTERS.iter().zip(&found.candidates) {
         let candidate: &Candidate = candidate;
-        let role = (letter.to_string(), Role::Curve(3));
-        mark(app, place(&candidate.measures), (&role.0, role.1), plot, canvas);
+        let letter = letter.to_string();
+        mark(app, place(&candidate.measures), &letter, Role::Curve(3), &layout, canvas);
     }
     if let Some(design) = designs.get(tab.selected()) {
         let design: &Design = design;
-        mark(app, place(&design.measures), ("X", Role::Crosshair), plot, canvas);
+        mark(app, place(&design.measures), "X", Role::Crosshair, &layout, canvas);
     }
     canvas.points(&layout, designs.iter().map(|it| place(&it.measures)), |at| {
         Target::Row(RESULTS, at)
@@ -285,14 +284,14 @@ fn front(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
 fn mark(
     app: &App,
     at: Option<(f64, f64)>,
-    (text, role): (&str, Role),
-    (plot, x, y): (Rect, Mapping, Mapping),
+    text: &str,
+    role: Role,
+    layout: &Layout,
     canvas: &mut Canvas<'_>,
 ) {
-    let Some((across, up)) = at else { return };
-    let Some((column, row)) = x.cell(across).zip(y.cell(up)) else { return };
-    let row = plot.height.saturating_sub(row + 1);
-    put(canvas, plot, (column, row), text, app.theme.style(role));
+    if let Some(place) = at.and_then(|(across, up)| layout.place(across, up)) {
+        put(canvas, layout.plot, place, text, app.theme.style(role));
+    }
 }
 
 /// How often a value falls into each of some bins, as steps.

@@ -54,7 +54,7 @@ fn single(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
     let data = app.curves(app.charts.quantities[app.charts.selected]);
     let below = if area.height >= 12 { READOUT_ROWS } else { 0 };
     let second = app.second_curve(app.charts.selected);
-    let mut chart = chart(app, app.charts.selected, (&data, second.as_ref()));
+    let mut chart = chart(app, app.charts.selected, &data, second.as_ref());
     chart.frame = Frame::OpenBelow;
     chart.focused = focused;
     let upper = Rect { height: area.height.saturating_sub(below + 1), ..area };
@@ -74,7 +74,7 @@ fn stacked(app: &App, areas: &[Rect], focused: bool, canvas: &mut Canvas<'_>) {
         (0..areas.len()).map(|index| app.second_curve(index)).collect();
     let both = data.iter().zip(&second).enumerate();
     let mut charts: Vec<Chart<'_>> =
-        both.map(|(index, (data, second))| chart(app, index, (data, second.as_ref()))).collect();
+        both.map(|(index, (data, second))| chart(app, index, data, second.as_ref())).collect();
     let last = charts.len() - 1;
     for (index, chart) in charts.iter_mut().enumerate() {
         chart.focused = focused && app.charts.selected == index;
@@ -106,10 +106,13 @@ fn nothing_yet(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     put_centred(canvas, area, text, app.theme.style(Role::Dim));
 }
 
-/// The curves of a chart, and the quantity and curve of its second axis.
-type Drawn<'a> = (&'a [Data], Option<&'a (Quantity, Data)>);
-
-fn chart<'a>(app: &'a App, index: usize, (data, second): Drawn<'a>) -> Chart<'a> {
+/// A chart of these curves, with a second axis for the quantity and curve that have one.
+fn chart<'a>(
+    app: &'a App,
+    index: usize,
+    data: &'a [Data],
+    second: Option<&'a (Quantity, Data)>,
+) -> Chart<'a> {
     let quantity = app.charts.quantities[index];
     if quantity == Quantity::MountForce {
         return force_over_displacement(app, data);
@@ -119,9 +122,9 @@ fn chart<'a>(app: &'a App, index: usize, (data, second): Drawn<'a>) -> Chart<'a>
     let time = ViewRange::new(from, to);
     let x =
         Axis::new("t", time).unit(Unit::with_prefix(time.size(), "s")).scale(app.charts.time_scale);
-    let y = value_axis(app, data, (quantity, scale)).scale(scale);
+    let y = value_axis(app, data, quantity, scale).scale(scale);
     let right = second.map(|(quantity, curve)| {
-        let axis = value_axis(app, std::slice::from_ref(curve), (*quantity, Scale::Linear));
+        let axis = value_axis(app, std::slice::from_ref(curve), *quantity, Scale::Linear);
         Axis { label: quantity.symbol().into(), ..axis }
     });
     let views = app.visible_runs();
@@ -182,7 +185,7 @@ fn force_over_displacement<'a>(app: &'a App, data: &'a [Data]) -> Chart<'a> {
 }
 
 /// A vertical axis that shows all of some curves.
-fn value_axis(app: &App, data: &[Data], (quantity, scale): (Quantity, Scale)) -> Axis<'static> {
+fn value_axis(app: &App, data: &[Data], quantity: Quantity, scale: Scale) -> Axis<'static> {
     let (low, high) = app.value_range(data, scale);
     let values = match scale {
         Scale::Linear => ViewRange::new(low, high).padded(scale, 0.04),
