@@ -147,41 +147,28 @@ fn simulate(scene: &Arc<Scene>, settings: Settings) -> Result<Run, VariableError
 
 /// The same scene by every model.
 pub fn by_every_model(scene: &Scene) -> Vec<(&'static str, Scene)> {
-    ContactModel::TABLE_8_1
-        .into_iter()
-        .map(|model| {
-            let mut own = scene.clone();
-            own.contact.model = model;
-            (model.word(), own)
-        })
-        .collect()
+    models(scene).into_iter().map(|plan| (plan.name, plan.scene)).collect()
 }
 
 fn models(scene: &Scene) -> Vec<Plan> {
-    ContactModel::TABLE_8_1
+    TABLE_8_1
         .into_iter()
-        .map(|model| {
+        .map(|(model, simplicity, limit)| {
             let mut own = scene.clone();
             own.contact.model = model;
-            Plan { name: model.word(), scene: own, judged: judged(model) }
+            Plan { name: model.word(), scene: own, judged: (simplicity, limit) }
         })
         .collect()
 }
 
-/// Table 8.1, in other words.
-fn judged(model: ContactModel) -> (&'static str, &'static str) {
-    match model {
-        ContactModel::Hydrodynamic => {
-            ("simple", "takes the contact force for a modified fluid drag")
-        }
-        ContactModel::Lumped => {
-            ("simple", "needs parameters that no source gives; cannot perforate")
-        }
-        ContactModel::HalfSine => ("simple", "the duration has to be chosen; cannot perforate"),
-        ContactModel::InitialVelocity => ("simple", "the impact takes no time; cannot perforate"),
-        ContactModel::Appendix => ("what chapter 9 was computed with", "not in Table 8.1"),
-    }
-}
+/// Table 8.1, in other words: each model with how simple it is and what limits it, the default first.
+const TABLE_8_1: [(ContactModel, &str, &str); 5] = [
+    (ContactModel::Hydrodynamic, "simple", "takes the contact force for a modified fluid drag"),
+    (ContactModel::Lumped, "simple", "needs parameters that no source gives; cannot perforate"),
+    (ContactModel::HalfSine, "simple", "the duration has to be chosen; cannot perforate"),
+    (ContactModel::InitialVelocity, "simple", "the impact takes no time; cannot perforate"),
+    (ContactModel::Appendix, "what chapter 9 was computed with", "not in Table 8.1"),
+];
 
 /// Appendix A as printed, each quirk put right by itself, all of them, and the engine.
 fn quirks(scene: &Scene) -> Vec<Plan> {
@@ -216,7 +203,6 @@ fn parameters(scene: &Scene) -> String {
     let contact = &scene.contact;
     let auto = |given: Option<f64>| if given.is_none() { " (auto)" } else { "" };
     match contact.model {
-        ContactModel::Hydrodynamic | ContactModel::InitialVelocity => String::new(),
         ContactModel::HalfSine => {
             let t_d = show(Values::of(scene).duration_s, "s");
             format!("t_d = {t_d}{}", auto(contact.duration_s))
@@ -234,6 +220,7 @@ fn parameters(scene: &Scene) -> String {
             )
         }
         ContactModel::Appendix => format!("dt = {}", show(contact.appendix.step_s, "s")),
+        _ => String::new(),
     }
 }
 

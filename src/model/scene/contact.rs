@@ -39,12 +39,6 @@ worded! {
     }
 }
 
-impl ContactModel {
-    /// All models, in the order of Table 8.1 with the default first.
-    pub const TABLE_8_1: [Self; 5] =
-        [Self::Hydrodynamic, Self::Lumped, Self::HalfSine, Self::InitialVelocity, Self::Appendix];
-}
-
 worded! {
     /// How one doubtful place of the listing is read.
     #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]

@@ -58,10 +58,10 @@ pub(super) fn is_listing(scene: &Scene) -> bool {
 /// Whether the plate's material matters: to the other models only where it fills in what was left open.
 pub(super) fn uses_target(scene: &Scene) -> bool {
     match scene.contact.model {
-        ContactModel::Hydrodynamic | ContactModel::Appendix => true,
         ContactModel::HalfSine => scene.contact.duration_s.is_none(),
         ContactModel::Lumped => scene.contact.load_stiffness_n_m.is_none(),
         ContactModel::InitialVelocity => false,
+        _ => true,
     }
 }
 
