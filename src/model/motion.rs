@@ -193,7 +193,7 @@ impl Motion<'_> {
                 AreaLaw::Partial { origin_m, p0, p1, exit_depth_m } => {
                     let depth = p0 + p1 * (state.travel_m - origin_m);
                     let area = Partial::new(flow.nose, depth, p1, exit_depth_m, flow.pressure);
-                    self.with_contact(state, h, area)
+                    self.with_any_mechanism(state, h, area)
                 }
             },
             ContactForce::Elastic(force) => self.with_any_mechanism(state, h, force),
@@ -203,7 +203,7 @@ impl Motion<'_> {
         }
     }
 
-    /// Compiled once for all springs and dampers: for contact forces that are not in a hurry.
+    /// Compiled once for all springs and dampers: for contact forces that are rare, or cost more than the calls.
     fn with_any_mechanism<const N: usize>(
         &self,
         state: &State,
