@@ -210,20 +210,13 @@ impl Motion<'_> {
         h: f64,
         contact: impl ContactTerm<N>,
     ) -> Expansion<N> {
-        let still = self.plate_mobility == 0.0;
-        let power = |law: PowerLaw, side: f64| -> Box<dyn ForceTerm<N>> {
-            match law.kind() {
-                PowerKind::Absent => Box::new(NoForce),
-                PowerKind::Linear => Box::new(law.coefficient),
-                PowerKind::Whole(n) => Box::new(Whole::new(law.coefficient, n, side)),
-                PowerKind::General => Box::new(General::new(law)),
-            }
-        };
-        let damper = power(self.damper, self.side_w);
+        let damper = any_power(self.damper, self.side_w);
         match self.spring {
-            _ if still => self.recur(state, h, contact, NoForce, NoForce),
+            _ if self.plate_mobility == 0.0 => self.recur(state, h, contact, NoForce, NoForce),
             Elastic::Piece(piece) => self.recur(state, h, contact, Along::new(piece), damper),
-            Elastic::Power(law) => self.recur(state, h, contact, power(law, self.side_x), damper),
+            Elastic::Power(law) => {
+                self.recur(state, h, contact, any_power(law, self.side_x), damper)
+            }
         }
     }
 
@@ -238,7 +231,10 @@ impl Motion<'_> {
             Elastic::Piece(_) if self.plate_mobility == 0.0 => {
                 return self.with_spring(state, h, contact, NoForce);
             }
-            Elastic::Piece(piece) => return self.with_spring(state, h, contact, Along::new(piece)),
+            Elastic::Piece(piece) => {
+                let damper = any_power(self.damper, self.side_w);
+                return self.recur(state, h, contact, Along::new(piece), damper);
+            }
         };
         match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
             PowerKind::Absent => self.with_spring(state, h, contact, NoForce),
@@ -261,14 +257,13 @@ impl Motion<'_> {
         match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
             PowerKind::Absent => self.recur(state, h, contact, spring, NoForce),
             PowerKind::Linear => self.recur(state, h, contact, spring, law.coefficient),
-            PowerKind::Whole(n) => {
-                self.recur(state, h, contact, spring, Whole::new(law.coefficient, n, self.side_w))
+            PowerKind::Whole(_) | PowerKind::General => {
+                self.recur(state, h, contact, spring, any_power(law, self.side_w))
             }
-            PowerKind::General => self.recur(state, h, contact, spring, General::new(law)),
         }
     }
 
-    /// The recurrence, compiled for each kind of area, spring and damper.
+    /// The recurrence, compiled for each kind of area and spring, and for a linear damper.
     #[inline]
     fn recur<const N: usize>(
         &self,
@@ -314,6 +309,16 @@ impl Motion<'_> {
             }
         }
         e
+    }
+}
+
+/// A power law whose coefficients are called for.
+fn any_power<const N: usize>(law: PowerLaw, side: f64) -> Box<dyn ForceTerm<N>> {
+    match law.kind() {
+        PowerKind::Absent => Box::new(NoForce),
+        PowerKind::Linear => Box::new(law.coefficient),
+        PowerKind::Whole(n) => Box::new(Whole::new(law.coefficient, n, side)),
+        PowerKind::General => Box::new(General::new(law)),
     }
 }
 
