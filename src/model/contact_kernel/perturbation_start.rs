@@ -12,7 +12,7 @@ use crate::model::contact_kernel::integration::{
 };
 use crate::model::contact_kernel::law::{Damping, Linear, RootFromRest};
 use crate::model::contact_kernel::similarity_start;
-use crate::model::contact_kernel::{Contact, GRADED_UNIT, is_linear};
+use crate::model::contact_kernel::{Contact, GRADED_UNIT, TERMS, is_linear};
 use crate::model::mechanism::PowerLaw;
 use crate::numerics::smaller;
 
@@ -91,7 +91,8 @@ impl Contact {
         let mut track = self.begin(0.0, state, Clock::Even { unit_s: 0.5 * self.scale_s? });
         let until = self.matters_at(&left_out, tolerance)?;
         let kept = |law: PowerLaw| if is_linear(law) { law.coefficient } else { 0.0 };
-        let series = if is_root {
+        // Dampers that are not linear are compiled for one number of terms.
+        let series = if const { N == TERMS } && is_root {
             let root = RootFromRest::<N>::new(damper.coefficient);
             self.first(kept(spring), root, &track)?
         } else {
@@ -197,7 +198,7 @@ impl Contact {
 mod tests {
     use super::*;
     use crate::model::contact_kernel::tests::scene;
-    use crate::model::contact_kernel::{Singular, TERMS, TERMS_TIGHT};
+    use crate::model::contact_kernel::{Singular, TERMS_TIGHT};
 
     fn contact(pairs: &str) -> Contact {
         Contact::of(&scene(pairs))
