@@ -349,19 +349,13 @@ mod tests {
     use super::*;
     use crate::model::run::Run;
     use crate::model::simulate::{Settings, simulate};
-    use crate::model::units::Bare;
-    use crate::model::variables::set_by_name;
+    use crate::model::variables::scene_with;
     use std::ops::ControlFlow;
     use std::sync::Arc;
 
+    /// Without a spring unless one is given.
     pub(super) fn scene(pairs: &str) -> Scene {
-        let mut scene = Scene::default();
-        scene.mechanism.spring.coefficient = 0.0;
-        for pair in pairs.split_whitespace() {
-            let (name, value) = pair.split_once('=').unwrap();
-            set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-        }
-        scene
+        scene_with(&format!("k=0 {pairs}"))
     }
 
     fn simulated(scene: &Scene) -> Run {

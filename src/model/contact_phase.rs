@@ -321,17 +321,11 @@ impl Phase {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::model::units::Bare;
-    use crate::model::variables;
+    use crate::model::variables::scene_with;
 
+    /// Without a spring unless one is given.
     pub(super) fn scene(pairs: &str) -> Scene {
-        let mut scene = Scene::default();
-        scene.mechanism.spring.coefficient = 0.0;
-        for pair in pairs.split_whitespace() {
-            let (name, value) = pair.split_once('=').unwrap();
-            variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-        }
-        scene
+        scene_with(&format!("k=0 {pairs}"))
     }
 
     pub(super) fn errors(pairs: &str, (t_s, depth_m): (f64, f64), method: Scheme) -> (f64, f64) {

@@ -67,8 +67,7 @@ pub fn first_contact(scene: &Arc<Scene>) -> Result<FirstContact, Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::units::Bare;
-    use crate::model::variables::set_by_name;
+    use crate::model::variables::scene_with;
 
     #[test]
     fn valid_the_door_against_the_stored_digits() {
@@ -78,12 +77,7 @@ mod tests {
             ("k=1e6 n=0.5", 0.000_197_151_917_116_086_2, 0.006_919_384_198_354_558),
             ("h=0.003 v_i=400 k=1e5", 0.000_058_297_967_935_076_06, 0.009_35),
         ] {
-            let mut scene = Scene::default();
-            for pair in pairs.split_whitespace() {
-                let (name, value) = pair.split_once('=').unwrap();
-                set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-            }
-            let found = first_contact(&Arc::new(scene)).unwrap();
+            let found = first_contact(&Arc::new(scene_with(pairs))).unwrap();
             assert!((found.t_s / t_s - 1.0).abs() < 1e-9, "{pairs}: {found:?}");
             assert!((found.depth_m / depth_m - 1.0).abs() < 1e-9, "{pairs}: {found:?}");
         }

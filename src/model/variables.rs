@@ -429,3 +429,14 @@ pub fn range_warnings(scene: &Scene) -> Vec<RangeWarning> {
         .filter_map(|variable| variable.range_warning(scene))
         .collect()
 }
+
+/// The default scene with changes like `k=1e6 n=0.5`, in SI units.
+#[cfg(test)]
+pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
+    let mut scene = Scene::default();
+    for pair in pairs.split_whitespace() {
+        let (name, value) = pair.split_once('=').expect("name=value");
+        set_by_name(&mut scene, name, value, Bare::Si).expect("a value the variable takes");
+    }
+    scene
+}

@@ -458,19 +458,7 @@ impl Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::units::Bare;
-    use crate::model::variables;
-
-    fn scene(pairs: &str) -> Scene {
-        let mut scene = Scene::default();
-        scene.mechanism.spring.coefficient = 0.0;
-        for pair in pairs.split_whitespace() {
-            let (name, value) = pair.split_once('=').unwrap();
-            let name = if name == "vi" { "v_i" } else { name };
-            variables::set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-        }
-        scene
-    }
+    use crate::model::contact_phase::tests::scene;
 
     /// Decimal digits with an exponent or sign as in the stored file.
     fn digits(text: &str) -> Number {
@@ -500,7 +488,7 @@ mod tests {
         let mut rows = 0;
         for line in file.lines().skip(1) {
             let fields: Vec<&str> = line.split(',').collect();
-            let pairs = fields[1].replace("base", "");
+            let pairs = fields[1].replace("base", "").replace("vi=", "v_i=");
             if fields[0] == "S13" {
                 continue;
             }

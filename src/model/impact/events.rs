@@ -341,9 +341,7 @@ mod tests {
     use super::*;
     use crate::model::impact::body::Body;
     use crate::model::impact::problem::Problem;
-    use crate::model::scene::Scene;
-    use crate::model::units::Bare;
-    use crate::model::variables::set_by_name;
+    use crate::model::variables::scene_with;
 
     /// What is seen of a run after an event. The hole is 5 mm of travel deep.
     fn look<T>(
@@ -353,12 +351,7 @@ mod tests {
         [q, u, x, w]: [f64; 4],
         look: impl Fn(&Track<'_>) -> T,
     ) -> T {
-        let mut scene = Scene::default();
-        for pair in pairs.split_whitespace() {
-            let (name, value) = pair.split_once('=').unwrap();
-            set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-        }
-        let problem = Problem::of(&Arc::new(scene));
+        let problem = Problem::of(&Arc::new(scene_with(pairs)));
         let mut track = Track::new(&problem, 1e-9, false);
         let body = &mut track.body;
         (body.mode, body.deepest_m) = (mode, 5e-3);

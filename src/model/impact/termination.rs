@@ -200,17 +200,10 @@ mod tests {
     use super::*;
     use crate::model::impact::problem::Problem;
     use crate::model::motion::State;
-    use crate::model::scene::Scene;
-    use crate::model::units::Bare;
-    use crate::model::variables::set_by_name;
+    use crate::model::variables::scene_with;
 
     fn problem(pairs: &str) -> Problem {
-        let mut scene = Scene::default();
-        for pair in pairs.split_whitespace() {
-            let (name, value) = pair.split_once('=').unwrap();
-            set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-        }
-        Problem::of(&Arc::new(scene))
+        Problem::of(&Arc::new(scene_with(pairs)))
     }
 
     /// A run at 0.1 ms in a hole 5 mm of travel deep.

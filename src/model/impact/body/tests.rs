@@ -6,21 +6,14 @@ use super::{Body, MaximumDisplacement, Noted};
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
 use crate::model::run::{Mode, Outcome};
-use crate::model::scene::Scene;
-use crate::model::units::Bare;
-use crate::model::variables::set_by_name;
+use crate::model::variables::scene_with;
 
 /// `m_p`, kg, and the impact velocity, m/s, of the default scene; gamma = 1.
 const MASS_KG: f64 = 0.0295;
 const VELOCITY_M_S: f64 = 100.0;
 
 fn problem(pairs: &str) -> Problem {
-    let mut scene = Scene::default();
-    for pair in pairs.split_whitespace() {
-        let (name, value) = pair.split_once('=').unwrap();
-        set_by_name(&mut scene, name, value, Bare::Si).unwrap();
-    }
-    Problem::of(&Arc::new(scene))
+    Problem::of(&Arc::new(scene_with(pairs)))
 }
 
 /// A body with travel, slip, displacement and velocity, in a hole 5 mm of travel deep.
