@@ -135,12 +135,15 @@ impl Destination {
     /// # Errors
     /// [`FileError`]; no file is new or changed then.
     pub fn write(&self, table: &[u8], scenes: &[Beside<'_>]) -> Result<Vec<PathBuf>, FileError> {
-        let mut file = self.begin()?;
+        if !scenes.is_empty() {
+            self.check_beside()?;
+        }
+        let mut file = Growing::begin(&self.path, self.existing)?;
         file.add(table)?;
         self.finish(file, scenes)
     }
 
-    /// Begin a table that is written as it is made.
+    /// Begin a table that is written as it is made, and whose scene goes beside it.
     ///
     /// # Errors
     /// [`FileError`].
@@ -352,6 +355,19 @@ mod tests {
         let partial = whole.placed(false);
         assert_eq!(partial.path, folder.path().join("a.partial.csv"));
         assert_eq!(partial.existing, Existing::Keep);
+    }
+
+    #[test]
+    fn a_scene_that_someone_wrote_is_in_the_way_of_a_scene_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, own) = (folder.path().join("a.csv"), folder.path().join("a.toml"));
+        fs::write(&own, "format = 1").unwrap();
+        let to = Destination { path, existing: Existing::Replace, meta: Meta::Beside };
+        let scene = Scene::default();
+        let beside = Beside { run: None, scene: &scene, notes: Box::new(again) };
+        assert!(to.write(b"1\n", &[beside]).is_err() && !to.path.exists());
+        assert_eq!(to.write(b"1\n", &[]).unwrap(), [to.path]);
+        assert_eq!(fs::read_to_string(own).unwrap(), "format = 1");
     }
 
     #[test]
