@@ -10,6 +10,7 @@ use super::{Finding, ReportBody, Slot, clock};
 use crate::model::scene::Scene;
 use crate::study::accuracy::{self, Effort};
 use crate::study::context::{Context, Progress};
+use crate::study::stability::cases::Case;
 use crate::study::stability::map::{self, Map};
 use crate::study::stability::{self, Row};
 use crate::study::{limit, thesis};
@@ -96,7 +97,8 @@ fn found(study: &Study<'_>, quiet: &Quiet, reporter: &Reporter<'_>) -> Result<Fi
         StudyKind::Battery => {
             let started = Instant::now();
             // A run of an edited scene has its turn beside it.
-            battery(study.threads.min(2), &|| started.elapsed().as_secs_f64(), reporter)
+            let (cases, threads) = (stability::battery(false), study.threads.min(2));
+            battery(&cases, threads, &|| started.elapsed().as_secs_f64(), reporter)
         }
         StudyKind::Thesis => Ok(claims(study.threads, reporter)),
         StudyKind::Limit(effort) => {
@@ -116,16 +118,16 @@ fn found(study: &Study<'_>, quiet: &Quiet, reporter: &Reporter<'_>) -> Result<Fi
     }
 }
 
-/// The battery on so many threads.
+/// These scenes of the battery on so many threads.
 fn battery(
+    cases: &[&'static Case],
     threads: usize,
     now_s: &(dyn Fn() -> f64 + Sync),
     reporter: &Reporter<'_>,
 ) -> Result<Finding, String> {
     let watch =
         &mut reporter.watch(|rows: &[Row]| Finding::Battery(Arc::new(rows.to_vec()), false));
-    let cases = stability::battery(false);
-    let rows = stability::run(&cases, now_s, &mut Context::new(threads, watch));
+    let rows = stability::run(cases, now_s, &mut Context::new(threads, watch));
     let rows = rows.map_err(|error| error.to_string())?;
     let all = rows.len() == cases.len();
     Ok(Finding::Battery(Arc::new(rows), all))

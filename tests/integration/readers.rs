@@ -198,7 +198,10 @@ fn read_points(path: &Path, text: &str) -> Result<(), String> {
     Ok(())
 }
 
-fn read_session(path: &Path, text: &str) -> Result<(), String> {
+fn read_session(place: &Path, text: &str) -> Result<(), String> {
+    // A folder of its own: those put aside by earlier inputs would each take a name.
+    let folder = tempfile::tempdir_in(place).unwrap();
+    let path = &folder.path().join("session.toml");
     fs::write(path, text).unwrap();
     let loaded = session::load(path);
     // One that cannot be read is put aside and never lost.
@@ -219,7 +222,7 @@ fn readers(place: &Path) -> Vec<Reader<'_>> {
     let mut kept = session::Session::default();
     kept.pins.push(("A".to_owned(), Scene::default()));
     session::save(&saved, &kept, &mut session::Known::default()).unwrap();
-    let (curve, session) = (place.join("curve.csv"), place.join("session.toml"));
+    let curve = place.join("curve.csv");
     vec![
         Reader {
             name: "scene",
@@ -237,7 +240,7 @@ fn readers(place: &Path) -> Vec<Reader<'_>> {
         Reader {
             name: "session",
             seeds: vec![fs::read(saved).unwrap()],
-            read: Box::new(move |text| read_session(&session, text)),
+            read: Box::new(|text| read_session(place, text)),
         },
     ]
 }

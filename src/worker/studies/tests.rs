@@ -76,18 +76,19 @@ fn a_cancelled_study_keeps_what_it_has() {
 #[test]
 fn a_battery_on_two_threads_has_every_scene_once_in_its_order() {
     // The other methods are left out: their time is past.
-    let found = with_reporter(usize::MAX, |reporter| battery(2, &|| LATE_S, reporter));
+    let cases = stability::battery(true);
+    let found = with_reporter(usize::MAX, |reporter| battery(&cases, 2, &|| LATE_S, reporter));
     let Ok(Finding::Battery(rows, true)) = found else { panic!("not the whole battery") };
     let names: Vec<&str> = rows.iter().map(|row| row.case.name).collect();
-    let cases: Vec<&str> = stability::battery(false).iter().map(|case| case.name).collect();
-    assert_eq!(names, cases);
+    assert_eq!(names, cases.iter().map(|case| case.name).collect::<Vec<_>>());
 }
 
 #[test]
 fn a_stopped_battery_keeps_what_it_has() {
-    let found = with_reporter(6, |reporter| battery(2, &|| LATE_S, reporter));
+    let cases = stability::battery(false);
+    let found = with_reporter(6, |reporter| battery(&cases, 2, &|| LATE_S, reporter));
     let Ok(Finding::Battery(rows, false)) = found else { panic!("the whole battery") };
-    assert!(rows.len() < stability::battery(false).len());
+    assert!(rows.len() < cases.len());
 }
 
 /// Not only between two scenes: one may take seconds.
