@@ -1,4 +1,4 @@
-//! Whole runs against an independent reading of the law, which knows no modes, no events and no Taylor series (`oracle/law.rs`).
+//! Whole runs against an independent reading of the law, which knows no modes, no events and no Taylor series (the package `cmra-oracle`).
 //!
 //! Random moderate scenes, which equal tiny steps resolve, are stepped from first contact to a horizon, at two step sizes. The
 //! program has to be where they are at its own times, within a few times their difference, and what it says of all time to come, run
@@ -7,16 +7,13 @@
 use cmra::model::run::{EndReason, EventKind, Outcome, Run, Sample};
 use cmra::model::scene::{ContactModel, Scene};
 use cmra::model::simulate::{Settings, simulate};
-use law::Shot;
+use cmra_oracle::Shot;
 
 use crate::random::Random;
 use crate::support::scene;
 
-mod contacts;
 mod corrected;
 mod draw;
-mod law;
-mod springs;
 mod stack;
 
 /// The coarser step, s; the finer is half as long.

@@ -2,8 +2,8 @@
 
 use cmra::model::run::Run;
 use cmra::model::scene::Scene;
+use cmra_oracle::Shot;
 
-use super::law::Shot;
 use super::{OFF, STEP_S, draw, program};
 
 /// How long each plate is looked at, s.

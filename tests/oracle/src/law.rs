@@ -9,11 +9,13 @@
 
 use std::f64::consts::PI;
 
-use cmra::model::contact::Geometry;
-use cmra::model::scene::{Closure, ContactModel, InterfaceLaw, Mount, Scene, Stop, StopKind};
+use cmra_engine::model::contact::Geometry;
+use cmra_engine::model::scene::{
+    Closure, ContactModel, InterfaceLaw, Mount, Scene, Stop, StopKind,
+};
 
-use super::contacts::Contact;
-use super::springs::{Law, moving_kg};
+use crate::contacts::Contact;
+use crate::springs::{Law, moving_kg};
 
 /// A plate that meets its rigid stop more slowly than this stays there, m/s.
 const STAYS_M_S: f64 = 2e-5;
@@ -21,7 +23,7 @@ const STAYS_M_S: f64 = 2e-5;
 const CHANGES_MAX: usize = 3_000;
 
 /// Travel and slip of the projectile against the plate, displacement and velocity of the plate: q, u, x, w.
-pub(crate) type State = [f64; 4];
+pub type State = [f64; 4];
 
 /// What the interface does during a step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -50,7 +52,7 @@ struct Now {
 }
 
 /// A shot on its way.
-pub(crate) struct Shot<'a> {
+pub struct Shot<'a> {
     scene: &'a Scene,
     geometry: Geometry,
     contact: Contact,
@@ -60,26 +62,29 @@ pub(crate) struct Shot<'a> {
     strength_pa: f64,
     plate_kg: f64,
     step_s: f64,
-    pub(crate) t_s: f64,
-    pub(crate) state: State,
+    /// Time, s.
+    pub t_s: f64,
+    /// State at that time.
+    pub state: State,
     /// Greatest travel so far.
-    pub(crate) deepest_m: f64,
+    pub deepest_m: f64,
     /// Together for good: the fused law.
     fused: bool,
     /// Time and state at the first moment of common velocity.
-    pub(crate) first_arrest: Option<(f64, State)>,
+    pub first_arrest: Option<(f64, State)>,
     /// Time and state when the nose was clear of the rear face.
-    pub(crate) exit: Option<(f64, State)>,
+    pub exit: Option<(f64, State)>,
     /// Time and state when the nose was last clear of the entry face.
-    pub(crate) separation: Option<(f64, State)>,
+    pub separation: Option<(f64, State)>,
     /// Greatest displacement so far.
-    pub(crate) farthest_m: f64,
+    pub farthest_m: f64,
     /// Times a step was cut.
     changes: usize,
 }
 
 impl<'a> Shot<'a> {
-    pub(crate) fn new(scene: &'a Scene, step_s: f64) -> Self {
+    /// At first contact, in steps of `step_s`.
+    pub fn new(scene: &'a Scene, step_s: f64) -> Self {
         let sprung = scene.plate.mount == Mount::Sprung;
         let start_m = if sprung { -scene.plate.cocking_m } else { 0.0 };
         let law = Law::new(&scene.mechanism);
@@ -123,30 +128,30 @@ impl<'a> Shot<'a> {
     }
 
     /// Depth now, travel, and the plate's displacement, m.
-    pub(crate) fn place(&self) -> [f64; 3] {
+    pub fn place(&self) -> [f64; 3] {
         let [q, _, x, _] = self.state;
         [self.depth_m(q), q, x]
     }
 
     /// Whether projectile and plate are together.
-    pub(crate) fn holds(&self) -> bool {
+    pub fn holds(&self) -> bool {
         self.interface() == Interface::Holds
     }
 
     /// Depth of the hole that is left, m.
-    pub(crate) fn hole_m(&self) -> f64 {
+    pub fn hole_m(&self) -> f64 {
         let lumped = self.scene.contact.model == ContactModel::Lumped;
         let deepest = self.deepest_m;
         self.depth_m(if lumped { self.contact.slack_m(deepest) } else { deepest })
     }
 
     /// The projectile's velocity in a state, m/s.
-    pub(crate) fn velocity_m_s(&self, [_, u, _, w]: State) -> f64 {
+    pub fn velocity_m_s(&self, [_, u, _, w]: State) -> f64 {
         u + w * self.cos()
     }
 
     /// Go on to a time; false where that takes too many steps.
-    pub(crate) fn go_to(&mut self, t_s: f64) -> bool {
+    pub fn go_to(&mut self, t_s: f64) -> bool {
         let pulse_s = self.contact.duration_s;
         while self.t_s < t_s {
             let pulses = self.contact.model == ContactModel::HalfSine && self.t_s < pulse_s;
@@ -218,9 +223,9 @@ impl<'a> Shot<'a> {
             _ => {}
         }
         let Some(stop) = self.rigid_stop() else { return };
-        if !now.held && x > stop.position_m.unwrap() {
+        if !now.held && x > stop.position_m.expect("a stop has a place") {
             let back = if w < STAYS_M_S { 0.0 } else { -stop.restitution * w };
-            self.state[2] = stop.position_m.unwrap();
+            self.state[2] = stop.position_m.expect("a stop has a place");
             self.state[3] = back;
             if !self.fused {
                 self.state[1] += (w - back) * self.cos();
@@ -368,7 +373,8 @@ impl<'a> Shot<'a> {
         if pressure == 0.0 { 0.0 } else { self.area_m2(q) * pressure }
     }
 
-    pub(crate) fn depth_m(&self, q: f64) -> f64 {
+    /// How deep the nose is at a travel, m.
+    pub fn depth_m(&self, q: f64) -> f64 {
         let h = self.scene.effective_thickness_m();
         let lag =
             if self.scene.target.dishing { 2.0 * self.scene.projectile.tip_radius_m } else { 0.0 };

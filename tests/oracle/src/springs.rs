@@ -3,7 +3,7 @@
 //! Tables follow Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300) written as Hermite's basis; springs in series share a
 //! displacement by bisection. What a spring adds to the plate's mass is here, too.
 
-use cmra::model::scene::{Beam, Combination, Mechanism, OwnMass, Scene, Spring, SpringKind};
+use cmra_engine::model::scene::{Beam, Combination, Mechanism, OwnMass, Scene, Spring, SpringKind};
 
 /// gamma and `K_Theta` of Table 9.3, and the angle up to which the pseudo-rigid body is good, degrees.
 const GAMMA: f64 = 0.85;
@@ -124,7 +124,9 @@ impl<'a> Law<'a> {
             SpringKind::Helix => spring.helix.stiffness_n_m * x,
             // It has a memory.
             SpringKind::Crush => 0.0,
-            SpringKind::Table => self.tables[which].as_ref().unwrap().force_n(x),
+            SpringKind::Table => {
+                self.tables[which].as_ref().expect("a table spring has a table").force_n(x)
+            }
         };
         spring.count * single
     }

@@ -1,9 +1,9 @@
 //! What the other models of thesis section 8.2 need, read off the README and the thesis once more.
 
-use cmra::model::scene::{ContactModel, Mount, Scene};
+use cmra_engine::model::scene::{ContactModel, Mount, Scene};
 use std::f64::consts::PI;
 
-use super::law::Shot;
+use crate::law::Shot;
 
 /// Step and end of the shot on a rigid mount from which what is left open comes, s.
 const STEP_S: f64 = 2e-8;
@@ -81,6 +81,6 @@ fn on_rigid_mount(scene: &Scene) -> (f64, f64) {
         assert!(shot.go_to(until_s));
         until_s *= 1.5;
     }
-    let (t_s, state) = shot.first_arrest.or(shot.exit).unwrap();
+    let (t_s, state) = shot.first_arrest.or(shot.exit).expect("it ends");
     (t_s, state[0])
 }
