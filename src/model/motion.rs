@@ -171,11 +171,16 @@ impl Motion<'_> {
 
     /// (du/dt, dw/dt), m/s².
     pub fn accelerations(&self, state: &State) -> (f64, f64) {
-        let (f, g) = (self.contact_force(state), self.mechanism_force(state));
-        let plate = g * self.plate_mobility;
+        self.response(self.contact_force(state), self.mechanism_force(state))
+    }
+
+    /// (du/dt, dw/dt) under these forces F and G of contact and mechanism: linear in both.
+    #[inline]
+    pub fn response(&self, contact: f64, mechanism: f64) -> (f64, f64) {
+        let plate = mechanism * self.plate_mobility;
         (
-            self.coupling * plate - f * self.slip_mobility,
-            self.coupling * f * self.plate_mobility - plate,
+            self.coupling * plate - contact * self.slip_mobility,
+            self.coupling * contact * self.plate_mobility - plate,
         )
     }
 
@@ -300,12 +305,11 @@ impl Motion<'_> {
             (e.contact[j], e.mechanism[j], e.damper[j]) = (f, g, d);
             if j + 1 < N {
                 let per_order = h / (j + 1) as f64;
-                let plate = g * self.plate_mobility;
+                let (slip, plate) = self.response(f, g);
                 e.travel[j + 1] = per_order * e.slip[j];
-                e.slip[j + 1] = per_order * (self.coupling * plate - f * self.slip_mobility);
+                e.slip[j + 1] = per_order * slip;
                 e.plate[j + 1] = per_order * e.plate_speed[j];
-                e.plate_speed[j + 1] =
-                    per_order * (self.coupling * f * self.plate_mobility - plate);
+                e.plate_speed[j + 1] = per_order * plate;
             }
         }
         e

@@ -180,16 +180,10 @@ impl ImplicitSystem<4> for Unknowns<'_> {
 
     fn rate(&self, after: f64, y: &[f64; 4]) -> [f64; 4] {
         let (motion, state) = (self.motion, self.state(y, after));
-        let f = motion.contact_force(&state);
         let (x, _, spring_n, _) = self.spring.unfold(y[2]);
         let g = spring_n + self.damper.unfold(y[3]).2 + self.stop_n(x, state.plate_m_s);
-        let plate = g * motion.plate_mobility;
-        [
-            state.slip_m_s,
-            motion.coupling * plate - f * motion.slip_mobility,
-            state.plate_m_s,
-            motion.coupling * f * motion.plate_mobility - plate,
-        ]
+        let (slip, plate) = motion.response(motion.contact_force(&state), g);
+        [state.slip_m_s, slip, state.plate_m_s, plate]
     }
 
     fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
@@ -200,13 +194,13 @@ impl ImplicitSystem<4> for Unknowns<'_> {
         let (_, w_y, _, d_y) = self.damper.unfold(y[3]);
         let g_x = k_y + motion.stop.stiffness_n_m * x_y;
         let g_w = d_y + motion.stop.damping_n_s_m * w_y;
-        let (slip, plate) = (motion.slip_mobility, motion.plate_mobility);
-        let pass = motion.coupling * plate;
+        let columns = [(f_q, 0.0), (f_u, 0.0), (0.0, g_x), (0.0, g_w)];
+        let columns = columns.map(|(f, g)| motion.response(f, g));
         [
             [0.0, 1.0, 0.0, 0.0],
-            [-f_q * slip, -f_u * slip, pass * g_x, pass * g_w],
+            columns.map(|(slip, _)| slip),
             [0.0, 0.0, 0.0, w_y],
-            [pass * f_q, pass * f_u, -plate * g_x, -plate * g_w],
+            columns.map(|(_, plate)| plate),
         ]
     }
 
