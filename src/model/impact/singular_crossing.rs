@@ -8,13 +8,14 @@
 //!
 //! A crossing step goes in to the zero or out from it, and ends, like a step, where anything else happens.
 
-use crate::model::event_function::{ActiveEvents, EventFunction, EventId};
+use crate::model::event_function::{EventFunction, EventId};
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::mechanism::PowerKind;
 use crate::model::motion::State;
 use crate::model::run::Mode;
+use crate::numerics::arc::Arc;
+use crate::numerics::event::{SignChange, first_sign_change, land};
 use crate::numerics::graded::{Graded, POINTS, part_at, solve};
-use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, smaller};
 
 mod independent_variable;
@@ -45,10 +46,8 @@ const DIFFERENCE_ROUNDING: f64 = 3e-14;
 const OF_STOP: f64 = 1e-3;
 /// Part of its greatest value on a stretch from which on an event function that starts from zero shows its sign.
 const SEEN: f64 = 1e-9;
-/// How far from zero an event function may be where it has fallen, relative to its value at the start, and how often it is aimed
-/// at.
+/// How far from zero an event function may be where it has fallen, relative to its value at the start.
 const LANDED: f64 = 1e-9;
-const LANDINGS: usize = 6;
 /// Ulps of the time that a fall keeps from the zero.
 const TICKS: f64 = 500.0;
 /// Work of one collocation, in Taylor expansions.
@@ -65,15 +64,6 @@ struct Stretch {
     states: [State; POINTS],
     end: State,
     fired: Option<EventId>,
-}
-
-/// Where an event function falls on a stretch.
-struct Fall {
-    event: EventId,
-    form: EventFunction,
-    /// The fraction of the stretch, by the polynomial through the points, and the parts of the points on either side.
-    part: f64,
-    between: (f64, f64),
 }
 
 impl Track<'_> {
@@ -161,68 +151,35 @@ impl Track<'_> {
 
     /// The stretch to `to`, or to the first event on it, if it is accurate.
     fn stretch(&self, variable: &IndependentVariable<'_>, to: f64) -> Option<Stretch> {
-        let stretch = self.unbroken(variable, to)?;
+        let whole = self.unbroken(variable, to)?;
+        let taken = Taken { track: self, variable, whole: &whole };
         let events = self.active_events();
-        if self.falls_at_once(variable, &events, &stretch) {
-            return None;
-        }
-        let Some(fall) = self.first_fall(variable, &events, &stretch) else {
-            return Some(stretch);
-        };
-        let landed = self.landed(variable, &stretch, &fall)?;
-        Some(Stretch { fired: Some(fall.event), ..landed })
-    }
-
-    /// The stretch to where an event function falls, between two parts of a stretch. The polynomial through the points of the whole
-    /// is not exact enough: new stretches end closer and closer to the fall.
-    fn landed(
-        &self,
-        variable: &IndependentVariable<'_>,
-        stretch: &Stretch,
-        fall: &Fall,
-    ) -> Option<Stretch> {
-        let value = |state: &State| fall.form.watched(variable.motion, state);
-        let place = |part: f64| stretch.graded.between(part).0;
-        let mut aim = place(fall.part);
-        let seen = TICKS * f64::EPSILON * self.body.state.t_s * variable.speed().abs();
-        if aim.abs() < seen {
-            // The time does not resolve the fall from the zero.
-            let inwards = variable.now() * variable.heading < 0.0;
-            return self.unbroken(variable, if inwards { 0.0 } else { variable.heading * seen });
-        }
-        let start = value(&self.body.state).abs();
-        let mut best: Option<(f64, Stretch)> = None;
-        for _ in 0..LANDINGS {
-            let landed = self.unbroken(variable, aim)?;
-            let last = POINTS - 1;
-            let (at_end, at_last) = (value(&landed.end), value(&landed.states[last]));
-            let next = aim - at_end * (aim - landed.graded.points[last].z) / (at_end - at_last);
-            if best.as_ref().is_some_and(|best| at_end.abs() >= best.0) {
-                break;
+        let mut first: Option<(EventId, EventFunction, SignChange)> = None;
+        for (event, form) in events.iter().filter(|(event, _)| *event != variable.own_trigger()) {
+            let value = |state: &State| form.watched(variable.motion, state);
+            let start = value(&self.body.state);
+            let values = whole.states.each_ref().map(value);
+            // One that rises from zero is of either sign until it is seen.
+            let unseen = if start == 0.0 { unseen(&values) } else { 0.0 };
+            if start == 0.0
+                && values.iter().find(|it| it.abs() > unseen).is_some_and(|it| *it < 0.0)
+            {
+                // It may have risen and fallen in between, or have fallen from the start.
+                return None;
             }
-            let exact = at_end.abs() <= fall.form.rounding(variable.motion, &landed.end);
-            best = Some((at_end.abs(), landed));
-            if exact {
-                break;
+            let samples = values.into_iter().enumerate().map(|(i, value)| (part_at(i), value));
+            let samples = samples.chain([(1.0, value(&whole.end))]);
+            let samples = samples.skip_while(|(_, value)| start <= 0.0 && *value <= unseen);
+            let found = first_sign_change(samples, |part| value(&taken.dense(part)));
+            if let Some(sign_change) = found
+                && first.as_ref().is_none_or(|first| sign_change.part < first.2.part)
+            {
+                first = Some((*event, *form, sign_change));
             }
-            aim = next;
         }
-        if let Some((missed, landed)) = best
-            && missed <= LANDED * start
-        {
-            return Some(landed);
-        }
-        // Too steep for secants.
-        let end_of = |part: f64| {
-            let state = if part == 0.0 { Some(self.body.state) } else { None };
-            let state = state.or_else(|| Some(self.unbroken(variable, place(part))?.end));
-            state.map_or(f64::NAN, |state| value(&state))
-        };
-        let landed =
-            self.unbroken(variable, place(in_bracket(fall.between.0, fall.between.1, end_of)))?;
-        let missed = value(&landed.end).abs();
-        let exact = fall.form.rounding(variable.motion, &landed.end);
-        (missed <= larger(LANDED * start, exact)).then_some(landed)
+        let Some((event, form, sign_change)) = first else { return Some(whole) };
+        let landed = taken.landed(&form, &sign_change)?;
+        Some(Stretch { fired: Some(event), ..landed })
     }
 
     /// The stretch to `to`, whatever happens on it, if it is accurate.
@@ -245,70 +202,6 @@ impl Track<'_> {
             && self.body.state.t_s + took_s > self.body.state.t_s
             && self.body.state.t_s + took_s < self.until_s();
         fits.then_some(Stretch { graded, states, end, fired: None })
-    }
-
-    /// Whether an event function that is zero at the start is below zero as soon as it is anything but rounding: it may have risen
-    /// and fallen in between, or have fallen from the start.
-    fn falls_at_once(
-        &self,
-        variable: &IndependentVariable<'_>,
-        events: &ActiveEvents,
-        stretch: &Stretch,
-    ) -> bool {
-        events.iter().any(|(event, form)| {
-            let value = |state: &State| form.watched(variable.motion, state);
-            if *event == variable.own_trigger() || value(&self.body.state) != 0.0 {
-                return false;
-            }
-            let values = stretch.states.each_ref().map(value);
-            let unseen = unseen(&values);
-            values.iter().find(|value| value.abs() > unseen).is_some_and(|first| *first < 0.0)
-        })
-    }
-
-    /// The first fall of an event function on a stretch.
-    fn first_fall(
-        &self,
-        variable: &IndependentVariable<'_>,
-        events: &ActiveEvents,
-        stretch: &Stretch,
-    ) -> Option<Fall> {
-        let Stretch { graded, states, end, .. } = stretch;
-        let mut first: Option<Fall> = None;
-        for (event, form) in events.iter() {
-            if *event == variable.own_trigger() {
-                continue;
-            }
-            let value = |state: &State| form.watched(variable.motion, state);
-            let between = |part: f64| {
-                let (z, y) = graded.between(part);
-                value(&variable.state(z, &y))
-            };
-            let mut before = (0.0, value(&self.body.state));
-            // One that rises from zero is of either sign until it is seen.
-            let from_zero = before.1 == 0.0;
-            let mut unseen =
-                if from_zero { unseen(&states.each_ref().map(value)) } else { f64::NEG_INFINITY };
-            let places = states.iter().enumerate().map(|(i, state)| (part_at(i), state));
-            for (part, state) in places.chain([(1.0, end)]) {
-                let now = value(state);
-                if now.abs() <= unseen {
-                    continue;
-                }
-                unseen = f64::NEG_INFINITY;
-                if before.1 > 0.0 && now <= 0.0 {
-                    let between_parts = (before.0, part);
-                    let part = in_bracket(before.0, part, between);
-                    if first.as_ref().is_none_or(|first| part < first.part) {
-                        let (event, form) = (*event, *form);
-                        first = Some(Fall { event, form, part, between: between_parts });
-                    }
-                    break;
-                }
-                before = (part, now);
-            }
-        }
-        first
     }
 
     /// What errors of the unknowns are measured by, on a stretch of this length: its duration and the plate's own path or energy,
@@ -361,6 +254,49 @@ impl Track<'_> {
         let took_s = graded.end[0];
         self.control.unit_s = larger(took_s, f64::MIN_POSITIVE);
         self.arrive(*end, motion, *fired);
+    }
+}
+
+/// A stretch, to look for events on.
+struct Taken<'a, 'b> {
+    track: &'a Track<'b>,
+    variable: &'a IndependentVariable<'a>,
+    whole: &'a Stretch,
+}
+
+impl Arc for Taken<'_, '_> {
+    type State = State;
+    type Step = Stretch;
+
+    fn dense(&self, part: f64) -> State {
+        let (z, y) = self.whole.graded.between(part);
+        self.variable.state(z, &y)
+    }
+
+    fn anew(&self, part: f64) -> Option<Stretch> {
+        self.track.unbroken(self.variable, self.whole.graded.between(part).0)
+    }
+
+    fn end(&self, _: f64, step: &Stretch) -> State {
+        step.end
+    }
+}
+
+impl Taken<'_, '_> {
+    /// The stretch to where an event function falls.
+    fn landed(&self, form: &EventFunction, sign_change: &SignChange) -> Option<Stretch> {
+        let (track, variable) = (self.track, self.variable);
+        let aim = self.whole.graded.between(sign_change.part).0;
+        let seen = TICKS * f64::EPSILON * track.body.state.t_s * variable.speed().abs();
+        if aim.abs() < seen {
+            // The time does not resolve the fall from the zero.
+            let inwards = variable.now() * variable.heading < 0.0;
+            return track.unbroken(variable, if inwards { 0.0 } else { variable.heading * seen });
+        }
+        let value = |state: &State| form.watched(variable.motion, state);
+        let start = value(&track.body.state).abs();
+        let near = |state: &State| larger(LANDED * start, form.rounding(variable.motion, state));
+        land(self, sign_change, value, near).map(|(_, stretch)| stretch)
     }
 }
 

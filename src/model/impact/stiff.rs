@@ -6,14 +6,16 @@
 
 use std::ops::ControlFlow;
 
-use crate::model::event_function::{EventFunction, EventId};
+use crate::model::event_function::EventId;
+use crate::model::impact::step_control::StepControl;
 use crate::model::impact::track::{Track, is_finite};
 use crate::model::motion::{Motion, State};
 use crate::model::run::{EndReason, Mode};
+use crate::numerics::arc::Arc;
+use crate::numerics::event::{first_sign_change, land};
 use crate::numerics::implicit::{
     ImplicitSystem, NODES, Step, WEIGHTS, interpolate, step, step_factor,
 };
-use crate::numerics::root::in_bracket;
 use crate::numerics::{larger, maximum, smaller};
 
 mod unknowns;
@@ -26,10 +28,8 @@ const POINTS_PER_STEP: usize = 3;
 const LANDED: f64 = 1e-9;
 /// The shortest step, relative to the time reached: time has no finer resolution.
 const TICK: f64 = 2.0 * f64::EPSILON;
-/// The step, relative to the time reached, at whose end an event is taken wherever in it it falls.
+/// The step, relative to the time reached, at whose end an event is taken wherever on it the sign changes.
 const CLOSEST: f64 = 4.0 * TICK;
-/// How near to an event, relative to its place in the step, the polynomial through the stages finds it.
-const NEAR: f64 = 1e-3;
 /// Work of one of Newton's iterations, in Taylor expansions, and the most iterations of a step.
 const NEWTON: usize = 1;
 const ITERATIONS_MAX: usize = 25;
@@ -104,7 +104,8 @@ impl Track<'_> {
                 self.control.rejected += 1;
                 continue;
             }
-            return self.accept(&system, &y, (h, factor), solved);
+            self.control.unit_s = h * factor;
+            return self.accept(&system, &y, h, solved);
         }
         ControlFlow::Break(EndReason::StepUnderflow)
     }
@@ -121,24 +122,11 @@ impl Track<'_> {
         }
     }
 
-    /// A step from this guess; its work is counted.
-    fn newton(
-        &self,
-        system: &Unknowns<'_>,
-        y: &[f64; 4],
-        h: f64,
-        guess: [[f64; 4]; 3],
-    ) -> Option<Step<4>> {
-        let solved = step::<4, 12>(system, y, h, guess);
-        self.control
-            .worked(NEWTON * solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations));
-        solved
-    }
-
     /// A step from whichever guess leads anywhere.
     fn solve(&self, system: &Unknowns<'_>, y: &[f64; 4], h: f64) -> Option<Step<4>> {
-        let from =
-            |guess| self.newton(system, y, h, guess).filter(|step| self.is_possible(system, step));
+        let from = |guess| {
+            newton(&self.control, system, y, h, guess).filter(|step| self.is_possible(system, step))
+        };
         let by_force = matches!(system.spring, Carrier::Force(_));
         let others = || from(system.riding(y, h)).or_else(|| from(system.coasting(y, h)));
         from(system.guess(y, h))
@@ -235,47 +223,38 @@ impl Track<'_> {
         &mut self,
         system: &Unknowns<'_>,
         y: &[f64; 4],
-        (mut h, factor): (f64, f64),
+        mut h: f64,
         mut solved: Step<4>,
     ) -> ControlFlow<EndReason, Option<EventId>> {
         let motion = system.motion;
-        self.control.unit_s = h * factor;
         let events = self.active_events();
+        let start = self.body.state;
         let mut fired = None;
         // What ends a step may lie behind what a shorter one shows to have happened before: a plate, or the projectile, that has
         // come back within it.
         for _ in events.iter() {
-            let end = system.state(&solved.stages[2], h);
-            let has_changed_sign = |(event, form): &&(EventId, EventFunction)| {
-                fired != Some(*event)
-                    && form.watched(motion, &self.body.state) > 0.0
-                    && form.watched(motion, &end) <= 0.0
-            };
-            let Some((event, form)) = events.iter().find(has_changed_sign) else {
+            let taken = Taken { control: &self.control, system, y, h, solved: &solved };
+            let end = taken.dense(1.0);
+            let armed = events.iter().filter(|(event, form)| {
+                fired != Some(*event) && form.watched(motion, &start) > 0.0
+            });
+            let sign_changes = armed.filter_map(|(event, form)| {
+                let at = |part: f64| form.watched(motion, &taken.dense(part));
+                Some((*event, form, first_sign_change([(1.0, form.watched(motion, &end))], at)?))
+            });
+            let Some((event, form, sign_change)) =
+                sign_changes.min_by(|a, b| a.2.part.total_cmp(&b.2.part))
+            else {
                 break;
             };
-            // Solve the step anew for each trial length: the end of a step is far more accurate than its inside.
-            let value = |part: f64| {
-                let trial = self.newton(system, y, part * h, system.guess(y, part * h));
-                let at =
-                    trial.map_or_else(|| interpolate(y, &solved, part), |trial| trial.stages[2]);
-                form.watched(motion, &system.state(&at, part * h))
-            };
-            let inside = |part: f64| {
-                form.watched(motion, &system.state(&interpolate(y, &solved, part), part * h))
-            };
-            let part = near_root(in_bracket(1e-12, 1.0, inside), value);
-            let landed = self.newton(system, y, part * h, system.guess(y, part * h));
-            let variation = form.at(motion, &self.body.state) - form.at(motion, &end);
-            let landed = landed.filter(|landed| {
-                let at = system.state(&landed.stages[2], part * h);
-                form.at(motion, &at).abs() <= LANDED * variation + form.rounding(motion, &at)
-            });
-            if let Some(landed) = landed {
-                (h, solved, fired) = (part * h, landed, Some(*event));
-            } else if h <= CLOSEST * self.body.state.t_s {
+            let variation = form.at(motion, &start) - form.at(motion, &end);
+            let near = |state: &State| LANDED * variation + form.rounding(motion, state);
+            let landed = land(&taken, &sign_change, |state| form.watched(motion, state), near);
+            if let Some((part, step)) = landed {
+                (h, solved, fired) = (part * h, step, Some(event));
+            } else if h <= CLOSEST * start.t_s {
                 // No coming closer: time has no finer resolution.
-                fired = Some(*event);
+                fired = Some(event);
                 break;
             } else {
                 // Newton's method went astray on the way to the event: come closer first.
@@ -312,38 +291,64 @@ impl Track<'_> {
             record.worked(&setting, &state, h * weight);
         }
         // Within a step that passes a boundary layer the polynomial through its stages says little: another step is taken to there.
-        let rough = |s: f64| system.state(&interpolate(y, solved, s), s * h);
-        let along = |s: f64| {
-            let trial = step::<4, 12>(system, y, s * h, system.guess(y, s * h));
-            trial.map_or_else(|| rough(s), |trial| system.state(&trial.stages[2], s * h))
-        };
+        let taken = Taken { control: &self.control, system, y, h, solved };
         record.note_extremes(&setting, |force, known| {
             let value = |state: &State| motion.force(force, state);
-            maximum::greatest_of(0.0, 1.0, known, |s| value(&rough(s)), |s| value(&along(s)))
+            let rough = |part: f64| value(&taken.dense(part));
+            maximum::greatest_of(0.0, 1.0, known, rough, |part| value(&taken.exact(part)))
         });
+        let penetrates = self.body.mode == Mode::Penetrating;
+        let at = |part: f64| if penetrates { taken.exact(part) } else { taken.dense(part) };
         if let Some(window) = record.window.filter(|_| record.keep_series) {
-            let at = |t_s: f64| {
-                let s = (t_s - self.body.state.t_s) / h;
-                let state = if self.body.mode == Mode::Penetrating { along(s) } else { rough(s) };
-                setting.sample(&State { t_s, ..state }, false)
-            };
-            window.fill(self.body.state.t_s + h, at);
+            let from_s = self.body.state.t_s;
+            let sample = |t_s: f64| setting.sample(&State { t_s, ..at((t_s - from_s) / h) }, false);
+            window.fill(from_s + h, sample);
         }
         if record.keep_series {
             for point in 1..=POINTS_PER_STEP {
-                let s = point as f64 / (POINTS_PER_STEP + 1) as f64;
-                let state = if self.body.mode == Mode::Penetrating { along(s) } else { rough(s) };
-                record.point(&setting, &state, false);
+                let part = point as f64 / (POINTS_PER_STEP + 1) as f64;
+                record.point(&setting, &at(part), false);
             }
         }
     }
 }
 
-/// The root of a function that falls from `value(1e-12)` > 0 to `value(1)` <= 0, found from a first guess: each value costs a step.
-fn near_root(guess: f64, mut value: impl FnMut(f64) -> f64) -> f64 {
-    let (below, above) = ((1.0 - NEAR) * guess, smaller((1.0 + NEAR) * guess, 1.0));
-    let (falls_after, has_changed_sign) = (value(below) > 0.0, value(above) <= 0.0);
-    let from = if falls_after { below } else { 1e-12 };
-    let to = if has_changed_sign { above } else { 1.0 };
-    in_bracket(from, to, value)
+/// A step from this guess; its work is counted.
+fn newton(
+    control: &StepControl,
+    system: &Unknowns<'_>,
+    y: &[f64; 4],
+    h: f64,
+    guess: [[f64; 4]; 3],
+) -> Option<Step<4>> {
+    let solved = step::<4, 12>(system, y, h, guess);
+    control.worked(NEWTON * solved.as_ref().map_or(ITERATIONS_MAX, |step| step.iterations));
+    solved
+}
+
+/// A step that was taken.
+struct Taken<'a> {
+    control: &'a StepControl,
+    system: &'a Unknowns<'a>,
+    y: &'a [f64; 4],
+    h: f64,
+    solved: &'a Step<4>,
+}
+
+impl Arc for Taken<'_> {
+    type State = State;
+    type Step = Step<4>;
+
+    fn dense(&self, part: f64) -> State {
+        self.system.state(&interpolate(self.y, self.solved, part), part * self.h)
+    }
+
+    fn anew(&self, part: f64) -> Option<Step<4>> {
+        let h = part * self.h;
+        newton(self.control, self.system, self.y, h, self.system.guess(self.y, h))
+    }
+
+    fn end(&self, part: f64, step: &Step<4>) -> State {
+        self.system.state(&step.stages[2], part * self.h)
+    }
 }
