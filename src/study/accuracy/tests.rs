@@ -17,15 +17,18 @@ fn scene(pairs: &str) -> Arc<Scene> {
     Arc::new(scene)
 }
 
-/// A comparison with a clock that ticks once a look: few repeats, since each seems to take long.
-fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
-    let effort = Effort { ladder, patience: Patience { point_s: 0.0, slow_s: f64::INFINITY } };
+/// A clock that ticks once a look: few repeats are made, since each seems to take long.
+fn ticking() -> impl FnMut() -> f64 {
     let mut ticks = 0.0;
-    let mut clock = || {
+    move || {
         ticks += 1.0;
         ticks
-    };
-    compare(scene, effort, &mut clock, &mut Context::new(1, &mut to_its_end)).unwrap()
+    }
+}
+
+fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
+    let effort = Effort { ladder, patience: Patience { point_s: 0.0, slow_s: f64::INFINITY } };
+    compare(scene, effort, &mut ticking(), &mut Context::new(1, &mut to_its_end)).unwrap()
 }
 
 fn compared(pairs: &str, ladder: Ladder) -> HashMap<char, MethodReport> {
@@ -121,7 +124,7 @@ fn every_error_has_a_judge_of_other_code_and_none_lies_below_what_it_can_tell() 
 fn a_stopped_comparison_keeps_what_it_has() {
     let mut watch = until(1);
     let context = &mut Context::new(1, &mut watch);
-    let report = compare(&scene("k=1e5"), Effort::QUICK, &mut || 0.0, context).unwrap();
+    let report = compare(&scene("k=1e5"), Effort::QUICK, &mut ticking(), context).unwrap();
     assert!(!report.is_complete);
     assert_eq!(report.methods.iter().map(|method| method.points.len()).sum::<usize>(), 2);
 }
