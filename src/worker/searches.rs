@@ -47,7 +47,7 @@ pub enum Answer {
     Front(Arc<Front>),
     /// See [`Request::Sensitivity`].
     Sensitivity(Arc<sensitivity::Report>),
-    /// See [`Request::Scatter`].
+    /// See [`Request::MonteCarlo`].
     MonteCarlo(Arc<monte_carlo::Report>),
     /// See [`Request::Compare`].
     Compare(Arc<Comparison>),
