@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use crate::model::units::significant;
 use crate::report::figures::sweeps::tone;
-use crate::report::figures::{axis_of, column_of, places};
+use crate::report::figures::{axis_of, places};
 use crate::report::map::{Cell, Map, Tone};
 use crate::study::quantities::Quantity;
 use crate::study::sweep::Axis;
@@ -53,6 +53,8 @@ struct ChartView<'a> {
     column: &'static Quantity,
     /// What is taken off the values.
     fit: Option<Quadratic>,
+    /// What is shown at every point, NaN where there is nothing; the second axis runs fastest.
+    values: Vec<f64>,
     levels: Option<Levels>,
     unit: Unit<'static>,
     range: ViewRange,
@@ -63,17 +65,22 @@ impl<'a> ChartView<'a> {
         let (output, column) = app.shown_output(grid);
         let (along, up) = grid.counts();
         let points = (0..along).flat_map(|x| (0..up).map(move |y| (x, y)));
-        let fit = quadratic(grid, output).filter(|_| app.sweeping.residuals);
-        let values: Vec<f64> = points.map(|point| seen(grid, point, output, fit)).collect();
+        let fit = app.sweeping.residuals.then(|| quadratic(grid, output)).flatten();
+        // A value, or what is left of it beside the fit.
+        let seen = |point| {
+            let (u, v) = place(grid, point);
+            drawn(grid, point, output) - fit.map_or(0.0, |fit| fit.value(u, v))
+        };
+        let values: Vec<f64> = points.map(seen).collect();
         let scale = scale_of(app);
-        let range = ViewRange::of(scale, values.iter().copied());
-        let levels = Levels::of(scale, values);
-        let range = range.unwrap_or_default();
+        let range = ViewRange::of(scale, values.iter().copied()).unwrap_or_default();
+        let levels = Levels::of(scale, values.iter().copied());
         Self {
             grid,
             output,
             column,
             fit,
+            values,
             levels,
             unit: Unit::with_prefix(range.size(), column.unit()),
             range,
@@ -81,15 +88,15 @@ impl<'a> ChartView<'a> {
     }
 
     /// What is shown at a point; NaN where there is nothing.
-    fn value(&self, point: (usize, usize)) -> f64 {
-        seen(self.grid, point, self.output, self.fit)
+    fn value(&self, (x, y): (usize, usize)) -> f64 {
+        self.values[x * self.grid.counts().1 + y]
     }
 
     fn map(&self, app: &App, area: Rect, canvas: &mut Canvas<'_>) {
         let axes = self.grid.plan().axes();
         let old = app.sweep_is_old(Picture::Surface) && app.sweeping.computing.is_none();
         let (across, upward) = (axis_of(&axes[0]), axis_of(&axes[1]));
-        let title = self.title(old, (&across, &upward), area.width);
+        let title = self.title(old, &across, &upward, area.width);
         let Some(levels) = &self.levels else {
             return nothing_exists(app, &title, self.grid, self.output, area, canvas);
         };
@@ -99,10 +106,9 @@ impl<'a> ChartView<'a> {
         let (columns, rows) = (places(&axes[0]), places(&axes[1]));
         let cell = |column: usize, row: usize| {
             let (x, y) = (columns[column], rows[row]);
+            let value = self.value((x, y));
             match self.grid.cell(x, y, self.output) {
-                grid::Cell::Value(_) if scale_of(app).shows(self.value((x, y))) => {
-                    Cell::Value(self.value((x, y)))
-                }
+                grid::Cell::Value(_) if scale_of(app).shows(value) => Cell::Value(value),
                 grid::Cell::Value(_) => Cell::Mark('0', Tone::Faint),
                 grid::Cell::Outcome(outcome) => Cell::Mark(outcome.letter(), tone(outcome)),
                 grid::Cell::Waiting => Cell::Empty,
@@ -112,9 +118,11 @@ impl<'a> ChartView<'a> {
         let here = self.value((x, y));
         let through = app.sweeping.contour == Contour::Cursor && here.is_finite();
         let counts = (columns.len(), rows.len());
+        let cursor =
+            columns.iter().position(|at| *at == x).zip(rows.iter().position(|at| *at == y));
         let map = Map {
             contour: through.then_some((here, "".into())),
-            cursor: column_of(&axes[0], x).zip(column_of(&axes[1], y)),
+            cursor,
             focused: app.has_focus(RESULTS),
             ..Map::new(title, (across, upward), counts, Some(levels.clone()), cell)
         };
@@ -129,7 +137,8 @@ impl<'a> ChartView<'a> {
     fn title(
         &self,
         old: bool,
-        (across, up): (&chart::Axis<'_>, &chart::Axis<'_>),
+        across: &chart::Axis<'_>,
+        up: &chart::Axis<'_>,
         width: u16,
     ) -> String {
         let fit = if self.fit.is_some() { "off the fit: " } else { "" };
@@ -301,12 +310,6 @@ impl<'a> ChartView<'a> {
         };
         chart::Axis::new("", view).scale(scale).unit(self.unit.clone())
     }
-}
-
-/// A value, or what is left of it beside a fit.
-fn seen(grid: &Grid, point: (usize, usize), output: usize, fit: Option<Quadratic>) -> f64 {
-    let (u, v) = place(grid, point);
-    drawn(grid, point, output) - fit.map_or(0.0, |fit| fit.value(u, v))
 }
 
 /// The scale of what is shown: what a fit leaves over has both signs.
