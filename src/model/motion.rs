@@ -231,17 +231,17 @@ impl Motion<'_> {
         h: f64,
         contact: impl ContactTerm<N>,
     ) -> Expansion<N> {
+        if self.plate_mobility == 0.0 {
+            return self.recur(state, h, contact, NoForce, NoForce);
+        }
         let law = match self.spring {
             Elastic::Power(law) => law,
-            Elastic::Piece(_) if self.plate_mobility == 0.0 => {
-                return self.with_spring(state, h, contact, NoForce);
-            }
             Elastic::Piece(piece) => {
                 let damper = any_power(self.damper, self.side_w);
                 return self.recur(state, h, contact, Along::new(piece), damper);
             }
         };
-        match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
+        match law.kind() {
             PowerKind::Absent => self.with_spring(state, h, contact, NoForce),
             PowerKind::Linear => self.with_spring(state, h, contact, law.coefficient),
             PowerKind::Whole(n) => {
@@ -259,7 +259,7 @@ impl Motion<'_> {
         spring: impl ForceTerm<N>,
     ) -> Expansion<N> {
         let law = self.damper;
-        match if self.plate_mobility == 0.0 { PowerKind::Absent } else { law.kind() } {
+        match law.kind() {
             PowerKind::Absent => self.recur(state, h, contact, spring, NoForce),
             PowerKind::Linear => self.recur(state, h, contact, spring, law.coefficient),
             PowerKind::Whole(_) | PowerKind::General => {
@@ -268,7 +268,7 @@ impl Motion<'_> {
         }
     }
 
-    /// The recurrence, compiled for each kind of area and spring, and for a linear damper.
+    /// The recurrence, compiled for each kind of area and spring, and for no damper, a linear one, and any other.
     #[inline]
     fn recur<const N: usize>(
         &self,

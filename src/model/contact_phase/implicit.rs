@@ -74,8 +74,7 @@ impl<'a, 'p> Unknowns<'a, 'p> {
         NODES.map(|node| {
             let t = node * h;
             let q = y[0] + y[1] * t;
-            let (force, _, _) = self.stretch.contact(q, y[1]);
-            let drive = force * self.stretch.phase.faces.cos;
+            let drive = self.stretch.contact_force(q, y[1]) * self.stretch.phase.faces.cos;
             let speed = drive / self.stretch.phase.gamma * t;
             let within = |law: Option<Law>, now: f64, z: f64| {
                 let free = fold(law, z);
@@ -100,7 +99,7 @@ impl ImplicitSystem<4> for Unknowns<'_, '_> {
 
     fn rate(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
         let phase = self.stretch.phase;
-        let (f, _, _) = self.stretch.contact(y[0], y[1]);
+        let f = self.stretch.contact_force(y[0], y[1]);
         if self.stretch.is_still() {
             return [y[1], -f, 0.0, 0.0];
         }
@@ -113,7 +112,7 @@ impl ImplicitSystem<4> for Unknowns<'_, '_> {
 
     fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
         let phase = self.stretch.phase;
-        let (_, by_q, by_u) = self.stretch.contact(y[0], y[1]);
+        let (by_q, by_u) = self.stretch.contact_tangent(y[0], y[1]);
         if self.stretch.is_still() {
             return [[0.0, 1.0, 0.0, 0.0], [-by_q, -by_u, 0.0, 0.0], [0.0; 4], [0.0; 4]];
         }
@@ -224,26 +223,23 @@ fn crossed(
     solved: &Step<4>,
 ) -> Option<(usize, f64)> {
     let boundaries = system.stretch.ends();
-    let armed: Vec<usize> =
-        (0..boundaries.len()).filter(|index| is_armed(&boundaries[*index], here)).collect();
+    let armed = boundaries.each_ref().map(|boundary| is_armed(boundary, here));
     for look in 1..=LOOKS {
         let s = look as f64 / LOOKS as f64;
-        let state = |s: f64| {
-            let end = if look == LOOKS { solved.stages[2] } else { interpolate(y, solved, s) };
-            system.carried(&end)
-        };
-        let there = state(s);
-        let beyond = armed.iter().filter(|index| boundaries[**index].at(&there) <= 0.0);
+        let end = if look == LOOKS { solved.stages[2] } else { interpolate(y, solved, s) };
+        let there = system.carried(&end);
+        let all = 0..boundaries.len();
+        let beyond = all.filter(|index| armed[*index] && boundaries[*index].at(&there) <= 0.0);
         // Of several the one that is farthest past its plane, for the way it had to go, was crossed first.
         let first = beyond.min_by(|a, b| {
-            let share = |index: usize| {
+            let fraction = |index: usize| {
                 let (from, to) = (boundaries[index].at(here), boundaries[index].at(&there));
                 from / (from - to)
             };
-            share(**a).total_cmp(&share(**b))
+            fraction(*a).total_cmp(&fraction(*b))
         });
         if let Some(index) = first {
-            return Some((*index, s));
+            return Some((index, s));
         }
     }
     None

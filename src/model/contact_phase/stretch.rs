@@ -244,8 +244,14 @@ impl<'a> Stretch<'a> {
         if is_held { Ok(()) } else { Err(Refusal::LeavesStop) }
     }
 
-    /// The contact force and its derivatives by travel and slip.
-    pub(super) fn contact(&self, q: f64, u: f64) -> (f64, f64, f64) {
+    /// The contact force.
+    pub(super) fn contact_force(&self, q: f64, u: f64) -> f64 {
+        let phase = self.phase;
+        phase.faces.area(q, self.piece) * (phase.sigma + phase.kappa * u * u)
+    }
+
+    /// The derivatives of the contact force by travel and slip.
+    pub(super) fn contact_tangent(&self, q: f64, u: f64) -> (f64, f64) {
         /// For a difference that is exact up to rounding: areas are of the second degree, but for oblique sections.
         const APART: f64 = 1e-5;
         let phase = self.phase;
@@ -254,7 +260,7 @@ impl<'a> Stretch<'a> {
             - phase.faces.area(q - APART, self.piece))
             / (2.0 * APART);
         let pressure = phase.sigma + phase.kappa * u * u;
-        (area * pressure, slope * pressure, 2.0 * area * phase.kappa * u)
+        (slope * pressure, 2.0 * area * phase.kappa * u)
     }
 
     /// The spring's force and tangent.
@@ -284,8 +290,7 @@ impl<'a> Stretch<'a> {
 impl System<4> for Stretch<'_> {
     fn rate(&mut self, _: f64, y: &[f64; 4]) -> [f64; 4] {
         let (phase, [q, u, x, w]) = (self.phase, *y);
-        let area = phase.faces.area(q, self.piece);
-        let f = area * (phase.sigma + phase.kappa * u * u);
+        let f = self.contact_force(q, u);
         if self.is_still() {
             return [u, -f, 0.0, 0.0];
         }

@@ -243,17 +243,16 @@ mod tests {
 
     #[test]
     fn a_run_that_is_drawn_goes_on_for_a_quarter_of_its_contact_and_one_with_a_horizon_up_to_it() {
-        let problem_of = problem;
-        let problem = problem_of("k=0");
-        let mut drawn = track(&problem, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        let free = problem("k=0");
+        let mut drawn = track(&free, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
         drawn.record.keep_series = true;
         drawn.record.exit = Some((1e-4, 60.0));
         assert_eq!(drawn.finished(), None);
         assert!((drawn.until_s() / 1.25e-4 - 1.0).abs() < 1e-12, "{}", drawn.until_s());
         drawn.body.state.t_s = 1.25e-4;
         assert_eq!(drawn.finished(), Some(EndReason::Decided));
-        let problem = problem_of("k=0 horizon=1e-3");
-        let mut asked = track(&problem, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        let with_horizon = problem("k=0 horizon=1e-3");
+        let mut asked = track(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
         assert_eq!(asked.finished(), None);
         assert!((asked.until_s() / 1e-3 - 1.0).abs() < 1e-12);
     }

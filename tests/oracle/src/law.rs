@@ -61,6 +61,10 @@ pub struct Shot<'a> {
     corners_m: Vec<f64>,
     strength_pa: f64,
     plate_kg: f64,
+    cos: f64,
+    thickness_m: f64,
+    /// Travel at which the nose is clear of the rear face.
+    exit_m: f64,
     step_s: f64,
     /// Time, s.
     pub t_s: f64,
@@ -96,6 +100,9 @@ impl<'a> Shot<'a> {
             law,
             strength_pa: strength_pa(scene),
             plate_kg: moving_kg(scene),
+            cos: scene.cos_obliquity(),
+            thickness_m: scene.effective_thickness_m(),
+            exit_m: exit_m(scene),
             step_s,
             t_s: 0.0,
             state: [0.0, scene.projectile.velocity_m_s, start_m, 0.0],
@@ -116,7 +123,7 @@ impl<'a> Shot<'a> {
     /// A perfectly inelastic collision: one body from now on, with the momentum along the plate's normal that both had.
     fn join(&mut self) {
         let [_, u, _, w] = self.state;
-        let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos());
+        let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos);
         let momentum = m_p * (u + w * cos) * cos + m_2 * w;
         let still = self.scene.plate.mount == Mount::Rigid;
         self.state[1] = 0.0;
@@ -147,7 +154,7 @@ impl<'a> Shot<'a> {
 
     /// The projectile's velocity in a state, m/s.
     pub fn velocity_m_s(&self, [_, u, _, w]: State) -> f64 {
-        u + w * self.cos()
+        u + w * self.cos
     }
 
     /// Go on to a time; false where that takes too many steps.
@@ -213,7 +220,7 @@ impl<'a> Shot<'a> {
     fn settle(&mut self, now: Now) {
         let [q, u, x, w] = self.state;
         match now.interface {
-            Interface::Deepens if q >= self.exit_m() => self.exit = Some((self.t_s, self.state)),
+            Interface::Deepens if q >= self.exit_m => self.exit = Some((self.t_s, self.state)),
             Interface::Deepens | Interface::Closes if u <= 0.0 => self.meet(),
             Interface::PullsOut if u >= 0.0 => self.meet(),
             Interface::Pulse | Interface::Loads if u <= 0.0 => {
@@ -228,7 +235,7 @@ impl<'a> Shot<'a> {
             self.state[2] = stop.position_m.expect("a stop has a place");
             self.state[3] = back;
             if !self.fused {
-                self.state[1] += (w - back) * self.cos();
+                self.state[1] += (w - back) * self.cos;
             }
         }
     }
@@ -246,7 +253,7 @@ impl<'a> Shot<'a> {
     fn changes(&self, now: Now, to: State) -> bool {
         let from = self.state;
         let interface_changes = match now.interface {
-            Interface::Deepens => to[1] <= 0.0 || to[0] >= self.exit_m(),
+            Interface::Deepens => to[1] <= 0.0 || to[0] >= self.exit_m,
             Interface::Closes => to[1] <= 0.0 || to[0] >= self.deepest_m,
             Interface::PullsOut => to[1] >= 0.0,
             Interface::Pulse => from[1] > 0.0 && to[1] <= 0.0,
@@ -325,7 +332,7 @@ impl<'a> Shot<'a> {
     /// The equations of motion, so long after the start of the step.
     fn rates(&self, after_s: f64, state: State, now: Now) -> State {
         let [_, u, x, w] = state;
-        let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos());
+        let (m_p, m_2, cos) = (self.scene.projectile.mass_kg, self.plate_kg, self.cos);
         let force = self.contact_n(after_s, state, now.interface);
         let back = self.law.force_n(x, self.farthest_m)
             + self.damper_n(w)
@@ -375,7 +382,7 @@ impl<'a> Shot<'a> {
 
     /// How deep the nose is at a travel, m.
     pub fn depth_m(&self, q: f64) -> f64 {
-        let h = self.scene.effective_thickness_m();
+        let h = self.thickness_m;
         let lag =
             if self.scene.target.dishing { 2.0 * self.scene.projectile.tip_radius_m } else { 0.0 };
         if q <= h + lag { q * h / (h + lag) } else { q - lag }
@@ -396,14 +403,7 @@ impl<'a> Shot<'a> {
             }
         };
         let p = self.depth_m(q);
-        nose(p) - nose(p - self.scene.effective_thickness_m())
-    }
-
-    /// Travel at which the nose is clear of the rear face.
-    fn exit_m(&self) -> f64 {
-        let (r, sin) = (self.scene.projectile.tip_radius_m, (1.0 - self.cos().powi(2)).sqrt());
-        let lag = if self.scene.target.dishing { 2.0 * r } else { 0.0 };
-        self.scene.effective_thickness_m() + r * (1.0 + sin) / self.cos() + lag
+        nose(p) - nose(p - self.thickness_m)
     }
 
     fn damper_n(&self, w: f64) -> f64 {
@@ -443,10 +443,13 @@ impl<'a> Shot<'a> {
         }
         rate + slope / self.plate_kg
     }
+}
 
-    fn cos(&self) -> f64 {
-        self.scene.cos_obliquity()
-    }
+/// Travel at which the nose is clear of the rear face.
+fn exit_m(scene: &Scene) -> f64 {
+    let (r, cos) = (scene.projectile.tip_radius_m, scene.cos_obliquity());
+    let lag = if scene.target.dishing { 2.0 * r } else { 0.0 };
+    scene.effective_thickness_m() + r * (1.0 + (1.0 - cos.powi(2)).sqrt()) / cos + lag
 }
 
 impl Interface {
