@@ -1,5 +1,5 @@
-//! Charts as plain data: axes with units, curves, lines to read them by, and how a chart is shown. The terminal and SVG draw what is
-//! said here, and take ticks and bands from here.
+//! Charts as plain data: axes with units, curves, reference lines, and how a chart is shown. The terminal and SVG draw these charts
+//! with the ticks and bands computed here.
 
 use std::borrow::Cow;
 

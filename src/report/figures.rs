@@ -1,4 +1,4 @@
-//! The pictures of each study: what a run, a sweep, a limit and a map of the mass efficiency look like.
+//! The pictures of each study: run, sweep, ballistic limit, mass efficiency, accuracy and stability.
 
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
 use crate::study::sweep::{self, Spacing};

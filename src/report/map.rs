@@ -31,6 +31,9 @@ pub enum Cell {
     Empty,
 }
 
+/// What the line up through a map is drawn with.
+pub const LINE: char = '#';
+
 /// A map. Points are spread evenly over both axes, from their lower to their upper bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map<'a> {

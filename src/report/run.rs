@@ -155,11 +155,18 @@ fn results(runs: &[NamedRun]) -> Table<'_, &NamedRun> {
     })
 }
 
-/// Runs beside each other, those that are not computed yet among them.
-pub fn comparison<'c>(
-    runs: impl IntoIterator<Item = (String, Option<&'c Run>)>,
-) -> Table<'c, (String, Option<&'c Run>)> {
-    let table = Table::of(runs).with("name", "name", "", |it| it.0.clone());
+/// A run beside others.
+pub struct Compared<'c> {
+    /// Its name.
+    pub name: String,
+    /// `None` while it is computed.
+    pub run: Option<&'c Run>,
+}
+
+/// Runs beside each other.
+pub fn comparison<'c>(runs: impl IntoIterator<Item = Compared<'c>>) -> Table<'c, Compared<'c>> {
+    let table = Table::of(runs).with("name", "name", "", |it| it.name.clone());
+    // Those at the end go first when there is little room.
     let columns = [
         ("first_arrest_penetration_m", "p_1st"),
         ("final_penetration_m", "p_end"),
@@ -170,10 +177,11 @@ pub fn comparison<'c>(
     ];
     let found = columns.into_iter().filter_map(|(name, label)| Some((find(name)?, label)));
     found.fold(table, |table, (quantity, label)| {
-        let value = |it: &(String, Option<&Run>)| quantity.value(it.1?);
-        table.with(quantity.name, label, quantity.unit(), value).shown(move |it, _| match it.1 {
-            None => (label == "p_1st").then(|| "running".to_owned()),
-            Some(run) => no_depth(run).filter(|_| label == "p_end").map(str::to_owned),
+        let value = |it: &Compared<'_>| quantity.value(it.run?);
+        let is = |name| quantity.name == name;
+        table.with(quantity.name, label, quantity.unit(), value).shown(move |it, _| match it.run {
+            None => is("first_arrest_penetration_m").then(|| "running".to_owned()),
+            Some(run) => no_depth(run).filter(|_| is("final_penetration_m")).map(str::to_owned),
         })
     })
 }
@@ -378,13 +386,20 @@ pub struct EnergyTerm {
     pub percent: f64,
 }
 
+impl EnergyTerm {
+    /// With its share of the energy at the start.
+    pub fn of(label: &'static str, energy_j: f64, start_j: f64) -> Self {
+        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
+        Self { label, energy_j, percent }
+    }
+}
+
 /// The terms of a ledger at the start and at the end; what has no energy is not listed.
 pub fn energy_terms(ledger: &EnergyLedger) -> (Vec<EnergyTerm>, Vec<EnergyTerm>) {
     let start_j = ledger.initial_j();
     let term = |part: &LedgerPart| {
         let energy_j = (part.get)(ledger);
-        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
-        (energy_j != 0.0).then_some(EnergyTerm { label: part.label, energy_j, percent })
+        (energy_j != 0.0).then(|| EnergyTerm::of(part.label, energy_j, start_j))
     };
     let (start, end) = ENERGY.split_at(AT_START);
     (start.iter().filter_map(term).collect(), end.iter().filter_map(term).collect())

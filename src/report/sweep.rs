@@ -1,8 +1,7 @@
 //! A sweep as rows for machines: CSV and JSON, one row a point, made piece by piece so that 10^8 rows need no memory.
 //!
 //! Axis values first, then what was asked for; an empty field (JSON: null) where a quantity does not exist; `error` last, which
-//! says why a point failed. No column has the time a point took: files
-//! of the same sweep are equal.
+//! says why a point failed. No column has the time a point took: files of the same sweep are equal.
 
 use std::fmt::Write as _;
 use std::ops::Range;

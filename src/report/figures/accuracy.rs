@@ -1,14 +1,14 @@
 //! The error of every method over its run time, both logarithmic, a letter for each method.
 
 use crate::report::chart::{Axis, Chart, Curve, Legend, Mark, Scale, Unit, ViewRange};
-use crate::study::accuracy::{Measured, Report};
+use crate::study::accuracy::{MethodReport, Report};
 
 /// The chart; `None` where no result could be judged.
 pub fn error_over_time(report: &Report) -> Option<Chart<'static>> {
-    let point = |measured: &Measured| (measured.timing.min_s, measured.error());
-    let curve = |(number, method): (usize, &crate::study::accuracy::MethodReport)| {
-        let points: Vec<(f64, f64)> = method.measured().map(|(_, it)| point(it)).collect();
-        Curve::new(method.method.letter(), method.method.name(), points).colour(number)
+    let curve = |(number, one): (usize, &MethodReport)| {
+        let points: Vec<(f64, f64)> =
+            one.measured().map(|(_, it)| (it.timing.min_s, it.error())).collect();
+        Curve::new(one.method.letter(), one.method.name(), points).colour(number)
     };
     let curves: Vec<Curve<'static>> = report.methods.iter().enumerate().map(curve).collect();
     let points = || curves.iter().flat_map(|curve| curve.points.iter());

@@ -45,15 +45,14 @@ pub fn residual(report: &Report, view: Option<ViewRange>) -> Option<Chart<'stati
         report.recht_ipson.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
     let lambert_jonas =
         report.lambert_jonas.map(|it| law(x.view, it.limit_m_s, |v| it.residual_m_s(v)));
+    let stopped = |shot: &Shot| shot.residual_m_s.is_none().then_some(0.0);
     let curves = [
-        ('+', "Recht-Ipson", recht_ipson.unwrap_or_default()),
-        ('x', "Lambert-Jonas", lambert_jonas.unwrap_or_default()),
-        ('o', "through", dots(&report.shots, |shot| shot.residual_m_s)),
-        ('s', "stopped", dots(&report.shots, |shot| shot.residual_m_s.is_none().then_some(0.0))),
+        Curve::new('+', "Recht-Ipson", recht_ipson.unwrap_or_default()).colour(1),
+        Curve::new('x', "Lambert-Jonas", lambert_jonas.unwrap_or_default()).colour(2),
+        Curve::new('o', "through", dots(&report.shots, |shot| shot.residual_m_s)).colour(3),
+        Curve::new('s', "stopped", dots(&report.shots, stopped)).colour(4),
     ];
-    let curves = curves.into_iter().enumerate().filter(|(_, curve)| !curve.2.is_empty());
-    let curves = curves
-        .map(|(index, (marker, name, points))| Curve::new(marker, name, points).colour(index + 1));
+    let curves = curves.into_iter().filter(|curve| !curve.points.is_empty());
     let limit = report.limit.velocity_m_s();
     let limit = limit.map(|at| Mark::new(at, "ballistic limit").tag("v_bl"));
     let own = report.scene.projectile.velocity_m_s;

@@ -56,8 +56,8 @@ fn over_time(run: &Run, window: &str, end_s: f64) -> Vec<Chart<'static>> {
     if end_s > 0.0 { QUANTITIES.iter().filter_map(chart).collect() } else { Vec::new() }
 }
 
-/// A quantity over time. Where the force jumps, the row of the event has the value before it: the one after it is carried back to the event
-/// from the next two rows.
+/// A quantity over time. Where the force jumps, the row of the event has the value before it: the one after it is carried back to
+/// the event from the next two rows.
 fn points(series: &[Sample], quantity: Quantity) -> Vec<(f64, f64)> {
     let point = |row: &Sample| (row.t_s, quantity.of(row));
     let mut points: Vec<(f64, f64)> = series.first().map(point).into_iter().collect();

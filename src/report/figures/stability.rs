@@ -2,7 +2,7 @@
 
 use crate::model::variables::find;
 use crate::report::chart::{Axis, Scale, Unit, ViewRange};
-use crate::report::map::{Cell, Map, Tone};
+use crate::report::map::{Cell, LINE, Map, Tone};
 use crate::study::stability::map as study;
 
 /// The cells that a legend names.
@@ -30,14 +30,13 @@ pub fn map(found: &study::Map) -> Map<'static> {
         let cell = found.cell(row, column);
         Cell::Mark(cell.letter(), tone(cell))
     };
-    let (row, column) = found.present_at();
     let mut marks: Vec<(char, String)> =
         NAMED.map(|cell| (cell.letter(), cell.words().to_owned())).into();
-    marks.push(('#', "analytic limit of stability".to_owned()));
+    marks.push((LINE, "analytic limit of stability".to_owned()));
     marks.push(('+', "the scene with dt = 1e-6 s".to_owned()));
     Map {
         line: (0..counts.1).map(|row| found.limit_column(row)).collect(),
-        present: column.zip(row).map(|point| (point, '+')),
+        present: found.present_at().map(|(row, column)| ((column, row), '+')),
         marks,
         ..Map::new(found.method.name(), axes, counts, None, cell)
     }

@@ -35,7 +35,7 @@ impl Row {
 pub fn picture(plan: &Plan, output: usize, rows: &[Row]) -> Option<Picture> {
     match plan.axes() {
         [x] => curve(plan, x, output, rows).map(Picture::Chart),
-        [x, y] => map(plan, (x, y), output, rows).map(Picture::Map),
+        [x, y] => map(plan, x, y, output, rows).map(Picture::Map),
         _ => None,
     }
 }
@@ -56,7 +56,8 @@ fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option
 /// The map over two axes.
 fn map(
     plan: &Plan,
-    (x, y): (&sweep::Axis, &sweep::Axis),
+    x: &sweep::Axis,
+    y: &sweep::Axis,
     output: usize,
     rows: &[Row],
 ) -> Option<Map<'static>> {

@@ -209,9 +209,9 @@ impl Map {
         !self.cells.contains(&Cell::Waiting)
     }
 
-    /// Row and column of the present point; `None` each where it lies outside.
-    pub fn present_at(&self) -> (Option<usize>, Option<usize>) {
-        (nearest(&self.values, self.present.0), nearest(&self.dt_s, self.present.1))
+    /// Row and column of the present point; `None` where it lies outside.
+    pub fn present_at(&self) -> Option<(usize, usize)> {
+        nearest(&self.values, self.present.0).zip(nearest(&self.dt_s, self.present.1))
     }
 
     /// The first column of a row beyond its analytic limit, if that lies within the map.

@@ -26,11 +26,9 @@ use ratatui::style::{Color, Modifier, Style};
 
 use super::{Chart, Layout, lines_of};
 use crate::report::chart::levels::{BANDS_MAX, Levels};
-use crate::report::map::{Cell, Map, Tone};
+use crate::report::map::{Cell, LINE, Map, Tone};
 use crate::tui::theme::{ColourDepth, GlyphSet, Role, Theme};
 
-/// The character of a line up through a map.
-const LINE: char = '#';
 /// The bands in characters, least first.
 const RAMP: [char; BANDS_MAX] = [' ', '.', ':', '-', '=', '+', '*', '#', '%', '@'];
 

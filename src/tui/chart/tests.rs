@@ -128,8 +128,7 @@ fn where_curves_cross_the_later_or_the_selected_one_is_on_top() {
 #[test]
 fn event_lines_lie_under_curves_and_the_crosshair_over_them() {
     let mut chart = small(vec![Curve::new('*', "now", &RISING)]);
-    let event = |x, tag: &'static str| Mark::new(x, tag);
-    chart.marks = vec![event(15.0, "b"), event(5.0, "a"), event(99.0, "c")];
+    chart.marks = vec![Mark::new(15.0, "b"), Mark::new(5.0, "a"), Mark::new(99.0, "c")];
     chart.levels = vec![Mark::new(3.0, "max")];
     chart.crosshair = Some(10.2);
     assert_eq!(

@@ -9,6 +9,9 @@ use serde_json::Value;
 use crate::report::table::{Cells, Table};
 use crate::tui::app::status::fitted;
 
+/// Least columns of the names of a table's rows.
+const NAME_LEAST: usize = 12;
+
 /// From this width on two blanks stand between columns, one below it.
 const WIDE: u16 = 60;
 
@@ -48,10 +51,10 @@ impl Grid {
         Self { cells, shown: from..end, gap, page: (number, ends.len()) }
     }
 
-    /// As many columns as fit beside names of this width at least; longer names are shortened to the room that is left.
-    pub(in crate::tui) fn shortened(mut cells: Vec<Cells>, width: u16, least: usize) -> Self {
+    /// As many columns as fit beside names of [`NAME_LEAST`] columns; longer names are shortened to the room that is left.
+    pub(in crate::tui) fn shortened(mut cells: Vec<Cells>, width: u16) -> Self {
         let (gap, room) = (gap(width).len(), usize::from(width));
-        let mut used = cells.first().map_or(0, Cells::width).min(least);
+        let mut used = cells.first().map_or(0, Cells::width).min(NAME_LEAST);
         let fitting = cells.iter().skip(1).take_while(|column| {
             used += gap + column.width();
             used <= room

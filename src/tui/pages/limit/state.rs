@@ -18,7 +18,7 @@ use crate::tui::pages::Progress;
 use crate::tui::pages::limit::layout::panes;
 use crate::worker::searches::Comparison;
 
-/// The scatter of the inputs that is asked for here.
+/// The uncertainty of the inputs that this page samples.
 pub const SAMPLING: Sampling = Sampling {
     deviation: 0.02,
     samples: 200,
@@ -40,7 +40,7 @@ pub struct Ballistic {
     pub report: Option<Arc<Report>>,
     /// What is being looked for.
     pub finding: Option<Running>,
-    /// V50 and spread are asked for, too.
+    /// V50 and spread are requested, too.
     pub sampled: bool,
     /// The shot the crosshair stands on, by its place in the curve.
     pub cursor: Option<usize>,
@@ -66,7 +66,7 @@ pub struct Ballistic {
 pub type Fact = (&'static str, Severity, String);
 
 impl Ballistic {
-    /// What is asked for.
+    /// What is requested.
     pub fn effort(&self) -> Effort {
         Effort { criterion: Criterion::Passage, sampling: self.sampled.then_some(SAMPLING) }
     }

@@ -181,10 +181,7 @@ pub fn energy_lines(ledger: &EnergyLedger) -> Vec<String> {
         other => crate::model::units::scientific(other, 1),
     };
     let start_j = ledger.initial_j();
-    let total = |label, energy_j| {
-        let percent = if start_j == 0.0 { 0.0 } else { 100.0 * energy_j / start_j };
-        line(&EnergyTerm { label, energy_j, percent })
-    };
+    let total = |label, energy_j| line(&EnergyTerm::of(label, energy_j, start_j));
     let mut lines = vec![total("at the start", start_j)];
     // One term alone is the whole.
     lines.extend(start.iter().filter(|_| start.len() > 1).map(line));

@@ -37,7 +37,7 @@ pub struct Stability {
     pub axis: Axis,
     /// The map with the scene it belongs to.
     pub map: Option<(Arc<Scene>, Arc<Map>)>,
-    /// The map that is being drawn up.
+    /// The map that is being computed.
     pub mapping: Option<Running>,
     /// The crosshair: row and column of the map; `None` at the present point.
     pub cursor: Option<(usize, usize)>,
@@ -73,8 +73,7 @@ impl Default for Stability {
 impl Stability {
     /// The cell of the present point: the scene's value and the thesis's step; `None` outside the map.
     pub fn present(&self) -> Option<(usize, usize)> {
-        let (row, column) = self.map.as_ref()?.1.present_at();
-        row.zip(column)
+        self.map.as_ref()?.1.present_at()
     }
 
     /// Where the crosshair stands: the middle of the map where nothing else is known.

@@ -21,9 +21,6 @@ use crate::worker::searches::{Answer, Request};
 /// A line, and how it is meant.
 pub type Line = (Severity, String);
 
-/// Least columns of the names of a table's rows.
-const NAME_LEAST: usize = 12;
-
 /// Letters of the scene and the designs of the thesis on a front.
 pub const LETTERS: [char; 6] = ['S', 'A', 'B', 'C', 'D', 'E'];
 
@@ -51,7 +48,7 @@ impl App {
         }
     }
 
-    /// The measure that the scatter page draws, with its values.
+    /// The measure that the Monte Carlo page draws, with its values.
     pub fn sampled(&self) -> Option<(&monte_carlo::Report, &monte_carlo::Summary)> {
         let Some(Found { answer: Answer::MonteCarlo(report), .. }) =
             self.searching.found[Page::MonteCarlo.index()].as_ref()
@@ -243,7 +240,7 @@ fn sampled(report: &monte_carlo::Report, output: &str, width: usize) -> Vec<Line
 fn table_lines(cells: Vec<Cells>, width: usize) -> impl Iterator<Item = Line> {
     let rows = cells.first().map_or(0, |column| column.cells.len());
     let room = u16::try_from(width.saturating_sub(2)).unwrap_or(u16::MAX);
-    let grid = Grid::shortened(cells, room, NAME_LEAST);
+    let grid = Grid::shortened(cells, room);
     std::iter::once(None)
         .chain((0..rows).map(Some))
         .map(move |row| note(format!("  {}", grid.line(row)).trim_end().to_owned()))

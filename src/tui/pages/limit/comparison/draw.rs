@@ -83,8 +83,8 @@ pub(in crate::tui) fn map(app: &App, area: Rect, canvas: &mut Canvas<'_>) {
     let layout = map.render(above, canvas, app.theme);
     let mut column =
         put(canvas, area, (1, above.height), "O line of 1 ", app.theme.style(Role::Text));
-    let levels = map.levels.iter();
-    for (levels, band) in levels.flat_map(|it| (0..it.bands()).map(move |band| (it, band))) {
+    let Some(levels) = &map.levels else { return };
+    for band in 0..levels.bands() {
         let (symbol, style) = heatmap::swatch(band, levels.bands(), app.theme);
         let from = format!(" {}", significant(levels.band(band).0, 3));
         // Half a number would be another one.

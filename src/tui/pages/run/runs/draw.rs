@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use crate::model::run::Run;
 use crate::model::variables::VARIABLES;
-use crate::report::run::{comparison, no_depth};
+use crate::report::run::{Compared, comparison, no_depth};
 use crate::tui::app::App;
 use crate::tui::app::status::{clip, wrap};
 use crate::tui::chart::MARKERS;
@@ -19,17 +19,6 @@ use crate::tui::widgets::text::{columns, paint_row, put};
 
 /// Columns of marker, letter and a blank before the name.
 const LEAD: u16 = 5;
-const NAME_LEAST: usize = 12;
-/// The columns; those at the right go first when there is little room.
-const KEYS: [&str; 7] = [
-    "name",
-    "first_arrest_penetration_m",
-    "final_penetration_m",
-    "max_plate_displacement_m",
-    "percent_of_baseline",
-    "peak_contact_force_n",
-    "residual_velocity_m_s",
-];
 
 /// Draw the pane.
 pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut Canvas<'_>) {
@@ -42,13 +31,14 @@ pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut 
     let inner =
         PaneFrame::new("Runs").right(right).focused(focused).render(area, canvas, app.theme);
     let now = app.shown.as_ref().map(|shown| &*shown.run);
-    let pins = app.pins.iter().map(|pin| (pin.name.clone(), pin.run.as_deref()));
-    let table = comparison(std::iter::once((app.name_of(&app.scene), now)).chain(pins));
-    let cells = table.cells(&KEYS);
-    let grid = Grid::shortened(cells, inner.width.saturating_sub(LEAD), NAME_LEAST);
+    let now = Compared { name: app.name_of(&app.scene), run: now };
+    let pins = app.pins.iter();
+    let pins = pins.map(|pin| Compared { name: pin.name.clone(), run: pin.run.as_deref() });
+    let table = comparison(std::iter::once(now).chain(pins));
+    let grid = Grid::shortened(table.cells(&table.keys()), inner.width.saturating_sub(LEAD));
     put(canvas, inner, (LEAD, 0), &grid.line(None), app.theme.style(Role::Dim));
     let mut row = 1;
-    for (index, (_, run)) in table.rows.iter().enumerate() {
+    for (index, compared) in table.rows.iter().enumerate() {
         let pin = index.checked_sub(1).map(|at| &app.pins[at]);
         let visible = pin.map_or(app.current_visible, |pin| pin.visible);
         let letter = pin.map_or_else(|| "now".to_owned(), |pin| pin.letter.to_string());
@@ -57,7 +47,7 @@ pub(in crate::tui) fn render(app: &App, area: Rect, focused: bool, canvas: &mut 
         put(canvas, inner, (0, row), &format!("{marker}{letter}"), style(Role::Curve(index)));
         let line = grid.line(Some(index));
         put(canvas, inner, (LEAD, row), &line, style(Role::Text));
-        let words = run.and_then(no_depth);
+        let words = compared.run.and_then(no_depth);
         if let Some((words, at)) = words.and_then(|words| Some((words, line.rfind(words)?))) {
             let at = LEAD + columns(&line[..at]);
             put(canvas, inner, (at, row), words, style(Role::Warning));
