@@ -102,8 +102,8 @@ fn is_singular(damper: PowerLaw) -> bool {
     !is_linear(damper) && damper.kind() != PowerKind::Whole(2)
 }
 
-/// The contact of a valid scene to the relative accuracy `tolerance`, prepared no further than it needs; `None` where the full
-/// track is needed.
+/// The contact of a valid scene to the relative accuracy `tolerance`, prepared no further than it needs; `None` where the
+/// simulation is needed.
 pub fn contact_end(scene: &Scene, tolerance: f64) -> Option<ContactEnd> {
     free::contact_end(scene, tolerance).or_else(|| Contact::of(scene).run(tolerance))
 }

@@ -199,7 +199,7 @@ fn read_points(path: &Path, text: &str) -> Result<(), String> {
 }
 
 fn read_session(place: &Path, text: &str) -> Result<(), String> {
-    // A folder of its own: those put aside by earlier inputs would each take a name.
+    // A folder of its own: every refused session keeps a name, and a free one would take longer to find with each.
     let folder = tempfile::tempdir_in(place).unwrap();
     let path = &folder.path().join("session.toml");
     fs::write(path, text).unwrap();

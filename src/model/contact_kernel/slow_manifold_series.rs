@@ -149,7 +149,8 @@ impl SpringManifold {
         Balance { plate_m, force_n: self.spring.force(plate_m) }
     }
 
-    /// The balance from a guess where the projectile is at `state`: Newton's method on the logarithm of both sides, where powers are lines. `None` where nothing pushes.
+    /// The balance from a guess where the projectile is at `state`: Newton's method on the
+    /// logarithm of both sides, where powers are lines. `None` where nothing pushes.
     pub(super) fn balance(
         &self,
         constants: &Constants,

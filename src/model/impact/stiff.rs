@@ -128,7 +128,10 @@ impl Track<'_> {
             newton(&self.control, system, y, h, guess).filter(|step| self.is_possible(system, step))
         };
         let by_force = matches!(system.spring, Carrier::Force(_));
-        let others = || from(system.riding(y, h)).or_else(|| from(system.coasting(y, h)));
+        let others = || {
+            from(system.guess_on_manifold(y, h))
+                .or_else(|| from(system.guess_at_constant_velocity(y, h)))
+        };
         from(system.guess(y, h))
             .or_else(|| from([*y; 3]))
             .or_else(|| if by_force { others() } else { None })

@@ -26,6 +26,7 @@ fn ticking() -> impl FnMut() -> f64 {
     }
 }
 
+/// A comparison to its end, by that clock.
 fn report(scene: &Arc<Scene>, ladder: Ladder) -> Report {
     let effort = Effort { ladder, patience: Patience { point_s: 0.0, slow_s: f64::INFINITY } };
     compare(scene, effort, &mut ticking(), &mut Context::new(1, &mut to_its_end)).unwrap()

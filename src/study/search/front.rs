@@ -184,16 +184,16 @@ pub fn optimise(
 ) -> Result<Vec<Front>, SweepError> {
     context.expect(task.runs());
     // All laws are checked before any is run.
-    let mut fields = Vec::new();
+    let mut spaces = Vec::new();
     for law in &task.laws {
         let mut own = scene.clone();
         own.interface.law = *law;
         let names: Vec<&str> = task.measures().iter().map(|column| column.name).collect();
         let space = DesignSpace::new(&own, task.axes.clone(), &names)?.limited(STEPS_MAX);
-        fields.push((own, space));
+        spaces.push((own, space));
     }
     let mut fronts: Vec<Front> = Vec::new();
-    for (own, space) in fields {
+    for (own, space) in spaces {
         let search = Search { task, space: &space, scene: &own };
         fronts.push(search.run(context));
         if context.is_stopped() {
@@ -446,7 +446,7 @@ impl Search<'_> {
         }
     }
 
-    /// The measures of any scene, by a field of one point.
+    /// The measures of any scene, by a space of one point.
     fn evaluate(&self, scene: &Scene, whole: bool) -> Option<Found> {
         let axis = self.space.axes().first()?;
         let names: Vec<&str> = self.space.measures().iter().map(|column| column.name).collect();

@@ -126,7 +126,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     let ended = root_scan.run(scan);
     let RootScan { crossings, seen, scan: scanned, .. } = root_scan;
     let place = |(share, value): (f64, f64)| Place { at: axis.at_share(share), value };
-    let fate_at = |share: f64| {
+    let outcome_at = |share: f64| {
         outcomes
             .iter()
             .find(|(other, _)| other.to_bits() == share.to_bits())
@@ -138,7 +138,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
         target: goal.target,
         solutions: Vec::new(),
         jumps: Vec::new(),
-        gaps: gaps(&scanned, axis, fate_at),
+        gaps: gaps(&scanned, axis, outcome_at),
         nearest: None,
         range: range(&seen).map(|(least, most)| (place(least), place(most))),
         scan: scanned.iter().map(|(share, value)| (axis.at_share(*share), *value)).collect(),
@@ -148,7 +148,7 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
     for crossing in crossings {
         let (a, b) = (place(crossing.from), place(crossing.to));
         let solution = |touches, until| {
-            let outcome = fate_at(crossing.from.0);
+            let outcome = outcome_at(crossing.from.0);
             Solution { place: a, touches, until, outcome }
         };
         match crossing.kind {
@@ -170,12 +170,12 @@ pub fn seek(scene: &Scene, goal: &Goal, context: &mut Context<'_>) -> Result<Rep
 fn gaps(
     scan: &[(f64, Option<f64>)],
     axis: &Axis,
-    fate_at: impl Fn(f64) -> Option<PointOutcome>,
+    outcome_at: impl Fn(f64) -> Option<PointOutcome>,
 ) -> Vec<Gap> {
     let mut gaps: Vec<Gap> = Vec::new();
     let mut goes_on = false;
     for (share, value) in scan {
-        let Some(outcome) = fate_at(*share).filter(|_| value.is_none()) else {
+        let Some(outcome) = outcome_at(*share).filter(|_| value.is_none()) else {
             goes_on = false;
             continue;
         };

@@ -142,7 +142,7 @@ impl<'a> Unknowns<'a> {
 
     /// Stages of a plate that follows the slow manifold of its spring through the whole step, at the stage's contact force: where
     /// Newton's method has to change the side of zero, its own slopes, flat at zero, do not lead it there.
-    pub(super) fn riding(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+    pub(super) fn guess_on_manifold(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
         NODES.map(|node| {
             let mut stage = *y;
             stage[0] += y[1] * node * h;
@@ -157,7 +157,7 @@ impl<'a> Unknowns<'a> {
 
     /// Stages of a plate that goes on at its velocity: where the spring's force is next to nothing its displacement's slope is,
     /// too, and from there Newton's method would come to the force of where the plate will be by a part of it at a time.
-    pub(super) fn coasting(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
+    pub(super) fn guess_at_constant_velocity(&self, y: &[f64; 4], h: f64) -> [[f64; 4]; 3] {
         let state = self.state(y, 0.0);
         NODES.map(|node| {
             let mut stage = *y;
