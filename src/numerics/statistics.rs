@@ -21,6 +21,20 @@ pub fn moments(values: &[f64]) -> Option<(f64, f64)> {
     Some((origin + sum / n, if variance > 0.0 { variance.sqrt() } else { 0.0 }))
 }
 
+/// The places of values in ascending order: equal values stay in their order, and NaN stands last.
+pub fn ascending(values: &[f64]) -> Vec<usize> {
+    let mut places: Vec<usize> = (0..values.len()).collect();
+    places.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    places
+}
+
+/// Items in the ascending order of a value of theirs, as by [`ascending`].
+pub fn sorted_by<T>(items: Vec<T>, value: impl Fn(&T) -> f64) -> Vec<T> {
+    let values: Vec<f64> = items.iter().map(value).collect();
+    let mut items: Vec<Option<T>> = items.into_iter().map(Some).collect();
+    ascending(&values).into_iter().filter_map(|place| items[place].take()).collect()
+}
+
 /// Quantile of sorted values, interpolated.
 pub fn quantile(sorted: &[f64], share: f64) -> f64 {
     let place = share * (sorted.len() - 1) as f64;
@@ -52,6 +66,16 @@ mod tests {
         assert!((low - 0.0552).abs() < 1e-4 && (high - 0.1744).abs() < 1e-4, "{low} {high}");
         let (low, _) = wilson(0.0, 50.0);
         assert!(low.abs() < 1e-15);
+    }
+
+    #[test]
+    fn equal_values_stay_in_their_order_and_nan_stands_last() {
+        let values = [2.0, f64::NAN, -1.0, 2.0, f64::INFINITY];
+        assert_eq!(ascending(&values), [2, 0, 3, 4, 1]);
+        let items = vec![("a", 2.0), ("b", -1.0), ("c", 2.0)];
+        let names: Vec<&str> = sorted_by(items, |item| item.1).iter().map(|item| item.0).collect();
+        assert_eq!(names, ["b", "a", "c"]);
+        assert!(ascending(&[]).is_empty());
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use serde_json::json;
 
 use crate::model::units::significant;
+use crate::numerics::statistics::sorted_by;
 use crate::report::table::{Cells, Table, pretty};
 use crate::study::sensitivity::Report;
 use crate::study::sensitivity::indices::Index;
@@ -43,7 +44,7 @@ pub fn table<'c>(name: &'c str, report: &'c Report) -> Table<'c, usize> {
 pub fn tornado(report: &Report, keys: &[&str], bar: usize) -> Vec<Cells> {
     let swing = |at: &usize| report.bars[*at].swing().unwrap_or(-1.0);
     let mut table = table("", report);
-    table.rows.sort_by(|a, b| swing(b).total_cmp(&swing(a)));
+    table.rows = sorted_by(table.rows, |at| -swing(at));
     let widest = table.rows.first().map_or(0.0, &swing);
     let cells = |at: &usize| {
         let length = swing(at) / widest * bar as f64;

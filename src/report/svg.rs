@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use crate::numerics::statistics::sorted_by;
 use crate::report::chart::ticks::Along;
 use crate::report::chart::{Axis, Chart, Curve, Mark};
 use crate::report::map::Map;
@@ -307,10 +308,9 @@ fn seen(points: &[Point]) -> Vec<Point> {
 fn draw_lines(out: &mut String, plot: Plot<'_>, chart: &Chart<'_>) {
     let dashed = "stroke=\"#777777\" stroke-dasharray=\"4 3\"";
     let small = " font-size=\"11\" fill=\"#555555\"";
-    let mut marks: Vec<&Mark<'_>> =
-        chart.marks.iter().filter(|it| chart.x.scale.shows(it.at)).collect();
-    marks.retain(|mark| (0.0..=1.0).contains(&part(&chart.x, mark.at)));
-    marks.sort_by(|a, b| a.at.total_cmp(&b.at));
+    let marks = chart.marks.iter().filter(|it| chart.x.scale.shows(it.at));
+    let marks = marks.filter(|mark| (0.0..=1.0).contains(&part(&chart.x, mark.at)));
+    let marks = sorted_by(marks.collect(), |mark| mark.at);
     let near = |a: &&Mark<'_>, b: &&Mark<'_>| plot.across(b.at) - plot.across(a.at) < MARKS_NEAR;
     for group in marks.chunk_by(near) {
         for mark in group {

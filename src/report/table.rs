@@ -169,8 +169,11 @@ impl<'c, R> Table<'c, R> {
 
     /// The values of a row by their keys, of some columns.
     pub fn object(&self, row: &R, wanted: impl Fn(&str) -> bool) -> Map<String, Value> {
-        let columns = self.columns.iter().filter(|column| wanted(column.key));
-        columns.map(|column| (column.key.to_owned(), (column.get)(row))).collect()
+        let mut object = Map::new();
+        for column in self.columns.iter().filter(|column| wanted(column.key)) {
+            object.insert(column.key.to_owned(), (column.get)(row));
+        }
+        object
     }
 
     /// The rows as objects, of some columns.

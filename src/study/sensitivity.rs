@@ -6,6 +6,7 @@
 
 use crate::model::scene::{PlateSize, Scene};
 use crate::model::variables::{self, Kind, VARIABLES};
+use crate::numerics::statistics::ascending;
 use crate::study::context::Context;
 use crate::study::quantities::Quantity;
 use crate::study::search::design_space::{DesignSpace, Found};
@@ -79,9 +80,7 @@ impl Report {
             let total = self.sobol.as_ref().and_then(|sobol| sobol.inputs[at].total);
             total.map(|index| index.value).or_else(|| self.bars[at].swing()).unwrap_or(0.0)
         };
-        let mut order: Vec<usize> = (0..self.axes.len()).collect();
-        order.sort_by(|a, b| weight(*b).total_cmp(&weight(*a)));
-        order
+        ascending(&(0..self.axes.len()).map(|at| -weight(at)).collect::<Vec<f64>>())
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::cli::text::{labelled, width};
 use crate::files::clean;
 use crate::model::units::{Engineering, fixed_significant};
+use crate::numerics::statistics::sorted_by;
 use crate::report::fit::table;
 use crate::study::fit::calibrate::Calibration;
 use crate::study::fit::{Method, Report};
@@ -43,7 +44,7 @@ pub(super) fn text(
         calibrated(&mut page, scene, calibration);
     }
     let mut table = table(report);
-    table.rows.sort_by(|a, b| a.velocity_m_s.total_cmp(&b.velocity_m_s));
+    table.rows = sorted_by(table.rows, |shot| shot.velocity_m_s);
     page.push('\n');
     let keys = ["velocity_m_s", "perforated", "perforation_probability", "residual_m_s"];
     page += &table.page(&keys, width());

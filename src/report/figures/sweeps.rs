@@ -1,5 +1,6 @@
 //! The pictures of a sweep: a curve of each output over one axis, a map over two.
 
+use crate::numerics::statistics::sorted_by;
 use crate::report::chart::levels::Levels;
 use crate::report::chart::{Axis, Chart, Curve, Scale};
 use crate::report::figures::{axis_of, places};
@@ -44,9 +45,8 @@ pub fn picture(plan: &Plan, output: usize, rows: &[Row]) -> Option<Picture> {
 fn curve(plan: &Plan, axis: &sweep::Axis, output: usize, rows: &[Row]) -> Option<Chart<'static>> {
     let column = plan.outputs()[output];
     let value = |row: &Row| row.shown(output, column).unwrap_or(f64::NAN);
-    let mut points: Vec<(f64, f64)> =
-        (0..).map(|index| axis.value(index)).zip(rows.iter().map(value)).collect();
-    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let points = (0..).map(|index| axis.value(index)).zip(rows.iter().map(value));
+    let points = sorted_by(points.collect(), |point: &(f64, f64)| point.0);
     let values = points.iter().map(|point| point.1);
     let y = Axis::over(column.title(), column.unit(), Scale::Linear, values)?.padded(0.05);
     let curve = Curve::new('*', "", points);

@@ -10,6 +10,7 @@ use std::ops::ControlFlow;
 
 use crate::model::run::EndReason;
 use crate::model::scene::{InterfaceLaw, Scene};
+use crate::numerics::statistics::sorted_by;
 use crate::study::context::Context;
 use crate::study::quantities::{Quantity, named};
 use crate::study::search::design_space::{DesignSpace, Found};
@@ -266,7 +267,7 @@ impl Search<'_> {
             self.challenge(candidate, &state);
         }
         let mut front = state.into_inner().front;
-        front.designs.sort_by(|a, b| first(a).total_cmp(&first(b)));
+        front.designs = sorted_by(front.designs, first);
         front.candidates = candidates;
         for candidate in &mut front.candidates {
             candidate.standing = self.standing(&front.designs, candidate);
@@ -343,9 +344,7 @@ impl Search<'_> {
 
     fn designs(best: &[Individual], known: &HashMap<Vec<u64>, Design>) -> Vec<Design> {
         let of = |one: &Individual| known.get(&bits(&one.shares)).cloned();
-        let mut designs: Vec<Design> = best.iter().filter_map(of).collect();
-        designs.sort_by(|a, b| first(a).total_cmp(&first(b)));
-        designs
+        sorted_by(best.iter().filter_map(of).collect(), first)
     }
 
     /// What measures come to.

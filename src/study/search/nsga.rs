@@ -7,6 +7,7 @@
 //! some ninety others, several of them twice, and run to their end without asking whether to stop.
 
 use crate::numerics::random::Random;
+use crate::numerics::statistics::ascending;
 
 /// Distribution index of the crossover, and how often it happens.
 const ETA_CROSS: f64 = 15.0;
@@ -196,8 +197,7 @@ fn crowding(people: &[Individual], members: &[usize]) -> Vec<f64> {
     let objectives = members.first().map_or(0, |at| people[*at].judged.objectives.len());
     for objective in 0..objectives {
         let value = |member: usize| people[members[member]].judged.objectives[objective];
-        let mut order: Vec<usize> = (0..members.len()).collect();
-        order.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
+        let order = ascending(&(0..members.len()).map(value).collect::<Vec<f64>>());
         let (Some(first), Some(last)) = (order.first(), order.last()) else { continue };
         let width = value(*last) - value(*first);
         (distance[*first], distance[*last]) = (f64::INFINITY, f64::INFINITY);

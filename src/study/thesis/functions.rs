@@ -3,6 +3,7 @@
 use crate::model::design::beam::Cantilever;
 use crate::model::design::{self, Rod};
 use crate::numerics::larger;
+use crate::numerics::statistics::sorted_by;
 use crate::study::screening::{CONCEPTS, WEIGHTS_PERCENT, rank, ranking};
 use crate::study::thesis::elastica;
 use crate::study::thesis::shape::{
@@ -197,13 +198,9 @@ pub(super) static FUNCTIONS: &[Function] = &[
         "concepts_by",
         1,
         Whole(|it| {
-            let mut order: Vec<(f64, &str)> = it[0]
-                .points()?
-                .iter()
-                .zip(&CONCEPTS)
-                .map(|(point, own)| (point.1, own.name))
-                .collect();
-            order.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let points = it[0].points()?;
+            let values = points.iter().zip(&CONCEPTS).map(|(point, own)| (point.1, own.name));
+            let order = sorted_by(values.collect(), |own: &(f64, &str)| own.0);
             let shown: Vec<String> = order
                 .iter()
                 .map(|(value, name)| format!("{name} {}", text::percent(*value)))

@@ -304,13 +304,8 @@ impl Painter<'_> {
 
 /// Old curves first, the selected one last, the others as given.
 fn drawing_order(curves: &[Curve<'_>]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..curves.len()).collect();
-    order.sort_by_key(|index| match curves[*index].emphasis {
-        Emphasis::Stale => 0,
-        Emphasis::Normal => 1,
-        Emphasis::Selected => 2,
-    });
-    order
+    let of = |emphasis| (0..curves.len()).filter(move |at| curves[*at].emphasis == emphasis);
+    [Emphasis::Stale, Emphasis::Normal, Emphasis::Selected].into_iter().flat_map(of).collect()
 }
 
 /// Chooses the cells (column, row, owner) that show a curve's marker, so that colour is never the only difference.

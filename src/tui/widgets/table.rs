@@ -107,7 +107,7 @@ impl Sorting {
         let column = self.0.and_then(|key| table.columns.iter().find(|column| column.key == key));
         if let Some(column) = column {
             let values: Vec<Value> = table.rows.iter().map(|row| (column.get)(row)).collect();
-            order.sort_by(|a, b| compared(&values[*a], &values[*b]));
+            sort(&mut order, &values);
         }
         order
     }
@@ -118,6 +118,11 @@ impl Sorting {
             cells.head.insert(0, '*');
         }
     }
+}
+
+/// Compiled once, whatever the rows of the table are.
+fn sort(places: &mut [usize], values: &[Value]) {
+    places.sort_by(|a, b| compared(&values[*a], &values[*b]));
 }
 
 fn compared(a: &Value, b: &Value) -> Ordering {

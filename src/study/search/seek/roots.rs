@@ -5,6 +5,7 @@
 //! by golden section. Brackets are closed by regula falsi in the Illinois form, safeguarded by bisection.
 
 use crate::numerics::minimum;
+use crate::numerics::statistics::sorted_by;
 
 /// Bisections of an edge: to 1e-13 of the scan's spacing.
 const EDGE_STEPS: usize = 42;
@@ -305,7 +306,7 @@ impl<'f> RootScan<'f> {
 
     /// In order, each once.
     fn tidy(&mut self) {
-        self.crossings.sort_by(|a, b| a.from.0.total_cmp(&b.from.0));
+        self.crossings = sorted_by(std::mem::take(&mut self.crossings), |it| it.from.0);
         self.crossings.dedup_by(|b, a| {
             a.kind != Kind::Plateau && a.kind == b.kind && (b.from.0 - a.from.0).abs() < 1e-12
         });

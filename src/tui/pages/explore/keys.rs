@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::numerics::statistics::ascending;
 use crate::study::sweep::Axis;
 use crate::study::sweep::grid::Grid;
 use crate::tui::app::App;
@@ -148,10 +149,9 @@ fn move_cursor(app: &mut App, (x, y): (isize, isize)) {
 
 /// Another point of a design, in the order of one of its axes.
 fn neighbour(grid: &Grid, here: usize, axis: usize, by: isize) -> usize {
-    let mut order: Vec<usize> = (0..grid.counts().0).collect();
     let axis = axis.min(grid.plan().axes().len() - 1);
-    let along = |x: &usize| grid.coordinate((*x, 0), axis);
-    order.sort_by(|a, b| along(a).total_cmp(&along(b)));
+    let along = (0..grid.counts().0).map(|x| grid.coordinate((x, 0), axis));
+    let order = ascending(&along.collect::<Vec<f64>>());
     let at = order.iter().position(|x| *x == here).unwrap_or(0);
     order[at.saturating_add_signed(by).min(order.len() - 1)]
 }

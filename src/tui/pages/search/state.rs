@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::model::scene::Scene;
 use crate::model::units::significant;
+use crate::numerics::statistics::ascending;
 use crate::report;
 use crate::study::monte_carlo::Summary;
 use crate::study::search::front::{Design, Front, Task};
@@ -130,12 +131,9 @@ impl Searching {
     pub fn order(&self) -> Vec<usize> {
         let Some((front, task)) = self.front() else { return Vec::new() };
         let sorted = self.sorted(task);
-        let value = |at: &usize| {
-            front.designs[*at].measures.get(sorted).copied().flatten().unwrap_or(f64::NAN)
-        };
-        let mut order: Vec<usize> = (0..front.designs.len()).collect();
-        order.sort_by(|a, b| value(a).total_cmp(&value(b)));
-        order
+        let value =
+            |design: &Design| design.measures.get(sorted).copied().flatten().unwrap_or(f64::NAN);
+        ascending(&front.designs.iter().map(value).collect::<Vec<f64>>())
     }
 
     /// The designs of the front in that order.

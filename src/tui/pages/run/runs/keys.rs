@@ -51,11 +51,7 @@ pub(in crate::tui) fn pin(app: &mut App, name: String, scene: Arc<Scene>) -> Vec
         .filter(|shown| *shown.run.scene == *scene)
         .map(|shown| Arc::clone(&shown.run));
     app.say(Severity::Note, format!("pinned as {letter}: {name}"));
-    app.pins.push(Pin { letter, name, scene, run, visible: true, job: None });
-    app.pins.sort_by_key(|pin| pin.letter);
-    let mut effects = jobs::submit_pins(app);
-    effects.push(Effect::SaveSession);
-    effects
+    insert(app, Pin { letter, name, scene, run, visible: true, job: None })
 }
 
 /// Pin the scene by every interaction model but its own; take them away when all are there.
@@ -159,8 +155,13 @@ pub(in crate::tui) fn put_back(app: &mut App, pin: Pin) -> Vec<Effect> {
         return app.refuse("all eight pins A to H are taken: nothing was put back");
     };
     // A job under way when it was taken away has reported to nobody.
-    app.pins.push(Pin { letter, job: None, ..pin });
-    app.pins.sort_by_key(|pin| pin.letter);
+    insert(app, Pin { letter, job: None, ..pin })
+}
+
+/// Among the pins, in the order of their letters.
+fn insert(app: &mut App, pin: Pin) -> Vec<Effect> {
+    let at = app.pins.partition_point(|other| other.letter < pin.letter);
+    app.pins.insert(at, pin);
     let mut effects = jobs::submit_pins(app);
     effects.push(Effect::SaveSession);
     effects
