@@ -1,19 +1,20 @@
 //! The contact phase alone, from first contact to first arrest or perforation, as a plain initial-value problem.
 //!
-//! Written a second time, apart from the engine of `impact.rs`: own area formulas, own scaling, powers by `powf`, own stops,
-//! other methods. So it can judge the engine, and the engine it. In units of the nose radius R, the impact velocity v and R/v,
+//! Written a second time, apart from the engine of `impact.rs`: own area formulas, own scaling, own stops, other methods. So it can judge the engine, and the engine it. In units of the nose radius R, the impact velocity v and R/v,
 //!
 //! ```text
 //! q' = u    u' = -f (1 + cos²/gamma) + g cos/gamma    f = a(q) (sigma + kappa u²)
 //! x' = w    w' = (f cos - g)/gamma                    g = K |x|^n sgn x + D |w|^m sgn w
 //! ```
 //!
-//! Springs that are no power law are the mechanism's own curves, piece by piece: only their force is shared with the engine.
+//! Of springs and damper only the force laws are shared with the engine.
 //! Model page, sections 2 and 7. Must not know the engine, a screen or a clock.
 
 use std::sync::Arc;
 
-use crate::model::mechanism::{self, Mechanism, curve::Curve, damper_law_of, moving_plate_kg};
+use crate::model::mechanism::{
+    self, Mechanism, PowerLaw, curve::Curve, damper_law_of, moving_plate_kg,
+};
 use crate::model::scene::{Mount, Scene};
 use crate::model::worded::worded;
 use crate::numerics::explicit::rk4::Crossing;
@@ -121,52 +122,10 @@ pub enum Scheme {
     },
 }
 
-/// A power law in scaled units.
-#[derive(Clone, Copy, Debug)]
-struct Law {
-    coefficient: f64,
-    exponent: f64,
-}
-
-impl Law {
-    fn force(self, z: f64) -> f64 {
-        if self.coefficient == 0.0 || z == 0.0 {
-            0.0
-        } else if self.is_linear() {
-            self.coefficient * z
-        } else {
-            self.coefficient * z.abs().powf(self.exponent).copysign(z)
-        }
-    }
-
-    fn is_linear(self) -> bool {
-        (self.exponent - 1.0).abs() < f64::EPSILON
-    }
-
-    fn tangent(self, z: f64) -> f64 {
-        if self.coefficient == 0.0 || self.is_linear() {
-            self.coefficient
-        } else {
-            self.coefficient * self.exponent * z.abs().powf(self.exponent - 1.0)
-        }
-    }
-
-    /// Whether its tangent at zero is infinite.
-    fn is_steep_at_zero(self) -> bool {
-        self.coefficient > 0.0 && self.exponent < 1.0
-    }
-
-    /// Whether it is not one analytic function through zero.
-    fn has_kink(self) -> bool {
-        let odd = (self.exponent - 1.0) / 2.0;
-        self.coefficient > 0.0 && (odd - odd.round()).abs() > f64::EPSILON
-    }
-}
-
 /// The spring in scaled units.
 #[derive(Clone, Debug)]
 enum Spring {
-    Power(Law),
+    Power(PowerLaw),
     /// A curve in m and N, what a scaled displacement is in m, and what a N is in scaled force.
     Curve(Arc<Curve>, f64, f64),
 }
@@ -174,7 +133,7 @@ enum Spring {
 impl Spring {
     fn of(mechanism: &Mechanism, r: f64, unit_n: f64) -> Self {
         match &mechanism.spring {
-            mechanism::Spring::Power(law) => Self::Power(Law {
+            mechanism::Spring::Power(law) => Self::Power(PowerLaw {
                 coefficient: law.coefficient * r.powf(law.exponent) / unit_n,
                 exponent: law.exponent,
             }),
@@ -226,7 +185,7 @@ impl Spring {
     }
 
     fn has_kink(&self) -> bool {
-        matches!(self, Self::Power(law) if law.has_kink())
+        matches!(self, Self::Power(law) if !law.is_smooth_at_zero())
     }
 }
 
@@ -241,7 +200,7 @@ pub struct Phase {
     sigma: f64,
     kappa: f64,
     spring: Spring,
-    damper: Law,
+    damper: PowerLaw,
     start_x: f64,
     wall: Option<Wall>,
 }
@@ -267,7 +226,7 @@ impl Phase {
             sigma: scene.flow_strength_pa() * r * r / unit_n,
             kappa: scene.drag_kg_m3() * r * r * r / m_p,
             spring: Spring::of(&Mechanism::of(scene), r, unit_n),
-            damper: Law {
+            damper: PowerLaw {
                 coefficient: damper.coefficient * v.powf(damper.exponent) / unit_n,
                 exponent: damper.exponent,
             },
@@ -293,10 +252,10 @@ impl Phase {
             let mut reached = match scheme {
                 Scheme::Rk4 { dt_s, crossing } => {
                     let h = dt_s / self.unit_s;
-                    rk4::integrate(&mut stretch, start, h, crossing, limits, &mut count)
+                    rk4::integrate(&stretch, start, h, crossing, limits, &mut count)
                 }
                 Scheme::Dop853 { tolerance } => {
-                    dop853::integrate(&mut stretch, start, tolerance, limits, &mut count)
+                    dop853::integrate(&stretch, start, tolerance, limits, &mut count)
                 }
                 Scheme::Radau { tolerance } => {
                     implicit::integrate(&stretch, start, tolerance, limits, &mut count)
@@ -321,12 +280,7 @@ impl Phase {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::model::variables::scene_with;
-
-    /// Without a spring unless one is given.
-    pub(super) fn scene(pairs: &str) -> Scene {
-        scene_with(&format!("k=0 {pairs}"))
-    }
+    use crate::model::variables::scene_without_spring as scene;
 
     pub(super) fn errors(pairs: &str, (t_s, depth_m): (f64, f64), method: Scheme) -> (f64, f64) {
         let answer = Phase::of(&scene(pairs)).solve(method, 1_000_000).unwrap();

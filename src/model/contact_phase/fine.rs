@@ -458,7 +458,7 @@ impl Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::contact_phase::tests::scene;
+    use crate::model::variables::scene_without_spring as scene;
 
     /// Decimal digits with an exponent or sign as in the stored file.
     fn digits(text: &str) -> Number {

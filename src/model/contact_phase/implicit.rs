@@ -4,34 +4,33 @@
 //! velocity) follows from it, which is flat. Boundaries are found on the collocation polynomial of a step and landed on by stepping
 //! anew. Knows the equations by their stretch only.
 
+use super::Spring;
 use super::stretch::Stretch;
-use super::{Law, Spring};
-use crate::numerics::explicit::{Boundary, Count, Limits, Reached, Start, Stop};
+use crate::model::mechanism::PowerLaw;
+use crate::numerics::explicit::landing::Ends;
+use crate::numerics::explicit::{Count, Limits, Reached, Start, Stop, System};
 use crate::numerics::implicit::{ImplicitSystem, NODES, Step, interpolate, step, step_factor};
-use crate::numerics::root::in_bracket;
 
 /// The first step, in R/v, where none is known.
 const FIRST: f64 = 1e-4;
 /// The step's factor after Newton's method has failed.
 const SHORTER: f64 = 0.25;
-/// Looks at the polynomial of a step for boundaries.
-const LOOKS: usize = 8;
 
 /// The unknowns of a stretch: travel, slip, and displacement and velocity or what their singular laws make of them.
 struct Unknowns<'a, 'p> {
     stretch: &'a Stretch<'p>,
-    spring: Option<Law>,
-    damper: Option<Law>,
+    spring: Option<PowerLaw>,
+    damper: Option<PowerLaw>,
 }
 
 /// A component by its unknown: its value, the value's slope, the law's force, the force's slope.
 type Unfolded = (f64, f64, f64, f64);
 
-fn fold(law: Option<Law>, z: f64) -> f64 {
+fn fold(law: Option<PowerLaw>, z: f64) -> f64 {
     law.map_or(z, |law| z.abs().powf(law.exponent).copysign(z))
 }
 
-fn unfold(law: Law, y: f64) -> Unfolded {
+fn unfold(law: PowerLaw, y: f64) -> Unfolded {
     let z = y.abs().powf(1.0 / law.exponent).copysign(y);
     let slope = if y == 0.0 { 0.0 } else { z / (law.exponent * y) };
     (z, slope, law.coefficient * y, law.coefficient)
@@ -39,7 +38,8 @@ fn unfold(law: Law, y: f64) -> Unfolded {
 
 impl<'a, 'p> Unknowns<'a, 'p> {
     fn of(stretch: &'a Stretch<'p>) -> Self {
-        let singular = |law: Law| Some(law).filter(|law| law.is_steep_at_zero());
+        let singular =
+            |law: PowerLaw| Some(law).filter(|law| !law.is_absent() && law.exponent < 1.0);
         let spring = match &stretch.phase.spring {
             Spring::Power(law) => singular(*law),
             Spring::Curve(..) => None,
@@ -76,7 +76,7 @@ impl<'a, 'p> Unknowns<'a, 'p> {
             let q = y[0] + y[1] * t;
             let drive = self.stretch.contact_force(q, y[1]) * self.stretch.phase.faces.cos;
             let speed = drive / self.stretch.phase.gamma * t;
-            let within = |law: Option<Law>, now: f64, z: f64| {
+            let within = |law: Option<PowerLaw>, now: f64, z: f64| {
                 let free = fold(law, z);
                 let held = law.map_or(f64::INFINITY, |law| drive.abs() / law.coefficient);
                 let most = if held > now.abs() { held } else { now.abs() };
@@ -98,16 +98,8 @@ impl ImplicitSystem<4> for Unknowns<'_, '_> {
     }
 
     fn rate(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
-        let phase = self.stretch.phase;
-        let f = self.stretch.contact_force(y[0], y[1]);
-        if self.stretch.is_still() {
-            return [y[1], -f, 0.0, 0.0];
-        }
         let ((x, _, spring, _), (w, _, damper, _)) = (self.plate(y[2]), self.speed(y[3]));
-        let [stiffness, damping, stop_x] = self.stretch.pressed();
-        let held = spring + damper + (stiffness * (x - stop_x) + damping * w);
-        let plate = (f * phase.faces.cos - held) / phase.gamma;
-        [y[1], -f - phase.faces.cos * plate, w, plate]
+        self.stretch.rate_under(&[y[0], y[1], x, w], spring, damper)
     }
 
     fn jacobian(&self, y: &[f64; 4]) -> [[f64; 4]; 4] {
@@ -189,72 +181,31 @@ pub(super) fn integrate(
             continue;
         }
         count.steps += 1;
-        if let Some((index, until)) = crossed(&system, &y, &here, &solved) {
-            let boundary = stretch.ends()[index];
-            let mut reached = (1.0, y);
-            let mut at = |s: f64| {
-                let short = if s > 0.0 { advance(&system, &y, s * h, None, count) } else { None };
-                let end = short.map_or_else(
-                    || if s > 0.0 { interpolate(&y, &solved, s) } else { y },
-                    |short| short.stages[2],
-                );
-                reached = (s, end);
-                boundary.at(&system.carried(&end))
-            };
-            let s = in_bracket(0.0, until, &mut at);
-            at(s);
-            let (s, end) = reached;
-            let y = system.carried(&end);
-            return Reached { t: t + s * h, y, stop: Stop::Boundary(index), step: h };
+        let there = system.carried(&solved.stages[2]);
+        let (f0, f1) = (stretch.rate(t, &here), stretch.rate(t + h, &there));
+        let ends = Ends { y0: &here, f0: &f0, y1: &there, f1: &f1 };
+        let dense = |s: f64| system.carried(&interpolate(&y, &solved, s));
+        let anew = |s: f64| {
+            let short = advance(&system, &y, s * h, None, count)?;
+            Some(system.carried(&short.stages[2]))
+        };
+        if let Some(landed) = ends.land(stretch.boundaries(), dense, anew) {
+            let (t, stop) = (t + landed.part * h, Stop::Boundary(landed.index));
+            return Reached { t, y: landed.y, stop, step: h };
         }
         t += h;
-        here = system.carried(&solved.stages[2]);
+        here = there;
         let next = solved.stages[2];
         last = Some((h, y, solved));
         (y, h) = (next, h * factor);
     }
 }
 
-/// The boundary that a step crosses first, and a fraction of the step that lies beyond it.
-fn crossed(
-    system: &Unknowns<'_, '_>,
-    y: &[f64; 4],
-    here: &[f64; 4],
-    solved: &Step<4>,
-) -> Option<(usize, f64)> {
-    let boundaries = system.stretch.ends();
-    let armed = boundaries.each_ref().map(|boundary| is_armed(boundary, here));
-    for look in 1..=LOOKS {
-        let s = look as f64 / LOOKS as f64;
-        let end = if look == LOOKS { solved.stages[2] } else { interpolate(y, solved, s) };
-        let there = system.carried(&end);
-        let all = 0..boundaries.len();
-        let beyond = all.filter(|index| armed[*index] && boundaries[*index].at(&there) <= 0.0);
-        // Of several the one that is farthest past its plane, for the way it had to go, was crossed first.
-        let first = beyond.min_by(|a, b| {
-            let fraction = |index: usize| {
-                let (from, to) = (boundaries[index].at(here), boundaries[index].at(&there));
-                from / (from - to)
-            };
-            fraction(*a).total_cmp(&fraction(*b))
-        });
-        if let Some(index) = first {
-            return Some((index, s));
-        }
-    }
-    None
-}
-
-/// On its positive side, by more than the rounding of one just landed on.
-fn is_armed(boundary: &Boundary<4>, y: &[f64; 4]) -> bool {
-    let size: f64 = boundary.slope.iter().zip(y).map(|(slope, y)| (slope * y).abs()).sum();
-    boundary.at(y) > 4.0 * f64::EPSILON * (boundary.offset.abs() + size)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{STORED, errors, scene};
+    use super::super::tests::{STORED, errors};
     use super::super::{Ending, Phase, Refusal, Scheme};
+    use crate::model::variables::scene_without_spring as scene;
 
     /// The stiffest stored scene, which no explicit method follows.
     const STIFFEST: (&str, (f64, f64)) =

@@ -128,7 +128,7 @@ impl<'a> Stretch<'a> {
     }
 
     fn watch_speed(&mut self, way: f64) {
-        if self.located && self.phase.damper.has_kink() {
+        if self.located && !self.phase.damper.is_smooth_at_zero() {
             self.boundaries[SPEED_ZERO] = plane(0.0, 3, 1f64.copysign(way));
         }
     }
@@ -250,6 +250,20 @@ impl<'a> Stretch<'a> {
         phase.faces.area(q, self.piece) * (phase.sigma + phase.kappa * u * u)
     }
 
+    /// The rates of travel, slip, displacement and velocity where spring and damper hold with these forces.
+    pub(super) fn rate_under(&self, y: &[f64; 4], spring: f64, damper: f64) -> [f64; 4] {
+        let (phase, [q, u, x, w]) = (self.phase, *y);
+        let f = self.contact_force(q, u);
+        if self.is_still() {
+            return [u, -f, 0.0, 0.0];
+        }
+        let cos = phase.faces.cos;
+        let [stiffness, damping, stop_x] = self.pressed();
+        let held = spring + damper + (stiffness * (x - stop_x) + damping * w);
+        let plate = (f * cos - held) / phase.gamma;
+        [u, -f - cos * plate, w, plate]
+    }
+
     /// The derivatives of the contact force by travel and slip.
     pub(super) fn contact_tangent(&self, q: f64, u: f64) -> (f64, f64) {
         /// For a difference that is exact up to rounding: areas are of the second degree, but for oblique sections.
@@ -280,27 +294,12 @@ impl<'a> Stretch<'a> {
     pub(super) fn is_still(&self) -> bool {
         self.phase.rigid || matches!(self.behind, Behind::Held(_))
     }
-
-    /// Where it ends.
-    pub(super) fn ends(&self) -> &[Boundary<4>; BOUNDARIES] {
-        &self.boundaries
-    }
 }
 
 impl System<4> for Stretch<'_> {
-    fn rate(&mut self, _: f64, y: &[f64; 4]) -> [f64; 4] {
-        let (phase, [q, u, x, w]) = (self.phase, *y);
-        let f = self.contact_force(q, u);
-        if self.is_still() {
-            return [u, -f, 0.0, 0.0];
-        }
-        let cos = phase.faces.cos;
-        let [stiffness, damping, stop_x] = self.pressed();
-        let held = phase.spring.force(x, self.region)
-            + phase.damper.force(w)
-            + (stiffness * (x - stop_x) + damping * w);
-        let plate = (f * cos - held) / phase.gamma;
-        [u, -f - cos * plate, w, plate]
+    fn rate(&self, _: f64, y: &[f64; 4]) -> [f64; 4] {
+        let (spring, damper) = (self.spring(y[2]).0, self.phase.damper.force(y[3]));
+        self.rate_under(y, spring, damper)
     }
 
     fn boundaries(&self) -> &[Boundary<4>] {
@@ -316,9 +315,9 @@ fn plane(offset: f64, component: usize, weight: f64) -> Boundary<4> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::scene;
     use super::super::{Answer, Phase, Scheme, exact};
     use super::*;
+    use crate::model::variables::scene_without_spring as scene;
 
     const SCHEMES: [Scheme; 2] =
         [Scheme::Dop853 { tolerance: 1e-12 }, Scheme::Radau { tolerance: 1e-11 }];

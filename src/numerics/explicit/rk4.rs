@@ -3,7 +3,7 @@
 //! W. Kutta, *Zeitschrift für Mathematik und Physik* 46 (1901) 435-453. Boundaries are either landed on or only noticed after
 //! the step that crossed them, as a program without event location does.
 
-use super::landing::{Ends, land};
+use super::landing::Ends;
 use super::{Count, Limits, Point, Reached, Start, Stop, System, is_finite};
 
 /// What happens at a boundary.
@@ -17,7 +17,7 @@ pub enum Crossing {
 
 /// Integrate from `start` with steps of length `h` until a boundary or a limit.
 pub fn integrate<const N: usize>(
-    system: &mut impl System<N>,
+    system: &impl System<N>,
     start: Start<N>,
     h: f64,
     crossing: Crossing,
@@ -49,20 +49,18 @@ pub fn integrate<const N: usize>(
             return ended(t, y, Stop::NonFinite);
         }
         let ends = Ends { y0: &y, f0: &f, y1: &y_next, f1: &f_next };
-        if ends.may_cross(system.boundaries()) {
-            let inside = |s: f64| hermite(&ends, h, s);
-            if let Some((index, guess)) = ends.first(system.boundaries(), inside) {
-                if crossing == Crossing::Notice {
+        let dense = |s: f64| hermite(&ends, h, s);
+        match crossing {
+            Crossing::Notice => {
+                if let Some((index, _)) = ends.first(system.boundaries(), &dense) {
                     return ended(t_next, y_next, Stop::Boundary(index));
                 }
-                let boundary = system.boundaries()[index];
-                let landed = land(&boundary, &y, guess, |s| {
-                    let y = step(system, from, s * h, count);
-                    count.evaluations += 1;
-                    (y, system.rate(t + s * h, &y).map(|f| f * h))
-                });
-                if let Some((s, y)) = landed {
-                    return ended(t + s * h, y, Stop::Boundary(index));
+            }
+            Crossing::Locate => {
+                let anew = |s: f64| Some(step(system, from, s * h, count));
+                if let Some(landed) = ends.land(system.boundaries(), dense, anew) {
+                    let stop = Stop::Boundary(landed.index);
+                    return ended(t + landed.part * h, landed.y, stop);
                 }
             }
         }
@@ -73,7 +71,7 @@ pub fn integrate<const N: usize>(
 
 /// One step of length `h`.
 fn step<const N: usize>(
-    system: &mut impl System<N>,
+    system: &impl System<N>,
     Point { t, y, f }: Point<'_, N>,
     h: f64,
     count: &mut Count,
@@ -97,16 +95,8 @@ fn hermite<const N: usize>(ends: &Ends<'_, N>, h: f64, s: f64) -> [f64; N] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::Bell;
     use super::*;
-
-    /// y' = -2 t y², solution 1/(1 + t²).
-    struct Bell;
-
-    impl System<1> for Bell {
-        fn rate(&mut self, t: f64, y: &[f64; 1]) -> [f64; 1] {
-            [-2.0 * t * y[0] * y[0]]
-        }
-    }
 
     #[test]
     fn observed_order_is_four_and_each_step_costs_four() {
@@ -115,7 +105,7 @@ mod tests {
             let mut count = Count::default();
             let start = Start { t: 0.0, y: [1.0], step: None };
             let limits = Limits { until: 1.0 - 0.5 * h, steps: 10_000 };
-            let end = integrate(&mut Bell, start, h, Crossing::Locate, limits, &mut count);
+            let end = integrate(&Bell, start, h, Crossing::Locate, limits, &mut count);
             assert_eq!((count.steps, count.evaluations), (steps, 4 * steps + 1));
             (end.y[0] - 0.5).abs()
         };
