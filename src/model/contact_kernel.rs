@@ -138,13 +138,12 @@ impl Contact {
         let still = !mechanism.is_absent() && holds_still(&rigid, &mechanism, start_m);
         if still {
             mechanism.spring = Spring::NONE;
-            mechanism.damper.coefficient = 0.0;
+            mechanism.damper = PowerLaw::NONE;
         }
-        let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
         let moves = scene.plate.mount == Mount::Sprung && !still;
         let mut contact = Self {
             geometry,
-            spring: mechanism.spring.power().unwrap_or(none),
+            spring: mechanism.spring.power().unwrap_or(PowerLaw::NONE),
             damper: mechanism.damper,
             constants: Constants::of(scene, cos, moves),
             start_m: if moves { start_m } else { 0.0 },
@@ -184,7 +183,7 @@ impl Contact {
     /// The plate's displacement over the travel, if it is the shorter and not known relative to itself anyway.
     fn plate_share(&self) -> Option<f64> {
         let moves = self.constants.plate_mobility > 0.0 && self.start_m == 0.0;
-        if !moves || self.spring.coefficient == 0.0 || self.spring_manifold().is_some() {
+        if !moves || self.spring.is_absent() || self.spring_manifold().is_some() {
             return None;
         }
         let share = self.reach_m()? / (self.constants.velocity_m_s * self.scale_s?);
@@ -266,14 +265,10 @@ impl Contact {
     /// The state a moment after a singular start.
     fn moved(&self, singular: Singular, tolerance: f64) -> Option<(f64, [f64; 4])> {
         let Constants { plate_mobility, cos, velocity_m_s: v, .. } = self.constants;
-        let keep = |law: PowerLaw, is: bool| PowerLaw {
-            coefficient: if is { law.coefficient } else { 0.0 },
-            ..law
-        };
         let growth_n_s = self.growth_n_s()?;
         let start = Start {
-            spring: keep(self.spring, singular.spring),
-            damper: keep(self.damper, singular.damper),
+            spring: self.spring.only_if(singular.spring),
+            damper: self.damper.only_if(singular.damper),
             force_n: 0.0 - self.spring.force(self.start_m),
             growth_n_s: growth_n_s * cos,
             plate_kg: 1.0 / plate_mobility,
@@ -309,11 +304,7 @@ impl Contact {
     /// The damper and spring of a plate that follows the forces at once, if they are such.
     fn damper_manifold(&self, tolerance: f64) -> Option<DamperManifold> {
         let (spring, damper) = (self.spring, self.damper);
-        if !(is_linear(spring)
-            && is_linear(damper)
-            && self.start_m == 0.0
-            && damper.coefficient > 0.0)
-        {
+        if !(is_linear(spring) && is_linear(damper) && self.start_m == 0.0 && !damper.is_absent()) {
             return None;
         }
         let manifold =
@@ -349,14 +340,9 @@ mod tests {
     use super::*;
     use crate::model::run::Run;
     use crate::model::simulate::{Settings, simulate};
-    use crate::model::variables::scene_with;
+    use crate::model::variables::scene_without_spring as scene;
     use std::ops::ControlFlow;
     use std::sync::Arc;
-
-    /// Without a spring unless one is given.
-    pub(super) fn scene(pairs: &str) -> Scene {
-        scene_with(&format!("k=0 {pairs}"))
-    }
 
     fn simulated(scene: &Scene) -> Run {
         let settings = Settings { series: false, estimate: false };

@@ -47,6 +47,20 @@ pub enum PowerKind {
 pub const WHOLE_MAX: usize = 6;
 
 impl PowerLaw {
+    /// No force.
+    pub const NONE: Self = Self { coefficient: 0.0, exponent: 1.0 };
+
+    /// Whether there is no force.
+    pub fn is_absent(self) -> bool {
+        self.coefficient == 0.0
+    }
+
+    /// The law where it acts, else none of the same exponent.
+    #[must_use]
+    pub fn only_if(self, acts: bool) -> Self {
+        if acts { self } else { Self { coefficient: 0.0, ..self } }
+    }
+
     /// How it is expanded.
     #[expect(
         clippy::cast_possible_truncation,
@@ -54,7 +68,7 @@ impl PowerLaw {
         reason = "exponents are positive"
     )]
     pub fn kind(self) -> PowerKind {
-        if self.coefficient == 0.0 {
+        if self.is_absent() {
             return PowerKind::Absent;
         }
         // Too large an exponent saturates, and is none of them.
@@ -100,7 +114,7 @@ impl PowerLaw {
 
     /// The integral of the force from 0 to `z`: for a spring, the energy it stores.
     pub fn integral(self, z: f64) -> f64 {
-        if self.coefficient == 0.0 {
+        if self.is_absent() {
             return 0.0;
         }
         self.coefficient / (self.exponent + 1.0) * z.abs().powf(self.exponent + 1.0)
@@ -108,7 +122,7 @@ impl PowerLaw {
 
     /// The |z| at which the force is `force`; infinite when there is no law.
     pub fn at_force(self, force: f64) -> f64 {
-        if self.coefficient == 0.0 {
+        if self.is_absent() {
             return f64::INFINITY;
         }
         let power = force.abs() / self.coefficient;
@@ -117,7 +131,7 @@ impl PowerLaw {
 
     /// The |z| at which the integral is `integral`; infinite when there is no law.
     pub fn at_integral(self, integral: f64) -> f64 {
-        if self.coefficient == 0.0 {
+        if self.is_absent() {
             return f64::INFINITY;
         }
         ((self.exponent + 1.0) * integral / self.coefficient).powf(1.0 / (self.exponent + 1.0))
@@ -157,7 +171,7 @@ impl Mechanism {
         let stop = laws.stop.position_m.filter(|_| sprung);
         Self {
             spring: if sprung { Spring::of(laws) } else { Spring::NONE },
-            damper: if sprung { damper } else { PowerLaw { coefficient: 0.0, ..damper } },
+            damper: damper.only_if(sprung),
             stop: stop.map(|_| laws.stop),
             stop_at_m: stop.unwrap_or(f64::INFINITY),
         }
@@ -165,7 +179,7 @@ impl Mechanism {
 
     /// Whether neither spring nor damper acts.
     pub fn is_absent(&self) -> bool {
-        self.spring.is_absent() && self.damper.coefficient == 0.0
+        self.spring.is_absent() && self.damper.is_absent()
     }
 
     /// The elastic stop, if there is one.

@@ -440,3 +440,9 @@ pub(in crate::model) fn scene_with(pairs: &str) -> Scene {
     }
     scene
 }
+
+/// The same without a spring unless one is given.
+#[cfg(test)]
+pub(in crate::model) fn scene_without_spring(pairs: &str) -> Scene {
+    scene_with(&format!("k=0 {pairs}"))
+}

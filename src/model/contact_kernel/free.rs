@@ -106,7 +106,7 @@ pub(super) fn contact_end(scene: &Scene, tolerance: f64) -> Option<ContactEnd> {
 impl Contact {
     /// The end, if the plate is rigid or free and the rule for the time converges.
     pub(super) fn closed(&self, tolerance: f64) -> Option<ContactEnd> {
-        if self.spring.coefficient != 0.0 || self.damper.coefficient != 0.0 {
+        if !(self.spring.is_absent() && self.damper.is_absent()) {
             return None;
         }
         closed(&self.geometry, &self.constants, self.start_m, tolerance)

@@ -197,8 +197,8 @@ impl Contact {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::contact_kernel::tests::scene;
     use crate::model::contact_kernel::{Singular, TERMS_TIGHT};
+    use crate::model::variables::scene_without_spring as scene;
 
     fn contact(pairs: &str) -> Contact {
         Contact::of(&scene(pairs))

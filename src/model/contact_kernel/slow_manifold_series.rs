@@ -339,7 +339,7 @@ impl Contact {
     /// The manifold of a plate that follows it from first contact, if there is one.
     pub(super) fn spring_manifold(&self) -> Option<SpringManifold> {
         let (spring, damper) = (self.spring, self.damper);
-        let is_slow = spring.coefficient > 0.0 && spring.exponent < MANIFOLD_BELOW;
+        let is_slow = !spring.is_absent() && spring.exponent < MANIFOLD_BELOW;
         if !(is_linear(damper)
             && is_slow
             && self.start_m == 0.0

@@ -130,10 +130,6 @@ impl<'a> Body<'a> {
         let mechanism = &problem.mechanism;
         let still = self.is_still();
         let joined = self.mode == Mode::Fused;
-        let keep = |law: PowerLaw, omitted: bool| PowerLaw {
-            coefficient: if omitted || still { 0.0 } else { law.coefficient },
-            ..law
-        };
         let stop = mechanism.elastic_stop().filter(|_| self.stop_touches);
         let plate_kg = if joined { problem.joined_kg } else { problem.plate_kg };
         Motion {
@@ -143,9 +139,9 @@ impl<'a> Body<'a> {
             coupling: if joined { 0.0 } else { problem.cos },
             spring: match mechanism.spring.curve() {
                 Some(curve) if !still => Elastic::Piece(curve.piece(self.region)),
-                _ => Elastic::Power(keep(self.spring(), self.x_zero.omitted)),
+                _ => Elastic::Power(self.spring().only_if(!(self.x_zero.omitted || still))),
             },
-            damper: keep(mechanism.damper, self.w_zero.omitted),
+            damper: mechanism.damper.only_if(!(self.w_zero.omitted || still)),
             stop: stop.map_or_else(StopForce::default, |stop| StopForce {
                 stiffness_n_m: stop.stiffness_n_m,
                 damping_n_s_m: stop.damping_n_s_m,
@@ -180,8 +176,7 @@ impl<'a> Body<'a> {
 
     /// The spring as a power law; none where it is a curve.
     pub(super) fn spring(&self) -> PowerLaw {
-        let none = PowerLaw { coefficient: 0.0, exponent: 1.0 };
-        self.problem.mechanism.spring.power().unwrap_or(none)
+        self.problem.mechanism.spring.power().unwrap_or(PowerLaw::NONE)
     }
 
     /// The ends of the present stretch of the spring's curve, m; infinite for a power law.

@@ -336,26 +336,20 @@ impl Track<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
     use crate::model::impact::body::Body;
     use crate::model::impact::problem::Problem;
-    use crate::model::variables::scene_with;
 
-    /// What is seen of a run after an event. The hole is 5 mm of travel deep.
+    /// What is seen of a run after an event.
     fn look<T>(
         pairs: &str,
         mode: Mode,
         event: EventId,
-        [q, u, x, w]: [f64; 4],
+        state: [f64; 4],
         look: impl Fn(&Track<'_>) -> T,
     ) -> T {
-        let problem = Problem::of(&Arc::new(scene_with(pairs)));
-        let mut track = Track::new(&problem, 1e-9, false);
-        let body = &mut track.body;
-        (body.mode, body.deepest_m) = (mode, 5e-3);
-        body.state = State { t_s: 1e-4, travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w };
+        let problem = Problem::with(pairs);
+        let mut track = Track::at(&problem, mode, state);
         track.apply_transition(event);
         look(&track)
     }

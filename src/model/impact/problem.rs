@@ -73,6 +73,14 @@ pub(super) struct Problem {
     pub(super) next: OnceLock<Box<Self>>,
 }
 
+#[cfg(test)]
+impl Problem {
+    /// Of the default scene with these variables.
+    pub(super) fn with(pairs: &str) -> Self {
+        Self::of(&Arc::new(crate::model::variables::scene_with(pairs)))
+    }
+}
+
 impl Problem {
     pub(super) fn of(scene: &Arc<Scene>) -> Self {
         let geometry = Geometry::of(scene);
@@ -132,7 +140,7 @@ impl Problem {
 
     /// Whether the force into the mount does not follow from the displacement alone: there is a damper, or a stop.
     pub(super) fn follows_mount_force(&self) -> bool {
-        self.mechanism.damper.coefficient > 0.0 || self.mechanism.stop.is_some()
+        !self.mechanism.damper.is_absent() || self.mechanism.stop.is_some()
     }
 
     /// 1/mu: how strongly the contact force slows the slip, 1/kg.
@@ -186,10 +194,10 @@ impl Problem {
         };
         let swing = far / speed * 8.0;
         // The time in which the damper alone takes most of the speed, or, against a spring, lets it creep back.
-        let fading = if damper.coefficient > 0.0 {
-            20.0 * self.joined_kg * speed / damper.force(speed)
-        } else {
+        let fading = if damper.is_absent() {
             0.0
+        } else {
+            20.0 * self.joined_kg * speed / damper.force(speed)
         };
         let mut horizon = contact;
         // The first half-oscillation of a joined body decides; one that slips in its hole loses energy for many oscillations.
@@ -206,8 +214,8 @@ impl Problem {
     /// exponential decay for n = m and ends in a finite time for n < m; for n > m it goes on for ever, and is cut short.
     fn creeping_s(&self, far_m: f64) -> f64 {
         let (spring, damper) = (&self.mechanism.spring, self.mechanism.damper);
-        let Some(law) = spring.power().filter(|law| law.coefficient > 0.0) else { return 0.0 };
-        if damper.coefficient == 0.0 {
+        let Some(law) = spring.power().filter(|law| !law.is_absent()) else { return 0.0 };
+        if damper.is_absent() {
             return 0.0;
         }
         let speed = (law.force(far_m) / damper.coefficient).powf(1.0 / damper.exponent);

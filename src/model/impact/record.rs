@@ -160,7 +160,7 @@ impl Record<'_> {
     ) {
         let h = e.unit_s;
         self.work.penetration_j += integral(&e.contact, &e.slip, span) * h;
-        if setting.motion.damper.coefficient > 0.0 {
+        if !setting.motion.damper.is_absent() {
             self.work.damper_j += integral(&e.damper, &e.plate_speed, span) * h;
         }
         let stop = setting.motion.stop;

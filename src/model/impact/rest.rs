@@ -13,8 +13,7 @@ impl Track<'_> {
     /// again. A plate that nothing can strike any more, on a spring whose oscillations grow ever faster, rests a little earlier:
     /// they never end.
     pub(super) fn come_to_rest(&mut self) {
-        let Some(law) =
-            self.body.problem.mechanism.spring.power().filter(|law| law.coefficient > 0.0)
+        let Some(law) = self.body.problem.mechanism.spring.power().filter(|law| !law.is_absent())
         else {
             return;
         };

@@ -120,15 +120,12 @@ impl StepControl {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
     use crate::model::impact::problem::Problem;
-    use crate::model::scene::Scene;
 
     #[test]
     fn work_is_counted_until_the_budget_is_used_up() {
-        let problem = Problem::of(&Arc::new(Scene::default()));
+        let problem = Problem::with("");
         let (body, control) = (Body::new(&problem, 1e-9), StepControl::new(1e-6));
         control.worked(WORK_MAX);
         assert_eq!(control.budget_used_up(&body, true), None);

@@ -155,7 +155,7 @@ impl Track<'_> {
     /// the energy above that of the oscillation whose peak just equals the strength. Once that is little, take them all at once.
     pub(super) fn yield_to_the_end(&mut self) {
         let mechanism = &self.body.problem.mechanism;
-        let damped = mechanism.damper.coefficient > 0.0
+        let damped = !mechanism.damper.is_absent()
             || mechanism.elastic_stop().is_some_and(|stop| stop.damping_n_s_m > 0.0);
         let energy = self.body.energy_j();
         let (push, pull) = self.body.interface_limits_n();
@@ -195,25 +195,8 @@ impl Track<'_> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
     use super::*;
     use crate::model::impact::problem::Problem;
-    use crate::model::motion::State;
-    use crate::model::variables::scene_with;
-
-    fn problem(pairs: &str) -> Problem {
-        Problem::of(&Arc::new(scene_with(pairs)))
-    }
-
-    /// A run at 0.1 ms in a hole 5 mm of travel deep.
-    fn track(problem: &Problem, mode: Mode, [q, u, x, w]: [f64; 4]) -> Track<'_> {
-        let mut track = Track::new(problem, 1e-9, false);
-        (track.body.mode, track.body.deepest_m) = (mode, 5e-3);
-        track.body.state = State { t_s: 1e-4, travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w };
-        track.body.speed_scale_m_s = w.abs();
-        track
-    }
 
     /// Scene, mode and state (q, u, x, w), and why the run is over, if it is.
     #[rustfmt::skip]
@@ -236,23 +219,23 @@ mod tests {
     #[test]
     fn a_run_is_over_when_its_outcome_and_greatest_displacement_are_known_or_at_its_horizon() {
         for (pairs, mode, state, expected) in ENDS {
-            let problem = problem(pairs);
-            assert_eq!(track(&problem, mode, state).finished(), expected, "{pairs} {mode:?}");
+            let problem = Problem::with(pairs);
+            assert_eq!(Track::at(&problem, mode, state).finished(), expected, "{pairs} {mode:?}");
         }
     }
 
     #[test]
     fn a_run_that_is_drawn_goes_on_for_a_quarter_of_its_contact_and_one_with_a_horizon_up_to_it() {
-        let free = problem("k=0");
-        let mut drawn = track(&free, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        let free = Problem::with("k=0");
+        let mut drawn = Track::at(&free, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
         drawn.record.keep_series = true;
         drawn.record.exit = Some((1e-4, 60.0));
         assert_eq!(drawn.finished(), None);
         assert!((drawn.until_s() / 1.25e-4 - 1.0).abs() < 1e-12, "{}", drawn.until_s());
         drawn.body.state.t_s = 1.25e-4;
         assert_eq!(drawn.finished(), Some(EndReason::Decided));
-        let with_horizon = problem("k=0 horizon=1e-3");
-        let mut asked = track(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
+        let with_horizon = Problem::with("k=0 horizon=1e-3");
+        let mut asked = Track::at(&with_horizon, Mode::Perforated, [0.1, 50.0, 0.0, 10.0]);
         assert_eq!(asked.finished(), None);
         assert!((asked.until_s() / 1e-3 - 1.0).abs() < 1e-12);
     }
@@ -261,8 +244,8 @@ mod tests {
     /// behind the nose, A S stays what it is: the slips take all energy above 2 (A S)²/k, over the path q = E/(A S).
     #[test]
     fn valid_the_last_slips_take_the_energy_above_the_oscillation_that_holds() {
-        let problem = problem("k=1e7 interface=plastic grip=2");
-        let mut track = track(&problem, Mode::Fused, [0.012, 0.0, 0.0, 0.0]);
+        let problem = Problem::with("k=1e7 interface=plastic grip=2");
+        let mut track = Track::at(&problem, Mode::Fused, [0.012, 0.0, 0.0, 0.0]);
         track.body.deepest_m = 0.012;
         let strength_n = track.body.interface_n();
         let holding_j = 2.0 * strength_n * strength_n / 1e7;

@@ -225,6 +225,18 @@ impl<'a> Track<'a> {
     }
 }
 
+#[cfg(test)]
+impl<'a> Track<'a> {
+    /// A run at 0.1 ms in a hole 5 mm of travel deep.
+    pub(super) fn at(problem: &'a Problem, mode: Mode, [q, u, x, w]: [f64; 4]) -> Self {
+        let mut track = Self::new(problem, 1e-9, false);
+        (track.body.mode, track.body.deepest_m) = (mode, 5e-3);
+        track.body.state = State { t_s: 1e-4, travel_m: q, slip_m_s: u, plate_m: x, plate_m_s: w };
+        track.body.speed_scale_m_s = w.abs();
+        track
+    }
+}
+
 /// Whether every component is finite.
 pub(super) fn is_finite(state: &State) -> bool {
     state.travel_m.is_finite()

@@ -55,7 +55,7 @@ pub(super) fn curve_after(spring: &scene::Spring, crushed_m: f64) -> Curve {
         SpringKind::Crush => crush(&spring.crush, n, crushed_m),
         SpringKind::Table => table(&spring.table.points, n),
         SpringKind::PowerLaw | SpringKind::Normalised | SpringKind::Helix => {
-            power_curve(PowerLaw { coefficient: 0.0, exponent: 1.0 })
+            power_curve(PowerLaw::NONE)
         }
     }
 }

@@ -83,7 +83,7 @@ impl Spring {
 
     /// Whether there is no spring at all.
     pub fn is_absent(&self) -> bool {
-        matches!(self, Self::Power(law) if law.coefficient == 0.0)
+        matches!(self, Self::Power(law) if law.is_absent())
     }
 
     /// Whether it is a power law that cannot be expanded at zero.
@@ -183,7 +183,7 @@ impl Spring {
 
 /// Whether a spring is a power law without force.
 fn is_nothing(spring: &scene::Spring) -> bool {
-    kinds::power_law(spring).is_some_and(|law| law.coefficient == 0.0)
+    kinds::power_law(spring).is_some_and(PowerLaw::is_absent)
 }
 
 impl Elastic<'_> {

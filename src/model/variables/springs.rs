@@ -11,7 +11,7 @@ const POINTS_MAX: usize = 2_000;
 /// Whether there is a spring at all.
 pub(super) fn acts(mechanism: &scene::Mechanism) -> bool {
     mechanism.combination != Combination::Alone
-        || power_law_of(&mechanism.spring).is_none_or(|law| law.coefficient > 0.0)
+        || power_law_of(&mechanism.spring).is_none_or(|law| !law.is_absent())
 }
 
 /// The rules between the values of the springs, and between them and the rest of the scene.

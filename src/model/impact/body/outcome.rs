@@ -87,7 +87,7 @@ impl Body<'_> {
     /// Whether the plate goes back where nothing acts on it any more: thrown back by an absorber, which only pushes.
     fn is_thrown_back_freely(&self) -> bool {
         let mechanism = &self.problem.mechanism;
-        let goes_back = self.state.plate_m_s < 0.0 && mechanism.damper.coefficient == 0.0;
+        let goes_back = self.state.plate_m_s < 0.0 && mechanism.damper.is_absent();
         goes_back
             && !self.stop_touches
             && mechanism.spring.curve().is_some_and(|curve| {
@@ -112,7 +112,7 @@ impl Body<'_> {
             return true;
         }
         if mechanism.spring.is_absent() && mechanism.stop.is_none() {
-            let keeps_going = mechanism.damper.coefficient == 0.0;
+            let keeps_going = mechanism.damper.is_absent();
             return slip_m_s < 0.0 && (v <= 0.0 || plate_m_s < 0.0 || keeps_going);
         }
         // The plate is driven away from it, ever faster.
@@ -155,7 +155,7 @@ impl Body<'_> {
             return MaximumDisplacement::Known(so_far);
         }
         let springless = mechanism.spring.is_absent();
-        let damped = mechanism.damper.coefficient > 0.0 || self.stop_touches;
+        let damped = !mechanism.damper.is_absent() || self.stop_touches;
         if mechanism.stop.is_none() && !damped && !springless {
             // The oscillation ends where all energy is in the spring, if it holds the plate at all.
             let back = mechanism.spring.backward(self.state.plate_m, self.energy_j());
@@ -188,7 +188,7 @@ impl Body<'_> {
     fn coasting(&self, so_far: f64) -> MaximumDisplacement {
         let damper = self.problem.mechanism.damper;
         let (m, w) = (damper.exponent, self.state.plate_m_s);
-        if damper.coefficient == 0.0 || m >= 2.0 {
+        if damper.is_absent() || m >= 2.0 {
             return MaximumDisplacement::Unbounded;
         }
         let travel = self.moving_kg() * w.powf(2.0 - m) / (damper.coefficient * (2.0 - m));

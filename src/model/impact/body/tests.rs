@@ -1,31 +1,17 @@
 //! Tables of the events that are watched and missed in each mode, of projections onto them, of energy bounds and outcomes.
 
-use std::sync::Arc;
-
 use super::{Body, MaximumDisplacement, Noted};
 use crate::model::event_function::EventId;
 use crate::model::impact::problem::Problem;
+use crate::model::impact::track::Track;
 use crate::model::run::{Mode, Outcome};
-use crate::model::variables::scene_with;
 
 /// `m_p`, kg, and the impact velocity, m/s, of the default scene; gamma = 1.
 const MASS_KG: f64 = 0.0295;
 const VELOCITY_M_S: f64 = 100.0;
 
-fn problem(pairs: &str) -> Problem {
-    Problem::of(&Arc::new(scene_with(pairs)))
-}
-
-/// A body with travel, slip, displacement and velocity, in a hole 5 mm of travel deep.
-fn body(problem: &Problem, mode: Mode, [q, u, x, w]: [f64; 4]) -> Body<'_> {
-    let mut body = Body::new(problem, 1e-9);
-    body.mode = mode;
-    body.deepest_m = 5e-3;
-    body.state.travel_m = q;
-    body.state.slip_m_s = u;
-    body.state.plate_m = x;
-    body.state.plate_m_s = w;
-    body
+fn body(problem: &Problem, mode: Mode, state: [f64; 4]) -> Body<'_> {
+    Track::at(problem, mode, state).body
 }
 
 #[test]
@@ -59,12 +45,12 @@ fn each_mode_watches_its_own_events() {
         ),
         ("k=1e5 model=lumped", Mode::FreeFlight, vec![E::Recontact, E::PlateSpeedZero]),
     ] {
-        let problem = problem(pairs);
+        let problem = Problem::with(pairs);
         let events = body(&problem, mode, slip).active_events(false, Noted::default());
         let found: Vec<E> = events.iter().map(|(event, _)| *event).collect();
         assert_eq!(found, expected, "{pairs} {mode:?}");
     }
-    let problem = problem("k=1e5");
+    let problem = Problem::with("k=1e5");
     let noted = Noted { push: true, pull: true };
     let events = body(&problem, Mode::Fused, slip).active_events(false, noted);
     assert_eq!(events.iter().count(), 1);
@@ -86,7 +72,7 @@ fn an_event_behind_the_state_is_found_once_it_is_behind() {
         ("k=1e5 model=lumped", Mode::Withdrawing, [1e-3, -1.0, 0.0, 0.0], Some(E::ContactLost)),
         ("k=1e5 model=lumped", Mode::Closing, [5e-3, 1.0, 0.0, 0.0], Some(E::HoleBottom)),
     ] {
-        let problem = problem(pairs);
+        let problem = Problem::with(pairs);
         let found = body(&problem, mode, state).missed_event();
         assert_eq!(found, expected, "{pairs} {mode:?} {state:?}");
     }
@@ -96,7 +82,7 @@ fn an_event_behind_the_state_is_found_once_it_is_behind() {
 fn a_projection_puts_one_component_exactly_on_its_event() {
     use EventId as E;
     let near = [4.9e-3, 1e-12, 1e-3 + 1e-15, 1e-12];
-    let problem = problem("k=1e5 n=2 x_stop=0.001");
+    let problem = Problem::with("k=1e5 n=2 x_stop=0.001");
     for (event, expected) in [
         (E::SlipZero, [near[0], 0.0, near[2], near[3]]),
         (E::HoleBottom, [5e-3, near[1], near[2], near[3]]),
@@ -120,13 +106,13 @@ fn valid_what_is_left_of_the_energy_bounds_displacement_and_load() {
     // A linear spring: x = sqrt(2 E/k), and the interface carries half of its force where both bodies weigh the same.
     let energy_j = 0.2;
     let exact = (2.0 * energy_j / 1e5f64).sqrt();
-    let own = problem("k=1e5");
+    let own = Problem::with("k=1e5");
     let fused = body(&own, Mode::Fused, [5e-3, 0.0, 1e-4, 1.0]);
     assert!((fused.reach_with(energy_j) / exact - 1.0).abs() < 1e-14);
     assert!((fused.push_at(energy_j) / (0.5 * 1e5 * exact) - 1.0).abs() < 1e-14);
     assert!((fused.energy_j() / (MASS_KG + 0.5e5 * 1e-8) - 1.0).abs() < 1e-14);
     // An elastic stop of the same stiffness at 1 mm: k x²/2 + k (x - a)²/2 = E.
-    let stopped = problem("k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e5 b_stop=0");
+    let stopped = Problem::with("k=1e5 x_stop=0.001 stop_kind=elastic k_stop=1e5 b_stop=0");
     let reach = body(&stopped, Mode::Fused, [5e-3, 0.0, 1e-4, 1.0]).reach_with(energy_j);
     let exact = 0.5 * (1e-3 + (4.0 * energy_j / 1e5 - 1e-6f64).sqrt());
     assert!((reach / exact - 1.0).abs() < 1e-12, "{reach} {exact}");
@@ -150,7 +136,7 @@ fn an_outcome_is_decided_as_soon_as_nothing_can_change_it() {
         // Everything at rest in a contact that only pushes.
         ("k=1e5 model=lumped", Mode::Closing, [4.95e-3, 0.0, 0.0, 0.0], O::Arrested),
     ] {
-        let problem = problem(pairs);
+        let problem = Problem::with(pairs);
         assert_eq!(body(&problem, mode, state).outcome(), expected, "{pairs} {mode:?} {state:?}");
     }
 }
@@ -165,7 +151,7 @@ fn valid_the_greatest_displacement_of_a_joined_plate_is_a_closed_form() {
         ("k=0 b=100", Some(2.0 * MASS_KG * w / 100.0)),
         ("k=0", None),
     ] {
-        let problem = problem(pairs);
+        let problem = Problem::with(pairs);
         let found = body(&problem, Mode::Fused, [5e-3, 0.0, 0.0, w]).maximum_displacement(0.0);
         match expected {
             Some(exact) => {
